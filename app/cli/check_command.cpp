@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "command.h"
+#include "estimation/session_check.h"
+#include "json_values.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  std::string session;
+  Output output;
+};
+
+int run(const Options& o) {
+  const Session session = open_session(o.session);
+  const SessionCheck check = check_session(session);
+  for (const std::string& line : check.contents) o.output.line(line);
+  for (const std::string& line : check.warnings) o.output.line("warning: " + line);
+  for (const std::string& line : check.problems) o.output.line("PROBLEM: " + line);
+  o.output.line(check.problems.empty() ? "Everything in the session works."
+                                       : fmt::format("{} problem{}: these would not work.", check.problems.size(),
+                                                     check.problems.size() == 1 ? "" : "s"));
+  o.output.json({{"contents", check.contents},
+                 {"warnings", check.warnings},
+                 {"problems", check.problems},
+                 {"notes", session.notes}});
+  for (const std::string& line : check.problems) Output::note(line);
+  return check.problems.empty() ? done : wrong_input;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("check", "Reads everything, images too, and says what is there and what would not work");
+  add_session_option(*command, options->session);
+  add_json_option(*command, options->output);
+  return {command, [options] { return run(*options); }};
+}
+
+}  // namespace handsight::cli

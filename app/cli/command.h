@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every command of handsight-cli shares: where results go, exit codes, and how sessions are opened.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/error.h"
+#include "session/session.h"
+
+namespace handsight::cli {
+
+using Json = nlohmann::ordered_json;
+
+enum ExitCode { done = 0, answer_is_no = 1, wrong_input = 2 };
+
+/// Results: a short table for people on standard output, or with --json the whole result in a file ("-": standard
+/// output, and nothing else is printed there).
+struct Output {
+  std::string json_file;
+
+  bool to_people() const { return json_file != "-"; }
+  /// Prints one line for people; nothing where standard output belongs to JSON.
+  void line(const std::string& text = "") const;
+  /// Writes the whole result; the file is replaced whole. Nothing without --json.
+  void json(const Json& result) const;
+  /// A note on standard error.
+  static void note(const std::string& text);
+};
+
+/// A bar on standard error, where that is a terminal.
+class Progress {
+ public:
+  Progress(std::string what, std::size_t total);
+  ~Progress();
+  void at(std::size_t count);
+
+ private:
+  std::string what_;
+  std::size_t total_;
+  bool terminal_;
+};
+
+/// One command: its name in the list, how it declares its options, what it does.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+/// Reads a session (folder or session.xml) and prints its notes.
+Session open_session(const std::string& path);
+
+/// Adds `SESSION` and `--json` to a command.
+void add_session_option(CLI::App& app, std::string& session);
+void add_json_option(CLI::App& app, Output& output);
+
+Command add_check(CLI::App& app);
+Command add_detect(CLI::App& app);
+Command add_label(CLI::App& app);
+Command add_online(CLI::App& app);
+Command add_fit(CLI::App& app);
+Command add_predict(CLI::App& app);
+Command add_effective_mass(CLI::App& app);
+Command add_simulate(CLI::App& app);
+Command add_effects(CLI::App& app);
+
+}  // namespace handsight::cli

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <ctime>
+
+#include "command.h"
+#include "estimation/fit_report.h"
+#include "fit_output.h"
+#include "session/calibration_xml.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  std::string session, objective = "image", loss = "none", export_file;
+  std::vector<std::string> effects;
+  bool fix_markers = false;
+  Output output;
+};
+
+int run(const Options& o) {
+  const Session session = open_session(o.session);
+  FitOptions options;
+  options.objective = o.objective == "camera"       ? Objective::camera
+                      : o.objective == "angle-axis" ? Objective::angle_axis
+                                                    : Objective::image;
+  options.loss = o.loss == "huber" ? Loss::huber : o.loss == "cauchy" ? Loss::cauchy : Loss::none;
+  options.fix_markers = o.fix_markers;
+  for (const std::string& effect : o.effects) {
+    if (effect.find('=') == std::string::npos)
+      throw InputError(fmt::format(
+          "--effects {}: this version holds effects at given values (id:joint.parameter=value) and cannot estimate them "
+          "yet; give each a value or leave them out.",
+          effect));
+    add_effect_value(effect, session.robot, options.effects);
+  }
+  const Fit result = fit(session, options);
+  const FitReport told = report(session, result, options);
+  print_fit(o.output, session, result, told, options);
+  o.output.json(fit_json(session, result, told, options));
+  if (!o.export_file.empty()) {
+    write_calibration(o.export_file, calibration_of(session, result, told, options));
+    o.output.line("Written: " + o.export_file);
+  }
+  return result.converged() ? done : answer_is_no;
+}
+
+}  // namespace
+
+Command add_fit(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("fit", "Estimates tcp_from_body from the labelled markers");
+  add_session_option(*command, options->session);
+  command->add_option("--objective", options->objective, "image (px), camera (3D points) or angle-axis (body poses)")
+      ->check(CLI::IsMember({"image", "camera", "angle-axis"}));
+  command->add_option("--loss", options->loss, "Robust loss: none, huber or cauchy")
+      ->check(CLI::IsMember({"none", "huber", "cauchy"}));
+  command->add_flag("--fix-markers", options->fix_markers, "Hold the body's shape at the average of the observations");
+  command->add_option("--effects", options->effects, "Effects in the model, with values: id:joint.parameter=value");
+  command->add_option("--export", options->export_file, "Write the calibration XML");
+  add_json_option(*command, options->output);
+  return {command, [options] { return run(*options); }};
+}
+
+}  // namespace handsight::cli

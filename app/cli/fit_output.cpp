@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "estimation/prediction.h"
+#include "json_values.h"
+
+namespace handsight::cli {
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+
+std::string with_sigma(const char* name, double value, double sigma, const char* unit) {
+  value += 0.0;  // no minus before a zero
+  if (std::string(unit) == "deg" && sigma > 90)
+    return fmt::format("  {:<6} {:>11.4f}    not observed, left at its start", name, value);
+  return fmt::format("  {:<6} {:>11.4f} +- {:<8.4f} {}", name, value, sigma, unit);
+}
+
+/// Sigma of the origin and of the rotations about the TCP's axes.
+Vector6 origin_sigma(const Fit& fit) {
+  Matrix6 at_origin = Matrix6::Identity();
+  at_origin.topRightCorner<3, 3>() = -cross_matrix(fit.tcp_from_body.translation);
+  return (at_origin * fit.covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
+}
+
+std::string text_or_unknown(const std::optional<double>& value, double scale, const char* unit) {
+  return value ? fmt::format("{:.3f} {}", scale * *value, unit) : "unknown";
+}
+
+Json parameters_json(const Session& session, const std::vector<EffectTerm>& terms, const std::string& id) {
+  Json list = Json::array();
+  for (const EffectTerm& term : terms) {
+    if (term.id != id) continue;
+    const Effect* effect = find_effect(id);
+    for (std::size_t p = 0; p < effect->parameters.size(); ++p)
+      list.push_back({{"of", term.joint >= 0 ? Json(place_name(*effect, term.joint, session.robot)) : Json(nullptr)},
+                      {"name", effect->parameters[p].name},
+                      {"value", term.values[p]},
+                      {"sigma", 0.0},
+                      {"unit", effect->parameters[p].unit}});
+  }
+  return list;
+}
+
+Json effects_json(const Session& session, const std::vector<EffectTerm>& terms) {
+  Json list = Json::array();
+  for (const Effect& effect : catalogue()) {
+    Json parameters = parameters_json(session, terms, effect.id);
+    if (!parameters.empty()) list.push_back({{"id", effect.id}, {"parameters", parameters}});
+  }
+  return list;
+}
+
+Json errors_json(const ErrorSummary& e, const std::string& prefix) {
+  return {{prefix + "rms_pixel", number(e.rms_pixel)},
+          {prefix + "rms_m", number(e.rms_m)},
+          {prefix + "mean_m", number(e.mean_m)}};
+}
+
+/// Of x y z (m) and the rotation vector (rad), from the noise; null where either is not known.
+Json deviation_sigma(const Fit& fit, const ObservationReport& o) {
+  if (!o.deviation || !fit.noise) return nullptr;
+  return numbers(Vector6(*fit.noise * o.deviation->unit_covariance.diagonal().cwiseMax(0).cwiseSqrt()));
+}
+
+Json observations_json(const Fit& fit, const FitReport& told) {
+  Json list = Json::array();
+  for (const ObservationReport& o : told.per_observation)
+    list.push_back({{"id", o.id},
+                    {"rms_pixel", number(o.rms_pixel)},
+                    {"rms_m", number(o.rms_m)},
+                    {"tcp_from_tcp_est", o.deviation ? motion(o.deviation->tcp_from_tcp_est) : Json(nullptr)},
+                    {"tcp_from_tcp_est_sigma", deviation_sigma(fit, o)},
+                    {"outlier", o.outlier}});
+  return list;
+}
+
+void print_errors(const Output& out, const Fit& fit, const FitReport& told) {
+  const bool pixels = told.fitted.rms_pixel.has_value();
+  if (pixels)
+    out.line(fmt::format("Error     {} rms fitted, {} held out; noise {}",
+                         text_or_unknown(told.fitted.rms_pixel, 1, "px"),
+                         text_or_unknown(told.held_out.rms_pixel, 1, "px"), text_or_unknown(fit.noise, 1, "px")));
+  out.line(fmt::format("{}{} mean, {} rms, {} max fitted; {} mean held out{}", pixels ? "          " : "Error     ",
+                       text_or_unknown(told.fitted.mean_m, 1e3, "mm"), text_or_unknown(told.fitted.rms_m, 1e3, "mm"),
+                       text_or_unknown(told.fitted.max_m, 1e3, "mm"), text_or_unknown(told.held_out.mean_m, 1e3, "mm"),
+                       pixels ? "" : "; noise " + text_or_unknown(fit.noise, 1e3, "mm")));
+  if (fit.chi2_per_dof) out.line(fmt::format("          chi-squared per degree of freedom {:.2f}", *fit.chi2_per_dof));
+}
+
+}  // namespace
+
+void print_fit(const Output& out, const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {
+  out.line(fmt::format("{}: {} observations, {} used", session.title.empty() ? "Session" : session.title,
+                       told.observations, told.used));
+  for (const Unused& u : told.rejected) out.line(fmt::format("  not used: {} ({})", u.id, u.reason));
+  out.line();
+  out.line(fmt::format("tcp_from_body{}", fit.converged() ? "" : " (NOT CONVERGED)"));
+  const Vector6 sigma = origin_sigma(fit);
+  const Vector3 rpy = degrees * rpy_from_rotation(fit.tcp_from_body.rotation);
+  const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
+  for (int i = 0; i < 3; ++i)
+    out.line(with_sigma(names[i], 1e3 * fit.tcp_from_body.translation[i], 1e3 * sigma[i], "mm"));
+  for (int i = 0; i < 3; ++i) out.line(with_sigma(names[i + 3], rpy[i], degrees * sigma[i + 3], "deg"));
+  out.line(fit.covariance_kind == CovarianceKind::noise
+               ? "  (sigmas from the noise; rotations about the TCP's x, y, z)"
+               : "  (sigmas from how the observations differ: the model does not agree with them to the noise)");
+  out.line();
+  print_errors(out, fit, told);
+  if (fit.objective == Objective::angle_axis)
+    out.line(fmt::format("          weights: {:.3f} mm and {:.4f} deg", 1e3 * fit.angle_axis_sigma_m,
+                         degrees * fit.angle_axis_sigma_rad));
+  std::string outliers;
+  for (const ObservationReport& o : told.per_observation)
+    if (o.outlier) outliers += (outliers.empty() ? "" : ", ") + std::to_string(o.id);
+  if (!outliers.empty()) out.line("Stand out of the others: " + outliers);
+  for (const std::string& note : fit.notes) out.line("Note: " + note);
+}
+
+Json fit_json(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options) {
+  Json result{{"converged", fit.converged()}, {"observations", told.observations}, {"used", told.used}};
+  Json rejected = Json::array();
+  for (const Unused& u : told.rejected) rejected.push_back({{"id", u.id}, {"reason", u.reason}});
+  result["rejected"] = rejected;
+  result.update(errors_json(told.fitted, ""));
+  result["max_m"] = number(told.fitted.max_m);
+  result.update(errors_json(told.held_out, "held_out_"));
+  const bool tracker = session.is_tracker();
+  const Json noise = number(fit.noise), null = nullptr;
+  const Json estimated = fit.noise_estimate ? number(fit.noise_estimate->sigma) : null;
+  result["noise_pixel"] = tracker ? null : noise;
+  result["noise_m"] = tracker ? noise : null;
+  result["noise_estimated_pixel"] = tracker ? null : estimated;
+  result["noise_estimated_m"] = tracker ? estimated : null;
+  result["chi2_per_dof"] = number(fit.chi2_per_dof);
+  result["tcp_from_body"] = {{"matrix", motion(fit.tcp_from_body)}, {"covariance", matrix(fit.covariance)}};
+  result["covariance_from"] = fit.covariance_kind == CovarianceKind::noise ? "noise" : "scatter";
+  Json markers = Json::array();
+  for (std::size_t m = 0; m < fit.markers_in_body.size(); ++m)
+    markers.push_back(fit.problem.marker_is_seen[m] ? numbers(fit.markers_in_body[m]) : null);
+  result["markers"] = markers;
+  result["mount_from_sensor"] = motion(estimate(fit).mount_from_sensor);
+  result["effects"] = effects_json(session, options.effects);
+  result["per_observation"] = observations_json(fit, told);
+  result["notes"] = fit.notes;
+  return result;
+}
+
+namespace {
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+}  // namespace
+
+Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options) {
+  Calibration c;
+  c.session = session.title;
+  c.created = utc_now();
+  c.software = "handsight " HANDSIGHT_VERSION;
+  c.tcp_from_body = {fit.tcp_from_body, fit.covariance};
+  c.fit = {told.observations,
+           told.used,
+           static_cast<int>(told.rejected.size()),
+           told.fitted.rms_pixel,
+           told.held_out.rms_pixel,
+           {},
+           told.fitted.rms_m,
+           told.held_out.rms_m,
+           {},
+           fit.chi2_per_dof};
+  (session.is_tracker() ? c.fit.noise_m : c.fit.noise_pixel) = fit.noise;
+  c.markers = fit.markers_in_body;
+  for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
+    if (!fit.problem.marker_is_seen[m]) c.unseen_markers.push_back(static_cast<int>(m));
+  for (const EffectTerm& term : options.effects) {
+    const Effect* effect = find_effect(term.id);
+    CalibrationEffect* listed = nullptr;
+    for (CalibrationEffect& e : c.effects)
+      if (e.id == term.id) listed = &e;
+    if (!listed) listed = &c.effects.emplace_back(CalibrationEffect{term.id, {}});
+    const std::string of = place_name(*effect, term.joint, session.robot);
+    for (std::size_t p = 0; p < effect->parameters.size(); ++p)
+      listed->parameters.push_back({of, effect->parameters[p].name, term.values[p], 0, effect->parameters[p].unit});
+  }
+  c.tcp = session.tcp;
+  c.mount = session.mount.link;
+  c.gravity = session.gravity;
+  c.joints = session.joints;
+  if (session.mount.estimate)
+    c.mount_from_sensor =
+        EstimatedMotion{estimate(fit).mount_from_sensor, fit.parameter_covariance.bottomRightCorner<6, 6>()};
+  const TcpScatter scatter = tcp_scatter(fit);
+  if (scatter.observations >= 3) c.tcp_scatter = scatter.covariance;
+  return c;
+}
+
+}  // namespace handsight::cli

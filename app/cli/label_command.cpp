@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/numbers.h"
+#include "command.h"
+#include "json_values.h"
+#include "session/session_xml.h"
+#include "vision/first_observation.h"
+#include "vision/image_file.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  std::string session;
+  std::int64_t observation = 0;
+  std::vector<std::string> left;
+  std::vector<int> markers;  // their numbers; empty: 0, 1, 2, ...
+  Output output;
+};
+
+Vector2 parse_point(const std::string& text) {
+  std::string spaced = text;
+  std::replace(spaced.begin(), spaced.end(), ',', ' ');
+  double u = 0, v = 0;
+  int used = 0;
+  if (std::sscanf(spaced.c_str(), "%lf %lf %n", &u, &v, &used) != 2 || used != static_cast<int>(spaced.size()) ||
+      !std::isfinite(u) || !std::isfinite(v))
+    throw InputError(
+        fmt::format("--left \"{}\" is not a point; write \"u,v\" in px, for example \"312.5,204\".", text));
+  return {u, v};
+}
+
+Observation& observation_with(Session& session, std::int64_t id) {
+  for (Observation& o : session.observations)
+    if (o.id == id) return o;
+  throw InputError(fmt::format("The session has no observation {}; its ids are {} to {}.", id,
+                               session.observations.front().id, session.observations.back().id));
+}
+
+/// Which markers the points are: as many as can be seen, three at least where the session has three.
+std::vector<int> marker_numbers(const Options& options, int marker_count) {
+  std::vector<int> all = options.markers;
+  if (all.empty())
+    for (std::size_t m = 0; m < options.left.size(); ++m) all.push_back(static_cast<int>(m));
+  const std::set<int> different(all.begin(), all.end());
+  if (all.size() != options.left.size() || different.size() != all.size() || *different.begin() < 0 ||
+      *different.rbegin() >= marker_count)
+    throw InputError(
+        fmt::format("--left has {} points for the markers {}; the session has markers 0 to {}: one point for each "
+                    "marker, each once.",
+                    options.left.size(), fmt::join(all, " "), marker_count - 1));
+  if (static_cast<int>(all.size()) < std::min(3, marker_count))
+    throw InputError(fmt::format("--left has {} points; a pose needs {} of the session's {} markers.", all.size(),
+                                 std::min(3, marker_count), marker_count));
+  return all;
+}
+
+int run(const Options& options) {
+  Session session = open_session(options.session);
+  if (!session.stereo) throw InputError("A tracker session has no images to label; its markers are points already.");
+  Observation& observation = observation_with(session, options.observation);
+  if (observation.left_image.empty() || observation.right_image.empty())
+    throw InputError(fmt::format(
+        "Observation {} has no images to label; name a left and a right image in its <images>.", observation.id));
+  const std::vector<int> numbers_of = marker_numbers(options, session.marker_count);
+  std::vector<Vector2> pointed;
+  for (const std::string& text : options.left) pointed.push_back(parse_point(text));
+  const Image left = read_image(folder(session) / observation.left_image);
+  const Image right = read_image(folder(session) / observation.right_image);
+  check_image_size(left, session.stereo->left, observation.left_image);
+  check_image_size(right, session.stereo->right, observation.right_image);
+  const FirstLabels labels = label_first(*session.stereo, detect_corners(left), detect_corners(right), pointed);
+  Json result{{"observation", observation.id}, {"refusal", labels.refusal}, {"markers", Json::array()}};
+  if (!labels.refusal.empty()) {
+    options.output.json(result);
+    throw InputError(labels.refusal);
+  }
+  observation.sightings.clear();
+  for (std::size_t m = 0; m < labels.markers.size(); ++m) {
+    const LabelledMarker& l = labels.markers[m];
+    observation.sightings.push_back({numbers_of[m], l.left, l.right, {}, MarkedBy::hand});
+    result["markers"].push_back({{"index", numbers_of[m]},
+                                 {"left", numbers(l.left)},
+                                 {"right", numbers(l.right)},
+                                 {"point", numbers(l.point.point)},
+                                 {"epipolar_distance_pixel", l.point.epipolar_distance},
+                                 {"other_candidates", l.other_candidates}});
+    options.output.line(fmt::format(
+        "marker {}  left {:8.2f} {:8.2f}  right {:8.2f} {:8.2f}  depth {:.3f} m  {:.2f} px from its epipolar line",
+        numbers_of[m], l.left.x(), l.left.y(), l.right.x(), l.right.y(), l.point.point.z(), l.point.epipolar_distance));
+  }
+  for (std::size_t a = 0; a < labels.markers.size(); ++a)
+    for (std::size_t b = a + 1; b < labels.markers.size(); ++b)
+      options.output.line(fmt::format("side {}-{}  {:.1f} mm", numbers_of[a], numbers_of[b],
+                                      1e3 * (labels.markers[b].point.point - labels.markers[a].point.point).norm()));
+  std::sort(observation.sightings.begin(), observation.sightings.end(),
+            [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });
+  observation.decision = Decision::none;
+  observation.reason.clear();
+  save_session(session);
+  options.output.json(result);
+  options.output.line(fmt::format("Saved: observation {} is labelled.", observation.id));
+  return done;
+}
+
+}  // namespace
+
+Command add_label(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("label", "Labels the first observation: snaps to corners, finds the right image's");
+  add_session_option(*command, options->session);
+  command->add_option("--observation", options->observation, "Id of the observation")->required();
+  command->add_option("--left", options->left, "\"u,v\" in the left image, one for each marker")
+      ->required()
+      ->expected(1, 64);
+  command->add_option("--markers", options->markers,
+                      "Their numbers, where not every marker is seen: 0 1 2 ... where left out");
+  add_json_option(*command, options->output);
+  return {command, [options] { return run(*options); }};
+}
+
+}  // namespace handsight::cli

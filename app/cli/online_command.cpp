@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "base/files.h"
+#include "command.h"
+#include "estimation/online.h"
+#include "json_values.h"
+#include "session/session_xml.h"
+#include "vision/image_file.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  std::string session;
+  bool save = false;
+  double body_gate_mm = 30;
+  Output output;
+};
+
+constexpr double degrees = 57.29577951308232;
+
+Json step_json(const OnlineStep& step) {
+  Json line{{"id", step.id},
+            {"state", step.accepted ? "accepted" : "rejected"},
+            {"reason", step.reason},
+            {"milliseconds", step.milliseconds}};
+  line["tcp_from_body"] = step.has_estimate ? six(step.tcp_from_body) : Json(nullptr);
+  line["sigma"] = step.has_estimate ? numbers(step.sigma) : Json(nullptr);
+  line["tcp_from_tcp_est"] = step.tcp_from_tcp_est ? six(*step.tcp_from_tcp_est) : Json(nullptr);
+  return line;
+}
+
+std::string step_line(const OnlineStep& step) {
+  std::string text = fmt::format("{:>5}  {}", step.id, step.accepted ? "taken   " : "rejected");
+  if (!step.accepted) return text + "  " + step.reason;
+  text += fmt::format("  {} markers {}", step.sightings.size(), step.from_images ? "found   " : "labelled");
+  if (step.has_estimate && step.tcp_from_tcp_est)
+    text += fmt::format("  TCP off {:>6.2f} mm {:>5.2f} deg", 1e3 * step.tcp_from_tcp_est->translation.norm(),
+                        degrees * vector_from_rotation(step.tcp_from_tcp_est->rotation).norm());
+  return text;
+}
+
+std::optional<ImagePair> read_images(const Session& session, const Observation& o, std::string& refusal) {
+  if (o.left_image.empty() || o.right_image.empty() || !session.stereo) return std::nullopt;
+  try {
+    ImagePair pair{read_image(folder(session) / o.left_image), read_image(folder(session) / o.right_image)};
+    check_image_size(pair.left, session.stereo->left, o.left_image);
+    check_image_size(pair.right, session.stereo->right, o.right_image);
+    return pair;
+  } catch (const InputError& error) {
+    refusal = error.what();
+    return std::nullopt;
+  }
+}
+
+/// What --save writes of one observation: the decision, and the markers that were found.
+void keep(const OnlineStep& step, Observation& o) {
+  o.decision = step.accepted ? Decision::accepted : Decision::rejected;
+  o.reason = step.reason;
+  if (step.from_images && !step.sightings.empty()) o.sightings = step.sightings;
+}
+
+void print_estimate(const Output& output, const OnlineStep& last) {
+  const Vector3 xyz = 1e3 * last.tcp_from_body.translation,
+                rpy = degrees * rpy_from_rotation(last.tcp_from_body.rotation);
+  output.line("tcp_from_body           x          y          z mm      roll      pitch        yaw deg");
+  output.line(fmt::format("             {:>12.4f} {:>10.4f} {:>10.4f} {:>12.4f} {:>10.4f} {:>10.4f}", xyz.x(), xyz.y(),
+                          xyz.z(), rpy.x() + 0.0, rpy.y() + 0.0, rpy.z() + 0.0));
+  std::string sigmas;
+  for (int i = 0; i < 6; ++i) {
+    const double sigma = (i < 3 ? 1e3 : degrees) * last.sigma[i];
+    sigmas += i >= 3 && sigma > 90 ? fmt::format(" {:>{}}", "unknown", i == 3 ? 12 : 10)
+                                   : fmt::format(" {:>{}.4f}", sigma, i == 0 || i == 3 ? 12 : 10);
+  }
+  output.line("          +-" + sigmas);
+  if (last.covariance_is_scatter)
+    output.line("(sigmas from how the observations differ: the model does not agree with them to the noise)");
+}
+
+int run(const Options& options) {
+  Session session = open_session(options.session);
+  OnlineOptions online_options;
+  online_options.match.body_gate = 1e-3 * options.body_gate_mm;
+  OnlineCalibration online(session, online_options);
+  std::ofstream json_lines;
+  std::string json_text;
+  Progress progress("calibrating", session.observations.size());
+  std::size_t taken = 0;
+  OnlineStep last;
+  for (std::size_t k = 0; k < session.observations.size(); ++k) {
+    Observation& observation = session.observations[k];
+    std::string refusal;
+    const auto images =
+        observation.decision == Decision::excluded ? std::nullopt : read_images(session, observation, refusal);
+    OnlineStep step;
+    if (!refusal.empty()) {
+      step.id = observation.id;
+      step.reason = refusal;
+    } else {
+      step = online.add(observation, images ? &*images : nullptr);
+    }
+    taken += step.accepted ? 1 : 0;
+    options.output.line(step_line(step));
+    if (options.output.json_file == "-") {
+      std::cout << step_json(step).dump() << '\n' << std::flush;
+    } else if (!options.output.json_file.empty()) {
+      json_text += step_json(step).dump() + '\n';
+    }
+    if (observation.decision != Decision::excluded) keep(step, observation);
+    if (step.has_estimate) last = std::move(step);
+    progress.at(k + 1);
+  }
+  if (!json_text.empty()) replace_file(options.output.json_file, json_text);
+  if (options.save) save_session(session);
+  options.output.line();
+  options.output.line(fmt::format("{} of {} observations taken{}", taken, session.observations.size(),
+                                  options.save ? "; saved in the session" : ""));
+  if (!last.has_estimate) return answer_is_no;
+  print_estimate(options.output, last);
+  return done;
+}
+
+}  // namespace
+
+Command add_online(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("online", "Online calibration: observation by observation, each taken or rejected");
+  add_session_option(*command, options->session);
+  command->add_flag("--save", options->save, "Save decisions and found markers in the session");
+  command
+      ->add_option("--body-gate", options->body_gate_mm,
+                   "mm: how far the markers as a whole may be from their prediction")
+      ->check(CLI::PositiveNumber);
+  add_json_option(*command, options->output);
+  return {command, [options] { return run(*options); }};
+}
+
+}  // namespace handsight::cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "command.h"
+#include "estimation/prediction.h"
+#include "json_values.h"
+#include "predict_source.h"
+#include "session/csv.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  std::string source, robot, positions_file;
+  std::vector<std::string> positions;
+  Output output;
+};
+
+std::vector<Eigen::VectorXd> wanted_positions(const Options& o, const PredictSource& source) {
+  std::vector<Eigen::VectorXd> all;
+  const auto count = source.joint_names.size();
+  for (const std::string& text : o.positions) {
+    const auto numbers = parse_numbers(text);
+    if (!numbers || numbers->size() != count)
+      throw InputError(fmt::format("--position \"{}\" has {} numbers; expected {} finite ones, one for each of: {}.",
+                                   text, numbers ? std::to_string(numbers->size()) : "unreadable", count,
+                                   fmt::join(source.joint_names, " ")));
+    all.push_back(Eigen::Map<const Eigen::VectorXd>(numbers->data(), static_cast<Eigen::Index>(count)));
+  }
+  if (!o.positions_file.empty())
+    for (const Eigen::VectorXd& position : read_poses(o.positions_file, source.joint_names)) all.push_back(position);
+  if (all.empty()) throw InputError("No pose to predict; give --position \"q1 q2 ...\" or --positions FILE.csv.");
+  return all;
+}
+
+int run(const Options& o) {
+  const PredictSource source = predict_source(o.source, o.robot);
+  Json list = Json::array();
+  for (const std::string& note : source.notes) Output::note(note);
+  o.output.line("      x        y        z m     moved by mm   sigma x  y  z mm       sigma rx  ry  rz deg");
+  for (const Eigen::VectorXd& position : wanted_positions(o, source)) {
+    const TcpPrediction p = predict_tcp(source.chain, position, source.effects, source.scatter, source.tcp_from_body,
+                                        source.body_covariance);
+    const Vector3 t = p.root_from_tcp_est.translation;
+    const Vector6 s = p.sigma;
+    constexpr double degrees = 57.29577951308232;
+    o.output.line(
+        fmt::format("{:>8.4f} {:>8.4f} {:>8.4f} {:>12.3f}    {:>6.3f} {:>6.3f} {:>6.3f}    {:>7.4f} {:>7.4f} {:>7.4f}",
+                    t.x(), t.y(), t.z(), 1e3 * (t - p.root_from_tcp.translation).norm(), 1e3 * s[0], 1e3 * s[1],
+                    1e3 * s[2], degrees * s[3], degrees * s[4], degrees * s[5]));
+    list.push_back({{"root_from_tcp", motion(p.root_from_tcp)},
+                    {"root_from_tcp_est", motion(p.root_from_tcp_est)},
+                    {"sigma", numbers(p.sigma)}});
+  }
+  o.output.json(list);
+  return done;
+}
+
+}  // namespace
+
+Command add_predict(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("predict", "Where the TCP really is in poses that were not measured");
+  command->add_option("SESSION", options->source, "A session, or a calibration XML")->required();
+  command->add_option("--robot", options->robot, "URDF; needed with a calibration");
+  command->add_option("--position", options->positions,
+                      "Joint angles in the session's order, in quotes; several times for several");
+  command->add_option("--positions", options->positions_file, "CSV with one pose a line");
+  add_json_option(*command, options->output);
+  return {command, [options] { return run(*options); }};
+}
+
+}  // namespace handsight::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "estimation/prediction.h"
+
+namespace handsight::cli {
+
+/// What a prediction is made from: a session, which is fitted, or a calibration file and a robot.
+struct PredictSource {
+  Chain chain;
+  std::vector<std::string> joint_names;
+  std::vector<EffectTerm> effects;
+  TcpScatter scatter;
+  Rigid tcp_from_body;
+  Matrix6 body_covariance = Matrix6::Zero();
+  std::vector<std::string> notes;
+};
+
+PredictSource predict_source(const std::string& session_or_calibration, const std::string& robot_file);
+
+}  // namespace handsight::cli

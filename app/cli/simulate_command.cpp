@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "command.h"
+#include "robot/urdf.h"
+#include "simulation/simulated_files.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  std::string robot, like, out, images = "none";
+  std::vector<std::string> effects, disturbances;
+  double noise = -1;
+  bool undeclared = false;
+  SimulationOptions simulation;
+  std::vector<double> shift;
+  ImageOptions image;
+  Output output;
+};
+
+int images_wanted(const std::string& text, int observations) {
+  if (text == "none") return 0;
+  if (text == "all") return observations;
+  try {
+    std::size_t used = 0;
+    const int count = std::stoi(text, &used);
+    if (used == text.size() && count >= 0) return std::min(count, observations);
+  } catch (const std::exception&) {
+  }
+  throw InputError(fmt::format("--images \"{}\": write all, none, or a number of observations.", text));
+}
+
+int run(const Options& o) {
+  Session like = open_session(o.like);
+  SimulationOptions options = o.simulation;
+  std::filesystem::path robot_file = folder(like) / like.robot_file;
+  if (!o.robot.empty()) {
+    robot_file = o.robot;
+    like.robot = read_urdf(robot_file);
+  }
+  if (o.noise >= 0) options.noise = o.noise;
+  if (!o.shift.empty()) options.shift_in_sensor = Vector3(o.shift[0], o.shift[1], o.shift[2]);
+  for (const std::string& effect : o.effects) add_effect_value(effect, like.robot, options.effects);
+  for (const std::string& d : o.disturbances) options.disturbances.push_back(parse_disturbance(d, like.robot));
+  ImageOptions image = o.image;
+  image.observations = images_wanted(o.images, options.observations);
+  // The noise of corners found in images is the detector's, not that of the simulated labels.
+  options.declare_noise = !o.undeclared && image.observations == 0;
+  const SimulatedSession simulated = simulate_session(like, options);
+  Progress progress("rendering", static_cast<std::size_t>(image.observations));
+  const WrittenSession written = write_simulated(simulated, options, robot_file, image, o.out,
+                                                 [&](int done) { progress.at(static_cast<std::size_t>(done)); });
+  o.output.line(fmt::format("{}: {} observations, {} with images, label noise {:.3g} {}, {} effect{} hidden", o.out,
+                            options.observations, written.with_images, simulated.noise, like.is_tracker() ? "m" : "px",
+                            options.effects.size(), options.effects.size() == 1 ? "" : "s"));
+  if (!written.label_hint.empty()) o.output.line("Label the first observation with:\n  " + written.label_hint);
+  o.output.json({{"out", o.out},
+                 {"observations", options.observations},
+                 {"with_images", written.with_images},
+                 {"label", written.label_hint}});
+  return done;
+}
+
+}  // namespace
+
+Command add_simulate(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("simulate", "Makes a session with known truth");
+  command->add_option("--robot", o->robot, "URDF of the robot; the session's own where it is left out");
+  command->add_option("--like", o->like, "The session that gives cameras or tracker, mount, joints and markers")
+      ->required();
+  command->add_option("--out", o->out, "Folder to make; it must not hold a session already")->required();
+  command->add_option("--effect", o->effects, "What is hidden in it: id:joint.parameter=value");
+  command->add_option("--observations", o->simulation.observations, "How many")->check(CLI::Range(1, 100000));
+  command->add_option("--seed", o->simulation.seed, "Every random thing follows from it");
+  command->add_option("--title", o->simulation.title, "Title of the session");
+  command->add_option("--noise", o->noise, "px (m with a tracker) of one coordinate")->check(CLI::NonNegativeNumber);
+  command->add_flag("--undeclared", o->undeclared, "Do not write the noise into the session");
+  command->add_option("--joint-range", o->simulation.joint_range, "Share of the joint limits that poses are drawn from")
+      ->check(CLI::Range(0.01, 1.0));
+  command->add_option("--body-size", o->simulation.body_size, "m: longest side of the markers, about")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--nearest", o->simulation.nearest, "m: from the left camera")->check(CLI::PositiveNumber);
+  command->add_option("--farthest", o->simulation.farthest, "m: from the left camera")->check(CLI::PositiveNumber);
+  command->add_flag("--follow", o->simulation.follow, "Neighbouring observations are neighbours in posture");
+  command->add_option("--shift", o->shift, "m, x y z: every marker is measured off by this in the sensor's frame")
+      ->expected(3);
+  command->add_option("--disturb", o->disturbances,
+                      "ID:joint:NAME=RAD, ID:marker:INDEX=METRES or ID:right_image:NAME=RAD");
+  command->add_option("--images", o->images, "all, none, or how many observations get images")
+      ->expected(0, 1)
+      ->default_str("all");
+  command->add_option("--image-noise", o->image.noise_grey, "grey levels")->check(CLI::NonNegativeNumber);
+  command->add_option("--image-blur", o->image.blur_px, "px")->check(CLI::NonNegativeNumber);
+  command->add_option("--distractors", o->image.distractors, "corners in the scene that are no markers")
+      ->check(CLI::Range(0, 500));
+  add_json_option(*command, o->output);
+  return {command, [o] { return run(*o); }};
+}
+
+}  // namespace handsight::cli

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thin helpers over tinyxml2. Every refusal is an InputError sentence with the file, the line, what was found
+// and what was expected.
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handsight {
+
+/// An element and the name of its file, as refusals show it. Both outlive the node.
+struct XmlNode {
+  const tinyxml2::XMLElement* element = nullptr;
+  std::string_view file;
+
+  std::string_view tag() const { return element->Name(); }
+  int line() const { return element->GetLineNum(); }
+};
+
+/// Parses a text that is well-formed XML in UTF-8.
+std::unique_ptr<tinyxml2::XMLDocument> parse_xml(std::string_view text, std::string_view file);
+
+/// The one outermost element, which has this tag.
+XmlNode root_of(const tinyxml2::XMLDocument& document, std::string_view file, std::string_view tag);
+
+/// Refuses every version="" but "1".
+void require_version_1(const XmlNode& node);
+
+/// Throws InputError "FILE, line LINE: <TAG> SENTENCE".
+[[noreturn]] void refuse(const XmlNode& node, std::string_view sentence);
+
+/// Child elements; all, or those of one tag.
+std::vector<XmlNode> children(const XmlNode& node, std::string_view tag = {});
+
+/// The child of that tag; refuses a second one.
+std::optional<XmlNode> find_child(const XmlNode& node, std::string_view tag);
+XmlNode required_child(const XmlNode& node, std::string_view tag);
+
+/// Attribute texts.
+std::optional<std::string> find_text(const XmlNode& node, const char* attribute);
+std::string required_text(const XmlNode& node, const char* attribute);
+
+/// The same, and not empty.
+std::string required_name(const XmlNode& node, const char* attribute);
+
+/// Attributes that hold one finite number.
+std::optional<double> find_number(const XmlNode& node, const char* attribute);
+double required_number(const XmlNode& node, const char* attribute);
+std::optional<double> find_positive(const XmlNode& node, const char* attribute);
+double required_positive(const XmlNode& node, const char* attribute);
+
+/// Attributes that hold so many finite numbers.
+std::optional<std::vector<double>> find_numbers(const XmlNode& node, const char* attribute, std::size_t count);
+std::vector<double> required_numbers(const XmlNode& node, const char* attribute, std::size_t count);
+
+/// Attributes that hold an integer from `lowest` to `highest`.
+std::optional<std::int64_t> find_integer(const XmlNode& node, const char* attribute, std::int64_t lowest,
+                                         std::int64_t highest);
+std::int64_t required_integer(const XmlNode& node, const char* attribute, std::int64_t lowest, std::int64_t highest);
+
+/// Index of the attribute's text in `choices`.
+std::optional<std::size_t> find_choice(const XmlNode& node, const char* attribute,
+                                       std::initializer_list<std::string_view> choices);
+
+/// The texts directly inside an element, comments left out.
+std::string inner_text(const XmlNode& node);
+
+/// So many finite numbers inside an element; `reason` completes "expected COUNT".
+std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::string_view reason = {});
+
+/// Elements, attributes and texts that a reader does not know, counted by kind.
+struct Ignored {
+  struct Count {
+    int times = 0;
+    int first_line = 0;
+  };
+  std::map<std::string, Count> kinds;
+};
+
+/// Counts what is unknown in an element. `holds_text`: text is expected.
+void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<std::string_view> attributes,
+                  std::initializer_list<std::string_view> elements, bool holds_text = false);
+
+/// "session.xml: element <foo> in <bar> is not known and is ignored (12 times, first at line 30)."
+std::vector<std::string> ignored_sentences(const Ignored& ignored, std::string_view file);
+
+/// The document as text, indented by two spaces.
+std::string xml_text(const tinyxml2::XMLDocument& document);
+
+}  // namespace handsight

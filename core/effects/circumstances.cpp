@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "effects/circumstances.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace handsight {
+namespace {
+
+/// Per joint of the robot from a vector in the session's order; empty: zeros.
+Eigen::VectorXd per_robot_joint(const Chain& chain, const Eigen::VectorXd& values, bool with_offsets) {
+  if (values.size() == 0) return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.robot.joints.size()));
+  Eigen::VectorXd all = joint_values(chain.robot, chain.joints, values);
+  if (with_offsets) return all;
+  // Rates have no offsets: what a mimic joint has at zero is taken away.
+  return all - joint_values(chain.robot, chain.joints, Eigen::VectorXd::Zero(values.size()));
+}
+
+double sign(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }
+
+}  // namespace
+
+std::vector<Circumstances> circumstances_of(const Session& session, const Chain& chain) {
+  std::vector<std::size_t> order(session.observations.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Observation &first = session.observations[a], &second = session.observations[b];
+    return std::pair(first.time, first.id) < std::pair(second.time, second.id);
+  });
+  std::vector<Circumstances> all(order.size());
+  const Circumstances* before = nullptr;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Observation& o = session.observations[order[k]];
+    Circumstances& c = all[order[k]];
+    c.chain = &chain;
+    c.sensor = per_robot_joint(chain, o.position, true);
+    c.velocity = per_robot_joint(chain, o.velocity, false);
+    c.approach.resize(c.sensor.size());
+    for (Eigen::Index j = 0; j < c.sensor.size(); ++j)
+      c.approach[j] = c.velocity[j] != 0 ? sign(c.velocity[j]) : before ? sign(c.sensor[j] - before->sensor[j]) : 0.0;
+    c.elapsed = o.time - session.observations[order.front()].time;
+    c.duration = session.observations[order.back()].time - session.observations[order.front()].time;
+    c.order = static_cast<int>(k);
+    before = &c;
+  }
+  return all;
+}
+
+Circumstances circumstances_at(const Chain& chain, const Eigen::VectorXd& position) {
+  Circumstances c;
+  c.chain = &chain;
+  c.sensor = per_robot_joint(chain, position, true);
+  c.velocity = c.approach = Eigen::VectorXd::Zero(c.sensor.size());
+  c.elapsed = c.duration = 1;
+  c.order = 1 << 30;
+  return c;
+}
+
+ObservedEnds observed_ends(const Circumstances& c, const Sites& sites) {
+  const Chain& chain = *c.chain;
+  const Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, false);
+  return {{posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)],
+           posture.root_from_link[static_cast<std::size_t>(chain.mount_link)], posture.converged},
+          small_motion<double>(sites.mount) * small_motion<double>(sites.drift)};
+}
+
+StereoRig moved_rig(const StereoRig& rig, const Sites& sites) {
+  StereoRig moved = rig;
+  moved.right_from_left = small_motion<double>(sites.rig) * rig.right_from_left;
+  double Camera::*const numbers[] = {&Camera::fx, &Camera::fy, &Camera::cx, &Camera::cy,
+                                     &Camera::k1, &Camera::k2, &Camera::p1, &Camera::p2};
+  for (int i = 0; i < 8; ++i) {
+    moved.left.*numbers[i] += sites.left_camera[i];
+    moved.right.*numbers[i] += sites.right_camera[i];
+  }
+  return moved;
+}
+
+}  // namespace handsight

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of an observation before any effect: angles, velocities, directions of approach, time.
+#pragma once
+
+#include <vector>
+
+#include "model/chain.h"
+
+namespace handsight {
+
+struct Circumstances {
+  const Chain* chain = nullptr;
+  Eigen::VectorXd sensor;    // rad (m), per joint of the robot: readings; mimic joints at the sum of what they follow
+  Eigen::VectorXd velocity;  // rad/s, per joint of the robot; 0 where not measured
+  Eigen::VectorXd
+      approach;         // per joint: the sign of its last motion, of `velocity`, else against the observation before
+  double elapsed = 0;   // s since the first observation
+  double duration = 0;  // s from the first observation to the last
+  int order = 0;        // observations counted from 0 in order of time; not the id
+};
+
+/// For every observation of the session, in the session's order; `chain` must outlive them. Order, approach and time
+/// count all observations, used or not.
+std::vector<Circumstances> circumstances_of(const Session& session, const Chain& chain);
+
+/// For a pose outside any session: at rest, approached from nowhere, at the session's end where things drift.
+Circumstances circumstances_at(const Chain& chain, const Eigen::VectorXd& position);
+
+/// The chain's ends in one observation with all sites moved: joints, mount and drift (the mount's own motion is part of
+/// root_from_mount's end: see sensor_motion).
+struct ObservedEnds {
+  ChainEnds ends;
+  Rigid mount_motion;  // mount_from_sensor * mount_motion is where the sensor truly sits: exp(mount) exp(drift)
+};
+ObservedEnds observed_ends(const Circumstances& circumstances, const Sites& sites);
+
+/// The rig with its own sites moved.
+StereoRig moved_rig(const StereoRig& rig, const Sites& sites);
+
+}  // namespace handsight

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// A physical effect: a named cause of error with few parameters that are zero when it is absent. Each effect
+// describes itself once, in its own file; panel, file, solver, report, docs and tests read that description.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "effects/circumstances.h"
+
+namespace handsight {
+
+/// Where an effect may sit: an instance for every moving joint, for every mimic joint, for every marker, or one for the
+/// whole session.
+enum class EffectScope { joint, mimic_joint, marker, session };
+
+struct EffectParameter {
+  std::string name;
+  std::string unit;
+  double sigma = 0;        // the plausible size, one standard deviation: the prior's scale
+  bool is_choice = false;  // a choice among alternatives (an observation, a form), not a number that a fit may move
+};
+
+struct Effect {
+  std::string id;
+  std::string title;
+  std::string cause;       // what happens, in words
+  std::string visibility;  // where it can be seen and where not
+  std::string check;       // a cheap check with the real robot
+  std::string source;
+  EffectScope scope = EffectScope::joint;
+  std::vector<EffectParameter> parameters;
+  /// Adds to the sites of the chain what the effect does in one observation. `place` is the robot's joint or the
+  /// marker, -1 for the session; `values` has one number a parameter. Linear in the parameters that are no choices: the
+  /// sites take up what is not.
+  void (*move)(const Circumstances&, int place, std::span<const double> values, Sites& sites) = nullptr;
+};
+
+/// All effects that the program knows, each with a unique id.
+const std::vector<Effect>& catalogue();
+
+/// The effect of that id, null where there is none.
+const Effect* find_effect(const std::string& id);
+
+/// One effect at one place with values for its parameters, in the order of Effect::parameters.
+struct EffectTerm {
+  std::string id;
+  int joint = -1;  // the place: index into robot.joints, or the marker; -1 for the session scope
+  std::vector<double> values;
+};
+
+/// The places where an effect may sit in this chain.
+std::vector<int> effect_places(const Effect& effect, const Chain& chain);
+
+/// The name of a place: a joint's name, "marker 2", or empty.
+std::string place_name(const Effect& effect, int place, const Robot& robot);
+
+/// The sites as these terms move them in one observation.
+Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms);
+
+/// Parses `id:joint.parameter=value` (joint scope), `id:marker.parameter=value` with a marker's number, or
+/// `id:parameter=value` into a term list, adding to a term that is there already. InputError names what is not known
+/// and lists what is.
+void add_effect_value(const std::string& text, const Robot& robot, std::vector<EffectTerm>& terms);
+
+}  // namespace handsight

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Effects with values as users write them.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "effects/effect.h"
+
+namespace handsight {
+namespace {
+
+std::string known_effects() {
+  std::string list;
+  for (const Effect& effect : catalogue()) list += (list.empty() ? "" : ", ") + effect.id;
+  return list;
+}
+
+template <class Number>
+bool read_number(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end;
+}
+
+int joint_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
+  const int joint = find_joint(robot, name);
+  if (joint < 0 || !robot.joints[static_cast<std::size_t>(joint)].moves())
+    throw InputError(fmt::format("Effect \"{}\": the robot has no moving joint \"{}\".", text, name));
+  if (effect.scope == EffectScope::mimic_joint && !robot.joints[static_cast<std::size_t>(joint)].is_mimic())
+    throw InputError(fmt::format("Effect \"{}\": the joint \"{}\" follows no other; {} sits at joints that do.", text,
+                                 name, effect.id));
+  return joint;
+}
+
+int place_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
+  if (effect.scope != EffectScope::marker) return joint_for(effect, name, robot, text);
+  int marker = -1;
+  if (!read_number(name, marker) || marker < 0 || marker > 63)
+    throw InputError(fmt::format("Effect \"{}\": \"{}\" is no marker; write its number, 0 to 63.", text, name));
+  return marker;
+}
+
+EffectTerm& term_for(const Effect& effect, int place, std::vector<EffectTerm>& terms) {
+  for (EffectTerm& term : terms)
+    if (term.id == effect.id && term.joint == place) return term;
+  return terms.emplace_back(EffectTerm{effect.id, place, std::vector<double>(effect.parameters.size(), 0.0)});
+}
+
+}  // namespace
+
+void add_effect_value(const std::string& text, const Robot& robot, std::vector<EffectTerm>& terms) {
+  const auto colon = text.find(':');
+  const auto equals = text.find('=');
+  if (colon == std::string::npos || equals == std::string::npos || equals < colon)
+    throw InputError(
+        fmt::format("Effect \"{}\" has no value; write it as id:joint.parameter=value, for example "
+                    "joint_elasticity:arm_2.compliance=1e-4.",
+                    text));
+  const std::string id = text.substr(0, colon);
+  const Effect* effect = find_effect(id);
+  if (!effect)
+    throw InputError(fmt::format("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects()));
+  std::string name = text.substr(colon + 1, equals - colon - 1);
+  int place = -1;
+  if (effect->scope != EffectScope::session) {
+    const auto dot = name.rfind('.');
+    if (dot == std::string::npos)
+      throw InputError(fmt::format("Effect \"{}\" sits at a {}; write {}:{}.parameter=value.", text,
+                                   effect->scope == EffectScope::marker ? "marker" : "joint", id,
+                                   effect->scope == EffectScope::marker ? "0" : "joint"));
+    place = place_for(*effect, name.substr(0, dot), robot, text);
+    name = name.substr(dot + 1);
+  }
+  const auto parameter = std::find_if(effect->parameters.begin(), effect->parameters.end(),
+                                      [&](const EffectParameter& p) { return p.name == name; });
+  if (parameter == effect->parameters.end())
+    throw InputError(fmt::format("Effect \"{}\": {} has no parameter \"{}\".", text, id, name));
+  double value = 0;
+  if (!read_number(text.substr(equals + 1), value) || !std::isfinite(value))
+    throw InputError(fmt::format("Effect \"{}\": \"{}\" is not a finite number.", text, text.substr(equals + 1)));
+  term_for(*effect, place, terms).values[static_cast<std::size_t>(parameter - effect->parameters.begin())] += value;
+}
+
+}  // namespace handsight

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "effects/list.h"
+
+namespace handsight {
+namespace {
+
+void move(const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+  sites.robot.joints[static_cast<std::size_t>(place)].angle +=
+      values[0] * std::sin(c.sensor[place]) + values[1] * std::cos(c.sensor[place]);
+}
+
+}  // namespace
+
+Effect encoder_eccentricity() {
+  Effect effect;
+  effect.id = "encoder_eccentricity";
+  effect.title = "Encoder eccentricity";
+  effect.cause = "The encoder's disc is not centred on the axis: the error swings once per turn.";
+  effect.visibility =
+      "Always a pair of sine and cosine; needs about half a turn of the joint to be told from a scale or an "
+      "offset.";
+  effect.check = "Turn the joint by a full turn against an index table.";
+  effect.source = "Standard error model of angular encoders";
+  effect.scope = EffectScope::joint;
+  effect.parameters = {{"sine", "rad", 2e-3}, {"cosine", "rad", 2e-3}};
+  effect.move = move;
+  return effect;
+}
+
+}  // namespace handsight

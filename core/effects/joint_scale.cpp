@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "effects/list.h"
+
+namespace handsight {
+namespace {
+
+void move(const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+  sites.robot.joints[static_cast<std::size_t>(place)].angle += values[0] * c.sensor[place];
+}
+
+}  // namespace
+
+Effect joint_scale() {
+  Effect effect;
+  effect.id = "joint_scale";
+  effect.title = "Joint scale";
+  effect.cause =
+      "The angle sensor counts a little too much or too little per turn, so that the error grows with the "
+      "angle.";
+  effect.visibility = "Needs a wide range of the angle; over a small range an eccentric encoder looks alike.";
+  effect.check = "Turn the joint over its whole range between two marks of known angle.";
+  effect.source = "Hollerbach and Wampler 1996";
+  effect.scope = EffectScope::joint;
+  effect.parameters = {{"scale", "1", 2e-3}};
+  effect.move = move;
+  return effect;
+}
+
+}  // namespace handsight

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fit: TCP->Body, markers and mount from the labelled observations, by one of the thesis's three objectives.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimation/body_frame.h"
+#include "estimation/least_squares.h"
+#include "estimation/noise.h"
+#include "session/session.h"
+
+namespace handsight {
+
+enum class Objective {
+  image,       // thesis (4.42): px in the images (m in a tracker session)
+  camera,      // thesis (4.41): m in the left camera's frame, triangulated markers
+  angle_axis,  // thesis (4.39-4.40): body pose of each observation; m and rad weighed by their sigmas
+};
+
+struct FitOptions {
+  Objective objective = Objective::image;
+  bool fix_markers = false;  // hold the body's shape at the average of the observations (thesis 4.19-4.23)
+  Loss loss = Loss::none;
+  std::vector<EffectTerm> effects;           // in the model, at these values
+  std::optional<BodySides> sides;            // decided earlier; absent: decided by this fit's estimate
+  std::optional<Rigid> start_tcp_from_body;  // what the session cannot observe of the rotation is taken from here
+  int most_iterations = 100;
+  std::function<bool(int iteration, double cost, const Unknowns&)> on_iteration;
+};
+
+/// How the covariances were made.
+enum class CovarianceKind {
+  noise,    // from the noise of one coordinate: right where the model agrees with the measurements
+  scatter,  // from how the observations differ (clustered by observation): the model does not fit, p < 1e-3
+};
+
+struct Fit {
+  Problem problem;
+  Solution solution;
+  Objective objective = Objective::image;
+  bool fixed_markers = false;
+  BodySides sides;
+  Rigid tcp_from_body;
+  Matrix6 covariance = Matrix6::Zero();  // of xi in exp(xi) tcp_from_body
+  bool rotation_is_observed = true;      // false with one or two markers: the rest is left at its start
+  std::vector<Vector3> markers_in_body;  // m; not meaningful for markers never seen (Problem::marker_is_seen)
+  Eigen::MatrixXd parameter_covariance;  // problem columns
+  Eigen::MatrixXd shape_covariance;      // of the held markers' shape, problem columns; empty where markers are free
+  CovarianceKind covariance_kind = CovarianceKind::noise;
+  double residual_rms = 0;      // px or m, of one coordinate
+  int rows = 0;                 // coordinates
+  int unknowns = 0;             // observable ones
+  std::optional<double> noise;  // of one coordinate: declared, else estimated
+  std::optional<NoiseEstimate> noise_estimate;
+  std::optional<double> chi2_per_dof;
+  double angle_axis_sigma_m = 0, angle_axis_sigma_rad = 0;  // the weights of the angle-axis objective
+  int sightings_left_out = 0;                               // seen by one camera only, where the objective needs points
+  std::vector<std::string> notes;                           // a sentence each
+
+  bool converged() const { return solution.converged; }
+};
+
+/// Throws InputError where nothing can be fitted: no used observation, or an unknown mount that nothing determines.
+Fit fit(const Session& session, const FitOptions& options = {});
+
+/// The markers in the TCP frame and the mount that this fit found.
+inline const Unknowns& estimate(const Fit& f) { return f.solution.unknowns; }
+
+}  // namespace handsight

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/fit_report.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+#include "estimation/body_pose.h"
+#include "estimation/objectives.h"
+
+namespace handsight {
+namespace {
+
+/// Residuals of one observation: squares of its coordinates, lengths of its markers' 3D residuals.
+struct Residuals {
+  double squares = 0;
+  int rows = 0;
+  std::vector<double> lengths;
+};
+
+Residuals residuals_of(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns) {
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  Residuals residuals;
+  for (const Sighting& s : o.sightings) {
+    const Vector3 predicted = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(s.marker)];
+    const SightingNormal n = sighting_normal(images.rig_or_null(), s, predicted);
+    residuals.squares += n.cost;
+    residuals.rows += n.rows;
+    if (s.point) residuals.lengths.push_back((*s.point - predicted).norm());
+    if (!images.rig || !s.left || !s.right) continue;
+    if (const auto point = triangulate(*images.rig, *s.left, *s.right))
+      residuals.lengths.push_back((point->point - predicted).norm());
+  }
+  return residuals;
+}
+
+double rms(const std::vector<double>& values) {
+  double squares = 0;
+  for (const double v : values) squares += v * v;
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+ErrorSummary summary(const std::vector<Residuals>& all, bool pixels) {
+  ErrorSummary s;
+  double squares = 0;
+  int rows = 0;
+  std::vector<double> lengths;
+  for (const Residuals& r : all) {
+    squares += r.squares;
+    rows += r.rows;
+    lengths.insert(lengths.end(), r.lengths.begin(), r.lengths.end());
+  }
+  if (pixels && rows > 0) s.rms_pixel = std::sqrt(squares / rows);
+  if (lengths.empty()) return s;
+  s.rms_m = rms(lengths);
+  s.mean_m = 0;
+  for (const double l : lengths) *s.mean_m += l / static_cast<double>(lengths.size());
+  s.max_m = *std::max_element(lengths.begin(), lengths.end());
+  return s;
+}
+
+Problem part_of(const Problem& whole, const std::vector<char>& in_part) {
+  Problem part = whole;
+  part.observations.clear();
+  for (std::size_t i = 0; i < whole.observations.size(); ++i)
+    if (in_part[static_cast<std::size_t>(whole.observations[i].index)])
+      part.observations.push_back(whole.observations[i]);
+  return part;
+}
+
+ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& options, std::size_t session_size) {
+  std::vector<Residuals> all;
+  for (int fold = 0; fold < 5; ++fold) {
+    std::vector<char> trains(session_size, 0);
+    bool holds_out = false, has_training = false;
+    for (std::size_t rank = 0; rank < images.observations.size(); ++rank) {
+      const bool held = fold_of(static_cast<int>(rank)) == fold;
+      trains[static_cast<std::size_t>(images.observations[rank].index)] = held ? 0 : 1;
+      (held ? holds_out : has_training) = true;
+    }
+    if (!holds_out || !has_training) continue;
+    const Unknowns unknowns = refit(fit, options, part_of(fit.problem, trains), fit.noise.value_or(1));
+    for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
+      if (fold_of(static_cast<int>(rank)) == fold)
+        all.push_back(residuals_of(images, images.observations[rank], unknowns));
+  }
+  return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// An observation stands out when it is beyond what noise allows, and beyond the spread of the others too: where an
+/// effect is missing all of them are large, each by another amount, and none of them is to blame. The spread is that of
+/// the logarithm of the mean square (median and median deviation), which for noise alone is about chi-squared's own.
+std::vector<char> outliers(const std::vector<Residuals>& all, std::optional<double> noise) {
+  constexpr double spreads = 4;
+  std::vector<double> logs;
+  for (const Residuals& r : all)
+    if (r.rows > 0 && r.squares > 0) logs.push_back(std::log(r.squares / r.rows));
+  std::vector<char> out(all.size(), 0);
+  if (logs.size() < 5) return out;
+  const double middle = median_of(logs);
+  std::vector<double> deviations;
+  for (const double l : logs) deviations.push_back(std::abs(l - middle));
+  const double spread = std::max(1.4826 * median_of(deviations), 0.2);
+  const double variance = std::max(std::exp(middle), noise.value_or(0) * noise.value_or(0));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].rows == 0 || !(all[i].squares > 0)) continue;
+    const bool beyond_others = std::log(all[i].squares / all[i].rows) > middle + spreads * spread;
+    const boost::math::chi_squared chi2(all[i].rows);
+    out[i] = beyond_others && boost::math::cdf(boost::math::complement(chi2, all[i].squares / variance)) < 1e-4;
+  }
+  return out;
+}
+
+std::vector<Unused> unused(const Session& session) {
+  std::vector<Unused> list;
+  for (const Observation& o : session.observations) {
+    if (is_used(o)) continue;
+    std::string reason = "no marker is labelled";
+    if (o.decision == Decision::rejected) reason = "rejected: " + (o.reason.empty() ? "no reason given" : o.reason);
+    if (o.decision == Decision::excluded) reason = "excluded: " + (o.reason.empty() ? "no reason given" : o.reason);
+    list.push_back({o.id, reason});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemObservation& o,
+                                          const Unknowns& unknowns) {
+  // With the markers in the TCP frame standing for the body, sensor_from_body is sensor_from_tcp_est.
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  const auto pose = estimate_body_pose(images.rig_or_null(), o.sightings, unknowns.markers_in_tcp, sensor_from_tcp);
+  if (!pose) return std::nullopt;
+  // exp(xi) sensor_from_tcp_est, brought to the TCP frame: the motion about the sensor's origin there, then at the
+  // TCP's.
+  const Matrix6 to_tcp = adjoint(inverse(sensor_from_tcp));
+  return TcpDeviation{inverse(sensor_from_tcp) * pose->sensor_from_body,
+                      to_tcp * pose->unit_covariance * to_tcp.transpose()};
+}
+
+FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {
+  const Problem images = fit.objective == Objective::camera && session.stereo
+                             ? make_problem(session, chain_of(session), options.effects)
+                             : fit.problem;
+  FitReport r;
+  r.observations = static_cast<int>(session.observations.size());
+  r.used = static_cast<int>(images.observations.size());
+  r.rejected = unused(session);
+  std::vector<Residuals> all;
+  for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
+  r.fitted = summary(all, images.rig.has_value());
+  r.held_out = held_out(images, fit, options, session.observations.size());
+  const std::vector<char> out = outliers(all, fit.noise);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const ProblemObservation& o = images.observations[i];
+    ObservationReport one;
+    one.id = session.observations[static_cast<std::size_t>(o.index)].id;
+    one.index = o.index;
+    if (images.rig && all[i].rows > 0) one.rms_pixel = std::sqrt(all[i].squares / all[i].rows);
+    if (!all[i].lengths.empty()) one.rms_m = rms(all[i].lengths);
+    one.deviation = tcp_deviation(images, o, estimate(fit));
+    one.outlier = out[i] != 0;
+    r.per_observation.push_back(one);
+  }
+  return r;
+}
+
+}  // namespace handsight

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a fit says to its user: residuals of every observation, what was not used and why, the held-out error.
+#pragma once
+
+#include "estimation/fit.h"
+
+namespace handsight {
+
+/// Thesis (4.51), and the covariance that the noise of the images alone gives it.
+struct TcpDeviation {
+  Rigid tcp_from_tcp_est;
+  Matrix6 unit_covariance = Matrix6::Zero();  // of translation and rotation vector in TCP axes, noise 1 px (1 m)
+};
+
+struct ObservationReport {
+  std::int64_t id = 0;
+  int index = 0;                          // into Session::observations
+  std::optional<double> rms_pixel;        // of its image coordinates
+  std::optional<double> rms_m;            // of the lengths of its markers' 3D residuals
+  std::optional<TcpDeviation> deviation;  // nothing where it does not show three markers
+  bool outlier = false;                   // stands out of the other observations, p < 1e-4
+};
+
+struct Unused {
+  std::int64_t id = 0;
+  std::string reason;
+};
+
+/// Root mean square, mean and maximum. Pixel: over image coordinates. Metres: over the lengths of the markers' 3D
+/// residuals in the sensor's frame, of markers seen as points.
+struct ErrorSummary {
+  std::optional<double> rms_pixel, rms_m, mean_m, max_m;
+};
+
+struct FitReport {
+  int observations = 0;
+  int used = 0;
+  std::vector<Unused> rejected;  // rejected, excluded, or without markers
+  ErrorSummary fitted;
+  ErrorSummary held_out;                           // five folds over observations: floor(rank by time / 4) mod 5
+  std::vector<ObservationReport> per_observation;  // of the used, in order of time
+};
+
+/// `options` must be those of the fit. Held-out errors need observations in two folds at least; else they are absent.
+FitReport report(const Session& session, const Fit& fit, const FitOptions& options = {});
+
+/// The fold of an observation among the used ones, by its rank in time.
+inline int fold_of(int rank) { return rank / 4 % 5; }
+
+/// Where the TCP would have to be for the body to be where this observation saw it.
+std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemObservation& observation,
+                                          const Unknowns& unknowns);
+
+}  // namespace handsight

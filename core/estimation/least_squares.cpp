@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/least_squares.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+namespace handsight {
+namespace {
+
+Eigen::VectorXd inverse_scale(const Eigen::MatrixXd& h) {
+  return h.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
+}
+
+/// Steps of the unknowns to columns of the problem: the identity, or with a fixed body its six small motions.
+Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, bool fixed_body) {
+  if (!fixed_body) return Eigen::MatrixXd::Identity(problem.columns(), problem.columns());
+  const Eigen::Index markers = 3 * problem.marker_count;
+  const Eigen::Index mount = problem.columns() - markers;
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(problem.columns(), 6 + mount);
+  for (int m = 0; m < problem.marker_count; ++m) {
+    basis.block<3, 3>(3 * m, 0) = Matrix3::Identity();
+    basis.block<3, 3>(3 * m, 3) = -cross_matrix(unknowns.markers_in_tcp[static_cast<std::size_t>(m)]);
+  }
+  basis.bottomRightCorner(mount, mount).setIdentity();
+  return basis;
+}
+
+Unknowns stepped(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step, bool fixed_body) {
+  if (!fixed_body) return moved(unknowns, step, problem.mount_is_estimated);
+  Unknowns next = unknowns;
+  const Rigid motion = small_motion<double>(step.head<6>());
+  for (Vector3& marker : next.markers_in_tcp) marker = motion * marker;
+  if (problem.mount_is_estimated)
+    next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.tail<6>());
+  return next;
+}
+
+/// Where a loss bends, in units of the noise: the length that noise alone exceeds once in 20 (chi, 2 to 4 rows).
+double bend(int rows) { return rows <= 2 ? 2.45 : rows == 3 ? 2.80 : 3.08; }
+
+struct Weighted {
+  double weight = 1;
+  double cost = 0;  // noise^2 * rho
+};
+
+Weighted weigh(Loss loss, double squared_length, int rows, double noise) {
+  if (loss == Loss::none || rows == 0) return {1, squared_length};
+  const double limit = bend(rows) * noise;
+  const double length = std::sqrt(squared_length);
+  if (loss == Loss::huber)
+    return length <= limit ? Weighted{1, squared_length} : Weighted{limit / length, 2 * limit * length - limit * limit};
+  const double ratio = squared_length / (limit * limit);
+  return {1 / (1 + ratio), limit * limit * std::log1p(ratio)};
+}
+
+/// Normal equations with the loss's weights at these unknowns; `cost` is the loss, not the weighted squares.
+NormalEquations robust_normal(Problem& problem, const Unknowns& unknowns, const SolveOptions& options) {
+  if (options.loss == Loss::none) return normal_equations(problem, unknowns);
+  double cost = 0;
+  for (ProblemObservation& o : problem.observations) {
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+    o.weights.resize(o.sightings.size());
+    for (std::size_t i = 0; i < o.sightings.size(); ++i) {
+      const Vector3 x = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)];
+      const SightingNormal n = sighting_normal(problem.rig_or_null(), o.sightings[i], x);
+      const Weighted w = weigh(options.loss, n.cost, n.rows, options.noise);
+      o.weights[i] = w.weight;
+      cost += w.cost;
+    }
+  }
+  NormalEquations normal = normal_equations(problem, unknowns);
+  normal.cost = cost;
+  return normal;
+}
+
+/// (H + damping D) step = gradient in the scaled unknowns; a pseudo-inverse where H does not determine them all.
+Eigen::VectorXd damped_step(const Eigen::MatrixXd& h, const Eigen::VectorXd& gradient, double damping) {
+  const Eigen::VectorXd scale = inverse_scale(h);
+  Eigen::MatrixXd scaled = scale.asDiagonal() * h * scale.asDiagonal();
+  scaled.diagonal().array() += damping;
+  for (Eigen::Index i = 0; i < scaled.rows(); ++i)
+    if (scale[i] == 0) scaled(i, i) = 1;
+  const Eigen::VectorXd right = scale.asDiagonal() * gradient;
+  const Eigen::LDLT<Eigen::MatrixXd> ldlt(scaled);
+  if (ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 1e-11) return scale.asDiagonal() * ldlt.solve(right);
+  return scale.asDiagonal() * (pseudo_inverse(scaled) * right);
+}
+
+}  // namespace
+
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) {
+  const Eigen::VectorXd scale = inverse_scale(symmetric);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * symmetric * scale.asDiagonal());
+  const Eigen::VectorXd& values = eigen.eigenvalues();
+  const double threshold = 1e-12 * std::max(values.size() ? values.maxCoeff() : 0.0, 0.0);
+  const Eigen::VectorXd inverse = values.unaryExpr([&](double v) { return v > threshold ? 1 / v : 0.0; });
+  if (left_out) {
+    *left_out = 0;
+    for (Eigen::Index i = 0; i < values.size(); ++i) *left_out += values[i] > threshold ? 0 : 1;
+    for (Eigen::Index i = 0; i < scale.size(); ++i) *left_out -= scale[i] == 0 ? 1 : 0;  // not part of the problem
+  }
+  const Eigen::MatrixXd half = scale.asDiagonal() * eigen.eigenvectors();
+  return half * inverse.asDiagonal() * half.transpose();
+}
+
+Solution solve(const Problem& original, const Unknowns& start, const SolveOptions& options) {
+  Problem reweighted;  // only a robust loss needs its own copy
+  if (options.loss != Loss::none) reweighted = original;
+  auto normal_at = [&](const Unknowns& u) {
+    return options.loss == Loss::none ? normal_equations(original, u) : robust_normal(reweighted, u, options);
+  };
+
+  Solution solution;
+  solution.unknowns = start;
+  solution.normal = normal_at(start);
+  double damping = 1e-8;
+  while (solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
+    ++solution.iterations;
+    solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
+    const Eigen::MatrixXd h = solution.basis.transpose() * solution.normal.information * solution.basis;
+    const Eigen::VectorXd gradient = solution.basis.transpose() * solution.normal.gradient;
+    const Eigen::VectorXd step = damped_step(h, gradient, damping);
+    const Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
+    NormalEquations normal = normal_at(next);
+    // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
+    const double size = step.size() ? step.cwiseAbs().maxCoeff() : 0.0;
+    const bool rounding = size < 1e-12;
+    const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost && normal.in_front;
+    const bool was_behind = !solution.normal.in_front && std::isfinite(normal.cost);
+    if (better || was_behind || rounding) {
+      if (std::isfinite(normal.cost) && (better || was_behind)) {
+        solution.unknowns = next;
+        solution.normal = std::move(normal);
+      }
+      damping = std::max(damping * 0.1, 1e-15);
+      solution.converged = rounding;
+      if (options.on_iteration && !options.on_iteration(solution.iterations, solution.normal.cost, solution.unknowns))
+        solution.stopped = true;
+    } else {
+      // Near the bottom the cost cannot be told from rounding: a step that gains less than that is the end.
+      if (size < 1e-9 && gradient.dot(step) < 1e-13 * (solution.normal.cost + 1e-300)) solution.converged = true;
+      damping = std::max(damping * 10, 1e-6);
+      if (damping > 1e12) break;
+    }
+  }
+  solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
+  pseudo_inverse(solution.basis.transpose() * solution.normal.information * solution.basis, &solution.unobservable);
+  return solution;
+}
+
+Eigen::MatrixXd unit_covariance(const Solution& s) {
+  return s.basis * pseudo_inverse(s.basis.transpose() * s.normal.information * s.basis) * s.basis.transpose();
+}
+
+Eigen::MatrixXd sandwich_covariance(const Solution& s, const Eigen::MatrixXd& middle) {
+  const Eigen::MatrixXd bread =
+      s.basis * pseudo_inverse(s.basis.transpose() * s.normal.information * s.basis) * s.basis.transpose();
+  return bread * middle * bread;
+}
+
+}  // namespace handsight

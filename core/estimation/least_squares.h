@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Levenberg-Marquardt on the normal equations of a Problem; one way of stepping for every objective.
+#pragma once
+
+#include <functional>
+
+#include "estimation/problem.h"
+
+namespace handsight {
+
+/// Robust losses on the length of one sighting's residual in units of the noise; `scale` is where they bend.
+enum class Loss { none, huber, cauchy };
+
+struct SolveOptions {
+  bool fixed_body = false;  // the markers move as one rigid body: 6 unknowns in place of 3 a marker
+  int most_iterations = 100;
+  Loss loss = Loss::none;
+  double noise = 1;  // px or m: the noise of one coordinate, read by robust losses only
+  /// Called after every accepted step with the iteration and the cost; returning false stops the fit there.
+  std::function<bool(int iteration, double cost, const Unknowns&)> on_iteration;
+};
+
+struct Solution {
+  Unknowns unknowns;
+  bool converged = false;
+  bool stopped = false;  // by on_iteration
+  int iterations = 0;
+  int unobservable = 0;    // directions of the unknowns that the measurements do not determine; left as they were
+  NormalEquations normal;  // at the solution, all columns of the problem, weights of the loss included
+  Eigen::MatrixXd basis;   // problem columns x unknowns: how the unknowns move the columns
+};
+
+/// From `start`, until no unknown moves by more than rounding.
+Solution solve(const Problem& problem, const Unknowns& start, const SolveOptions& options = {});
+
+/// The unknowns' covariance basis (basis^T H basis)^+ basis^T for unit noise (1 px or 1 m), by the problem's columns.
+/// Unobservable directions and unseen markers are zero.
+Eigen::MatrixXd unit_covariance(const Solution& solution);
+
+/// The same for errors whose own second moment is `middle` = J^T W Sigma W J rather than H: H^+ middle H^+.
+Eigen::MatrixXd sandwich_covariance(const Solution& solution, const Eigen::MatrixXd& middle);
+
+/// Symmetric pseudo-inverse after scaling the diagonal to 1; directions with an eigenvalue below 1e-12 of the largest
+/// are left out and counted.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out = nullptr);
+
+}  // namespace handsight

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/noise.h"
+
+#include <Eigen/QR>
+
+#include "estimation/body_pose.h"
+#include "estimation/least_squares.h"
+
+namespace handsight {
+namespace {
+
+/// The rows of one observation: by the body's six small motions, and by what observations share (3 a marker, 22 for
+/// the cameras) with the error as the last column, so that one product makes all sums. Kept from one observation to
+/// the next, for their memory.
+struct Rows {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> by_pose;
+  Eigen::MatrixXd shared_and_error;
+};
+
+/// A step of the body (m, rad) that changes no residual by more than 1e-5 px: near enough to linearise.
+constexpr double near_enough = 1e-3;
+constexpr Eigen::Index stacked_rows = 512;  // a long product costs less than many short ones
+
+/// d left and right pixels / d rig (6), left numbers (8), right numbers (8)
+void set_camera_columns(const StereoRig& rig, const Sighting& s, const Vector3& x, Eigen::Index row,
+                        Eigen::Index column, Eigen::MatrixXd& by_shared) {
+  if (s.left) {
+    by_shared.block<2, 8>(row, column + 6) = pixel_by_camera_numbers(rig.left, x);
+    row += 2;
+  }
+  if (!s.right) return;
+  const Vector3 in_right = rig.right_from_left * x;
+  Matrix23 pixel_by_point;
+  project(rig.right, in_right, pixel_by_point);
+  by_shared.block<2, 3>(row, column) = pixel_by_point;
+  by_shared.block<2, 3>(row, column + 3) = -pixel_by_point * cross_matrix(in_right);
+  by_shared.block<2, 8>(row, column + 14) = pixel_by_camera_numbers(rig.right, in_right);
+}
+
+void set_rows(const Problem& problem, const ProblemObservation& o, const Unknowns& u, Rows& rows) {
+  const StereoRig* rig = problem.rig_or_null();
+  // The body's own pose is the place to linearise at: with a large effect the chain's is pixels away.
+  Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  if (const auto pose = refined_body_pose(rig, o.sightings, u.markers_in_tcp, sensor_from_tcp, near_enough))
+    sensor_from_tcp = *pose;
+
+  const Eigen::Index cameras = 3 * problem.marker_count;
+  const Eigen::Index error = cameras + (rig ? 22 : 0);
+  Eigen::Index count = 0;
+  for (const Sighting& s : o.sightings) count += row_count(s);
+  rows.by_pose.resize(count, 6);
+  rows.shared_and_error.setZero(count, error + 1);
+  Eigen::Index row = 0;
+  for (const Sighting& s : o.sightings) {
+    const Vector3 x = sensor_from_tcp * u.markers_in_tcp[static_cast<std::size_t>(s.marker)];
+    const SightingResidual r = sighting_residual(rig, s, x);
+    const Eigen::Matrix<double, 4, 3> by_rotation = -r.by_point * cross_matrix(x);
+    const Eigen::Matrix<double, 4, 3> by_marker = r.by_point * sensor_from_tcp.rotation;
+    rows.shared_and_error.col(error).segment(row, r.rows) = r.error.head(r.rows);
+    rows.by_pose.block(row, 0, r.rows, 3) = r.by_point.topRows(r.rows);
+    rows.by_pose.block(row, 3, r.rows, 3) = by_rotation.topRows(r.rows);
+    rows.shared_and_error.block(row, 3 * s.marker, r.rows, 3) = by_marker.topRows(r.rows);
+    if (rig) set_camera_columns(*rig, s, x, row, cameras, rows.shared_and_error);
+    row += r.rows;
+  }
+}
+
+}  // namespace
+
+std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknowns& unknowns) {
+  const Eigen::Index shared = 3 * problem.marker_count + (problem.rig ? 22 : 0);
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(shared + 1, shared + 1);  // lower triangle
+  Eigen::MatrixXd stack(stacked_rows, shared + 1);
+  Eigen::Index stacked = 0, free_rows = 0;
+  auto add_stack = [&] {
+    sums.selfadjointView<Eigen::Lower>().rankUpdate(stack.topRows(stacked).transpose());
+    stacked = 0;
+  };
+  Rows rows;
+  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, 6>> qr;
+  qr.setThreshold(1e-9);
+  Eigen::RowVectorXd workspace(shared + 1);
+  for (const ProblemObservation& o : problem.observations) {
+    set_rows(problem, o, unknowns, rows);
+    if (rows.by_pose.rows() <= 6) continue;
+    qr.compute(rows.by_pose);
+    qr.householderQ().adjoint().applyThisOnTheLeft(rows.shared_and_error, workspace);
+    const Eigen::Index left = rows.by_pose.rows() - qr.rank();
+    free_rows += left;
+    if (stacked + left > stack.rows()) add_stack();
+    if (left > stack.rows()) stack.resize(left, Eigen::NoChange);  // a body of very many markers
+    stack.middleRows(stacked, left) = rows.shared_and_error.bottomRows(left);
+    stacked += left;
+  }
+  add_stack();
+  const Eigen::MatrixXd h = Eigen::MatrixXd(sums.selfadjointView<Eigen::Lower>()).topLeftCorner(shared, shared);
+  const Eigen::VectorXd g = sums.row(shared).head(shared).transpose();
+  const double squares = sums(shared, shared);
+  if (free_rows == 0) return std::nullopt;
+  int unobservable = 0;
+  const Eigen::MatrixXd inverse = pseudo_inverse(h, &unobservable);
+  Eigen::Index used = -unobservable;
+  for (Eigen::Index i = 0; i < shared; ++i) used += h(i, i) > 0 ? 1 : 0;
+  const auto degrees = static_cast<int>(free_rows - used);
+  if (degrees < 10) return std::nullopt;
+  const double sigma = std::sqrt(std::max(squares - g.dot(inverse * g), 0.0) / degrees);
+  return NoiseEstimate{sigma, sigma / std::sqrt(2.0 * degrees), degrees};
+}
+
+}  // namespace handsight

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The noise of one coordinate, from what no motion of the body can explain.
+#pragma once
+
+#include "estimation/problem.h"
+
+namespace handsight {
+
+struct NoiseEstimate {
+  double sigma = 0;  // px or m, of one coordinate
+  double error = 0;  // its own standard deviation
+  int degrees = 0;   // of freedom
+};
+
+/// The robot-free estimate: in every observation the body may move freely (its six small motions are projected out),
+/// and what is left is regressed on the marker positions and, in a stereo session, on the small errors of the cameras
+/// that every observation shares (rig 6, fx fy cx cy k1 k2 p1 p2 of both). Unbiased whatever the robot does. Nothing
+/// with fewer than 10 degrees of freedom, as in sessions of one or two markers.
+std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknowns& unknowns);
+
+}  // namespace handsight

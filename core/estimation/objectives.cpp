@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/objectives.h"
+
+#include "estimation/angle_axis.h"
+#include "estimation/body_shape.h"
+
+namespace handsight {
+namespace {
+
+/// The average shape laid onto the start's markers: where the body is held rigid from. `covariance` becomes that of the
+/// held markers, by the problem's columns.
+Unknowns with_average_shape(const Session& session, const Problem& images, const Unknowns& start,
+                            Eigen::MatrixXd& covariance) {
+  const auto shape = average_shape(images);
+  if (!shape)
+    throw InputError(fmt::format(
+        "{}: holding the markers fixed needs an observation that shows three of them as points (both cameras, or a "
+        "tracker), and there is none; fit with free markers.",
+        session.file.filename().string()));
+  Eigen::Matrix3Xd in_tcp(3, images.marker_count), in_shape(3, images.marker_count);
+  Eigen::VectorXd weights(images.marker_count);
+  for (int m = 0; m < images.marker_count; ++m) {
+    const auto i = static_cast<std::size_t>(m);
+    in_tcp.col(m) = start.markers_in_tcp[i];
+    in_shape.col(m) = shape->markers[i];
+    weights[m] = shape->is_known[i] && images.marker_is_seen[i] ? 1 : 0;
+  }
+  const Rigid tcp_from_shape = align_points(in_tcp, in_shape, weights);
+  Unknowns unknowns = start;
+  covariance = Eigen::MatrixXd::Zero(images.columns(), images.columns());
+  for (int m = 0; m < images.marker_count; ++m) {
+    if (!(weights[m] > 0)) continue;
+    const auto i = static_cast<std::size_t>(m);
+    unknowns.markers_in_tcp[i] = tcp_from_shape * Vector3(in_shape.col(m));
+    covariance.block<3, 3>(3 * m, 3 * m) =
+        tcp_from_shape.rotation * shape->covariances[i] * tcp_from_shape.rotation.transpose();
+  }
+  return unknowns;
+}
+
+SolveOptions solve_options(const FitOptions& options, bool fixed_body, double noise) {
+  return {.fixed_body = fixed_body,
+          .most_iterations = options.most_iterations,
+          .loss = options.loss,
+          .noise = noise,
+          .on_iteration = options.on_iteration};
+}
+
+/// The angle-axis minimum as the solution of a problem, so that every other part of the program reads it alike. The
+/// body frame there is that of the markers as they stand in `unknowns`, taken as the TCP frame moved by nothing.
+std::optional<AngleAxisResult> angle_axis_step(const Problem& problem, const Unknowns& unknowns, double noise) {
+  return fit_angle_axis(problem, unknowns.markers_in_tcp, Rigid{}, unknowns.mount_from_sensor, noise);
+}
+
+Unknowns moved_body(const Unknowns& unknowns, const AngleAxisResult& result) {
+  Unknowns next = unknowns;
+  for (Vector3& x : next.markers_in_tcp) x = result.tcp_from_body * x;
+  next.mount_from_sensor = result.mount_from_sensor;
+  return next;
+}
+
+}  // namespace
+
+void minimise(const Session& session, const Problem& images, const Unknowns& start, const FitOptions& options,
+              double noise, Fit& fit) {
+  const Unknowns from = fit.fixed_markers ? with_average_shape(session, images, start, fit.shape_covariance) : start;
+  if (options.objective != Objective::angle_axis) {
+    fit.solution = solve(fit.problem, from, solve_options(options, fit.fixed_markers, noise));
+    return;
+  }
+  // The image fit of the held body is the start: its poses are where the single observations are looked for.
+  fit.solution = solve(images, from, solve_options(options, true, noise));
+  fit.problem = images;
+  const auto result = angle_axis_step(images, fit.solution.unknowns, noise);
+  if (!result)
+    throw InputError(fmt::format(
+        "{}: the angle-axis objective needs observations with three markers or more ({} of them); use the image "
+        "objective.",
+        session.file.filename().string(), images.mount_is_estimated ? "three" : "one"));
+  fit.solution.unknowns = moved_body(fit.solution.unknowns, *result);
+  fit.solution.converged = result->converged;
+  fit.angle_axis_sigma_m = result->sigma_m;
+  fit.angle_axis_sigma_rad = result->sigma_rad;
+  fit.parameter_covariance = Eigen::MatrixXd::Zero(images.columns(), images.columns());
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(images.columns(), result->covariance.cols());
+  for (int m = 0; m < images.marker_count; ++m) {
+    basis.block<3, 3>(3 * m, 0) = Matrix3::Identity();
+    basis.block<3, 3>(3 * m, 3) = -cross_matrix(fit.solution.unknowns.markers_in_tcp[static_cast<std::size_t>(m)]);
+  }
+  basis.bottomRightCorner(images.columns() - 3 * images.marker_count, result->covariance.cols() - 6).setIdentity();
+  fit.parameter_covariance = basis * result->covariance * basis.transpose();
+}
+
+Unknowns refit(const Fit& fit, const FitOptions& options, const Problem& part, double noise) {
+  FitOptions quiet = options;
+  quiet.on_iteration = nullptr;
+  if (options.objective != Objective::angle_axis)
+    return solve(part, fit.solution.unknowns, solve_options(quiet, fit.fixed_markers, noise)).unknowns;
+  const auto result = angle_axis_step(part, fit.solution.unknowns, noise);
+  return result ? moved_body(fit.solution.unknowns, *result) : fit.solution.unknowns;
+}
+
+Eigen::MatrixXd point_noise_middle(const Problem& points, const Unknowns& unknowns) {
+  Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(points.columns(), points.columns());
+  for (const ProblemObservation& o : points.observations) {
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+    for (std::size_t i = 0; i < o.sightings.size(); ++i) {
+      const Eigen::Index m = 3 * o.sightings[i].marker;
+      const Vector3 x = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)];
+      Eigen::MatrixXd by = Eigen::MatrixXd::Zero(3, points.columns());
+      by.middleCols<3>(m) = sensor_from_tcp.rotation;
+      if (points.mount_is_estimated) by.rightCols<6>() << -Matrix3::Identity(), cross_matrix(x);
+      middle +=
+          by.transpose() * (o.point_covariances.empty() ? Matrix3(Matrix3::Identity()) : o.point_covariances[i]) * by;
+    }
+  }
+  return middle;
+}
+
+}  // namespace handsight

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Online calibration (thesis 4.3): observations one by one, each accepted or rejected with its reason.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "estimation/body_frame.h"
+#include "estimation/incremental_fit.h"
+#include "estimation/running_shape.h"
+#include "vision/following_observation.h"
+
+namespace handsight {
+
+struct OnlineOptions {
+  MatchOptions match;
+  DetectorOptions detector;
+  double new_pose_rad = 0.034906585;  // 2 degrees: less motion of every joint is no new observation
+  double new_pose_m = 0.01;           // the same for prismatic joints
+  std::vector<EffectTerm> effects;    // of joints and loads, in the model at these values
+  std::optional<BodySides> sides;
+};
+
+/// What the user sees of one observation.
+struct OnlineStep {
+  std::int64_t id = 0;
+  bool accepted = false;
+  std::string reason;         // why it was rejected, or what is to be said of an accepted one
+  bool from_images = false;   // its markers were found in its images
+  double milliseconds = 0;    // spent on it, detection included, reading of files not
+  bool has_estimate = false;  // the rest is there
+  Rigid tcp_from_body;
+  Vector6 sigma = Vector6::Zero();  // of x y z (m) and the rotations about the axes (rad)
+  Matrix6 covariance = Matrix6::Zero();
+  bool covariance_is_scatter = false;
+  std::optional<Rigid> tcp_from_tcp_est;  // thesis (4.51)
+  std::vector<Sighting> sightings;        // found in the images (also of a rejected one, where they were found)
+  std::size_t kept = 0;                   // observations in the estimate; none is retired
+};
+
+/// The images of one observation, grey.
+struct ImagePair {
+  Image left, right;
+};
+
+/// Feeds observations in order of time. The first one that is labelled (three markers, or all of a smaller body)
+/// starts the calibration; labels of later ones are used where there are no images.
+class OnlineCalibration {
+ public:
+  explicit OnlineCalibration(const Session& session, OnlineOptions options = {});
+
+  /// `images` null: the labels of the observation are used.
+  OnlineStep add(const Observation& observation, const ImagePair* images);
+
+  /// The estimate so far; null before the first observation.
+  const IncrementalFit* estimate() const { return fit_ ? &*fit_ : nullptr; }
+  const std::optional<BodySides>& sides() const { return sides_; }
+  std::optional<double> noise() const;
+
+ private:
+  int noise_degrees() const;
+  std::string motion_refusal(const Observation& observation) const;
+  std::string find_markers(const Observation& observation, const ImagePair& images, const ProblemObservation& posture,
+                           std::vector<Sighting>& sightings) const;
+  std::string label_refusal(const std::vector<Sighting>& sightings) const;
+  std::string start(const ProblemObservation& first);
+  std::vector<Vector3> body_in_tcp() const;
+  KnownMarkers known_markers() const;
+  void learn_new_markers(const ProblemObservation& observation);
+  void learn_shape_and_noise(const ProblemObservation& observation);
+  void decide_sides();
+  void describe(const ProblemObservation& observation, OnlineStep& step) const;
+
+  Chain chain_;
+  Mount mount_;
+  OnlineOptions options_;
+  Problem problem_;
+  std::optional<double> declared_noise_;
+  std::optional<IncrementalFit> fit_;
+  RunningShape shape_;
+  std::optional<BodySides> sides_;
+  bool sides_are_kept_ = false;
+  std::vector<ProblemObservation> waiting_;  // an unknown mount needs several before anything can be estimated
+  Eigen::VectorXd last_position_;
+  std::int64_t last_id_ = -1;
+  double internal_squares_ = 0;  // of the body poses: what the noise is seen from
+  int internal_rows_ = 0;
+};
+
+}  // namespace handsight

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/session_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "model/chain.h"
+#include "model/sighting.h"
+#include "vision/image_file.h"
+
+namespace handsight {
+namespace {
+
+void list_contents(const Session& session, const Chain& chain, SessionCheck& check) {
+  int moving = 0, masses = 0;
+  for (const Joint& j : chain.robot.joints) moving += j.moves() ? 1 : 0;
+  for (const Link& l : chain.robot.links) masses += l.mass > 0 ? 1 : 0;
+  check.contents.push_back(
+      fmt::format("Robot {}: {} links ({} with mass), {} moving joints, {} of them measured; TCP is {}.",
+                  chain.robot.name, chain.robot.links.size(), masses, moving, chain.joints.size(), session.tcp));
+  check.contents.push_back(fmt::format("{} on {}, mount {}.", session.stereo ? "Two cameras" : "A tracker",
+                                       session.mount.link,
+                                       !session.mount.estimate ? "known"
+                                       : session.mount.known   ? "guessed, part of the fit"
+                                                               : "unknown, part of the fit"));
+  int labelled = 0, with_images = 0, unused = 0;
+  for (const Observation& o : session.observations) {
+    labelled += o.sightings.empty() ? 0 : 1;
+    with_images += o.left_image.empty() || o.right_image.empty() ? 0 : 1;
+    unused += o.decision == Decision::rejected || o.decision == Decision::excluded ? 1 : 0;
+  }
+  check.contents.push_back(
+      fmt::format("{} observations: {} labelled, {} with images, {} rejected or excluded; {} marker{}.",
+                  session.observations.size(), labelled, with_images, unused, session.marker_count,
+                  session.marker_count == 1 ? "" : "s"));
+  const auto& declared = session.stereo ? session.sigma_pixel : session.sigma_point;
+  check.contents.push_back(
+      declared ? fmt::format("Declared noise of one coordinate: {:g} {}.", *declared, session.stereo ? "px" : "m")
+               : std::string("The noise is not declared; it is estimated where three markers are seen."));
+}
+
+void check_images(const Session& session, SessionCheck& check) {
+  if (!session.stereo) return;
+  auto look = [&](const std::string& file, const Camera& camera, std::int64_t id) {
+    if (file.empty()) return;
+    try {
+      check_image_size(read_image(folder(session) / file), camera, file);
+    } catch (const InputError& error) {
+      check.problems.push_back(fmt::format("Observation {}: {}", id, error.what()));
+    }
+  };
+  for (const Observation& o : session.observations) {
+    look(o.left_image, session.stereo->left, o.id);
+    look(o.right_image, session.stereo->right, o.id);
+    if (o.left_image.empty() != o.right_image.empty())
+      check.warnings.push_back(
+          fmt::format("Observation {} has an image of one camera only; it is not looked for markers.", o.id));
+  }
+}
+
+void check_limits(const Session& session, const Chain& chain, SessionCheck& check) {
+  for (std::size_t j = 0; j < chain.joints.size(); ++j) {
+    const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[j])];
+    int outside = 0;
+    std::int64_t first = 0;
+    for (const Observation& o : session.observations) {
+      const double q = o.position[static_cast<Eigen::Index>(j)];
+      if (q >= joint.lower - 1e-6 && q <= joint.upper + 1e-6) continue;
+      if (outside++ == 0) first = o.id;
+    }
+    if (outside > 0)
+      check.warnings.push_back(
+          fmt::format("Joint {} is outside its limits in {} observations, first in {}.", joint.name, outside, first));
+  }
+}
+
+/// Pixels of markers outside the image, and pairs that cannot be one point.
+void check_markers(const Session& session, SessionCheck& check) {
+  if (!session.stereo) return;
+  auto inside = [](const Camera& c, const Vector2& p) {
+    return p.x() >= -0.5 && p.y() >= -0.5 && p.x() <= c.width - 0.5 && p.y() <= c.height - 0.5;
+  };
+  for (const Observation& o : session.observations)
+    for (const Sighting& s : o.sightings) {
+      if ((s.left && !inside(session.stereo->left, *s.left)) || (s.right && !inside(session.stereo->right, *s.right)))
+        check.warnings.push_back(fmt::format("Observation {}: marker {} lies outside the image.", o.id, s.marker));
+      if (s.left && s.right && !triangulate(*session.stereo, *s.left, *s.right))
+        check.warnings.push_back(
+            fmt::format("Observation {}: marker {} cannot be triangulated; its two image points are not one point in "
+                        "front of the cameras.",
+                        o.id, s.marker));
+    }
+}
+
+void check_torques(const Session& session, const Chain& chain, SessionCheck& check) {
+  const auto count = static_cast<Eigen::Index>(chain.joints.size());
+  Eigen::VectorXd measured = Eigen::VectorXd::Zero(count), difference = measured;
+  int with_torque = 0;
+  for (const Observation& o : session.observations) {
+    const Posture posture =
+        solve_posture(chain.robot, joint_values(chain.robot, chain.joints, o.position), chain.gravity);
+    if (!posture.converged)
+      check.problems.push_back(fmt::format(
+          "Observation {}: the declared springs are too soft for the load; no equilibrium is found.", o.id));
+    if (o.torque.size() == 0) continue;
+    ++with_torque;
+    for (Eigen::Index j = 0; j < count; ++j) {
+      // A motor holds against gravity: what it measures is minus the moment of gravity.
+      const double gravity = posture.torque[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
+      const double off = std::min(std::abs(o.torque[j] + gravity), std::abs(o.torque[j] - gravity));
+      measured[j] += o.torque[j] * o.torque[j];
+      difference[j] += off * off;
+    }
+  }
+  if (with_torque == 0) return;
+  check.contents.push_back(fmt::format("{} observations have measured torques.", with_torque));
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const double size = std::sqrt(measured[j] / with_torque), off = std::sqrt(difference[j] / with_torque);
+    if (off > 2 && off > 0.2 * size)
+      check.warnings.push_back(fmt::format(
+          "Joint {}: measured torques ({:.1f} N m rms) differ from gravity's moments by {:.1f} N m rms; check masses, "
+          "gravity and units.",
+          chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])].name, size, off));
+  }
+}
+
+}  // namespace
+
+SessionCheck check_session(const Session& session) {
+  SessionCheck check;
+  const Chain chain = chain_of(session);
+  list_contents(session, chain, check);
+  check_images(session, check);
+  check_limits(session, chain, check);
+  check_markers(session, check);
+  check_torques(session, chain, check);
+  return check;
+}
+
+}  // namespace handsight

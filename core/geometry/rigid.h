@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rigid motions, rotation vectors, XYZ fixed angles and small motions. See docs/conventions.md.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace handsight {
+
+template <class T>
+using Vector3T = Eigen::Matrix<T, 3, 1>;
+template <class T>
+using Matrix3T = Eigen::Matrix<T, 3, 3>;
+template <class T>
+using Vector6T = Eigen::Matrix<T, 6, 1>;
+
+using Vector2 = Eigen::Vector2d;
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+using Matrix4 = Eigen::Matrix4d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// A rigid motion `b_from_a`: x_in_b = rotation * x_in_a + translation. Metres; the rotation is orthonormal.
+template <class T>
+struct RigidT {
+  Matrix3T<T> rotation = Matrix3T<T>::Identity();
+  Vector3T<T> translation = Vector3T<T>::Zero();
+};
+using Rigid = RigidT<double>;
+
+/// c_from_a = c_from_b * b_from_a
+template <class T>
+RigidT<T> operator*(const RigidT<T>& c_from_b, const RigidT<T>& b_from_a) {
+  return {c_from_b.rotation * b_from_a.rotation, c_from_b.rotation * b_from_a.translation + c_from_b.translation};
+}
+
+/// x_in_b = b_from_a * x_in_a
+template <class T>
+Vector3T<T> operator*(const RigidT<T>& b_from_a, const Vector3T<T>& x_in_a) {
+  return b_from_a.rotation * x_in_a + b_from_a.translation;
+}
+
+/// The same for expressions of Eigen, from which the template cannot deduce its scalar.
+inline Vector3 operator*(const Rigid& b_from_a, const Vector3& x_in_a) {
+  return b_from_a.rotation * x_in_a + b_from_a.translation;
+}
+
+template <class T>
+RigidT<T> inverse(const RigidT<T>& b_from_a) {
+  return {b_from_a.rotation.transpose(), -(b_from_a.rotation.transpose() * b_from_a.translation)};
+}
+
+template <class T>
+RigidT<T> cast(const Rigid& motion) {
+  return {motion.rotation.cast<T>(), motion.translation.cast<T>()};
+}
+
+template <class T>
+Matrix3T<T> cross_matrix(const Vector3T<T>& v) {
+  Matrix3T<T> m;
+  m << T(0), -v.z(), v.y(), v.z(), T(0), -v.x(), -v.y(), v.x(), T(0);
+  return m;
+}
+
+/// Exponential of a rotation vector (Rodrigues), rad; exact to rounding at every angle, series below 1e-4 rad.
+template <class T>
+Matrix3T<T> rotation_from_vector(const Vector3T<T>& v) {
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  const T angle_squared = v.squaredNorm();
+  const Matrix3T<T> k = cross_matrix(v);
+  T sine_ratio, cosine_ratio;  // sin(a)/a, (1 - cos(a))/a^2
+  if (angle_squared < T(1e-8)) {
+    sine_ratio = T(1) - angle_squared / T(6);
+    cosine_ratio = T(0.5) - angle_squared / T(24);
+  } else {
+    const T angle = sqrt(angle_squared);
+    const T half_sine = sin(angle / T(2));  // 1 - cos a = 2 sin^2(a/2): no cancellation
+    sine_ratio = sin(angle) / angle;
+    cosine_ratio = T(2) * half_sine * half_sine / angle_squared;
+  }
+  return Matrix3T<T>::Identity() + k * sine_ratio + k * k * cosine_ratio;
+}
+
+/// Rotation about a unit axis by an angle in rad.
+template <class T>
+Matrix3T<T> rotation_about(const Vector3& unit_axis, const T& angle) {
+  using std::cos;
+  using std::sin;
+  const Matrix3T<T> k = cross_matrix<double>(unit_axis).template cast<T>();
+  return Matrix3T<T>::Identity() + k * sin(angle) + k * k * (T(1) - cos(angle));
+}
+
+/// The rotation vector of a rotation matrix, of length 0 to pi; near pi its sign is one of the two.
+Vector3 vector_from_rotation(const Matrix3& rotation);
+
+/// XYZ fixed angles (Craig; thesis 2.3, with the order of its printed matrix corrected): Rz(yaw) Ry(pitch) Rx(roll).
+Matrix3 rotation_from_rpy(const Vector3& roll_pitch_yaw);
+
+/// The inverse: pitch in [-pi/2, pi/2]; where |pitch| is pi/2 the roll is 0.
+Vector3 rpy_from_rotation(const Matrix3& rotation);
+
+/// The nearest rotation to a matrix (polar decomposition by SVD, determinant +1).
+Matrix3 nearest_rotation(const Matrix3& matrix);
+
+/// A small motion (translation first, then the rotation vector): translation as it is, rotation its exponential.
+/// This is not the SE(3) exponential; to first order, and so for covariances, the two agree.
+template <class T>
+RigidT<T> small_motion(const Vector6T<T>& v) {
+  return {rotation_from_vector<T>(v.template tail<3>()), v.template head<3>()};
+}
+
+/// The small motion v with small_motion(v) * a = b; rotation part of length 0 to pi.
+Vector6 small_motion_between(const Rigid& a, const Rigid& b);
+
+/// The 6x6 matrix that carries a motion rate (v, w) in frame a to the same motion's rate in frame b: for
+/// x' = v + w cross x in a, the same field written in b.
+Matrix6 adjoint(const Rigid& b_from_a);
+
+/// Row by row 4x4 matrix of the motion.
+Matrix4 matrix_from_rigid(const Rigid& motion);
+
+/// The rigid motion b_from_a that carries points `in_a` (3 x n) nearest to `in_b` in least squares with weights
+/// (n, >= 0), n >= 3 and not on a line for a unique answer (Umeyama / Kabsch, reflections excluded).
+Rigid align_points(const Eigen::Matrix3Xd& in_b, const Eigen::Matrix3Xd& in_a, const Eigen::VectorXd& weights);
+
+}  // namespace handsight

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/sighting.h"
+
+#include "base/error.h"
+
+namespace handsight {
+
+SightingResidual sighting_residual(const StereoRig* rig, const Sighting& sighting, const Vector3& x_in_sensor) {
+  SightingResidual r;
+  if (sighting.point) {
+    r.error.head<3>() = *sighting.point - x_in_sensor;
+    r.by_point.topRows<3>() = Matrix3::Identity();
+    r.rows = 3;
+    return r;
+  }
+  check(rig != nullptr, "an image sighting of marker {} without cameras", sighting.marker);
+  Matrix23 pixel_by_point;
+  if (sighting.left) {
+    r.error.head<2>() = *sighting.left - project(rig->left, x_in_sensor, pixel_by_point);
+    r.by_point.topRows<2>() = pixel_by_point;
+    r.rows = 2;
+    r.in_front = x_in_sensor.z() > 0;
+  }
+  if (sighting.right) {
+    const Vector3 x_in_right = rig->right_from_left * x_in_sensor;
+    r.error.segment<2>(r.rows) = *sighting.right - project(rig->right, x_in_right, pixel_by_point);
+    r.by_point.middleRows<2>(r.rows).noalias() = pixel_by_point * rig->right_from_left.rotation;
+    r.rows += 2;
+    r.in_front = r.in_front && x_in_right.z() > 0;
+  }
+  return r;
+}
+
+SightingNormal sighting_normal(const StereoRig* rig, const Sighting& sighting, const Vector3& x_in_sensor) {
+  const SightingResidual r = sighting_residual(rig, sighting, x_in_sensor);
+  SightingNormal n;
+  // Rows that were not measured are zero in both factors: a fixed size costs less than a variable one.
+  n.information.noalias() = r.by_point.transpose() * r.by_point;
+  n.gradient.noalias() = r.by_point.transpose() * r.error;
+  n.cost = r.error.squaredNorm();
+  n.rows = r.rows;
+  n.in_front = r.in_front;
+  return n;
+}
+
+int row_count(const Sighting& sighting) {
+  if (sighting.point) return 3;
+  return (sighting.left ? 2 : 0) + (sighting.right ? 2 : 0);
+}
+
+}  // namespace handsight

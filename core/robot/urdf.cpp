@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/urdf.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "robot/urdf_parts.h"
+
+namespace handsight {
+
+void urdf::add_note(Notes& notes, const XmlNode& node, std::string_view sentence) {
+  notes.push_back(fmt::format("{}, line {}: {}", shortened(node.file, 80), node.line(), shortened(sentence, 480)));
+}
+
+Robot parse_urdf(const std::string& text, const std::string& file_name, std::vector<std::string>* notes) {
+  urdf::Notes said;
+  const bool is_good = is_utf8(text);
+  if (!is_good)
+    said.push_back(shortened(file_name, 80) + ": the file is not UTF-8; its other bytes are read as Latin-1.");
+  const auto document = parse_xml(is_good ? text : utf8_or_latin1(text), file_name);
+  const XmlNode root = root_of(*document, file_name, "robot");
+  const urdf::Colors colors = urdf::read_colors(root);
+  std::vector<urdf::LinkPart> links;
+  for (const XmlNode& node : children(root, "link")) links.push_back(urdf::read_link(node, colors, said));
+  std::vector<urdf::JointPart> joints;
+  for (const XmlNode& node : children(root, "joint")) joints.push_back(urdf::read_joint(node, said));
+  Robot robot = urdf::assemble(find_text(root, "name").value_or(""), root, std::move(links), std::move(joints));
+  if (notes) notes->insert(notes->end(), said.begin(), said.end());
+  return robot;
+}
+
+Robot read_urdf(const std::filesystem::path& path, std::vector<std::string>* notes) {
+  return parse_urdf(read_file(path), path.filename().string(), notes);
+}
+
+}  // namespace handsight

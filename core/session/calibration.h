@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// A calibration: what a fit found, as it is exported and read back. Plain data; in and out by
+// calibration_xml.h.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/rigid.h"
+
+namespace handsight {
+
+/// A motion and the covariance of the small motion xi (x y z rx ry rz; m, rad) in small_motion(xi) * motion.
+struct EstimatedMotion {
+  Rigid motion;
+  Matrix6 covariance = Matrix6::Zero();
+};
+
+/// Quality of the fit; what is unknown is absent. Pixels for stereo sessions, metres for tracker sessions.
+struct CalibrationFit {
+  int observations = 0, used = 0, rejected = 0;
+  std::optional<double> rms_pixel, held_out_rms_pixel, noise_pixel;
+  std::optional<double> rms_m, held_out_rms_m, noise_m;
+  std::optional<double> chi2_per_dof;
+};
+
+/// One estimated number of an effect; `of` names the joint, link, marker or camera that it belongs to, if
+/// any.
+struct CalibrationParameter {
+  std::string of;
+  std::string name;
+  double value = 0;
+  std::optional<double> sigma;  // absent: unknown
+  std::string unit;
+};
+
+struct CalibrationEffect {
+  std::string id;
+  std::vector<CalibrationParameter> parameters;
+};
+
+struct Calibration {
+  std::string session;   // title or name of the session that it comes from
+  std::string created;   // ISO 8601, UTC
+  std::string software;  // name and version
+  EstimatedMotion tcp_from_body;
+  CalibrationFit fit;
+  std::vector<Vector3> markers;     // m, in the body frame
+  std::vector<int> unseen_markers;  // indices of those that have no position: zero in `markers`, no element in the file
+  std::vector<CalibrationEffect> effects;
+
+  // What a prediction without the session needs; empty or absent in files of other programs.
+  std::string tcp;                     // link
+  std::string mount;                   // link
+  std::vector<std::string> joints;     // the order of a position
+  std::optional<Vector3> gravity;      // m/s^2, in the root link's frame
+  std::optional<Matrix6> tcp_scatter;  // covariance of tcp_from_tcp_est (m, rad; TCP axes) over the observations
+  std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
+
+  std::vector<std::string> notes;  // what the reader ignored, a sentence each; not written
+};
+
+}  // namespace handsight

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <unordered_set>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "robot/xml_rigid.h"
+#include "session/calibration_xml.h"
+
+namespace handsight {
+
+namespace {
+
+constexpr double agreement = 1e-6;  // what numbers that people shorten still agree to, m and rad
+
+template <int rows, int columns>
+Eigen::Matrix<double, rows, columns> read_matrix(const XmlNode& node) {
+  const std::vector<double> numbers = inner_numbers(node, rows * columns, "row by row");
+  return Eigen::Matrix<double, rows, columns, Eigen::RowMajor>(numbers.data());
+}
+
+Rigid read_rigid_matrix(const XmlNode& node) {
+  const Matrix4 matrix = read_matrix<4, 4>(node);
+  const Matrix3 rotation = matrix.topLeftCorner<3, 3>();
+  const bool is_bounded = rotation.cwiseAbs().maxCoeff() < 2;  // products of larger ones might have no double
+  if (!is_bounded || !(rotation * rotation.transpose()).isIdentity(agreement) || rotation.determinant() < 0 ||
+      matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+    refuse(node, "is no rigid motion, expected a rotation, a translation and the last row 0 0 0 1.");
+  return {rotation, matrix.topRightCorner<3, 1>()};
+}
+
+Matrix6 read_covariance(const XmlNode& node) {
+  const std::string order = find_text(node, "order").value_or("x y z rx ry rz");
+  if (split_words(order) != split_words("x y z rx ry rz"))
+    refuse(node, fmt::format("has order={}, expected order=\"x y z rx ry rz\".", in_quotes(order)));
+  const Matrix6 covariance = read_matrix<6, 6>(node);
+  // As correlations, so that neither metres and radians nor huge and tiny numbers matter. Variances far below
+  // the largest are noise of rounding: directions that a session does not show.
+  const Vector6 diagonal = covariance.diagonal();
+  const double negligible = std::max(1e-9 * diagonal.cwiseAbs().maxCoeff(), 1e-300);
+  const Vector6 inverse_sigma = diagonal.cwiseMax(negligible).cwiseSqrt().cwiseInverse();
+  const Matrix6 correlation = inverse_sigma.asDiagonal() * covariance * inverse_sigma.asDiagonal();
+  if (correlation.diagonal().minCoeff() < -agreement)
+    refuse(node, "has a negative variance on its diagonal, expected a covariance.");
+  const bool is_bounded = correlation.cwiseAbs().maxCoeff() < 1 + agreement;
+  if (!is_bounded || (correlation - correlation.transpose()).cwiseAbs().maxCoeff() > agreement)
+    refuse(node, "is not symmetric or has correlations beyond 1, expected a covariance.");
+  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(correlation, Eigen::EigenvaluesOnly);
+  if (eigen.eigenvalues().minCoeff() < -agreement)
+    refuse(node, "has a negative variance in some direction, expected a covariance.");
+  return covariance;
+}
+
+EstimatedMotion read_motion(const XmlNode& node, Ignored& ignored) {
+  note_unknown(ignored, node, {"xyz", "rpy"}, {"matrix", "covariance"});
+  const bool has_angles = node.element->Attribute("xyz") || node.element->Attribute("rpy");
+  const auto matrix = find_child(node, "matrix");
+  if (!matrix && !has_angles) refuse(node, "has neither <matrix> nor xyz and rpy, expected one of them.");
+  EstimatedMotion estimated;
+  estimated.motion = read_rigid(node);
+  if (matrix) {
+    note_unknown(ignored, *matrix, {}, {}, true);
+    const Rigid exact = read_rigid_matrix(*matrix);
+    const bool agree = (exact.rotation - estimated.motion.rotation).cwiseAbs().maxCoeff() < agreement &&
+                       (exact.translation - estimated.motion.translation).cwiseAbs().maxCoeff() < agreement;
+    if (has_angles && !agree)
+      refuse(node, "has an xyz and rpy that are another motion than its <matrix>, expected them to agree to 1e-6.");
+    estimated.motion = exact;
+  }
+  const XmlNode covariance = required_child(node, "covariance");
+  note_unknown(ignored, covariance, {"order"}, {}, true);
+  estimated.covariance = read_covariance(covariance);
+  return estimated;
+}
+
+std::optional<double> find_unsigned(const XmlNode& node, const char* attribute) {
+  const std::optional<double> number = find_number(node, attribute);
+  if (number && *number < 0) refuse(node, fmt::format("has {}=\"{}\", expected at least 0.", attribute, *number));
+  return number;
+}
+
+CalibrationFit read_fit(const XmlNode& node, Ignored& ignored) {
+  note_unknown(ignored, node,
+               {"observations", "used", "rejected", "rms_pixel", "held_out_rms_pixel", "noise_pixel", "rms_m",
+                "held_out_rms_m", "noise_m", "chi2_per_dof"},
+               {});
+  const auto count = [&](const char* attribute) {
+    return static_cast<int>(find_integer(node, attribute, 0, INT32_MAX).value_or(0));
+  };
+  return {count("observations"),
+          count("used"),
+          count("rejected"),
+          find_unsigned(node, "rms_pixel"),
+          find_unsigned(node, "held_out_rms_pixel"),
+          find_unsigned(node, "noise_pixel"),
+          find_unsigned(node, "rms_m"),
+          find_unsigned(node, "held_out_rms_m"),
+          find_unsigned(node, "noise_m"),
+          find_unsigned(node, "chi2_per_dof")};
+}
+
+void read_markers(const XmlNode& parent, Calibration& calibration, Ignored& ignored) {
+  note_unknown(ignored, parent, {}, {"marker"});
+  constexpr std::size_t most = 64;
+  std::array<std::optional<Vector3>, most> found;
+  std::size_t count = 0;
+  for (const XmlNode& node : children(parent, "marker")) {
+    note_unknown(ignored, node, {"index", "xyz"}, {});
+    const auto index = static_cast<std::size_t>(required_integer(node, "index", 0, most - 1));
+    if (found[index]) refuse(node, fmt::format("has index=\"{}\" a second time, expected each marker once.", index));
+    found[index] = Vector3(required_numbers(node, "xyz", 3).data());
+    count = std::max(count, index + 1);
+  }
+  if (count == 0) refuse(parent, "holds no marker, expected at least one.");
+  for (std::size_t i = 0; i < count; ++i) {
+    calibration.markers.push_back(found[i].value_or(Vector3::Zero()));
+    if (!found[i]) calibration.unseen_markers.push_back(static_cast<int>(i));
+  }
+}
+
+CalibrationEffect read_effect(const XmlNode& node, Ignored& ignored) {
+  note_unknown(ignored, node, {"id"}, {"parameter"});
+  CalibrationEffect effect{required_name(node, "id"), {}};
+  std::unordered_set<std::string> names;
+  for (const XmlNode& child : children(node, "parameter")) {
+    note_unknown(ignored, child, {"of", "name", "value", "sigma", "unit"}, {});
+    CalibrationParameter parameter{find_text(child, "of").value_or(""), required_name(child, "name"),
+                                   required_number(child, "value"), find_unsigned(child, "sigma"),
+                                   find_text(child, "unit").value_or("")};
+    if (!names.insert(parameter.of + '\n' + parameter.name).second)
+      refuse(child, fmt::format("is a second {} of {}, expected each parameter once.", in_quotes(parameter.name),
+                                in_quotes(parameter.of)));
+    effect.parameters.push_back(std::move(parameter));
+  }
+  return effect;
+}
+
+std::vector<CalibrationEffect> read_effects(const XmlNode& parent, Ignored& ignored) {
+  note_unknown(ignored, parent, {}, {"effect"});
+  std::vector<CalibrationEffect> effects;
+  std::unordered_set<std::string> ids;
+  for (const XmlNode& node : children(parent, "effect")) {
+    effects.push_back(read_effect(node, ignored));
+    if (!ids.insert(effects.back().id).second)
+      refuse(node, fmt::format("has id={} a second time, expected each effect once.", in_quotes(effects.back().id)));
+  }
+  return effects;
+}
+
+void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignored) {
+  if (const auto robot = find_child(root, "robot")) {
+    note_unknown(ignored, *robot, {"tcp", "mount"}, {});
+    calibration.tcp = find_text(*robot, "tcp").value_or("");
+    calibration.mount = find_text(*robot, "mount").value_or("");
+  }
+  if (const auto gravity = find_child(root, "gravity")) {
+    note_unknown(ignored, *gravity, {"xyz"}, {});
+    calibration.gravity = Vector3(required_numbers(*gravity, "xyz", 3).data());
+  }
+  if (const auto joints = find_child(root, "joints")) {
+    note_unknown(ignored, *joints, {}, {}, true);
+    const std::string names = inner_text(*joints);
+    std::unordered_set<std::string_view> seen;
+    for (const std::string_view name : split_words(names)) {
+      if (!seen.insert(name).second)
+        refuse(*joints, fmt::format("names joint {} a second time, expected each joint once.", in_quotes(name)));
+      calibration.joints.emplace_back(name);
+    }
+  }
+  if (const auto scatter = find_child(root, "tcp_scatter")) {
+    note_unknown(ignored, *scatter, {"order"}, {}, true);
+    calibration.tcp_scatter = read_covariance(*scatter);
+  }
+  if (const auto mount = find_child(root, "mount_from_sensor"))
+    calibration.mount_from_sensor = read_motion(*mount, ignored);
+}
+
+}  // namespace
+
+Calibration parse_calibration(const std::string& text, const std::string& file) {
+  const auto document = parse_xml(text, file);
+  const XmlNode root = root_of(*document, file, "handsight_calibration");
+  require_version_1(root);
+  Ignored ignored;
+  note_unknown(
+      ignored, root, {"version", "session", "created", "software"},
+      {"tcp_from_body", "fit", "markers", "effects", "robot", "gravity", "joints", "tcp_scatter", "mount_from_sensor"});
+  Calibration calibration;
+  calibration.session = find_text(root, "session").value_or("");
+  calibration.created = find_text(root, "created").value_or("");
+  calibration.software = find_text(root, "software").value_or("");
+  calibration.tcp_from_body = read_motion(required_child(root, "tcp_from_body"), ignored);
+  if (const auto fit = find_child(root, "fit")) calibration.fit = read_fit(*fit, ignored);
+  read_markers(required_child(root, "markers"), calibration, ignored);
+  if (const auto effects = find_child(root, "effects")) calibration.effects = read_effects(*effects, ignored);
+  read_setting(root, calibration, ignored);
+  calibration.notes = ignored_sentences(ignored, file);
+  return calibration;
+}
+
+Calibration read_calibration(const std::filesystem::path& path) {
+  return parse_calibration(read_file(path), path.filename().string());
+}
+
+}  // namespace handsight

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The writer; calibration_reader.cpp reads.
+#include "session/calibration_xml.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/numbers.h"
+#include "robot/xml_rigid.h"
+
+namespace handsight {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+void set(XMLElement& element, const char* attribute, const std::optional<double>& number) {
+  if (number) element.SetAttribute(attribute, format_number(*number).c_str());
+}
+
+void set(XMLElement& element, const char* attribute, const Vector3& vector) {
+  element.SetAttribute(attribute, format_numbers({vector.data(), 3}).c_str());
+}
+
+/// Row by row.
+template <int rows, int columns>
+std::string matrix_text(const Eigen::Matrix<double, rows, columns>& matrix) {
+  const Eigen::Matrix<double, rows, columns, Eigen::RowMajor> by_rows = matrix;
+  return format_numbers({by_rows.data(), static_cast<std::size_t>(by_rows.size())});
+}
+
+void write_motion(XMLElement& parent, const char* tag, const EstimatedMotion& estimated) {
+  XMLElement& element = *parent.InsertNewChildElement(tag);
+  write_rigid(element, estimated.motion);
+  element.InsertNewChildElement("matrix")->SetText(matrix_text(matrix_from_rigid(estimated.motion)).c_str());
+  XMLElement& covariance = *element.InsertNewChildElement("covariance");
+  covariance.SetAttribute("order", "x y z rx ry rz");
+  covariance.SetText(matrix_text(estimated.covariance).c_str());
+}
+
+void write_fit(XMLElement& root, const CalibrationFit& fit) {
+  XMLElement& element = *root.InsertNewChildElement("fit");
+  element.SetAttribute("observations", fit.observations);
+  element.SetAttribute("used", fit.used);
+  element.SetAttribute("rejected", fit.rejected);
+  set(element, "rms_pixel", fit.rms_pixel);
+  set(element, "held_out_rms_pixel", fit.held_out_rms_pixel);
+  set(element, "noise_pixel", fit.noise_pixel);
+  set(element, "rms_m", fit.rms_m);
+  set(element, "held_out_rms_m", fit.held_out_rms_m);
+  set(element, "noise_m", fit.noise_m);
+  set(element, "chi2_per_dof", fit.chi2_per_dof);
+}
+
+void write_markers(XMLElement& root, const Calibration& calibration) {
+  XMLElement& parent = *root.InsertNewChildElement("markers");
+  const std::vector<int>& unseen = calibration.unseen_markers;
+  for (int i = 0; i < static_cast<int>(calibration.markers.size()); ++i) {
+    if (std::find(unseen.begin(), unseen.end(), i) != unseen.end()) continue;
+    XMLElement& element = *parent.InsertNewChildElement("marker");
+    element.SetAttribute("index", i);
+    set(element, "xyz", calibration.markers[static_cast<std::size_t>(i)]);
+  }
+}
+
+void write_effects(XMLElement& root, const std::vector<CalibrationEffect>& effects) {
+  XMLElement& parent = *root.InsertNewChildElement("effects");
+  for (const CalibrationEffect& effect : effects) {
+    XMLElement& element = *parent.InsertNewChildElement("effect");
+    element.SetAttribute("id", effect.id.c_str());
+    for (const CalibrationParameter& parameter : effect.parameters) {
+      XMLElement& child = *element.InsertNewChildElement("parameter");
+      child.SetAttribute("of", parameter.of.c_str());
+      child.SetAttribute("name", parameter.name.c_str());
+      set(child, "value", parameter.value);
+      set(child, "sigma", parameter.sigma);
+      child.SetAttribute("unit", parameter.unit.c_str());
+    }
+  }
+}
+
+/// Beyond the export's contract: what a prediction needs of the session. Other readers ignore it.
+void write_setting(XMLElement& root, const Calibration& calibration) {
+  if (!calibration.tcp.empty() || !calibration.mount.empty()) {
+    XMLElement& robot = *root.InsertNewChildElement("robot");
+    if (!calibration.tcp.empty()) robot.SetAttribute("tcp", calibration.tcp.c_str());
+    if (!calibration.mount.empty()) robot.SetAttribute("mount", calibration.mount.c_str());
+  }
+  if (calibration.gravity) set(*root.InsertNewChildElement("gravity"), "xyz", *calibration.gravity);
+  if (!calibration.joints.empty())
+    root.InsertNewChildElement("joints")->SetText(fmt::format("{}", fmt::join(calibration.joints, " ")).c_str());
+  if (calibration.tcp_scatter) {
+    XMLElement& scatter = *root.InsertNewChildElement("tcp_scatter");
+    scatter.SetAttribute("order", "x y z rx ry rz");
+    scatter.SetText(matrix_text(*calibration.tcp_scatter).c_str());
+  }
+  if (calibration.mount_from_sensor) write_motion(root, "mount_from_sensor", *calibration.mount_from_sensor);
+}
+
+}  // namespace
+
+std::string calibration_text(const Calibration& calibration) {
+  tinyxml2::XMLDocument document;
+  document.InsertEndChild(document.NewDeclaration());
+  XMLElement& root = *document.NewElement("handsight_calibration");
+  document.InsertEndChild(&root);
+  root.SetAttribute("version", 1);
+  root.SetAttribute("session", calibration.session.c_str());
+  root.SetAttribute("created", calibration.created.c_str());
+  root.SetAttribute("software", calibration.software.c_str());
+  write_motion(root, "tcp_from_body", calibration.tcp_from_body);
+  write_fit(root, calibration.fit);
+  write_markers(root, calibration);
+  write_effects(root, calibration.effects);
+  write_setting(root, calibration);
+  return xml_text(document);
+}
+
+void write_calibration(const std::filesystem::path& path, const Calibration& calibration) {
+  replace_file(path, calibration_text(calibration));
+}
+
+}  // namespace handsight

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calibrations in and out, with numbers that read back bit for bit.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "session/calibration.h"
+
+namespace handsight {
+
+/// The calibration as XML. A number that is absent is written by leaving its attribute out. Rotations are
+/// those of the 16 numbers of <matrix>; rpy beside it is for people.
+std::string calibration_text(const Calibration& calibration);
+
+/// Replaces (or makes) a file, whole or not at all. InputError where it cannot be written.
+void write_calibration(const std::filesystem::path& path, const Calibration& calibration);
+
+/// Reads a text; `file` is what sentences call it. InputError where it is wrong. <matrix> may be missing,
+/// then xyz and rpy count; where both stand they must agree to 1e-6.
+Calibration parse_calibration(const std::string& text, const std::string& file);
+Calibration read_calibration(const std::filesystem::path& path);
+
+}  // namespace handsight

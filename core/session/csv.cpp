@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/csv.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/numbers.h"
+#include "base/text.h"
+
+namespace handsight {
+
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+/// Where each joint's number stands in a line of so many cells.
+struct Columns {
+  std::vector<std::size_t> of_joint;
+  std::size_t count = 0;
+};
+
+std::string_view trimmed(std::string_view text) {
+  const std::vector<std::string_view> words = split_words(text);
+  if (words.empty()) return {};
+  const char* end = words.back().data() + words.back().size();
+  return {words.front().data(), static_cast<std::size_t>(end - words.front().data())};
+}
+
+std::string_view unquoted(std::string_view cell) {
+  const bool has_quotes =
+      cell.size() >= 2 && (cell.front() == '"' || cell.front() == '\'') && cell.back() == cell.front();
+  return has_quotes ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+Cells split_cells(std::string_view line) {
+  const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
+  if (line.find(separator) == std::string_view::npos) return split_words(line);
+  Cells cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    cells.push_back(trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  if (cells.back().empty()) cells.pop_back();  // many programs end each line with a separator
+  return cells;
+}
+
+Columns plain_columns(std::size_t joints) {
+  Columns columns{std::vector<std::size_t>(joints), joints};
+  for (std::size_t i = 0; i < joints; ++i) columns.of_joint[i] = i;
+  return columns;
+}
+
+Columns read_header(const Cells& cells, const std::string& file, int line, const std::vector<std::string>& joints,
+                    std::vector<std::string>* notes) {
+  Columns columns{{}, cells.size()};
+  std::vector<std::string> names;
+  for (const std::string_view cell : cells) names.emplace_back(unquoted(cell));
+  for (const std::string& joint : joints) {
+    const auto found = std::find(names.begin(), names.end(), joint);
+    if (found == names.end())
+      refuse(file, line,
+             fmt::format("the header has no column {}, expected one for each joint of the session.", in_quotes(joint)));
+    if (std::find(found + 1, names.end(), joint) != names.end())
+      refuse(file, line, fmt::format("the header names {} twice, expected each joint once.", in_quotes(joint)));
+    columns.of_joint.push_back(static_cast<std::size_t>(found - names.begin()));
+  }
+  if (notes && names.size() > joints.size())
+    notes->push_back(fmt::format("{}: {} columns are no joints of the session and are ignored.", shortened(file, 80),
+                                 names.size() - joints.size()));
+  return columns;
+}
+
+Eigen::VectorXd read_pose(const Cells& cells, const std::string& file, int line, const Columns& columns) {
+  if (cells.size() != columns.count)
+    refuse(file, line, fmt::format("the line has {} columns, expected {}.", cells.size(), columns.count));
+  Eigen::VectorXd pose(static_cast<Eigen::Index>(columns.of_joint.size()));
+  for (std::size_t i = 0; i < columns.of_joint.size(); ++i) {
+    const std::string_view cell = cells[columns.of_joint[i]];
+    const std::optional<double> number = parse_number(cell);
+    if (!number)
+      refuse(file, line,
+             fmt::format("{} stands in column {}, expected a finite number such as 0.5.", in_quotes(cell),
+                         columns.of_joint[i] + 1));
+    pose[static_cast<Eigen::Index>(i)] = *number;
+  }
+  return pose;
+}
+
+bool is_header(const Cells& cells) {
+  return std::none_of(cells.begin(), cells.end(), [](std::string_view cell) { return parse_number(cell).has_value(); });
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> parse_poses(const std::string& text, const std::string& file,
+                                         const std::vector<std::string>& joints, std::vector<std::string>* notes) {
+  std::string_view rest = text;
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // the byte order mark of spreadsheet programs
+  std::optional<Columns> columns;
+  std::vector<Eigen::VectorXd> poses;
+  for (int line = 1; !rest.empty(); ++line) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view content = trimmed(rest.substr(0, std::min(rest.substr(0, end).find('#'), end)));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (content.empty()) continue;
+    const Cells cells = split_cells(content);
+    if (!columns && is_header(cells)) {
+      columns = read_header(cells, file, line, joints, notes);
+      continue;
+    }
+    if (!columns) columns = plain_columns(joints.size());
+    poses.push_back(read_pose(cells, file, line, *columns));
+  }
+  if (poses.empty()) refuse(file, 0, "there is no pose in the file, expected a line of joint positions for each.");
+  return poses;
+}
+
+std::vector<Eigen::VectorXd> read_poses(const std::filesystem::path& path, const std::vector<std::string>& joints,
+                                        std::vector<std::string>* notes) {
+  return parse_poses(read_file(path), path.filename().string(), joints, notes);
+}
+
+}  // namespace handsight

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Poses from a table of text.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace handsight {
+
+/// Positions, each in the order of `joints` (rad or m), from lines of numbers separated by commas, semicolons
+/// or white space (one kind a line); what follows a '#' and empty lines are left out. A first line that is
+/// not of numbers is a header: it names every joint once, in any order; other columns are ignored, with a
+/// sentence in `notes`. Without a header the columns are `joints`. InputError with the line's number where a
+/// line is wrong, or where there is no pose.
+std::vector<Eigen::VectorXd> parse_poses(const std::string& text, const std::string& file,
+                                         const std::vector<std::string>& joints,
+                                         std::vector<std::string>* notes = nullptr);
+std::vector<Eigen::VectorXd> read_poses(const std::filesystem::path& path, const std::vector<std::string>& joints,
+                                        std::vector<std::string>* notes = nullptr);
+
+}  // namespace handsight

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <bitset>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "session/observation_xml.h"
+
+namespace handsight {
+
+namespace {
+
+Eigen::VectorXd read_joint_vector(const XmlNode& node, const Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {}, {}, true);
+  const std::vector<double> numbers = inner_numbers(node, session.joints.size(), "one for each of <joints>");
+  return Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+Eigen::VectorXd find_joint_vector(const XmlNode& observation, const char* tag, const Session& session,
+                                  Ignored& ignored) {
+  const auto node = find_child(observation, tag);
+  return node ? read_joint_vector(*node, session, ignored) : Eigen::VectorXd();
+}
+
+/// Images are looked for in the session's folder and nowhere else.
+std::string find_image(const XmlNode& node, const char* attribute) {
+  const std::optional<std::string> text = find_text(node, attribute);
+  if (!text) return {};
+  const std::filesystem::path path = *text;
+  const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
+  if (path.empty() || path.is_absolute() || climbs)
+    refuse(node, fmt::format("has {}={}, expected a path relative to the session's folder and inside it.", attribute,
+                             in_quotes(*text, 100)));
+  return *text;
+}
+
+void read_images(const XmlNode& node, Observation& observation, Ignored& ignored) {
+  note_unknown(ignored, node, {"left", "right"}, {});
+  observation.left_image = find_image(node, "left");
+  observation.right_image = find_image(node, "right");
+}
+
+std::optional<Vector2> find_pixel(const XmlNode& node, const char* attribute) {
+  const auto numbers = find_numbers(node, attribute, 2);
+  if (!numbers) return std::nullopt;
+  return Vector2(numbers->data());
+}
+
+Sighting read_sighting(const XmlNode& node, const Session& session, Ignored& ignored) {
+  Sighting sighting;
+  sighting.marker = static_cast<int>(required_integer(node, "index", 0, session.marker_count - 1));
+  if (session.is_tracker()) {
+    note_unknown(ignored, node, {"index", "by", "point"}, {});
+    if (const auto point = find_numbers(node, "point", 3)) sighting.point = Vector3(point->data());
+    if (!sighting.point) refuse(node, "has no point, expected point=\"x y z\" as this is a tracker session.");
+  } else {
+    note_unknown(ignored, node, {"index", "by", "left", "right"}, {});
+    sighting.left = find_pixel(node, "left");
+    sighting.right = find_pixel(node, "right");
+    if (!sighting.left && !sighting.right)
+      refuse(node, "has neither left nor right, expected at least one; a marker that is not seen has no element.");
+  }
+  constexpr std::array makers{MarkedBy::hand, MarkedBy::tracker, MarkedBy::import};
+  sighting.by = makers[find_choice(node, "by", {"hand", "tracker", "import"}).value_or(2)];
+  return sighting;
+}
+
+void read_sightings(const XmlNode& node, const Session& session, Observation& observation, Ignored& ignored) {
+  std::bitset<64> seen;
+  for (const XmlNode& marker : children(node, "marker")) {
+    const Sighting sighting = read_sighting(marker, session, ignored);
+    if (seen.test(static_cast<std::size_t>(sighting.marker)))
+      refuse(marker, fmt::format("has index=\"{}\" a second time in its observation, expected each marker once.",
+                                 sighting.marker));
+    seen.set(static_cast<std::size_t>(sighting.marker));
+    observation.sightings.push_back(sighting);
+  }
+  std::sort(observation.sightings.begin(), observation.sightings.end(),
+            [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });
+}
+
+void read_decision(const XmlNode& node, Observation& observation, Ignored& ignored) {
+  note_unknown(ignored, node, {"state", "reason"}, {});
+  constexpr std::array decisions{Decision::accepted, Decision::rejected, Decision::excluded};
+  required_text(node, "state");
+  observation.decision = decisions[*find_choice(node, "state", {"accepted", "rejected", "excluded"})];
+  observation.reason = find_text(node, "reason").value_or("");
+}
+
+}  // namespace
+
+Observation read_observation(const XmlNode& node, const Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"id", "time"}, {"position", "velocity", "torque", "images", "marker", "decision"});
+  Observation observation;
+  observation.id = required_integer(node, "id", 0, INT64_MAX);
+  observation.time = required_number(node, "time");
+  observation.position = read_joint_vector(required_child(node, "position"), session, ignored);
+  observation.velocity = find_joint_vector(node, "velocity", session, ignored);
+  observation.torque = find_joint_vector(node, "torque", session, ignored);
+  if (const auto images = find_child(node, "images")) read_images(*images, observation, ignored);
+  read_sightings(node, session, observation, ignored);
+  if (const auto decision = find_child(node, "decision")) read_decision(*decision, observation, ignored);
+  return observation;
+}
+
+}  // namespace handsight

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+#include <span>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "session/observation_xml.h"
+
+namespace handsight {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+const char* word(MarkedBy by) {
+  switch (by) {
+    case MarkedBy::hand:
+      return "hand";
+    case MarkedBy::tracker:
+      return "tracker";
+    case MarkedBy::import:
+      return "import";
+  }
+  throw BrokenPromise("a marker that was marked by nobody");
+}
+
+const char* word(Decision decision) {
+  switch (decision) {
+    case Decision::accepted:
+      return "accepted";
+    case Decision::rejected:
+      return "rejected";
+    case Decision::excluded:
+      return "excluded";
+    case Decision::none:
+      break;
+  }
+  throw BrokenPromise("a decision to be written that was not taken");
+}
+
+/// Sets numbers; leaves an attribute alone that says them already, in whatever spelling.
+template <class Vector>
+void set_numbers(XMLElement& element, const char* attribute, const std::optional<Vector>& vector) {
+  if (!vector) return element.DeleteAttribute(attribute);
+  const std::span<const double> numbers(vector->data(), static_cast<std::size_t>(vector->size()));
+  if (const char* written = element.Attribute(attribute)) {
+    const auto before = parse_numbers(written);
+    if (before && format_numbers(*before) == format_numbers(numbers)) return;  // as text: 0 is not -0
+  }
+  element.SetAttribute(attribute, format_numbers(numbers).c_str());
+}
+
+void set_text(XMLElement& element, const char* attribute, const char* text) {
+  if (!element.Attribute(attribute, text)) element.SetAttribute(attribute, text);
+}
+
+void update_marker(XMLElement& element, const Sighting& sighting) {
+  if (element.IntAttribute("index", -1) != sighting.marker) element.SetAttribute("index", sighting.marker);
+  // Only what belongs to the kind of session is touched.
+  if (sighting.point) {
+    set_numbers(element, "point", sighting.point);
+  } else {
+    set_numbers(element, "left", sighting.left);
+    set_numbers(element, "right", sighting.right);
+  }
+  if (element.Attribute("by") || sighting.by != MarkedBy::import) set_text(element, "by", word(sighting.by));
+}
+
+void update_markers(XMLElement& element, const Observation& observation) {
+  std::map<int, XMLElement*> present;
+  for (auto* marker = element.FirstChildElement("marker"); marker; marker = marker->NextSiblingElement("marker"))
+    present[marker->IntAttribute("index", -1)] = marker;
+  XMLElement* last = nullptr;
+  for (const Sighting& sighting : observation.sightings) {
+    const auto found = present.find(sighting.marker);
+    XMLElement* marker = found != present.end() ? found->second : element.GetDocument()->NewElement("marker");
+    if (found != present.end())
+      present.erase(found);
+    else if (last)
+      element.InsertAfterChild(last, marker);
+    else if (XMLElement* decision = element.FirstChildElement("decision"); decision && decision->PreviousSibling())
+      element.InsertAfterChild(decision->PreviousSibling(), marker);
+    else
+      element.InsertEndChild(marker);
+    update_marker(*marker, sighting);
+    last = marker;
+  }
+  for (const auto& [index, gone] : present) element.DeleteChild(gone);
+}
+
+void update_decision(XMLElement& element, const Observation& observation) {
+  XMLElement* decision = element.FirstChildElement("decision");
+  if (observation.decision == Decision::none) {
+    if (decision) element.DeleteChild(decision);
+    return;
+  }
+  if (!decision) decision = element.InsertNewChildElement("decision");
+  set_text(*decision, "state", word(observation.decision));
+  if (!observation.reason.empty() || decision->Attribute("reason"))
+    set_text(*decision, "reason", observation.reason.c_str());
+}
+
+void write_vector(XMLElement& parent, const char* tag, const Eigen::VectorXd& numbers) {
+  if (numbers.size() == 0) return;
+  const std::string text = format_numbers({numbers.data(), static_cast<std::size_t>(numbers.size())});
+  parent.InsertNewChildElement(tag)->SetText(text.c_str());
+}
+
+}  // namespace
+
+void write_observation(XMLElement& parent, const Observation& observation) {
+  XMLElement& element = *parent.InsertNewChildElement("observation");
+  element.SetAttribute("id", std::to_string(observation.id).c_str());
+  element.SetAttribute("time", format_number(observation.time).c_str());
+  write_vector(element, "position", observation.position);
+  write_vector(element, "velocity", observation.velocity);
+  write_vector(element, "torque", observation.torque);
+  if (!observation.left_image.empty() || !observation.right_image.empty()) {
+    XMLElement& images = *element.InsertNewChildElement("images");
+    if (!observation.left_image.empty()) images.SetAttribute("left", observation.left_image.c_str());
+    if (!observation.right_image.empty()) images.SetAttribute("right", observation.right_image.c_str());
+  }
+  for (const Sighting& sighting : observation.sightings) {
+    XMLElement& marker = *element.InsertNewChildElement("marker");
+    update_marker(marker, sighting);
+    set_text(marker, "by", word(sighting.by));
+  }
+  update_decision(element, observation);
+}
+
+void update_observation(XMLElement& element, const Observation& observation) {
+  update_markers(element, observation);
+  update_decision(element, observation);
+}
+
+}  // namespace handsight

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// A session's folder: its file, its robot, and where its images may lie.
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "robot/urdf.h"
+#include "session/session_xml.h"
+
+namespace handsight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string file_name(const Session& session) {
+  return session.file.empty() ? "session.xml" : session.file.filename().string();
+}
+
+[[noreturn]] void refuse_joint(const Session& session, const SessionLines& lines, const std::string& name,
+                               std::string_view why) {
+  refuse(file_name(session), lines.joints,
+         fmt::format("<joints> names {}, {}, expected joints of the robot that move by themselves.", in_quotes(name),
+                     why));
+}
+
+void require_link(const Session& session, int line, std::string_view what, const std::string& name) {
+  if (find_link(session.robot, name) < 0)
+    refuse(file_name(session), line,
+           fmt::format("{}={} is no link of the robot, expected the name of a link in {}.", what, in_quotes(name),
+                       in_quotes(session.robot_file, 100)));
+}
+
+/// The session's file, where `path` may be its folder.
+fs::path file_of(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) {
+    if (!fs::exists(path, error))
+      throw InputError(shown_path(path) +
+                       ": there is no such file or folder, expected a session's folder or its session.xml.");
+    return path;
+  }
+  const fs::path file = path / "session.xml";
+  if (!fs::exists(file, error))
+    throw InputError(shown_path(path) + ": the folder holds no session.xml, expected a session's folder.");
+  return file;
+}
+
+Robot read_robot_of(Session& session, const SessionLines& lines) {
+  const fs::path path = folder(session) / session.robot_file;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error))
+    refuse(file_name(session), lines.robot,
+           fmt::format("<robot> has file={}, which is not there, expected a URDF file, its "
+                       "path relative to the session's folder.",
+                       in_quotes(session.robot_file, 150)));
+  return read_urdf(path, &session.notes);
+}
+
+}  // namespace
+
+void bind_robot(Session& session, Robot robot, const SessionLines& lines) {
+  session.robot = std::move(robot);
+  for (const std::string& name : session.joints) {
+    const int index = find_joint(session.robot, name);
+    if (index < 0) refuse_joint(session, lines, name, "which the robot does not have");
+    const Joint& joint = session.robot.joints[static_cast<std::size_t>(index)];
+    if (!joint.moves()) refuse_joint(session, lines, name, "which is fixed");
+    if (joint.is_mimic()) refuse_joint(session, lines, name, "which follows other joints (<mimic>)");
+  }
+  require_link(session, lines.robot, "<robot> tcp", session.tcp);
+  require_link(session, lines.device, session.is_tracker() ? "<tracker> mount" : "<stereo> mount", session.mount.link);
+}
+
+void check_image_paths(const Session& session, const SessionLines& lines) {
+  std::error_code error;
+  const fs::path home = fs::weakly_canonical(folder(session), error);
+  if (error) return;  // nothing can be read there, whatever the paths say
+  for (std::size_t i = 0; i < session.observations.size(); ++i)
+    for (const std::string& image : {session.observations[i].left_image, session.observations[i].right_image}) {
+      if (image.empty()) continue;
+      const fs::path real = fs::weakly_canonical(home / image, error);
+      const bool is_inside =
+          !error && std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
+      if (!is_inside)
+        refuse(file_name(session), i < lines.observations.size() ? lines.observations[i] : 0,
+               fmt::format("the image {} of observation {} leads out of the session's folder, expected "
+                           "images inside it.",
+                           in_quotes(image, 150), session.observations[i].id));
+    }
+}
+
+Session read_session(const fs::path& path) {
+  const fs::path file = file_of(path);
+  SessionLines lines;
+  Session session = parse_session(read_file(file), file.filename().string(), &lines);
+  session.file = file;
+  Robot robot = read_robot_of(session, lines);
+  bind_robot(session, std::move(robot), lines);
+  check_image_paths(session, lines);
+  return session;
+}
+
+}  // namespace handsight

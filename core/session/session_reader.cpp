@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <unordered_set>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "robot/xml_rigid.h"
+#include "session/observation_xml.h"
+#include "session/session_xml.h"
+
+namespace handsight {
+
+namespace {
+
+void read_robot_element(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"file", "tcp"}, {});
+  session.robot_file = required_name(node, "file");
+  session.tcp = required_name(node, "tcp");
+}
+
+void read_gravity(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"xyz"}, {});
+  session.gravity = Vector3(required_numbers(node, "xyz", 3).data());
+}
+
+Mount read_mount(const XmlNode& device, const char* tag, Ignored& ignored) {
+  const XmlNode node = required_child(device, tag);
+  note_unknown(ignored, node, {"xyz", "rpy", "estimate"}, {});
+  Mount mount;
+  mount.link = required_name(device, "mount");
+  mount.mount_from_sensor = read_rigid(node);
+  mount.estimate = find_choice(node, "estimate", {"no", "yes"}).value_or(0) == 1;
+  mount.known = !mount.estimate || node.element->Attribute("xyz") || node.element->Attribute("rpy");
+  return mount;
+}
+
+Camera read_camera(const XmlNode& node, Ignored& ignored) {
+  note_unknown(ignored, node, {"name", "width", "height", "fx", "fy", "skew", "cx", "cy", "k1", "k2", "p1", "p2", "k3"},
+               {});
+  constexpr int largest_side = 1'000'000;
+  const auto or_zero = [&](const char* attribute) { return find_number(node, attribute).value_or(0); };
+  Camera camera;
+  camera.width = static_cast<int>(required_integer(node, "width", 1, largest_side));
+  camera.height = static_cast<int>(required_integer(node, "height", 1, largest_side));
+  camera.fx = required_positive(node, "fx");
+  camera.fy = required_positive(node, "fy");
+  camera.cx = required_number(node, "cx");
+  camera.cy = required_number(node, "cy");
+  camera.skew = or_zero("skew");
+  camera.k1 = or_zero("k1");
+  camera.k2 = or_zero("k2");
+  camera.p1 = or_zero("p1");
+  camera.p2 = or_zero("p2");
+  camera.k3 = or_zero("k3");
+  return camera;
+}
+
+void read_cameras(const XmlNode& stereo, StereoRig& rig, Ignored& ignored) {
+  bool has_left = false, has_right = false;
+  for (const XmlNode& node : children(stereo, "camera")) {
+    required_text(node, "name");
+    const bool is_left = find_choice(node, "name", {"left", "right"}) == 0u;
+    bool& has = is_left ? has_left : has_right;
+    if (has)
+      refuse(node, fmt::format("is a second camera with name=\"{}\", expected one left and one right.",
+                               is_left ? "left" : "right"));
+    has = true;
+    (is_left ? rig.left : rig.right) = read_camera(node, ignored);
+  }
+  if (!has_left || !has_right)
+    refuse(stereo,
+           fmt::format("has no <camera name=\"{}\">, expected one left and one right.", has_left ? "right" : "left"));
+}
+
+void read_stereo(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"mount"}, {"mount_from_left", "right_from_left", "camera"});
+  session.mount = read_mount(node, "mount_from_left", ignored);
+  const XmlNode right = required_child(node, "right_from_left");
+  note_unknown(ignored, right, {"xyz", "rpy"}, {});
+  StereoRig& rig = session.stereo.emplace();
+  rig.right_from_left = read_rigid(right);
+  if (rig.right_from_left.translation.cwiseAbs().maxCoeff() < 1e-9)
+    refuse(right, "has no translation, expected the two cameras apart: without a baseline there is no depth.");
+  read_cameras(node, rig, ignored);
+}
+
+void read_tracker(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"mount", "sigma"}, {"mount_from_tracker"});
+  session.mount = read_mount(node, "mount_from_tracker", ignored);
+  session.sigma_point = find_positive(node, "sigma");
+}
+
+/// Returns the device's line.
+int read_device(const XmlNode& root, Session& session, Ignored& ignored) {
+  const auto stereo = find_child(root, "stereo"), tracker = find_child(root, "tracker");
+  if (stereo && tracker)
+    refuse(*tracker, fmt::format("stands beside the <stereo> of line {}, expected one of the two.", stereo->line()));
+  if (!stereo && !tracker) refuse(root, "has neither <stereo> nor <tracker>, expected one of the two.");
+  if (stereo)
+    read_stereo(*stereo, session, ignored);
+  else
+    read_tracker(*tracker, session, ignored);
+  return (stereo ? *stereo : *tracker).line();
+}
+
+void read_markers_element(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"count", "sigma_pixel"}, {});
+  session.marker_count = static_cast<int>(required_integer(node, "count", 1, 64));
+  session.sigma_pixel = find_positive(node, "sigma_pixel");
+  if (!session.sigma_pixel || !session.is_tracker()) return;
+  session.sigma_pixel.reset();
+  session.notes.push_back(fmt::format("{}, line {}: sigma_pixel has no meaning in a tracker session and is ignored.",
+                                      shortened(node.file, 80), node.line()));
+}
+
+void read_joints(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {}, {}, true);
+  const std::string names = inner_text(node);
+  std::unordered_set<std::string_view> seen;
+  for (const std::string_view name : split_words(names)) {
+    if (!seen.insert(name).second)
+      refuse(node, fmt::format("names joint {} a second time, expected each joint once.", in_quotes(name)));
+    session.joints.emplace_back(name);
+  }
+  if (session.joints.empty()) refuse(node, "names no joint, expected those that the observations' vectors hold.");
+}
+
+void read_observations(const XmlNode& node, Session& session, SessionLines& lines, Ignored& ignored) {
+  note_unknown(ignored, node, {}, {"observation"});
+  std::unordered_set<std::int64_t> ids;
+  for (const XmlNode& child : children(node, "observation")) {
+    Observation observation = read_observation(child, session, ignored);
+    if (!ids.insert(observation.id).second)
+      refuse(child, fmt::format("has id=\"{}\" a second time, expected each id once.", observation.id));
+    if (!session.observations.empty() && observation.time < session.observations.back().time)
+      refuse(child,
+             fmt::format("has time=\"{}\" after {} of the observation before, expected times that do not go back.",
+                         observation.time, session.observations.back().time));
+    session.observations.push_back(std::move(observation));
+    lines.observations.push_back(child.line());
+  }
+  if (session.observations.empty()) refuse(node, "holds no observation, expected at least one <observation>.");
+}
+
+/// Pixels far outside the image are no error of the format, but hardly right either.
+void note_outside(Session& session, std::string_view file) {
+  if (session.is_tracker()) return;
+  int outside = 0;
+  const auto is_outside = [](const Camera& camera, const std::optional<Vector2>& pixel) {
+    return pixel && (pixel->x() < -0.5 || pixel->y() < -0.5 || pixel->x() > camera.width - 0.5 ||
+                     pixel->y() > camera.height - 0.5);
+  };
+  for (const Observation& observation : session.observations)
+    for (const Sighting& sighting : observation.sightings)
+      outside += is_outside(session.stereo->left, sighting.left) + is_outside(session.stereo->right, sighting.right);
+  if (outside > 0)
+    session.notes.push_back(
+        fmt::format("{}: markers lie outside their camera's image ({} positions).", shortened(file, 80), outside));
+}
+
+}  // namespace
+
+Session parse_session(const std::string& text, const std::string& file, SessionLines* lines) {
+  const auto document = parse_xml(text, file);
+  const XmlNode root = root_of(*document, file, "handsight_session");
+  require_version_1(root);
+  Ignored ignored;
+  note_unknown(ignored, root, {"version", "title"},
+               {"robot", "gravity", "stereo", "tracker", "markers", "joints", "observations"});
+  SessionLines found;
+  Session session;
+  session.title = find_text(root, "title").value_or("");
+  const XmlNode robot = required_child(root, "robot"), joints = required_child(root, "joints");
+  found.robot = robot.line();
+  found.joints = joints.line();
+  read_robot_element(robot, session, ignored);
+  if (const auto gravity = find_child(root, "gravity")) read_gravity(*gravity, session, ignored);
+  found.device = read_device(root, session, ignored);
+  read_markers_element(required_child(root, "markers"), session, ignored);
+  read_joints(joints, session, ignored);
+  const auto observations = find_child(root, "observations");
+  if (!observations) refuse(root, "has no <observations>, so there is no observation, expected at least one.");
+  read_observations(*observations, session, found, ignored);
+  note_outside(session, file);
+  for (std::string& sentence : ignored_sentences(ignored, file)) session.notes.push_back(std::move(sentence));
+  session.source = std::make_shared<const std::string>(text);
+  if (lines) *lines = std::move(found);
+  return session;
+}
+
+}  // namespace handsight

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <unordered_map>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/numbers.h"
+#include "robot/xml_rigid.h"
+#include "session/observation_xml.h"
+#include "session/session_xml.h"
+
+namespace handsight {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+void set(XMLElement& element, const char* attribute, double number) {
+  element.SetAttribute(attribute, format_number(number).c_str());
+}
+
+void write_mount(XMLElement& device, const char* tag, const Mount& mount) {
+  device.SetAttribute("mount", mount.link.c_str());
+  XMLElement& element = *device.InsertNewChildElement(tag);
+  if (mount.known) write_rigid(element, mount.mount_from_sensor);
+  element.SetAttribute("estimate", mount.estimate ? "yes" : "no");
+}
+
+void write_camera(XMLElement& parent, const char* name, const Camera& camera) {
+  XMLElement& element = *parent.InsertNewChildElement("camera");
+  element.SetAttribute("name", name);
+  element.SetAttribute("width", camera.width);
+  element.SetAttribute("height", camera.height);
+  const std::pair<const char*, double> numbers[] = {
+      {"fx", camera.fx}, {"fy", camera.fy}, {"skew", camera.skew}, {"cx", camera.cx}, {"cy", camera.cy},
+      {"k1", camera.k1}, {"k2", camera.k2}, {"p1", camera.p1},     {"p2", camera.p2}, {"k3", camera.k3}};
+  for (const auto& [attribute, number] : numbers) set(element, attribute, number);
+}
+
+void write_device(XMLElement& root, const Session& session) {
+  XMLElement& device = *root.InsertNewChildElement(session.is_tracker() ? "tracker" : "stereo");
+  if (session.is_tracker()) {
+    if (session.sigma_point) set(device, "sigma", *session.sigma_point);
+    return write_mount(device, "mount_from_tracker", session.mount);
+  }
+  write_mount(device, "mount_from_left", session.mount);
+  write_rigid(*device.InsertNewChildElement("right_from_left"), session.stereo->right_from_left);
+  write_camera(device, "left", session.stereo->left);
+  write_camera(device, "right", session.stereo->right);
+}
+
+std::string text_from_scratch(const Session& session) {
+  tinyxml2::XMLDocument document;
+  document.InsertEndChild(document.NewDeclaration());
+  XMLElement& root = *document.NewElement("handsight_session");
+  document.InsertEndChild(&root);
+  root.SetAttribute("version", 1);
+  root.SetAttribute("title", session.title.c_str());
+  XMLElement& robot = *root.InsertNewChildElement("robot");
+  robot.SetAttribute("file", session.robot_file.c_str());
+  robot.SetAttribute("tcp", session.tcp.c_str());
+  root.InsertNewChildElement("gravity")->SetAttribute("xyz", format_numbers({session.gravity.data(), 3}).c_str());
+  write_device(root, session);
+  XMLElement& markers = *root.InsertNewChildElement("markers");
+  markers.SetAttribute("count", session.marker_count);
+  if (session.sigma_pixel) set(markers, "sigma_pixel", *session.sigma_pixel);
+  root.InsertNewChildElement("joints")->SetText(fmt::format("{}", fmt::join(session.joints, " ")).c_str());
+  XMLElement& observations = *root.InsertNewChildElement("observations");
+  for (const Observation& observation : session.observations) write_observation(observations, observation);
+  return xml_text(document);
+}
+
+/// Readers refuse a time that goes back: elements that are out of order are moved, with nothing touched where
+/// none is.
+void bring_to_order(XMLElement& parent, const std::vector<Observation>& observations) {
+  std::unordered_map<std::int64_t, XMLElement*> elements;
+  bool in_order = true;
+  std::size_t place = 0;
+  for (auto* element = parent.FirstChildElement("observation"); element;
+       element = element->NextSiblingElement("observation"), ++place) {
+    const std::int64_t id = element->Int64Attribute("id", -1);
+    elements[id] = element;
+    in_order = in_order && place < observations.size() && observations[place].id == id;
+  }
+  if (in_order) return;
+  for (const Observation& observation : observations) parent.InsertEndChild(elements.at(observation.id));
+}
+
+/// The text as it was read, with the markers and decisions of `session`.
+std::string updated_text(const Session& session) {
+  const auto document = parse_xml(*session.source, session.file.filename().string());
+  XMLElement* root = document->RootElement();
+  check(root != nullptr, "the session's source holds no element");
+  XMLElement* parent = root->FirstChildElement("observations");
+  check(parent != nullptr, "the session's source holds no <observations>");
+  std::unordered_map<std::int64_t, const Observation*> wanted;
+  for (const Observation& observation : session.observations) wanted.emplace(observation.id, &observation);
+  XMLElement* next = nullptr;
+  for (auto* element = parent->FirstChildElement("observation"); element; element = next) {
+    next = element->NextSiblingElement("observation");
+    const auto found = wanted.find(element->Int64Attribute("id", -1));
+    if (found == wanted.end()) {
+      parent->DeleteChild(element);
+      continue;
+    }
+    update_observation(*element, *found->second);
+    wanted.erase(found);
+  }
+  for (const Observation& observation : session.observations)
+    if (wanted.contains(observation.id)) write_observation(*parent, observation);
+  bring_to_order(*parent, session.observations);
+  return xml_text(*document);
+}
+
+}  // namespace
+
+std::string session_text(const Session& session) {
+  return session.source ? updated_text(session) : text_from_scratch(session);
+}
+
+void save_session(const Session& session) { replace_file(session.file, session_text(session)); }
+
+}  // namespace handsight

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/poses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace handsight {
+namespace {
+
+constexpr int most_tries = 500;
+constexpr double image_margin = 40;  // px: the whole label stays in the image
+
+struct Span {
+  double lower, upper;
+};
+
+Span joint_span(const Session& like, const Joint& joint, Eigen::Index column, double share) {
+  if (like.observations.size() >= 5) {
+    double low = 1e300, high = -1e300;
+    for (const Observation& o : like.observations) {
+      low = std::min(low, o.position[column]);
+      high = std::max(high, o.position[column]);
+    }
+    if (high - low > 0.2) return {low, high};
+  }
+  double lower = joint.lower, upper = joint.upper;
+  if (lower < -1e29 || upper > 1e29) {
+    lower = -std::numbers::pi;
+    upper = std::numbers::pi;
+  }
+  const double middle = 0.5 * (lower + upper);
+  return {middle + share * (lower - middle), middle + share * (upper - middle)};
+}
+
+}  // namespace
+
+PoseSampler::PoseSampler(const Session& like, const Chain& chain, const ShownBody& body,
+                         const SimulationOptions& options)
+    : chain_(chain), body_(body), options_(options), mount_from_sensor_(like.mount.mount_from_sensor) {
+  const auto count = static_cast<Eigen::Index>(chain.joints.size());
+  lower_.resize(count);
+  upper_.resize(count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
+    const Span span = joint_span(like, joint, j, options.joint_range);
+    lower_[j] = span.lower;
+    upper_[j] = span.upper;
+  }
+}
+
+double PoseSampler::violation(const Eigen::VectorXd& position) const {
+  if (!chain_.stereo) return 0;
+  const Circumstances c = circumstances_at(chain_, position);
+  const Rigid left_from_tcp =
+      sensor_from_tcp(observed_ends(c, moved_sites(c, options_.effects)).ends, mount_from_sensor_);
+  double total = 0;
+  for (const Vector3& marker : body_.markers_in_tcp) {
+    const Vector3 x = left_from_tcp * marker;
+    const Vector3 right = chain_.stereo->right_from_left * x;
+    const Vector3 normal = left_from_tcp.rotation * body_.normal_in_tcp;
+    total += unseen(chain_.stereo->left, x, normal) +
+             unseen(chain_.stereo->right, right, chain_.stereo->right_from_left.rotation * normal);
+  }
+  return total;
+}
+
+/// 0 where the camera sees the point well; else how far from that it is, in rough units of a radian.
+double PoseSampler::unseen(const Camera& camera, const Vector3& x, const Vector3& normal) const {
+  const double distance = x.norm();
+  const double off_axis = std::atan2(x.head<2>().norm(), x.z());
+  const double turned = std::acos(std::clamp(-normal.dot(x) / distance, -1.0, 1.0));
+  double total = std::max(0.0, turned - options_.most_turned) + 2 * std::max(0.0, options_.nearest - distance) +
+                 2 * std::max(0.0, distance - options_.farthest);
+  if (!is_visible(camera, x, image_margin)) total += 0.05 + off_axis;
+  return total;
+}
+
+Eigen::VectorXd PoseSampler::drawn(Random& random) const {
+  Eigen::VectorXd position(lower_.size());
+  for (Eigen::Index j = 0; j < position.size(); ++j) position[j] = random.uniform(lower_[j], upper_[j]);
+  return position;
+}
+
+/// Some joints moved by a share of their range, inside the limits.
+Eigen::VectorXd PoseSampler::moved(const Eigen::VectorXd& from, double share, Random& random) const {
+  Eigen::VectorXd position = from;
+  for (Eigen::Index j = 0; j < position.size(); ++j)
+    if (random.uniform() < 0.5)
+      position[j] = std::clamp(position[j] + share * (upper_[j] - lower_[j]) * random.gaussian(), lower_[j], upper_[j]);
+  return position;
+}
+
+/// From `start` downhill in what is violated, by random steps that shrink; nothing where it gets stuck.
+std::optional<Eigen::VectorXd> PoseSampler::made_visible(Eigen::VectorXd position, Random& random) const {
+  double cost = violation(position);
+  double share = 0.3;
+  for (int step = 0; step < 400 && cost > 0; ++step) {
+    const Eigen::VectorXd next = moved(position, share, random);
+    const double next_cost = violation(next);
+    share = next_cost < cost ? std::min(0.4, 1.3 * share) : std::max(0.02, 0.97 * share);
+    if (next_cost >= cost) continue;
+    position = next;
+    cost = next_cost;
+  }
+  return cost > 0 ? std::nullopt : std::optional(position);
+}
+
+Eigen::VectorXd PoseSampler::next(Random& random) {
+  const bool near_last = options_.follow && last_.size() > 0;
+  for (int attempt = 0; attempt < most_tries; ++attempt) {
+    const auto found = made_visible(near_last ? moved(last_, 0.15, random) : drawn(random), random);
+    if (!found) continue;
+    // The way downhill ends at the border of what is seen: a walk inside it forgets where it came in.
+    last_ = *found;
+    for (int step = 0; step < (near_last ? 5 : 40); ++step) {
+      const Eigen::VectorXd walked = moved(last_, 0.1, random);
+      if (violation(walked) == 0) last_ = walked;
+    }
+    return last_;
+  }
+  throw InputError(fmt::format(
+      "No pose in {} searches shows all {} markers to both cameras between {:.2f} and {:.2f} m; check the mount of the "
+      "cameras, or widen --joint-range.",
+      most_tries, body_.markers_in_tcp.size(), options_.nearest, options_.farthest));
+}
+
+}  // namespace handsight

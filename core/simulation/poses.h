@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "simulation/simulated_session.h"
+
+namespace handsight {
+
+/// The marker body that poses must show to the sensor.
+struct ShownBody {
+  std::vector<Vector3> markers_in_tcp;
+  Vector3 normal_in_tcp = Vector3::UnitZ();
+};
+
+/// Joint positions in the order of the chain, each showing every marker to both cameras (in a tracker session: any
+/// pose). Drawn from a share of the limits, or from the span of `like`'s observations. Throws InputError where 500
+/// searches in a row find none.
+class PoseSampler {
+ public:
+  PoseSampler(const Session& like, const Chain& chain, const ShownBody& body, const SimulationOptions& options);
+  Eigen::VectorXd next(Random& random);
+
+ private:
+  double violation(const Eigen::VectorXd& position) const;
+  double unseen(const Camera& camera, const Vector3& x, const Vector3& normal) const;
+  Eigen::VectorXd drawn(Random& random) const;
+  Eigen::VectorXd moved(const Eigen::VectorXd& from, double share, Random& random) const;
+  std::optional<Eigen::VectorXd> made_visible(Eigen::VectorXd position, Random& random) const;
+
+  const Chain& chain_;
+  const ShownBody& body_;
+  const SimulationOptions& options_;
+  Rigid mount_from_sensor_;
+  Eigen::VectorXd lower_, upper_, last_;
+};
+
+}  // namespace handsight

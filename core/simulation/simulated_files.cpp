@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/simulated_files.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/files.h"
+#include "base/text.h"
+#include "session/session_xml.h"
+#include "simulation/renderer.h"
+#include "vision/image_file.h"
+
+namespace handsight {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Which observations get images: the first, every disturbed one, and others evenly spread.
+std::set<std::size_t> chosen_observations(const SimulatedSession& s, const SimulationOptions& options, int wanted) {
+  std::set<std::size_t> chosen;
+  if (wanted <= 0) return chosen;
+  chosen.insert(0);
+  for (const Disturbance& d : options.disturbances) chosen.insert(static_cast<std::size_t>(d.id));
+  const std::size_t count = s.session.observations.size();
+  for (int i = 0; i < wanted && static_cast<int>(chosen.size()) < wanted; ++i)
+    chosen.insert(static_cast<std::size_t>(i) * count / static_cast<std::size_t>(wanted));
+  for (std::size_t k = 0; k < count && static_cast<int>(chosen.size()) < wanted; ++k) chosen.insert(k);
+  return chosen;
+}
+
+Scene scene_for(const SimulatedSession& s, const SimulationOptions& options, const ImageOptions& images) {
+  SceneOptions scene;
+  scene.seed = options.seed;
+  scene.distractor_corners = images.distractors;
+  scene.workspace.camera = s.root_from_sensor[0].translation;
+  scene.workspace.hand.setZero();
+  for (const Rigid& tcp : s.root_from_tcp)
+    scene.workspace.hand += tcp.translation / static_cast<double>(s.root_from_tcp.size());
+  for (const Rigid& tcp : s.root_from_tcp)
+    scene.workspace.reach = std::max(scene.workspace.reach, (tcp.translation - scene.workspace.hand).norm());
+  // The hand stretches from the wrist through the TCP: along the direction that the markers leave free.
+  scene.fingers = (Vector3::UnitZ() - s.normal_in_tcp * s.normal_in_tcp.z());
+  scene.fingers = scene.fingers.norm() > 0.2 ? Vector3(scene.fingers.normalized()) : s.normal_in_tcp.unitOrthogonal();
+  const double cell = std::clamp(0.2 * options.body_size, 0.005, 0.014);
+  return make_scene(marker_plates(s.markers_in_tcp, s.normal_in_tcp, cell, options.seed), scene);
+}
+
+struct View {
+  const PixelRays& rays;
+  Rigid root_from_camera, root_from_tcp;
+  const char* side;
+};
+
+void render_observation(const SimulatedSession& s, std::size_t k, Scene scene, const PixelRays& left_rays,
+                        const PixelRays& right_rays, const ImageOptions& images, std::uint64_t seed,
+                        const fs::path& out, Observation& o) {
+  for (std::size_t m = 0; m < scene.markers.size(); ++m) scene.markers[m].center = s.markers[k][m];
+  const StereoRig& rig = *s.true_rig;
+  const View views[] = {
+      {left_rays, s.root_from_sensor[k], s.root_from_tcp[k], "left"},
+      {right_rays, s.right_root_from_sensor[k] * inverse(rig.right_from_left), s.right_root_from_tcp[k], "right"}};
+  for (const View& view : views) {
+    const bool left = &view == &views[0];
+    ImageEffects effects;
+    effects.blur_px = images.blur_px;
+    effects.noise_grey = images.noise_grey;
+    effects.seed = Random(seed).child(2 * k + (left ? 0 : 1)).word();
+    const std::string file = fmt::format("images/{:03}_{}.png", o.id, view.side);
+    write_png(render(scene, view.rays, view.root_from_camera, view.root_from_tcp, effects), out / file);
+    (left ? o.left_image : o.right_image) = file;
+  }
+}
+
+std::string label_hint(const SimulatedSession& s, const fs::path& out) {
+  std::string hint =
+      fmt::format("handsight-cli label {} --observation {} --left", out.string(), s.session.observations[0].id);
+  for (const Vector3& marker : s.markers[0]) {
+    const Vector2 pixel = project(s.true_rig->left, inverse(s.root_from_sensor[0]) * (s.root_from_tcp[0] * marker));
+    hint += fmt::format(" \"{:.0f},{:.0f}\"", pixel.x(), pixel.y());
+  }
+  return hint;
+}
+
+}  // namespace
+
+WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptions& options, const fs::path& robot_file,
+                               const ImageOptions& images, const fs::path& out,
+                               const std::function<void(int)>& rendered) {
+  if (fs::exists(out) && !(fs::is_directory(out) && fs::is_empty(out)))
+    throw InputError(fmt::format("{} is there already and not empty; name a new folder in --out.", shown_path(out)));
+  if (images.observations > 0 && !simulated.session.stereo)
+    throw InputError("A tracker session has no images to render; leave --images out.");
+  const fs::path part = out.lexically_normal().string() + ".part";
+  std::error_code error;
+  fs::remove_all(part, error);
+  fs::create_directories(images.observations > 0 ? part / "images" : part, error);
+  if (error) throw InputError(fmt::format("{} cannot be made: {}.", shown_path(part), error.message()));
+
+  WrittenSession written;
+  const auto chosen = chosen_observations(simulated, options, images.observations);
+  if (!chosen.empty()) {
+    const Scene scene = scene_for(simulated, options, images);
+    const PixelRays left = pixel_rays(simulated.true_rig->left), right = pixel_rays(simulated.true_rig->right);
+    for (const std::size_t k : chosen) {
+      Observation& o = simulated.session.observations[k];
+      render_observation(simulated, k, scene, left, right, images, options.seed, part, o);
+      o.sightings.clear();  // to be found in the images
+      if (rendered) rendered(++written.with_images);
+    }
+    written.with_images = static_cast<int>(chosen.size());
+    written.label_hint = label_hint(simulated, out);
+  }
+  const std::string robot_text = read_file(robot_file);
+  simulated.session.robot_file = robot_file.filename().string();
+  replace_file(part / simulated.session.robot_file, robot_text);
+  simulated.session.file = part / "session.xml";
+  save_session(simulated.session);
+  write_truth(simulated, options, part / "truth.xml");
+  fs::remove(out, error);  // an empty folder of that name
+  fs::rename(part, out, error);
+  if (error) throw InputError(fmt::format("{} cannot be made: {}.", shown_path(out), error.message()));
+  return written;
+}
+
+}  // namespace handsight

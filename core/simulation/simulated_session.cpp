@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/simulated_session.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "estimation/body_frame.h"
+#include "simulation/poses.h"
+
+namespace handsight {
+namespace {
+
+/// The streams of random numbers, one a purpose, so that one more observation changes nothing before it.
+enum Purpose : std::uint64_t { body_stream = 1, pose_stream = 2, time_stream = 3, noise_stream = 100 };
+
+/// Markers on a slightly bent plane, spread round its middle; a longest side of about `size`, no two too near.
+ShownBody random_body(int count, double size, Random random) {
+  ShownBody body;
+  body.normal_in_tcp = Vector3(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
+  const Vector3 across = body.normal_in_tcp.unitOrthogonal();
+  const Vector3 along = body.normal_in_tcp.cross(across);
+  const Vector3 center =
+      0.04 * body.normal_in_tcp + 0.02 * random.gaussian() * across + 0.02 * random.gaussian() * along;
+  const double start = random.uniform(0, 2 * std::numbers::pi);
+  for (int i = 0; i < count; ++i) {
+    // A ring with one marker nearer and one farther: sides of different length, so that the frame is well chosen.
+    const double angle = start + 2 * std::numbers::pi * (i + 0.25 * random.uniform(-1, 1)) / std::max(count, 2);
+    const double radius = count == 1 ? 0 : size * (0.45 + 0.2 * (i % 3) / 2.0 + 0.05 * random.uniform(-1, 1));
+    body.markers_in_tcp.push_back(center + radius * (std::cos(angle) * across + std::sin(angle) * along) +
+                                  0.1 * size * random.uniform(-1, 1) * body.normal_in_tcp);
+  }
+  return body;
+}
+
+struct World {
+  const Chain& chain;
+  const std::vector<EffectTerm>& effects;
+  Rigid mount_from_sensor;
+};
+
+struct Ends {
+  Rigid root_from_tcp, root_from_sensor;
+};
+
+Ends ends_at(const World& world, const Circumstances& c) {
+  const ObservedEnds seen = observed_ends(c, moved_sites(c, world.effects));
+  return {seen.ends.root_from_tcp, seen.ends.root_from_mount * world.mount_from_sensor * seen.mount_motion};
+}
+
+/// Where the markers are in this observation, with the body's and the markers' own slips.
+std::vector<Vector3> markers_at(const World& world, const Circumstances& c,
+                                const std::vector<Vector3>& markers_in_tcp) {
+  const Sites sites = moved_sites(c, world.effects);
+  const std::vector<std::optional<Vector3>> known(markers_in_tcp.begin(), markers_in_tcp.end());
+  const Rigid tcp_from_body = body_frame(choose_sides(known), markers_in_tcp).tcp_from_body;
+  const Rigid body_from_tcp = inverse(tcp_from_body), slipped = tcp_from_body * small_motion<double>(sites.body);
+  std::vector<Vector3> markers;
+  for (std::size_t m = 0; m < markers_in_tcp.size(); ++m)
+    markers.push_back(slipped * (body_from_tcp * markers_in_tcp[m] + sites.markers[m]));
+  return markers;
+}
+
+Vector2 noisy(const Vector2& pixel, double noise, Random& random) {
+  const double u = random.gaussian(), v = random.gaussian();
+  return pixel + noise * Vector2(u, v);
+}
+
+std::vector<Sighting> sightings_of(const SimulatedSession& s, std::size_t k, const Vector3& shift, Random random) {
+  std::vector<Sighting> all;
+  const Rigid left_from_tcp = inverse(s.root_from_sensor[k]) * s.root_from_tcp[k];
+  const Rigid left_from_tcp_later = inverse(s.right_root_from_sensor[k]) * s.right_root_from_tcp[k];
+  for (int m = 0; m < s.session.marker_count; ++m) {
+    const Vector3& marker = s.markers[k][static_cast<std::size_t>(m)];
+    const Vector3 x = left_from_tcp * marker + shift;
+    Sighting sighting{m, {}, {}, {}, MarkedBy::import};
+    if (!s.session.stereo) {
+      const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian();
+      sighting.point = x + s.noise * Vector3(a, b, c);
+      all.push_back(sighting);
+      continue;
+    }
+    const StereoRig& rig = *s.true_rig;
+    const Vector3 in_right = rig.right_from_left * (left_from_tcp_later * marker + shift);
+    const Vector2 left = noisy(project(rig.left, x), s.noise, random);
+    const Vector2 right = noisy(project(rig.right, in_right), s.noise, random);
+    if (is_visible(rig.left, x)) sighting.left = left;
+    if (is_visible(rig.right, in_right)) sighting.right = right;
+    if (sighting.left || sighting.right) all.push_back(sighting);
+  }
+  return all;
+}
+
+/// Changes what was measured or where things were in observation `k`.
+void disturb(const Disturbance& d, const World& world, SimulatedSession& s, std::size_t k) {
+  Observation& o = s.session.observations[k];
+  if (d.kind == Disturbance::Kind::marker) {
+    const Vector3 along = (s.normal_in_tcp.unitOrthogonal() + 0.3 * s.normal_in_tcp).normalized();
+    s.markers[k][static_cast<std::size_t>(d.index)] += d.size * along;
+    return;
+  }
+  const auto named = std::find(s.session.joints.begin(), s.session.joints.end(), d.name);
+  if (named == s.session.joints.end())
+    throw InputError(
+        fmt::format("Disturbance of observation {}: the joint \"{}\" is not named in <joints>.", d.id, d.name));
+  const Eigen::Index j = named - s.session.joints.begin();
+  if (d.kind == Disturbance::Kind::joint) {
+    o.position[j] += d.size;
+    return;
+  }
+  Eigen::VectorXd later = o.position;
+  later[j] += d.size;
+  const Ends ends = ends_at(world, circumstances_at(world.chain, later));
+  s.right_root_from_tcp[k] = ends.root_from_tcp;
+  s.right_root_from_sensor[k] = ends.root_from_sensor;
+}
+
+void add_observations(const Session& like, const SimulationOptions& options, const World& world, SimulatedSession& s) {
+  const Random root(options.seed);
+  Random poses = root.child(pose_stream), times = root.child(time_stream);
+  const ShownBody body{s.markers_in_tcp, s.normal_in_tcp};
+  PoseSampler sampler(like, world.chain, body, options);
+  double time = 0;
+  for (int k = 0; k < options.observations; ++k) {
+    time += times.uniform(3, 6);
+    Observation o;
+    o.id = k;
+    o.time = std::round(1e3 * time) / 1e3;
+    o.position = sampler.next(poses);
+    o.velocity.resize(o.position.size());
+    for (Eigen::Index j = 0; j < o.velocity.size(); ++j) o.velocity[j] = std::round(1e6 * 0.2 * times.gaussian()) / 1e6;
+    s.session.observations.push_back(o);
+  }
+  for (const Circumstances& c : circumstances_of(s.session, world.chain)) {
+    const Ends ends = ends_at(world, c);
+    s.root_from_tcp.push_back(ends.root_from_tcp);
+    s.root_from_sensor.push_back(ends.root_from_sensor);
+    s.markers.push_back(markers_at(world, c, s.markers_in_tcp));
+  }
+}
+
+}  // namespace
+
+SimulatedSession simulate_session(const Session& like, const SimulationOptions& options) {
+  const Chain chain = chain_of(like);
+  const World world{chain, options.effects, like.mount.mount_from_sensor};
+  SimulatedSession s;
+  s.session = like;
+  s.session.source.reset();
+  s.session.observations.clear();
+  s.session.notes.clear();
+  s.session.title = options.title;
+  s.effects = options.effects;
+  s.mount_from_sensor = like.mount.mount_from_sensor;
+  const bool tracker = like.is_tracker();
+  s.noise = options.noise ? *options.noise : tracker ? like.sigma_point.value_or(2e-4) : like.sigma_pixel.value_or(0.2);
+  (tracker ? s.session.sigma_point : s.session.sigma_pixel) =
+      options.declare_noise && s.noise > 0 ? std::optional(s.noise) : std::nullopt;
+  const ShownBody body = random_body(like.marker_count, options.body_size, Random(options.seed).child(body_stream));
+  s.markers_in_tcp = body.markers_in_tcp;
+  s.normal_in_tcp = body.normal_in_tcp;
+
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
+  if (like.stereo) s.true_rig = moved_rig(*like.stereo, moved_sites(circumstances_at(chain, zero), options.effects));
+  add_observations(like, options, world, s);
+  s.right_root_from_tcp = s.root_from_tcp;
+  s.right_root_from_sensor = s.root_from_sensor;
+  for (const Disturbance& d : options.disturbances) {
+    if (d.id < 0 || d.id >= options.observations ||
+        (d.kind == Disturbance::Kind::marker && d.index >= like.marker_count))
+      throw InputError(fmt::format("Disturbance of observation {}: there are observations 0 to {} and markers 0 to {}.",
+                                   d.id, options.observations - 1, like.marker_count - 1));
+    disturb(d, world, s, static_cast<std::size_t>(d.id));
+  }
+  const Random root(options.seed);
+  for (std::size_t k = 0; k < s.session.observations.size(); ++k)
+    s.session.observations[k].sightings = sightings_of(s, k, options.shift_in_sensor, root.child(noise_stream + k));
+  return s;
+}
+
+Disturbance parse_disturbance(const std::string& text, const Robot& robot) {
+  auto refuse = [&]() -> InputError {
+    return InputError(fmt::format(
+        "Disturbance \"{}\": write ID:joint:NAME=RAD, ID:marker:INDEX=METRES or ID:right_image:NAME=RAD.", text));
+  };
+  const auto first = text.find(':');
+  const auto second = first == std::string::npos ? first : text.find(':', first + 1);
+  const auto equals = second == std::string::npos ? second : text.find('=', second + 1);
+  if (equals == std::string::npos) throw refuse();
+  Disturbance d;
+  auto number = [&](std::size_t from, std::size_t to, auto& value) {
+    const auto [stop, error] = std::from_chars(text.data() + from, text.data() + to, value);
+    if (error != std::errc() || stop != text.data() + to) throw refuse();
+  };
+  number(0, first, d.id);
+  number(equals + 1, text.size(), d.size);
+  const std::string kind = text.substr(first + 1, second - first - 1);
+  d.name = text.substr(second + 1, equals - second - 1);
+  if (kind == "marker") {
+    d.kind = Disturbance::Kind::marker;
+    number(second + 1, equals, d.index);
+    return d;
+  }
+  if (kind != "joint" && kind != "right_image") throw refuse();
+  d.kind = kind == "joint" ? Disturbance::Kind::joint : Disturbance::Kind::right_image;
+  if (find_joint(robot, d.name) < 0)
+    throw InputError(fmt::format("Disturbance \"{}\": the robot has no joint \"{}\".", text, d.name));
+  return d;
+}
+
+}  // namespace handsight

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sessions with known truth, from a robot and the cameras or the tracker of another session.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "effects/effect.h"
+#include "session/session.h"
+#include "simulation/random.h"
+
+namespace handsight {
+
+/// Something that goes wrong in one observation.
+struct Disturbance {
+  enum class Kind {
+    joint,        // the joint's reading is off by `size` (rad, m)
+    marker,       // marker `index` stands off by `size` (m) on the hand, a label that came loose
+    right_image,  // the right image was taken while joint `name` was `size` (rad, m) farther on
+  };
+  std::int64_t id = 0;
+  Kind kind = Kind::joint;
+  std::string name;
+  int index = 0;
+  double size = 0;
+};
+
+struct SimulationOptions {
+  std::string title = "Simulated";
+  int observations = 80;
+  std::uint64_t seed = 1;
+  std::optional<double> noise;  // px (m with a tracker) of one coordinate; absent: the session's, else 0.2 (2e-4)
+  bool declare_noise = true;    // write sigma_pixel (sigma) into the session
+  double joint_range = 0.8;     // share of every joint's limits that poses are drawn from
+  double nearest = 0.30, farthest = 1.60;  // m from the left camera, of the marker body
+  double most_turned = 0.9;                // rad: between a marker's normal and the direction to the camera
+  std::vector<EffectTerm> effects;         // the hidden truth
+  std::vector<Disturbance> disturbances;
+  double body_size = 0.06;  // m: the longest side of the marker body, about
+  bool follow = false;      // neighbouring observations are neighbours in posture, as a guided arm's are
+  Vector3 shift_in_sensor = Vector3::Zero();  // m: every marker is measured off by this (thesis 5.2)
+};
+
+/// What was simulated.
+struct SimulatedSession {
+  Session session;  // every marker labelled that both cameras see, by="import"
+  std::vector<Vector3> markers_in_tcp;
+  Vector3 normal_in_tcp = Vector3::UnitZ();  // the marker plane's outward normal
+  Rigid mount_from_sensor;                   // the true one, before any effect
+  std::optional<StereoRig> true_rig;         // with the effects on rig and cameras
+  std::vector<EffectTerm> effects;
+  double noise = 0;
+  /// Per observation, for rendering: where things truly were. The right image may have been taken later.
+  std::vector<Rigid> root_from_tcp, root_from_sensor, right_root_from_tcp, right_root_from_sensor;
+  std::vector<std::vector<Vector3>> markers;  // m, TCP frame, in this observation
+};
+
+/// `like` gives robot, tcp, mount, cameras or tracker, joints and the number of markers; where its labelled
+/// observations span a joint by more than 0.2 rad, poses are drawn from that span. Throws InputError where no visible
+/// pose is found.
+SimulatedSession simulate_session(const Session& like, const SimulationOptions& options);
+
+/// Parses "58:joint:arm_4=0.12", "75:marker:1=0.012" or "98:right_image:arm_2=0.05".
+Disturbance parse_disturbance(const std::string& text, const Robot& robot);
+
+/// Writes truth.xml: markers, tcp_from_body, mount, noise, effects, disturbances.
+void write_truth(const SimulatedSession& simulated, const SimulationOptions& options,
+                 const std::filesystem::path& file);
+
+}  // namespace handsight

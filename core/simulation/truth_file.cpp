@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tinyxml2.h>
+
+#include "base/files.h"
+#include "base/numbers.h"
+#include "estimation/body_frame.h"
+#include "simulation/simulated_session.h"
+
+namespace handsight {
+namespace {
+
+std::string three(const Vector3& v) { return format_numbers(std::vector<double>{v.x(), v.y(), v.z()}); }
+
+std::string rows(const Matrix4& m) {
+  std::vector<double> numbers;
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) numbers.push_back(m(r, c));
+  return format_numbers(numbers);
+}
+
+void add_motion(tinyxml2::XMLElement& parent, const char* name, const Rigid& motion) {
+  tinyxml2::XMLElement* element = parent.InsertNewChildElement(name);
+  element->SetAttribute("xyz", three(motion.translation).c_str());
+  element->SetAttribute("rpy", three(rpy_from_rotation(motion.rotation)).c_str());
+  element->InsertNewChildElement("matrix")->SetText(rows(matrix_from_rigid(motion)).c_str());
+}
+
+void add_effects(tinyxml2::XMLElement& parent, const SimulatedSession& simulated) {
+  tinyxml2::XMLElement* effects = parent.InsertNewChildElement("effects");
+  for (const EffectTerm& term : simulated.effects) {
+    const Effect* effect = find_effect(term.id);
+    tinyxml2::XMLElement* element = effects->InsertNewChildElement("effect");
+    element->SetAttribute("id", term.id.c_str());
+    for (std::size_t p = 0; p < term.values.size(); ++p) {
+      tinyxml2::XMLElement* parameter = element->InsertNewChildElement("parameter");
+      if (term.joint >= 0)
+        parameter->SetAttribute(
+            "of", effect->scope == EffectScope::marker
+                      ? std::to_string(term.joint).c_str()
+                      : simulated.session.robot.joints[static_cast<std::size_t>(term.joint)].name.c_str());
+      parameter->SetAttribute("name", effect->parameters[p].name.c_str());
+      parameter->SetAttribute("value", format_number(term.values[p]).c_str());
+      parameter->SetAttribute("unit", effect->parameters[p].unit.c_str());
+    }
+  }
+}
+
+const char* kind_name(Disturbance::Kind kind) {
+  switch (kind) {
+    case Disturbance::Kind::joint:
+      return "joint";
+    case Disturbance::Kind::marker:
+      return "marker";
+    case Disturbance::Kind::right_image:
+      return "right_image";
+  }
+  return "";
+}
+
+}  // namespace
+
+void write_truth(const SimulatedSession& simulated, const SimulationOptions& options,
+                 const std::filesystem::path& file) {
+  tinyxml2::XMLDocument document;
+  document.InsertEndChild(document.NewDeclaration());
+  tinyxml2::XMLElement* root = document.NewElement("handsight_truth");
+  document.InsertEndChild(root);
+  root->SetAttribute("version", "1");
+  root->SetAttribute("seed", std::to_string(options.seed).c_str());
+  root->SetAttribute(simulated.session.is_tracker() ? "noise_m" : "noise_pixel",
+                     format_number(simulated.noise).c_str());
+  std::vector<std::optional<Vector3>> markers(simulated.markers_in_tcp.begin(), simulated.markers_in_tcp.end());
+  add_motion(*root, "tcp_from_body", body_frame(choose_sides(markers), simulated.markers_in_tcp).tcp_from_body);
+  add_motion(*root, "mount_from_sensor", simulated.mount_from_sensor);
+  tinyxml2::XMLElement* list = root->InsertNewChildElement("markers_in_tcp");
+  for (std::size_t m = 0; m < simulated.markers_in_tcp.size(); ++m) {
+    tinyxml2::XMLElement* marker = list->InsertNewChildElement("marker");
+    marker->SetAttribute("index", static_cast<unsigned>(m));
+    marker->SetAttribute("xyz", three(simulated.markers_in_tcp[m]).c_str());
+  }
+  if (!options.shift_in_sensor.isZero())
+    root->InsertNewChildElement("shift_in_sensor")->SetAttribute("xyz", three(options.shift_in_sensor).c_str());
+  add_effects(*root, simulated);
+  for (const Disturbance& d : options.disturbances) {
+    tinyxml2::XMLElement* element = root->InsertNewChildElement("disturbance");
+    element->SetAttribute("observation", static_cast<std::int64_t>(d.id));
+    element->SetAttribute("kind", kind_name(d.kind));
+    element->SetAttribute("of", d.kind == Disturbance::Kind::marker ? std::to_string(d.index).c_str() : d.name.c_str());
+    element->SetAttribute("size", format_number(d.size).c_str());
+  }
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  replace_file(file, printer.CStr());
+}
+
+}  // namespace handsight

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace handsight {
+namespace {
+
+// Everything here happens at half the resolution: the sum of 2 x 2 pixels and a binomial of variance 1 act like a
+// Gaussian of 2.06 px on the image, which wins over the noise of 8 grey levels at a contrast of 40, in a quarter of
+// the time.
+struct Plane {
+  int width = 0, height = 0;
+  std::vector<std::int16_t> values;
+  std::int16_t* row(int y) { return values.data() + static_cast<std::size_t>(y) * width; }
+  const std::int16_t* row(int y) const { return values.data() + static_cast<std::size_t>(y) * width; }
+};
+
+constexpr float kUnit = 16;  // of the smoothed plane, per grey level
+
+void add_pairs(const std::uint8_t* upper, const std::uint8_t* lower, int count, std::int16_t* sums) {
+  for (int x = 0; x < count; ++x) {
+    std::uint16_t a, b;  // two neighbours at once; their order does not matter to the sum
+    std::memcpy(&a, upper + 2 * x, 2);
+    std::memcpy(&b, lower + 2 * x, 2);
+    sums[x] = static_cast<std::int16_t>((a & 255) + (a >> 8) + (b & 255) + (b >> 8));
+  }
+}
+
+Plane half_resolution(const Image& image) {
+  Plane half{image.width / 2, image.height / 2, {}};
+  half.values.resize(static_cast<std::size_t>(half.width) * half.height);
+  for (int y = 0; y < half.height; ++y) add_pairs(image.row(2 * y), image.row(2 * y + 1), half.width, half.row(y));
+  return half;
+}
+
+// The binomial 1 4 6 4 1 down and across; every intermediate fits 16 bits. Two rows and columns at each side stay 0.
+Plane smoothed(const Plane& half) {
+  Plane out{half.width, half.height, std::vector<std::int16_t>(half.values.size())};
+  std::vector<std::uint16_t> column(half.width);
+  for (int y = 2; y + 2 < half.height; ++y) {
+    const std::int16_t *a = half.row(y - 2), *b = half.row(y - 1), *c = half.row(y), *d = half.row(y + 1),
+                       *e = half.row(y + 2);
+    std::uint16_t* sums = column.data();
+    for (int x = 0; x < half.width; ++x)
+      sums[x] =
+          static_cast<std::uint16_t>(static_cast<std::uint16_t>(a[x] + e[x] + 4 * (b[x] + d[x]) + 6 * c[x] + 2) >> 2);
+    std::int16_t* to = out.row(y);
+    for (int x = 2; x < half.width - 2; ++x)
+      to[x] = static_cast<std::int16_t>(
+          static_cast<std::uint16_t>(sums[x - 2] + sums[x + 2] + 4 * (sums[x - 1] + sums[x + 1]) + 6 * sums[x]) >> 4);
+  }
+  return out;
+}
+
+void saddle_row(const Plane& plane, int y, float* saddle) {
+  const std::int16_t *up = plane.row(y - 1), *at = plane.row(y), *down = plane.row(y + 1);
+  for (int x = 1; x < plane.width - 1; ++x) {
+    const auto twice = static_cast<std::int16_t>(2 * at[x]);
+    const float xx = static_cast<std::int16_t>(at[x - 1] + at[x + 1] - twice);
+    const float yy = static_cast<std::int16_t>(up[x] + down[x] - twice);
+    const float xy = static_cast<std::int16_t>(up[x - 1] + down[x + 1] - up[x + 1] - down[x - 1]);
+    saddle[x] = xy * xy * 0.0625f - xx * yy;
+  }
+}
+
+bool is_peak(const float* up, const float* at, const float* down, int x) {
+  const float s = at[x];
+  return s > at[x - 1] && s >= at[x + 1] && s > up[x - 1] && s > up[x] && s > up[x + 1] && s >= down[x - 1] &&
+         s >= down[x] && s >= down[x + 1];
+}
+
+// One Newton step to where the gradient vanishes; false where that is not near.
+bool saddle_point(const Plane& plane, int x, int y, float saddle, Candidate& candidate) {
+  const std::int16_t *up = plane.row(y - 1), *at = plane.row(y), *down = plane.row(y + 1);
+  const double gx = 0.5 * (at[x + 1] - at[x - 1]), gy = 0.5 * (down[x] - up[x]);
+  const double xx = at[x - 1] + at[x + 1] - 2 * at[x], yy = up[x] + down[x] - 2 * at[x];
+  const double xy = 0.25 * (up[x - 1] + down[x + 1] - up[x + 1] - down[x - 1]);
+  const double dx = (yy * gx - xy * gy) / saddle, dy = (xx * gy - xy * gx) / saddle;
+  if (std::abs(dx) > 1.5 || std::abs(dy) > 1.5) return false;
+  candidate.position = {2 * (x + dx) + 0.5, 2 * (y + dy) + 0.5};
+  const float full = 0.25f / kUnit;  // half-resolution units to grey levels per px^2
+  candidate.saddle = saddle * full * full;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, int most) {
+  std::vector<Candidate> candidates;
+  if (image.width < 14 || image.height < 14) return candidates;
+  const Plane plane = smoothed(half_resolution(image));
+  // Ixy of a right-angled X-corner is 0.637 b / (2.06^2 + blur^2) at half contrast b, a quarter of that per
+  // half-resolution px^2; 0.075 of the contrast is what one of 2.5 px blur has left at 53 deg, less 3 sigma of noise.
+  // Noise of sigma 1 leaves 0.062 in Ixy.
+  const float least = static_cast<float>(std::pow(kUnit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
+  const int w = plane.width;
+  std::vector<float> rows(3 * static_cast<std::size_t>(w), 0.f);
+  float *up = rows.data(), *at = up + w, *down = at + w;
+  saddle_row(plane, 3, at);
+  for (int y = 3; y + 3 < plane.height; ++y) {
+    if (y + 4 < plane.height)
+      saddle_row(plane, y + 1, down);
+    else
+      std::fill(down, down + w, 0.f);
+    for (int x = 3; x < w - 3; ++x) {
+      Candidate candidate;
+      if (at[x] > least && is_peak(up, at, down, x) && saddle_point(plane, x, y, at[x], candidate))
+        candidates.push_back(candidate);
+    }
+    float* const old = up;
+    up = at, at = down, down = old;
+  }
+  const auto stronger = [](const Candidate& a, const Candidate& b) { return a.saddle > b.saddle; };
+  std::stable_sort(candidates.begin(), candidates.end(), stronger);
+  if (static_cast<int>(candidates.size()) > most) candidates.resize(most);
+  return candidates;
+}
+
+}  // namespace handsight

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where an X-corner may be: saddle points of the smoothed image. A cheap test of every pixel, so that the symmetry
+// of thesis (4.4) need be worked out at few.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "vision/image.h"
+
+namespace handsight {
+
+struct Candidate {
+  Eigen::Vector2d position;  // px, of the saddle point, good to about a pixel
+  float saddle = 0;          // minus the Hessian's determinant, (grey levels per px^2)^2 of the smoothed image
+};
+
+/// Saddle points of the image smoothed by a Gaussian of about 2 px: Ixx Iyy - Ixy^2 < 0 has a local minimum there
+/// that is deep enough for an X-corner of `min_contrast` grey levels under a blur of 2.5 px, and deeper than white
+/// noise of sigma `noise` grey levels makes them. Strongest first, at most `most`; of equals the upper one is first,
+/// then the left one.
+std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, int most);
+
+}  // namespace handsight

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_model.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "vision/corner_patch.h"
+
+namespace handsight {
+namespace {
+
+constexpr double kFirstRadius = 4;     // px: 50 pixels, enough for nine unknowns
+constexpr int kSecondRadius = 7;       // px: the edges' directions must be known better before it grows on
+constexpr double kShadeSigma = 0.003;  // 1/px: light that changes by 30 % over 100 px is no surprise
+constexpr double kLoose = 1.5;         // what all bounds are wider over the first disc
+constexpr double kMostMove = 1.8;      // px, from the start
+constexpr double kMostMisfit = 0.24;   // half contrasts: sharpening in the camera leaves 0.2
+constexpr double kMostBlur = 0.45;     // radii: a saddle that never becomes flat is no corner
+constexpr double kLeastNoise = 0.3;    // grey levels: rounding to whole ones alone makes 0.29
+
+using Matrix5 = Eigen::Matrix<double, 5, 5>;
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+
+template <int N>
+Eigen::Matrix<double, N, N> from_triangle(const float* triangle) {
+  Eigen::Matrix<double, N, N> m;
+  for (int i = 0, n = 0; i < N; ++i)
+    for (int j = 0; j <= i; ++j) m(i, j) = m(j, i) = triangle[n++];
+  return m;
+}
+
+// Cholesky in place for these few unknowns: Eigen's blocked one takes several times as long. False where `m` is not
+// positive definite.
+template <int N>
+bool solve(Eigen::Matrix<double, N, N> m, Eigen::Matrix<double, N, 1>& x) {
+  for (int j = 0; j < N; ++j) {
+    for (int k = 0; k < j; ++k) m(j, j) -= m(j, k) * m(j, k);
+    if (!(m(j, j) > 1e-9)) return false;
+    m(j, j) = std::sqrt(m(j, j));
+    for (int i = j + 1; i < N; ++i) {
+      for (int k = 0; k < j; ++k) m(i, j) -= m(i, k) * m(j, k);
+      m(i, j) /= m(j, j);
+    }
+  }
+  for (int i = 0; i < N; ++i) {
+    for (int k = 0; k < i; ++k) x(i) -= m(i, k) * x(k);
+    x(i) /= m(i, i);
+  }
+  for (int i = N - 1; i >= 0; --i) {
+    for (int k = i + 1; k < N; ++k) x(i) -= m(k, i) * x(k);
+    x(i) /= m(i, i);
+  }
+  return x.allFinite();
+}
+
+double shade_prior(double noise) { return noise * noise / (kShadeSigma * kShadeSigma); }
+
+Eigen::Matrix4d odd_hessian(const PatchSums& sum, double noise) {
+  Eigen::Matrix4d hessian = from_triangle<4>(sum.odd.data());
+  hessian.diagonal().tail<2>().array() += shade_prior(noise);
+  return hessian;
+}
+
+double noise_of(const PatchSums& sum) {
+  return std::max(std::sqrt(sum.squares / std::max(sum.weights - 9.0, 1.0)), kLeastNoise);
+}
+
+// One step of both blocks, of the even one a `share`; its length in px (a radian or a px of blur counts half), or
+// nothing where the normal equations are singular.
+std::optional<double> step(const PatchSums& sum, double noise, double share, CornerModel& model) {
+  Eigen::Vector4d odd_step = Eigen::Map<const Eigen::Vector4f>(sum.odd_side.data()).cast<double>();
+  odd_step.tail<2>() -= shade_prior(noise) * model.shade;
+  Vector5 even_step = Eigen::Map<const Eigen::Matrix<float, 5, 1>>(sum.even_side.data()).cast<double>();
+  Matrix5 even = from_triangle<5>(sum.even.data());
+  even.diagonal() *= 1 + 1e-3;
+  even(2, 2) += noise * noise;  // a sharp image says little of its blur
+  if (!solve<4>(odd_hessian(sum, noise), odd_step) || !solve<5>(even, even_step)) return std::nullopt;
+  // Blur and contrast balance each other: where one is held back the other must be too.
+  even_step *= std::min(share, 0.5 / std::max(std::abs(even_step(2)), 1e-9));
+  const double length = odd_step.head<2>().norm(), turn = even_step.head<2>().cwiseAbs().maxCoeff();
+  model.position += odd_step.head<2>() * std::min(1.0, 0.7 / std::max(length, 1e-9));
+  model.shade += odd_step.tail<2>();
+  for (int i = 0; i < 2; ++i) model.edges[i] += std::clamp(even_step(i), -0.3, 0.3);
+  model.blur = std::clamp(model.blur + even_step(2), 0.3, 5.0);
+  model.level += even_step(3);
+  model.half_contrast += even_step(4);
+  return std::max(length, 0.5 * std::max(turn, std::abs(even_step(2))));
+}
+
+Eigen::Vector2i pixel_of(const Eigen::Vector2d& position) { return (position.array() + 0.5).floor().cast<int>(); }
+
+bool inside(const Image& image, const Eigen::Vector2i& centre, int radius) {
+  return centre.x() >= radius && centre.y() >= radius && centre.x() + radius < image.width &&
+         centre.y() + radius < image.height;
+}
+
+struct Progress {
+  CornerPatch patch;
+  PatchSums sum;
+  double noise = 0;  // grey levels
+};
+
+// Steps until a step is shorter than `precision` px; false where the fit fails.
+bool fit_disc(const Image& image, double radius, int iterations, double precision, Progress& at, CornerModel& model) {
+  const int reach = static_cast<int>(radius) + 1;
+  for (int i = 0; i < iterations; ++i) {
+    const Eigen::Vector2i centre = pixel_of(model.position);
+    if (!inside(image, centre, reach)) return false;
+    gather(image, centre, reach, at.patch);
+    evaluate(model, radius, 0, at.patch.count, at.patch);
+    at.sum = sums(at.patch);
+    const double before = at.noise;
+    at.noise = noise_of(at.sum);
+    // Edges and contrast of a corner that overexposure has torn apart swing to and fro unless held back.
+    const double share = before > 0 && at.noise > before ? 0.5 : 1.0;
+    const std::optional<double> moved = step(at.sum, at.noise, share, model);
+    if (!moved) return false;
+    if (*moved < precision) break;
+  }
+  return true;
+}
+
+// How far the model holds, px: ring by ring, as long as the residuals stay what they are inside.
+double grown_radius(const Image& image, double radius, int most, Progress& at, const CornerModel& model) {
+  const Eigen::Vector2i centre = pixel_of(model.position);
+  while (most > radius && !inside(image, centre, most + 1)) --most;
+  if (most <= radius) return radius;
+  gather(image, centre, most + 1, at.patch);
+  const double bound = 2 * at.noise * at.noise + 0.02 * model.half_contrast * model.half_contrast;
+  int n = pixels_in_disc(static_cast<int>(radius));
+  for (int r = static_cast<int>(radius) + 1; r <= most; ++r) {
+    const int begin = n, end = pixels_in_disc(r);
+    evaluate(model, most + 1, begin / 8 * 8, end, at.patch);
+    double squares = 0;
+    for (; n < end; ++n) squares += at.patch.residual[n] * at.patch.residual[n];
+    if (squares > bound * (end - begin)) return r - 1;
+  }
+  return most;
+}
+
+// Root of the mean product of neighbouring residuals: of white noise nothing remains, of a wrong shape most does.
+double misfit_of(const CornerPatch& patch) {
+  constexpr int kReach = 5, kSide = 2 * kReach + 2;
+  std::array<float, kSide*(kSide + 1)> residual{}, weight{};
+  const int count = std::min(patch.count, pixels_in_disc(kReach));
+  for (int n = 0; n < count; ++n) {
+    const Eigen::Vector2i offset = offset_of_pixel(n);
+    const int at = (offset.y() + kReach) * kSide + offset.x() + kReach;
+    residual[at] = patch.residual[n], weight[at] = patch.weight[n];
+  }
+  float products = 0, weights = 0;
+  for (int n = 0; n < kSide * kSide; ++n) {
+    products += residual[n] * (residual[n + 1] + residual[n + kSide]);
+    weights += weight[n] * (weight[n + 1] + weight[n + kSide]);
+  }
+  return std::sqrt(std::max(products / std::max(weights, 1.f), 0.f));
+}
+
+// Bounds beyond what X-corners of 8 px cells show at 60 deg and 2.5 px of blur. Over the first disc blur and contrast
+// are hard to tell from each other, so there they are `loose`.
+bool looks_right(const CornerModel& model, const CrossStructure& cross, double noise, double image_noise,
+                 double loose) {
+  const double half = std::abs(model.half_contrast), misfit = kMostMisfit * loose * half;
+  return half < 1.6 * loose * std::abs(cross.half_contrast) && model.blur < 3.2 * loose &&
+         noise * noise < misfit * misfit + 1.6 * loose * image_noise * image_noise &&
+         std::abs(std::sin(model.edges[0] - model.edges[1])) > 0.4 / loose;
+}
+
+// The weights fall off at the rim though the noise does not rise there, so the covariance is not the Hessian's inverse
+// alone: H^-1 (sum w^4 J J^T + prior) H^-1 of all odd parameters, of which the position is the first block.
+Eigen::Matrix2d position_covariance(Progress& at) {
+  const Eigen::Matrix4d inverse = odd_hessian(at.sum, at.noise).inverse();
+  for (CornerPatch::Row& row : at.patch.odd)
+    for (int n = 0; n < at.patch.padded; ++n) row[n] *= at.patch.weight[n];
+  const Eigen::Matrix4d spread = odd_hessian(sums(at.patch), at.noise);
+  return at.noise * at.noise * (inverse * spread * inverse).topLeftCorner<2, 2>();
+}
+
+}  // namespace
+
+std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
+                                    double image_noise) {
+  CornerFit fit;
+  CornerModel& model = fit.model;
+  model.position = start, model.edges = cross.edges;
+  model.level = cross.level, model.half_contrast = cross.half_contrast, model.blur = cross.blur;
+  Progress at;
+  fit.radius = kFirstRadius;
+  for (const double loose : {2 * kLoose, kLoose})
+    if (!fit_disc(image, fit.radius, 2, 0.05, at, model) || !looks_right(model, cross, at.noise, image_noise, loose))
+      return std::nullopt;
+  if ((model.position - start).norm() > kMostMove) return std::nullopt;
+  fit.misfit = misfit_of(at.patch);
+  if (fit.misfit > kLoose * kMostMisfit * std::abs(model.half_contrast)) return std::nullopt;
+  fit.radius = grown_radius(image, kFirstRadius, kSecondRadius, at, model);
+  if (fit.radius > kFirstRadius) {
+    if (!fit_disc(image, fit.radius, 3, 0.2, at, model)) return std::nullopt;
+    fit.radius = grown_radius(image, fit.radius, kMostPatchRadius, at, model);
+  } else if (model.blur > kMostBlur * fit.radius + 0.3) {
+    return std::nullopt;
+  }
+  if (!fit_disc(image, fit.radius, 4, 0.02, at, model)) return std::nullopt;
+  if ((model.position - start).norm() > kMostMove || !looks_right(model, cross, at.noise, image_noise, 1))
+    return std::nullopt;
+  if (model.blur > kMostBlur * fit.radius) return std::nullopt;
+  fit.noise = at.noise;
+  fit.covariance = position_covariance(at);
+  return fit;
+}
+
+}  // namespace handsight

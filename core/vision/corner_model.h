@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The image of an X-corner as a formula, and its least-squares fit: the symmetry of thesis (4.4) uses only that the
+// patch is even, this uses its whole shape and comes near the Cramer-Rao bound.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+
+#include "vision/corner_structure.h"
+#include "vision/image.h"
+
+namespace handsight {
+
+/// I(u, v) = (1 + shade . x) (level + half_contrast erf(d1 / (sqrt2 blur)) erf(d2 / (sqrt2 blur))), with
+/// x = (u, v) - position and d_i = -sin(edge_i) x + cos(edge_i) y: two blurred straight edges through one point
+/// under light that changes evenly. Perspective keeps edges straight and through one point, so it needs no more.
+struct CornerModel {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
+  std::array<double, 2> edges{};                       // rad
+  double blur = 1.0;                                   // px, sigma, of lens and pixel together
+  double level = 0;                                    // grey levels
+  double half_contrast = 0;                            // grey levels, signed as in CrossStructure
+  Eigen::Vector2d shade = Eigen::Vector2d::Zero();     // 1/px
+};
+
+struct CornerFit {
+  CornerModel model;
+  Eigen::Matrix2d covariance;  // px^2, of the position
+  double radius = 0;           // px, of the disc of pixels that took part
+  double noise = 0;            // grey levels, sigma of a pixel
+  double misfit =
+      0;  // grey levels, root of the mean product of neighbouring residuals over 4 px: the shape's, without the noise
+};
+
+/// Gauss-Newton from a start that is good to about 1 px. The disc grows from 4 px as long as the formula holds, so
+/// that it ends before the next cell or what lies beside the marker. Nothing where the fit runs away, the disc of
+/// 4 px leaves the image, or what comes out is no X: edges nearly parallel, more blur than plateau, half contrasts
+/// that the image does not reach, residuals that `image_noise` (grey levels, sigma of a pixel) does not explain.
+std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
+                                    double image_noise);
+
+}  // namespace handsight

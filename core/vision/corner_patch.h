@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pixels round a corner beside what the model of corner_model.h says of them: the inner loop of its fit.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "vision/corner_model.h"
+#include "vision/image.h"
+
+namespace handsight {
+
+constexpr int kMostPatchRadius = 10;   // px
+constexpr int kMostPatchPixels = 456;  // in a disc of kMostPatchRadius + 2, in whole groups
+
+/// A disc of pixels, nearest first, with residuals and derivatives, all times the weight. Odd parameters (position,
+/// shade) and even ones (edges, blur, level, half contrast) have derivatives of opposite parity, so over a disc round
+/// the corner their products vanish and the normal equations fall into two blocks.
+struct CornerPatch {
+  using Row = std::array<float, kMostPatchPixels>;
+  Eigen::Vector2i centre{0, 0};  // px, the central pixel
+  int gathered = -1;             // px, radius of the disc whose pixels are there
+  int count = 0;                 // pixels that take part
+  int padded = 0;                // pixels in whole groups; those beyond `count` have no weight
+  alignas(32) Row value, weight, residual;
+  alignas(32) std::array<Row, 4> odd;   // by position u, v; shade u, v
+  alignas(32) std::array<Row, 5> even;  // by edge 1, edge 2, blur, level, half contrast
+};
+
+/// Pixels in the disc of `radius` px, 0 to kMostPatchRadius + 2.
+int pixels_in_disc(int radius);
+
+/// px from the central pixel, of the pixel with this number.
+Eigen::Vector2i offset_of_pixel(int number);
+
+/// Makes the disc of `radius` px take part, which must be inside of the image; reads only what is not there yet.
+void gather(const Image& image, const Eigen::Vector2i& centre, int radius, CornerPatch& patch);
+
+/// Residuals and derivatives of the pixels from number `begin` (a multiple of 8) on, up to `end`. The weight is 1 in
+/// the disc of `radius` px and falls to 0 at radius + 1/2: a hard rim would jump as the position moves.
+void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch);
+
+/// Sums over the patch; the lower triangle of each block only.
+struct PatchSums {
+  std::array<float, 10> odd;  // products of the odd derivatives, row by row of the triangle
+  std::array<float, 15> even;
+  std::array<float, 4> odd_side;  // with the residual
+  std::array<float, 5> even_side;
+  float squares = 0, weights = 0;  // of the residual; of the weight's square
+};
+PatchSums sums(const CornerPatch& patch);
+
+}  // namespace handsight

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Is it an X? Two black and two white sectors alternate round an X-corner; round a dot, a line, an L-corner or a
+// T-junction, which may be point symmetric too or lie on a saddle, they do not.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+
+#include "vision/image.h"
+
+namespace handsight {
+
+/// I = level + half_contrast sgn(d1) sgn(d2), where d_i is the signed distance to edge i through the centre,
+/// d = -sin(edge) (u - u0) + cos(edge) (v - v0).
+struct CrossStructure {
+  std::array<double, 2> edges{};  // rad, each in [0, pi), the first one smaller
+  double level = 0;               // grey levels
+  double half_contrast = 0;       // grey levels, negative where the sector between the edges' angles is white
+  double blur = 1;                // px, sigma, a guess from how much the contrast grows from 2.5 to 4 px
+};
+
+/// The cheapest test: 16 pixels on a circle of 3 px. False where points a quarter turn apart differ less than opposite
+/// ones, or by too little for a corner of `min_contrast` grey levels. (u, v) must be 3 px inside the image.
+bool may_be_cross(const Image& image, int u, int v, double min_contrast);
+
+/// Reads circles round `centre` (px) and finds the four sectors; nothing where they do not alternate, where opposite
+/// ones differ more than neighbours, or where the circles leave the image.
+std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast);
+
+}  // namespace handsight

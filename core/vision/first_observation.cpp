@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/first_observation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handsight {
+namespace {
+
+int nearest_corner(const std::vector<Corner>& corners, const Vector2& where, double& distance) {
+  int nearest = -1;
+  distance = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const double d = (corners[c].position - where).norm();
+    if (d >= distance) continue;
+    distance = d;
+    nearest = static_cast<int>(c);
+  }
+  return nearest;
+}
+
+struct Choice {
+  std::vector<int> pairs;  // per marker, index into its candidates
+  double score = std::numeric_limits<double>::infinity();
+};
+
+double pair_score(const CornerPair& pair, const PairOptions& options) {
+  return std::pow(pair.point.epipolar_distance / options.epipolar_threshold, 2) + 2 * pair.likeness;
+}
+
+/// Depth-first over the markers; `score` only grows, so that a worse beginning is given up.
+void choose(const std::vector<std::vector<CornerPair>>& candidates, const LabelOptions& options,
+            std::vector<int>& taken, double score, Choice& best) {
+  if (score >= best.score) return;
+  const std::size_t marker = taken.size();
+  if (marker == candidates.size()) {
+    best = {taken, score};
+    return;
+  }
+  for (std::size_t k = 0; k < candidates[marker].size(); ++k) {
+    const CornerPair& pair = candidates[marker][k];
+    double added = pair_score(pair, options.pairs);
+    bool possible = true;
+    for (std::size_t m = 0; m < marker && possible; ++m) {
+      const CornerPair& other = candidates[m][static_cast<std::size_t>(taken[m])];
+      const double apart = (pair.point.point - other.point.point).norm();
+      possible = pair.right != other.right && apart <= options.most_spread;
+      // Of two partners on one epipolar line, the one at the depth of the other markers is the likelier.
+      added += std::pow(std::abs(pair.point.point.z() - other.point.point.z()) / (0.3 * options.most_spread), 2) /
+               static_cast<double>(candidates.size());
+    }
+    if (!possible) continue;
+    taken.push_back(static_cast<int>(k));
+    choose(candidates, options, taken, score + added, best);
+    taken.pop_back();
+  }
+}
+
+std::string refuse_triangle(const std::vector<LabelledMarker>& markers, const LabelOptions& options) {
+  double longest = 0, shortest = std::numeric_limits<double>::infinity(), height = 0;
+  std::string sides;
+  for (std::size_t a = 0; a < markers.size(); ++a)
+    for (std::size_t b = a + 1; b < markers.size(); ++b) {
+      const Vector3 side = markers[b].point.point - markers[a].point.point;
+      sides += fmt::format("{}{:.0f}", sides.empty() ? "" : ", ", 1e3 * side.norm());
+      shortest = std::min(shortest, side.norm());
+      if (side.norm() <= longest) continue;
+      longest = side.norm();
+      height = 0;
+      for (const LabelledMarker& c : markers)
+        height = std::max(height, side.cross(c.point.point - markers[a].point.point).norm() / longest);
+    }
+  if (markers.size() >= 3 && height < options.line_sine * longest)
+    return fmt::format(
+        "The corners lie on a line ({:.1f} mm off): the hand's rotation about it cannot be seen; take a corner to the "
+        "side.",
+        1e3 * height);
+  if (shortest < 1e-3)
+    return fmt::format("Two of the markers are the same corner (sides {} mm); take another corner.", sides);
+  if (longest < options.smallest_side)
+    return fmt::format("Sides {} mm: too small, the hand's rotation would be known badly; take corners farther apart.",
+                       sides);
+  return {};
+}
+
+}  // namespace
+
+FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, const std::vector<Corner>& right,
+                        const std::vector<Vector2>& pointed, const LabelOptions& options) {
+  FirstLabels result;
+  auto refuse = [&](std::string sentence) {
+    result.markers.clear();
+    result.refusal = std::move(sentence);
+    return result;
+  };
+  std::vector<std::vector<CornerPair>> candidates;
+  for (std::size_t m = 0; m < pointed.size(); ++m) {
+    double distance = 0;
+    const int corner = nearest_corner(left, pointed[m], distance);
+    if (corner < 0 || distance > options.snap_distance)
+      return refuse(fmt::format(
+          "Marker {}: no corner within {:.0f} px of ({:.1f}, {:.1f}) in the left image{}; point nearer to one.", m,
+          options.snap_distance, pointed[m].x(), pointed[m].y(),
+          corner < 0 ? std::string(" (it has none)") : fmt::format(" (the nearest is {:.1f} px away)", distance)));
+    candidates.push_back(corner_pairs(rig, left, right, options.pairs, {corner}));
+    if (candidates.back().empty())
+      return refuse(
+          fmt::format("Marker {}: no corner of the right image lies within {:.1f} px of the epipolar line of ({:.1f}, "
+                      "{:.1f}) and in "
+                      "front of both cameras; take another corner or the next observation.",
+                      m, options.pairs.epipolar_threshold, left[static_cast<std::size_t>(corner)].position.x(),
+                      left[static_cast<std::size_t>(corner)].position.y()));
+  }
+  Choice best;
+  std::vector<int> taken;
+  choose(candidates, options, taken, 0, best);
+  if (best.pairs.size() != pointed.size())
+    return refuse(fmt::format(
+        "The {} corners have no partners in the right image that are all different and within {:.0f} mm of each other; "
+        "check that they are on the hand.",
+        pointed.size(), 1e3 * options.most_spread));
+  for (std::size_t m = 0; m < pointed.size(); ++m) {
+    const CornerPair& pair = candidates[m][static_cast<std::size_t>(best.pairs[m])];
+    result.markers.push_back({left[static_cast<std::size_t>(pair.left)].position,
+                              right[static_cast<std::size_t>(pair.right)].position, pair.point,
+                              static_cast<int>(candidates[m].size()) - 1});
+  }
+  if (result.markers.size() >= 2)
+    if (auto sentence = refuse_triangle(result.markers, options); !sentence.empty()) return refuse(sentence);
+  return result;
+}
+
+}  // namespace handsight

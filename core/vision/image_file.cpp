@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/image_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+
+namespace handsight {
+namespace {
+
+bool starts_with(const std::string& bytes, std::string_view start) {
+  return std::string_view(bytes).substr(0, start.size()) == start;
+}
+
+std::size_t byte_at(const std::string& bytes, std::size_t place) {
+  return place < bytes.size() ? static_cast<unsigned char>(bytes[place]) : 0;
+}
+
+/// Where a JPEG's picture begins: behind the segments, of which EXIF may hold a thumbnail with an end of its own.
+std::size_t start_of_scan(const std::string& bytes) {
+  std::size_t place = 2;
+  while (place + 4 <= bytes.size() && byte_at(bytes, place) == 0xff && byte_at(bytes, place + 1) != 0xda)
+    place += byte_at(bytes, place + 1) == 0xff ? 1 : 2 + 256 * byte_at(bytes, place + 2) + byte_at(bytes, place + 3);
+  return place;
+}
+
+/// Bytes that a binary PGM or PPM must have by its header; 0 where the header is not understood.
+std::size_t portable_size(const std::string& bytes) {
+  std::size_t place = 2, numbers[3] = {0, 0, 0};
+  for (std::size_t& number : numbers) {
+    while (place < bytes.size() && (std::isspace(static_cast<unsigned char>(bytes[place])) || bytes[place] == '#')) {
+      if (bytes[place] == '#') place = std::min(bytes.find('\n', place), bytes.size() - 1);
+      ++place;
+    }
+    for (int digits = 0; digits < 6 && std::isdigit(static_cast<int>(byte_at(bytes, place))); ++digits, ++place)
+      number = 10 * number + (byte_at(bytes, place) - '0');
+    if (number == 0) return 0;
+  }
+  return place + 1 + numbers[0] * numbers[1] * (numbers[2] > 255 ? 2 : 1) * (bytes[1] == '6' ? 3 : 1);
+}
+
+/// Decoders fill what is missing with grey or print on their own; the end of the file is looked at instead.
+bool is_cut_off(const std::string& bytes) {
+  const std::string_view all(bytes);
+  if (starts_with(bytes, "\x89PNG")) {
+    const std::size_t end = all.rfind("IEND");
+    return end == std::string_view::npos || end + 8 > all.size();  // a checksum follows
+  }
+  if (starts_with(bytes, "\xff\xd8")) return all.find("\xff\xd9", start_of_scan(bytes)) == std::string_view::npos;
+  if (starts_with(bytes, "P5") || starts_with(bytes, "P6")) return bytes.size() < portable_size(bytes);
+  if (starts_with(bytes, "BM"))
+    return bytes.size() <
+           byte_at(bytes, 2) + (byte_at(bytes, 3) << 8) + (byte_at(bytes, 4) << 16) + (byte_at(bytes, 5) << 24);
+  return false;
+}
+
+Image from_mat(const cv::Mat& grey) {
+  Image image(grey.cols, grey.rows);
+  for (int v = 0; v < grey.rows; ++v) std::memcpy(image.row(v), grey.ptr(v), static_cast<std::size_t>(grey.cols));
+  return image;
+}
+
+/// Thesis (4.1) with its own weights, rounded to the nearest grey level.
+cv::Mat to_grey(const cv::Mat& any) {
+  cv::Mat eight;
+  if (any.depth() == CV_8U) {
+    eight = any;
+  } else {
+    any.convertTo(eight, CV_8U, any.depth() == CV_16U ? 1.0 / 257 : 255.0);
+  }
+  if (eight.channels() == 1) return eight;
+  cv::Mat grey;
+  cv::cvtColor(eight, grey, eight.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+cv::Mat decode(const std::string& bytes) {
+  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+  try {
+    // The camera's numbers hold for the sensor's pixels: an image is not turned by what its EXIF block says.
+    return cv::imdecode(buffer, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& file) {
+  const std::string bytes = read_file(file);
+  if (is_cut_off(bytes))
+    throw InputError(fmt::format("{}: the image is cut off after {} bytes; copy it again from where it came.",
+                                 shown_path(file), bytes.size()));
+  const cv::Mat decoded = bytes.empty() ? cv::Mat() : decode(bytes);
+  if (decoded.empty())
+    throw InputError(fmt::format("{}: is no image that can be read ({} bytes); PNG, JPEG, PGM, BMP and TIFF can.",
+                                 shown_path(file), bytes.size()));
+  return from_mat(to_grey(decoded));
+}
+
+void check_image_size(const Image& image, const Camera& camera, const std::string& name) {
+  if (image.width == camera.width && image.height == camera.height) return;
+  throw InputError(
+      fmt::format("{} is {} x {}, the camera says {} x {}; use the images that the camera was calibrated with.",
+                  shown_path(name), image.width, image.height, camera.width, camera.height));
+}
+
+void write_png(const Image& image, const std::filesystem::path& file) {
+  const cv::Mat grey(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
+  std::vector<std::uint8_t> bytes;
+  if (!cv::imencode(".png", grey, bytes, {cv::IMWRITE_PNG_COMPRESSION, 9}))
+    throw InputError(fmt::format("{}: the image of {} x {} could not be encoded as PNG.", shown_path(file), image.width,
+                                 image.height));
+  replace_file(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace handsight

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Image files in and out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "camera/camera.h"
+#include "vision/image.h"
+
+namespace handsight {
+
+/// Reads PNG, JPEG, PGM, BMP or TIFF as a grey image; colours by thesis (4.1), 16 bit scaled to 8. InputError where
+/// the file is missing, is no image, or is cut off: a half-decoded image would give wrong corners without a word.
+Image read_image(const std::filesystem::path& file);
+
+/// InputError where the image has another size than the camera; `name` is what the sentence calls it.
+void check_image_size(const Image& image, const Camera& camera, const std::string& name);
+
+/// Writes a PNG with strong compression, whole or not at all. InputError where it cannot be written.
+void write_png(const Image& image, const std::filesystem::path& file);
+
+}  // namespace handsight

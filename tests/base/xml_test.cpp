@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/xml.h"
+
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+
+namespace handsight {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The refusal of `read(root of text)`.
+std::string refusal(const std::string& text, auto&& read) {
+  try {
+    const auto document = parse_xml(text, "f.xml");
+    read(root_of(*document, "f.xml", "a"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+std::string refusal(const std::string& text) {
+  return refusal(text, [](const XmlNode&) {});
+}
+
+TEST(Xml, MalformedTextsAreRefusedWithTheirLine) {
+  EXPECT_EQ(refusal("<a>\n<b>\n</a>"),
+            "f.xml, line 2: an element is closed by another name or not at all, expected well-formed XML.");
+  EXPECT_THAT(refusal(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(refusal("<a><!-- x</a>"), HasSubstr("comment"));
+  EXPECT_THAT(refusal("<a b=1/>"), HasSubstr("attribute"));
+  EXPECT_THAT(refusal("no xml at all"), HasSubstr("f.xml"));
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "<a>";
+  EXPECT_THAT(refusal(deep), HasSubstr("too deeply"));
+}
+
+TEST(Xml, OtherEncodingsAreRefused) {
+  EXPECT_THAT(refusal("<a>\n<b c='\xFC'/></a>"), HasSubstr("line 2: the file holds bytes that are not UTF-8"));
+  EXPECT_THAT(refusal(std::string("<a>\0</a>", 8)), HasSubstr("zero byte"));
+  EXPECT_THAT(refusal("<a b='&#xD800;'/>", [](const XmlNode& a) { find_text(a, "b"); }), HasSubstr("not UTF-8"));
+}
+
+TEST(Xml, TheOutermostElementIsTheOneExpected) {
+  EXPECT_EQ(refusal("\n<b/>"), "f.xml, line 2: the outermost element is <b>, expected <a>.");
+  EXPECT_THAT(refusal("<a/>\n<a/>"), HasSubstr("line 2: <a> is a second outermost element"));
+  EXPECT_THAT(refusal("<!-- only a comment -->"), HasSubstr("no element"));
+}
+
+TEST(Xml, NothingStandsOutsideTheOutermostElement) {
+  EXPECT_THAT(refusal("<a/>\nhello"), HasSubstr("line 2: the text \"hello\" stands outside of the outermost element"));
+  EXPECT_THAT(refusal("hello <a/>"), HasSubstr("stands outside"));
+  EXPECT_THAT(refusal("<a/>\n</b> and much more"), HasSubstr("closing tag too many"));
+  EXPECT_THAT(refusal("<a/><!"), HasSubstr("closing tag too many"));
+  EXPECT_EQ(refusal("<?xml version='1.0'?><!-- x -->\n<a/>\n<!-- x -->\n"), "nothing was refused");
+}
+
+TEST(Xml, NumbersInAttributes) {
+  const auto document = parse_xml("<a x=' 1.5 ' v='1 2 3' n='7'/>", "f.xml");
+  const XmlNode a = root_of(*document, "f.xml", "a");
+  EXPECT_EQ(required_number(a, "x"), 1.5);
+  EXPECT_THAT(required_numbers(a, "v", 3), ElementsAre(1, 2, 3));
+  EXPECT_EQ(required_integer(a, "n", 0, 9), 7);
+  EXPECT_FALSE(find_number(a, "none"));
+}
+
+TEST(Xml, RefusalsSayWhatWasFoundAndExpected) {
+  const std::string text = "<r/>";
+  EXPECT_EQ(refusal("<a x='nan'/>", [](const XmlNode& a) { required_number(a, "x"); }),
+            "f.xml, line 1: <a> has x=\"nan\", expected one finite number.");
+  EXPECT_EQ(refusal("<a x='0'/>", [](const XmlNode& a) { required_positive(a, "x"); }),
+            "f.xml, line 1: <a> has x=\"0\", expected a positive number.");
+  EXPECT_EQ(refusal("<a/>", [](const XmlNode& a) { required_number(a, "x"); }),
+            "f.xml, line 1: <a> has no attribute x, expected x=\"...\".");
+  EXPECT_EQ(refusal("<a v='1 2'/>", [](const XmlNode& a) { required_numbers(a, "v", 3); }),
+            "f.xml, line 1: <a> has 2 numbers in v, expected 3.");
+  EXPECT_EQ(refusal("<a v='1 b 2'/>", [](const XmlNode& a) { required_numbers(a, "v", 3); }),
+            "f.xml, line 1: <a> has \"b\" in v, expected 3 finite numbers.");
+  EXPECT_EQ(refusal("<a n='64'/>", [](const XmlNode& a) { required_integer(a, "n", 0, 63); }),
+            "f.xml, line 1: <a> has n=\"64\", expected an integer from 0 to 63.");
+  EXPECT_EQ(refusal("<a n='-1'/>", [](const XmlNode& a) { required_integer(a, "n", 0, INT64_MAX); }),
+            "f.xml, line 1: <a> has n=\"-1\", expected an integer of at least 0.");
+  EXPECT_EQ(refusal("<a c='maybe'/>",
+                    [](const XmlNode& a) {
+                      find_choice(a, "c", {"no", "yes"});
+                    }),
+            "f.xml, line 1: <a> has c=\"maybe\", expected one of: no, yes.");
+  EXPECT_EQ(refusal("<a>1 2</a>", [](const XmlNode& a) { inner_numbers(a, 3, "one for each of <joints>"); }),
+            "f.xml, line 1: <a> has 2 numbers, expected 3, one for each of <joints>.");
+  EXPECT_EQ(refusal("<a><b/>\n<b/></a>", [](const XmlNode& a) { find_child(a, "b"); }),
+            "f.xml, line 2: <b> stands a second time in <a>, expected once.");
+  EXPECT_EQ(refusal("<a/>", [](const XmlNode& a) { required_child(a, "b"); }),
+            "f.xml, line 1: <a> has no element <b>, expected one.");
+  EXPECT_THAT(refusal("<a x='${pi}'/>", [](const XmlNode& a) { required_number(a, "x"); }), HasSubstr("xacro"));
+}
+
+TEST(Xml, CommentsDoNotHideNumbers) {
+  const auto document = parse_xml("<a>1 <!-- 7 --> 2<![CDATA[ 3 ]]></a>", "f.xml");
+  EXPECT_THAT(inner_numbers(root_of(*document, "f.xml", "a"), 3), ElementsAre(1, 2, 3));
+}
+
+TEST(Xml, WhatIsUnknownIsCounted) {
+  const auto document = parse_xml("<a x='1' y='2'>\n<b/>\n<c/><c/>\nhello</a>", "f.xml");
+  Ignored ignored;
+  note_unknown(ignored, root_of(*document, "f.xml", "a"), {"x"}, {"b"});
+  EXPECT_THAT(ignored_sentences(ignored, "f.xml"),
+              ElementsAre("f.xml: attribute y of <a> is not known and is ignored (line 1).",
+                          "f.xml: element <c> in <a> is not known and is ignored (2 times, first at line 3).",
+                          "f.xml: text in <a> is not known and is ignored (line 4)."));
+}
+
+TEST(Xml, TextsReadBack) {
+  const std::string value = "\r a \r\n <b> & \"c\" 'd' \t\n \xC3\xBC";
+  tinyxml2::XMLDocument document;
+  document.InsertEndChild(document.NewElement("a"));
+  document.RootElement()->SetAttribute("x", value.c_str());
+  const auto back = parse_xml(xml_text(document), "f.xml");
+  EXPECT_EQ(find_text(root_of(*back, "f.xml", "a"), "x"), value);
+}
+
+TEST(Xml, AnAttributeThatStandsTwiceIsRefused) { EXPECT_THAT(refusal("<a x='1' x='2'/>"), HasSubstr("stands twice")); }
+
+TEST(Xml, VersionIsOne) {
+  EXPECT_EQ(refusal("<a version='2'/>", require_version_1),
+            "f.xml, line 1: <a> has version=\"2\", expected version=\"1\", the only one that this program reads.");
+  EXPECT_THAT(refusal("<a/>", require_version_1), HasSubstr("version"));
+  EXPECT_EQ(refusal("<a version='1'/>", require_version_1), "nothing was refused");
+}
+
+}  // namespace
+}  // namespace handsight

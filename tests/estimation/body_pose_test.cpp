@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/body_pose.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/arms.h"
+
+namespace handsight {
+namespace {
+
+const std::vector<Vector3> body = {{0, 0, 0}, {0.06, 0, 0}, {0.02, 0.05, 0.01}, {0.05, 0.04, -0.01}};
+const Rigid truth{rotation_from_rpy({2.9, 0.2, 0.4}), {0.05, -0.04, 0.9}};
+
+std::vector<Sighting> sightings(const StereoRig& rig, double noise, Random& random, int count = 4) {
+  std::vector<Sighting> all;
+  for (int m = 0; m < count; ++m) {
+    const Vector3 x = truth * body[static_cast<std::size_t>(m)];
+    const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian(), d = random.gaussian();
+    all.push_back({m,
+                   project(rig.left, x) + noise * Vector2(a, b),
+                   project(rig.right, Vector3(rig.right_from_left * x)) + noise * Vector2(c, d),
+                   {},
+                   MarkedBy::import});
+  }
+  return all;
+}
+
+TEST(BodyPose, IsExactWithoutNoiseFromAFarGuess) {
+  const StereoRig rig = *fixture::stand_session().stereo;
+  Random random(1);
+  const auto seen = sightings(rig, 0, random);
+  const auto start = body_pose_from_points(&rig, seen, body);
+  ASSERT_TRUE(start);
+  EXPECT_LT(small_motion_between(truth, *start).norm(), 1e-8);
+  Vector6 off;
+  off << 0.05, -0.03, 0.1, 0.3, -0.2, 0.3;
+  const auto pose = estimate_body_pose(&rig, seen, body, small_motion<double>(off) * truth);
+  ASSERT_TRUE(pose);
+  EXPECT_LT(small_motion_between(truth, pose->sensor_from_body).norm(), 1e-9);
+}
+
+TEST(BodyPose, CovarianceIsThatOfManyDraws) {
+  const StereoRig rig = *fixture::stand_session().stereo;
+  Random random(2);
+  const double noise = 0.3;
+  double sum = 0;
+  const int trials = 2000;
+  for (int i = 0; i < trials; ++i) {
+    const auto pose = estimate_body_pose(&rig, sightings(rig, noise, random), body, truth);
+    ASSERT_TRUE(pose);
+    const Vector6 error = small_motion_between(truth, pose->sensor_from_body);
+    sum += error.dot((noise * noise * pose->unit_covariance).inverse() * error) / trials;
+  }
+  EXPECT_NEAR(sum, 6, 4 * std::sqrt(12.0 / trials));  // chi-squared of 6: variance 12
+}
+
+TEST(BodyPose, OneCameraIsEnoughWithAGuess) {
+  const StereoRig rig = *fixture::stand_session().stereo;
+  Random random(3);
+  auto seen = sightings(rig, 0, random);
+  for (Sighting& s : seen) s.right.reset();
+  const auto pose = estimate_body_pose(&rig, seen, body, small_motion<double>(Vector6::Constant(0.01)) * truth);
+  ASSERT_TRUE(pose);
+  EXPECT_LT(small_motion_between(truth, pose->sensor_from_body).norm(), 1e-7);
+}
+
+TEST(BodyPose, NeedsThreeMarkersOffALine) {
+  const StereoRig rig = *fixture::stand_session().stereo;
+  Random random(4);
+  EXPECT_FALSE(estimate_body_pose(&rig, sightings(rig, 0.2, random, 2), body, truth));
+  const std::vector<Vector3> line = {{0, 0, 0}, {0.03, 0, 0}, {0.06, 0, 0}};
+  std::vector<Sighting> on_line;
+  for (int m = 0; m < 3; ++m) {
+    const Vector3 x = truth * line[static_cast<std::size_t>(m)];
+    on_line.push_back(
+        {m, project(rig.left, x), project(rig.right, Vector3(rig.right_from_left * x)), {}, MarkedBy::import});
+  }
+  EXPECT_FALSE(estimate_body_pose(&rig, on_line, line, truth));
+}
+
+}  // namespace
+}  // namespace handsight

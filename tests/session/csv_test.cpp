@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/csv.h"
+
+#include <gmock/gmock.h>
+
+#include "base/files.h"
+#include "session_texts.h"
+#include "temporary_folder.h"
+
+namespace handsight {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::vector<std::string> joints{"j1", "j2"};
+
+std::string refusal(const std::string& text) {
+  return refusal_of([&] { parse_poses(text, "poses.csv", joints); });
+}
+
+TEST(Csv, EverySeparator) {
+  for (const char* text : {"1,2\n3,4\n", "1;2\n3;4", "1 2\n3\t4", " 1 , 2 \r\n3,4\r\n",
+                           "\xEF\xBB\xBF"
+                           "1,2\n\n3,4\n",
+                           "# a remark\n1,2 # the first\n3,4,\n"}) {
+    const auto poses = parse_poses(text, "poses.csv", joints);
+    ASSERT_EQ(poses.size(), 2u) << text;
+    EXPECT_THAT(poses[0], ElementsAre(1, 2)) << text;
+    EXPECT_THAT(poses[1], ElementsAre(3, 4)) << text;
+  }
+}
+
+TEST(Csv, HeadersGiveTheOrder) {
+  std::vector<std::string> notes;
+  const auto poses = parse_poses("time, \"j2\", j1\n0.1, 2, 1\n", "poses.csv", joints, &notes);
+  EXPECT_THAT(poses.at(0), ElementsAre(1, 2));
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("1 columns are no joints")));
+  notes.clear();
+  EXPECT_THAT(parse_poses("j1 j2\n1 2", "poses.csv", joints, &notes).at(0), ElementsAre(1, 2));
+  EXPECT_THAT(notes, IsEmpty());
+}
+
+TEST(Csv, BadLinesAreRefusedWithTheirNumber) {
+  EXPECT_EQ(refusal("1,2\n\n1,2,3\n"), "poses.csv, line 3: the line has 3 columns, expected 2.");
+  EXPECT_EQ(refusal("1,2\n1,x\n"),
+            "poses.csv, line 2: \"x\" stands in column 2, expected a finite number such as 0.5.");
+  EXPECT_THAT(refusal("1,nan"), HasSubstr("\"nan\""));
+  EXPECT_THAT(refusal("1;2\n0,5;2"), HasSubstr("line 2: \"0,5\""));
+  EXPECT_THAT(refusal("1,,2"), HasSubstr("3 columns"));
+  EXPECT_THAT(refusal("1,\n"), HasSubstr("1 columns"));
+  EXPECT_THAT(refusal("j1,other\n1,2"), HasSubstr("line 1: the header has no column \"j2\""));
+  EXPECT_THAT(refusal("j1,j2,j1\n1,2,3"), HasSubstr("names \"j1\" twice"));
+  EXPECT_THAT(refusal(""), HasSubstr("no pose"));
+  EXPECT_THAT(refusal("j1,j2\n# nothing\n"), HasSubstr("no pose"));
+  EXPECT_THAT(refusal("1," + std::string(100000, 'x')), HasSubstr("..."));
+}
+
+TEST(Csv, FilesAreRead) {
+  const TemporaryFolder temporary;
+  replace_file(temporary.path / "poses.csv", "1,2");
+  EXPECT_EQ(read_poses(temporary.path / "poses.csv", joints).size(), 1u);
+  EXPECT_THAT(refusal_of([&] { read_poses(temporary.path / "none.csv", joints); }), HasSubstr("cannot be opened"));
+}
+
+}  // namespace
+}  // namespace handsight

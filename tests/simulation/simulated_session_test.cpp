@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/simulated_session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fixtures/arms.h"
+#include "session/session_xml.h"
+
+namespace handsight {
+namespace {
+
+double pixel_error(const SimulatedSession& s, std::size_t k, const Sighting& sighting) {
+  const Vector3 x = inverse(s.root_from_sensor[k]) *
+                    (s.root_from_tcp[k] * s.markers_in_tcp[static_cast<std::size_t>(sighting.marker)]);
+  return std::max(
+      (*sighting.left - project(s.session.stereo->left, x)).norm(),
+      (*sighting.right - project(s.session.stereo->right, Vector3(s.session.stereo->right_from_left * x))).norm());
+}
+
+TEST(Simulate, OneSeedOneSession) {
+  SimulationOptions options;
+  options.observations = 10;
+  options.seed = 5;
+  const std::string first = session_text(simulate_session(fixture::stand_session(), options).session);
+  EXPECT_EQ(session_text(simulate_session(fixture::stand_session(), options).session), first);
+  options.seed = 6;
+  EXPECT_NE(session_text(simulate_session(fixture::stand_session(), options).session), first);
+}
+
+TEST(Simulate, OneMoreObservationChangesNothingBeforeIt) {
+  SimulationOptions options;
+  options.observations = 10;
+  const SimulatedSession ten = simulate_session(fixture::stand_session(), options);
+  options.observations = 11;
+  const SimulatedSession eleven = simulate_session(fixture::stand_session(), options);
+  for (std::size_t k = 0; k < 10; ++k) {
+    EXPECT_EQ(ten.session.observations[k].position, eleven.session.observations[k].position);
+    EXPECT_EQ(*ten.session.observations[k].sightings[0].left, *eleven.session.observations[k].sightings[0].left);
+  }
+}
+
+TEST(Simulate, EveryMarkerIsSeenByBothCamerasWithinTheNoise) {
+  SimulationOptions options;
+  options.observations = 60;
+  options.noise = 0.3;
+  const SimulatedSession s = simulate_session(fixture::stand_session(), options);
+  double squares = 0;
+  int count = 0;
+  for (std::size_t k = 0; k < s.session.observations.size(); ++k) {
+    const Observation& o = s.session.observations[k];
+    ASSERT_EQ(o.sightings.size(), 3u);
+    for (const Sighting& sighting : o.sightings) {
+      ASSERT_TRUE(sighting.left && sighting.right);
+      const Vector3 x = inverse(s.root_from_sensor[k]) *
+                        (s.root_from_tcp[k] * s.markers_in_tcp[static_cast<std::size_t>(sighting.marker)]);
+      squares += (*sighting.left - project(s.session.stereo->left, x)).squaredNorm();
+      count += 2;
+    }
+  }
+  EXPECT_NEAR(std::sqrt(squares / count), 0.3, 0.04);  // 360 coordinates: 3.7 % each sigma
+  for (std::size_t k = 1; k < s.session.observations.size(); ++k)
+    EXPECT_GT(s.session.observations[k].time, s.session.observations[k - 1].time);
+}
+
+TEST(Simulate, AHiddenEffectMovesTheHandAndNotTheReadings) {
+  SimulationOptions options;
+  options.observations = 10;
+  options.noise = 0;
+  options.effects = {{"joint_elasticity", 1, {3e-4}}};
+  const SimulatedSession s = simulate_session(fixture::stand_session(), options);
+  const Chain chain = chain_of(s.session);
+  double largest = 0;
+  for (std::size_t k = 0; k < 10; ++k) {
+    const Rigid nominal = chain_ends(chain, s.session.observations[k].position).root_from_tcp;
+    largest = std::max(largest, (nominal.translation - s.root_from_tcp[k].translation).norm());
+    EXPECT_LT(pixel_error(s, k, s.session.observations[k].sightings[0]), 1e-9);
+  }
+  EXPECT_GT(largest, 1e-3);
+}
+
+TEST(Simulate, DisturbancesTouchOnlyTheirObservation) {
+  SimulationOptions options;
+  options.observations = 8;
+  options.noise = 0;
+  const SimulatedSession clean = simulate_session(fixture::stand_session(), options);
+  options.disturbances = {parse_disturbance("2:joint:a3=0.1", clean.session.robot),
+                          parse_disturbance("4:marker:1=0.012", clean.session.robot),
+                          parse_disturbance("6:right_image:a2=0.05", clean.session.robot)};
+  const SimulatedSession s = simulate_session(fixture::stand_session(), options);
+  for (std::size_t k = 0; k < 8; ++k) {
+    const Observation &before = clean.session.observations[k], &after = s.session.observations[k];
+    EXPECT_EQ(before.position != after.position, k == 2);
+    EXPECT_EQ((*before.sightings[1].left - *after.sightings[1].left).norm() > 1, k == 4);
+    EXPECT_EQ((*before.sightings[0].right - *after.sightings[0].right).norm() > 1, k == 6);
+  }
+  EXPECT_NEAR((s.markers[4][1] - s.markers_in_tcp[1]).norm(), 0.012, 1e-12);
+}
+
+TEST(Simulate, RefusesWhatCannotBe) {
+  const Robot robot = fixture::six_axis_arm();
+  for (const std::string text :
+       {"x", "1:joint:a9=0.1", "1:wheel:a1=0.1", "1:joint:a1", "z:joint:a1=0.1", "1:marker:one=0.1"})
+    EXPECT_THROW(parse_disturbance(text, robot), InputError) << text;
+  SimulationOptions options;
+  options.observations = 3;
+  options.disturbances = {{5, Disturbance::Kind::joint, "a1", 0, 0.1}};
+  EXPECT_THROW(simulate_session(fixture::stand_session(), options), InputError);
+  Session away = fixture::stand_session();
+  away.mount.mount_from_sensor = fixture::look_at({1.5, -0.5, 0.8}, {3, 0, 0.5});  // looks the other way
+  options.disturbances.clear();
+  EXPECT_THROW(simulate_session(away, options), InputError);
+}
+
+TEST(Random, StreamsAreIndependentAndRight) {
+  Random random(7);
+  double sum = 0, squares = 0, cross = 0;
+  Random other = random.child(1);
+  const int count = 100000;
+  for (int i = 0; i < count; ++i) {
+    const double x = random.gaussian(), y = other.gaussian();
+    sum += x;
+    squares += x * x;
+    cross += x * y;
+  }
+  EXPECT_NEAR(sum / count, 0, 4 / std::sqrt(count));
+  EXPECT_NEAR(squares / count, 1, 4 * std::sqrt(2.0 / count));
+  EXPECT_NEAR(cross / count, 0, 4 / std::sqrt(count));
+}
+
+}  // namespace
+}  // namespace handsight

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/image_file.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <opencv2/imgcodecs.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "temporary_folder.h"
+
+namespace handsight {
+namespace {
+
+using testing::HasSubstr;
+
+Image pattern(int width, int height) {
+  Image image(width, height);
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u)
+      image.row(v)[u] =
+          static_cast<std::uint8_t>(128 + 60 * std::sin(0.31 * u) * std::cos(0.23 * v) + (u * 7 + v * 13) % 11);
+  return image;
+}
+
+std::string encoded(const std::string& extension, const cv::Mat& picture) {
+  std::vector<std::uint8_t> bytes;
+  EXPECT_TRUE(cv::imencode(extension, picture, bytes));
+  return {bytes.begin(), bytes.end()};
+}
+
+cv::Mat as_mat(const Image& image) {
+  return cv::Mat(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data())).clone();
+}
+
+void write(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+std::string refusal(const std::filesystem::path& file) {
+  try {
+    read_image(file);
+  } catch (const InputError& error) {
+    const std::string sentence = error.what();
+    EXPECT_GE(sentence.size(), 20u);
+    EXPECT_LE(sentence.size(), 600u);
+    return sentence;
+  }
+  return "";
+}
+
+/// A JPEG with an EXIF block put behind its start: orientation 6 (turned by 90 degrees) and a thumbnail's end marker.
+std::string with_exif(const std::string& jpeg) {
+  std::string exif("Exif\0\0II\x2a\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0", 32);
+  exif += "\xff\xd8 thumbnail \xff\xd9";
+  const std::size_t length = exif.size() + 2;
+  const std::string block =
+      std::string("\xff\xe1") + static_cast<char>(length >> 8) + static_cast<char>(length & 255) + exif;
+  return jpeg.substr(0, 2) + block + jpeg.substr(2);
+}
+
+TEST(ImageFile, PngReadsBackAsWritten) {
+  const TemporaryFolder folder;
+  const Image image = pattern(61, 47);
+  write_png(image, folder.path / "a.png");
+  const Image read = read_image(folder.path / "a.png");
+  EXPECT_EQ(read.width, 61);
+  EXPECT_EQ(read.height, 47);
+  EXPECT_EQ(read.pixels, image.pixels);
+  write_png(pattern(20, 10), folder.path / "a.png");  // replaces
+  EXPECT_EQ(read_image(folder.path / "a.png").width, 20);
+  int files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path)) ++files;
+  EXPECT_EQ(files, 1);  // no temporary file is left
+  EXPECT_THROW(write_png(image, folder.path / "none" / "a.png"), InputError);
+}
+
+TEST(ImageFile, ReadsTheUsualFormats) {
+  const TemporaryFolder folder;
+  const Image image = pattern(61, 47);
+  for (const std::string extension : {".png", ".pgm", ".bmp", ".tiff", ".jpg"}) {
+    const auto file = folder.path / ("a" + extension);
+    write(file, encoded(extension, as_mat(image)));
+    const Image read = read_image(file);
+    ASSERT_EQ(read.width, 61) << extension;
+    ASSERT_EQ(read.height, 47) << extension;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      ASSERT_NEAR(read.pixels[i], image.pixels[i], extension == ".jpg" ? 12 : 0) << extension;
+  }
+}
+
+TEST(ImageFile, ColoursAreWeighedAsInTheThesis) {
+  const TemporaryFolder folder;
+  cv::Mat colours(1, 4, CV_8UC3);
+  colours.at<cv::Vec3b>(0, 0) = {255, 0, 0};  // blue, green, red
+  colours.at<cv::Vec3b>(0, 1) = {0, 255, 0};
+  colours.at<cv::Vec3b>(0, 2) = {0, 0, 255};
+  colours.at<cv::Vec3b>(0, 3) = {10, 200, 90};
+  write(folder.path / "c.png", encoded(".png", colours));
+  const Image read = read_image(folder.path / "c.png");
+  EXPECT_NEAR(read.pixels[0], 0.114 * 255, 0.51);
+  EXPECT_NEAR(read.pixels[1], 0.587 * 255, 0.51);
+  EXPECT_NEAR(read.pixels[2], 0.299 * 255, 0.51);
+  EXPECT_NEAR(read.pixels[3], 0.114 * 10 + 0.587 * 200 + 0.299 * 90, 0.51);
+}
+
+TEST(ImageFile, SixteenBitsAreScaled) {
+  const TemporaryFolder folder;
+  cv::Mat deep(1, 3, CV_16U);
+  deep.at<std::uint16_t>(0, 0) = 0;
+  deep.at<std::uint16_t>(0, 1) = 257 * 100;
+  deep.at<std::uint16_t>(0, 2) = 65535;
+  write(folder.path / "d.png", encoded(".png", deep));
+  EXPECT_EQ(read_image(folder.path / "d.png").pixels, (std::vector<std::uint8_t>{0, 100, 255}));
+}
+
+TEST(ImageFile, PixelsStayWhereTheSensorHadThem) {
+  const TemporaryFolder folder;
+  const std::string jpeg = encoded(".jpg", as_mat(pattern(61, 47)));
+  write(folder.path / "plain.jpg", jpeg);
+  write(folder.path / "turned.jpg", with_exif(jpeg));
+  const Image plain = read_image(folder.path / "plain.jpg"), turned = read_image(folder.path / "turned.jpg");
+  EXPECT_EQ(turned.width, 61);  // camera numbers hold for the sensor, not for how people hold the camera
+  EXPECT_EQ(turned.pixels, plain.pixels);
+}
+
+TEST(ImageFile, RefusesWhatIsCutOff) {
+  const TemporaryFolder folder;
+  const cv::Mat picture = as_mat(pattern(161, 147));
+  for (const std::string extension : {".png", ".jpg", ".pgm", ".bmp", ".tiff"}) {
+    const std::string whole = encoded(extension, picture);
+    const auto file = folder.path / ("cut" + extension);
+    for (const double share : {0.02, 0.3, 0.6, 0.9, 0.97}) {
+      write(file, whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+      EXPECT_THAT(refusal(file), HasSubstr("cut" + extension)) << "at " << share;
+    }
+    write(file, whole.substr(0, whole.size() - 1));
+    if (extension != ".tiff") {  // whose last byte need not be of the picture
+      EXPECT_THAT(refusal(file), HasSubstr("cut" + extension)) << "the last byte";
+    }
+  }
+  const std::string jpeg = with_exif(encoded(".jpg", picture));
+  write(folder.path / "cut.jpg", jpeg.substr(0, jpeg.size() / 2));
+  EXPECT_THAT(refusal(folder.path / "cut.jpg"), HasSubstr("cut.jpg")) << "the thumbnail's end is not the image's";
+}
+
+TEST(ImageFile, RefusesDamagedPng) {
+  const TemporaryFolder folder;
+  std::string bytes = encoded(".png", as_mat(pattern(161, 147)));
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+  write(folder.path / "bad.png", bytes);
+  EXPECT_THAT(refusal(folder.path / "bad.png"), HasSubstr("bad.png"));
+}
+
+TEST(ImageFile, RefusesMissingAndForeignFiles) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(refusal(folder.path / "none.png"), HasSubstr("none.png"));
+  write(folder.path / "empty.png", "");
+  EXPECT_THAT(refusal(folder.path / "empty.png"), HasSubstr("empty.png"));
+  write(folder.path / "text.png", "this is no image, whatever its name says");
+  EXPECT_THAT(refusal(folder.path / "text.png"), HasSubstr("text.png"));
+  EXPECT_THAT(refusal(folder.path), HasSubstr(folder.path.filename().string()));
+}
+
+TEST(ImageFile, SaysWhereSizeAndCameraDiffer) {
+  Camera camera;
+  camera.width = 640;
+  camera.height = 480;
+  EXPECT_NO_THROW(check_image_size(Image(640, 480), camera, "left.png"));
+  try {
+    check_image_size(Image(320, 240), camera, "left.png");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("left.png"));
+    EXPECT_THAT(error.what(), HasSubstr("320"));
+    EXPECT_THAT(error.what(), HasSubstr("640"));
+  }
+}
+
+}  // namespace
+}  // namespace handsight
