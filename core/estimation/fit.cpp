@@ -32,6 +32,11 @@ Eigen::MatrixXd clustered_middle(const Problem& problem, const Unknowns& unknown
     add_observation(problem, o, unknowns, one);
     middle.selfadjointView<Eigen::Lower>().rankUpdate(one.gradient);
   }
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {  // a prior is one more measurement, with its own scatter
+    const Eigen::Index column = problem.effect_column() + i;
+    const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    middle(column, column) += std::pow(problem.noise / sigma, 2) * problem.noise * problem.noise;
+  }
   return middle.selfadjointView<Eigen::Lower>();
 }
 
@@ -59,6 +64,7 @@ bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution
   int unknowns = static_cast<int>(images.columns()) - (other ? *other : fit.solution).unobservable;
   for (const char seen : images.marker_is_seen) unknowns -= seen ? 0 : 3;
   const NormalEquations& efficient = other ? other->normal : at_solution;
+  const double cost = efficient.data_cost();
   const int degrees = efficient.rows - unknowns;
   if (degrees <= 0) return true;  // nothing speaks against it
   const double variance = *fit.noise * *fit.noise;
@@ -67,11 +73,11 @@ bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution
     // is to be no larger (Fisher's F).
     const int extra = degrees - fit.noise_estimate->degrees;
     if (extra <= 0) return true;
-    const double ratio = std::max(efficient.cost - variance * fit.noise_estimate->degrees, 0.0) / extra / variance;
+    const double ratio = std::max(cost - variance * fit.noise_estimate->degrees, 0.0) / extra / variance;
     const boost::math::fisher_f expected(extra, fit.noise_estimate->degrees);
     return boost::math::cdf(boost::math::complement(expected, ratio)) > 1e-3;
   }
-  const double chi2 = efficient.cost / variance;
+  const double chi2 = cost / variance;
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees), chi2)) > 1e-3;
 }
 
@@ -84,14 +90,14 @@ void set_covariances(const Problem& images, Loss loss, bool declared, Fit& fit) 
   for (const char seen : images.marker_is_seen)
     if (!seen && !fit.fixed_markers) fit.unknowns -= 3;
   const int degrees = fit.rows - fit.unknowns;
-  fit.residual_rms = fit.rows > 0 ? std::sqrt(at_solution.cost / fit.rows) : 0;
+  fit.residual_rms = fit.rows > 0 ? std::sqrt(at_solution.data_cost() / fit.rows) : 0;
   const std::size_t count = fit.problem.observations.size();
   if (fit.noise && degrees > 0 && *fit.noise > 0)
-    fit.chi2_per_dof = at_solution.cost / (*fit.noise * *fit.noise) / degrees;
+    fit.chi2_per_dof = at_solution.data_cost() / (*fit.noise * *fit.noise) / degrees;
   const bool fits = agrees_with_noise(images, at_solution, declared, fit);
   fit.covariance_kind = fits ? CovarianceKind::noise : CovarianceKind::scatter;
   if (fit.objective == Objective::angle_axis) return;  // its own covariance, scaled below
-  const double free_scale = degrees > 0 ? at_solution.cost / degrees : 0.0;
+  const double free_scale = degrees > 0 ? at_solution.data_cost() / degrees : 0.0;
   if (fits && fit.objective == Objective::image) {
     fit.parameter_covariance = *fit.noise * *fit.noise * unit_covariance(fit.solution);
   } else if (!fits && count >= fewest_for_scatter) {
@@ -161,9 +167,84 @@ void add_notes(const Session& session, Fit& fit) {
 
 }  // namespace
 
+namespace {
+
+void refuse_cameras_of_points(const Session& session, const FitOptions& options, const Problem& images) {
+  if (options.objective == Objective::image || options.estimated.empty()) return;
+  const bool cameras = images.cameras_by_effect.cols() > 0;
+  if (options.objective == Objective::camera && !cameras) return;
+  throw InputError(fmt::format("{}: the {} objective cannot estimate {}; use the image objective.",
+                               session_name(session), options.objective == Objective::camera ? "camera" : "angle-axis",
+                               cameras ? "effects of the cameras" : "effects"));
+}
+
+/// What the priors of effects are weighed against: the noise, or where nothing is known of it the residuals.
+void set_prior_noise(const Session& session, const Unknowns& start, Problem& images) {
+  const auto declared = session.is_tracker() ? session.sigma_point : session.sigma_pixel;
+  if (declared && *declared > 0) {
+    images.noise = *declared;
+    return;
+  }
+  const auto estimated = estimate_noise(images, start);
+  images.noise = estimated && estimated->sigma > 0 ? estimated->sigma : session.is_tracker() ? 1e-3 : 0.3;
+}
+
+bool has_slip(const Problem& problem) {
+  return std::any_of(
+             problem.observations.begin(), problem.observations.end(),
+             [](const ProblemObservation& o) { return !o.motion.markers.empty() || !o.marker_shifts.empty(); }) ||
+         std::any_of(problem.terms.begin(), problem.terms.end(), [&](const EffectTerm& t) {
+           Circumstances c =
+               circumstances_at(problem.source->chain, Eigen::VectorXd::Zero(problem.source->chain.joints.size()));
+           EffectTerm one = t;
+           std::fill(one.values.begin(), one.values.end(), 1.0);
+           return !moved_sites(c, {one}).body.isZero(0);
+         });
+}
+
+/// Slips are measured in the body's frame, which follows from the markers: the frame is renewed until it stays.
+void settle_slip_frame(const Session& session, const FitOptions& options, Problem& images, Fit& result) {
+  if (!has_slip(images)) return;
+  for (int pass = 0; pass < 5; ++pass) {
+    const Unknowns& u = result.solution.unknowns;
+    const BodySides sides = sides_of(options, result.problem, u);
+    if (sides.markers.empty()) return;
+    const Matrix3 start = options.start_tcp_from_body ? options.start_tcp_from_body->rotation : Matrix3::Identity();
+    const Rigid tcp_from_body = body_frame(sides, u.markers_in_tcp, start).tcp_from_body;
+    const Vector6 change = small_motion_between(images.tcp_from_slip, tcp_from_body);
+    if (change.norm() < 1e-10) return;
+    images.tcp_from_slip = result.problem.tcp_from_slip = tcp_from_body;
+    set_effects(images, u.effects);
+    set_effects(result.problem, u.effects);
+    minimise(session, images, Unknowns(u), options, images.noise, result);
+  }
+}
+
+void set_effect_results(const std::size_t held, Fit& fit) {
+  const Eigen::Index first = fit.problem.effect_column();
+  for (std::size_t t = 0; t < fit.problem.terms.size(); ++t) {
+    FittedEffect fitted{fit.problem.terms[t], std::vector<double>(fit.problem.terms[t].values.size(), 0.0)};
+    for (std::size_t c = 0; t >= held && c < fit.problem.columns_of_effects.size(); ++c) {
+      const EffectColumn& column = fit.problem.columns_of_effects[c];
+      const Eigen::Index i = first + static_cast<Eigen::Index>(c);
+      if (column.term == t && i < fit.parameter_covariance.cols())
+        fitted.sigmas[column.parameter] = std::sqrt(std::max(fit.parameter_covariance(i, i), 0.0));
+    }
+    fit.effects.push_back(fitted);
+  }
+}
+
+}  // namespace
+
+std::vector<EffectTerm> terms_of(const Fit& fit) {
+  std::vector<EffectTerm> terms;
+  for (const FittedEffect& e : fit.effects) terms.push_back(e.term);
+  return terms;
+}
+
 Fit fit(const Session& session, const FitOptions& options) {
   const Chain chain = chain_of(session);
-  const Problem images = make_problem(session, chain, options.effects);
+  Problem images = make_problem(session, chain, options.effects, options.estimated);
   if (images.observations.empty())
     throw InputError(
         fmt::format("{}: none of the {} observations has a labelled marker that may be used; label one first "
@@ -175,23 +256,41 @@ Fit fit(const Session& session, const FitOptions& options) {
         "{}: nothing is known of the mount, and no marker is seen by both cameras, so that no start can be found; give "
         "mount_from_left an xyz and rpy.",
         session_name(session)));
+  refuse_cameras_of_points(session, options, images);
 
   Fit result;
   result.objective = options.objective;
   result.fixed_markers = options.fix_markers || options.objective == Objective::angle_axis;
+  if (images.effect_count() > 0) set_prior_noise(session, *start, images);
+  if (!images.terms.empty()) {
+    // A first frame for slips; settled below.
+    std::vector<std::optional<Vector3>> markers(start->markers_in_tcp.begin(), start->markers_in_tcp.end());
+    for (std::size_t m = 0; m < markers.size(); ++m)
+      if (!images.marker_is_seen[m]) markers[m].reset();
+    const BodySides sides = options.sides ? *options.sides : choose_sides(markers);
+    if (!sides.markers.empty()) images.tcp_from_slip = body_frame(sides, start->markers_in_tcp).tcp_from_body;
+    place_observations(images);
+  }
   result.problem = options.objective == Objective::image ? images : as_points(images, result.sightings_left_out);
   if (result.problem.observations.empty())
     throw InputError(fmt::format(
         "{}: no marker is seen by both cameras in any used observation, which the {} objective needs; use the image "
         "objective.",
         session_name(session), options.objective == Objective::camera ? "camera" : "angle-axis"));
+  if (options.objective == Objective::camera) result.problem.noise = 1e-3;  // points: m
   const double declared = session.is_tracker() ? session.sigma_point.value_or(1) : session.sigma_pixel.value_or(1);
   minimise(session, images, *start, options, declared, result);
+  settle_slip_frame(session, options, images, result);
+  if (images.effect_count() > 0) {
+    set_effects(images, result.solution.unknowns.effects);
+    set_effects(result.problem, result.solution.unknowns.effects);
+  }
   set_noise(session, images, result);
   set_covariances(images, options.loss, (session.is_tracker() ? session.sigma_point : session.sigma_pixel).has_value(),
                   result);
   add_shape_covariance(result);
   set_body(options, result);
+  set_effect_results(options.effects.size(), result);
   add_notes(session, result);
   return result;
 }

@@ -23,7 +23,8 @@ struct FitOptions {
   Objective objective = Objective::image;
   bool fix_markers = false;  // hold the body's shape at the average of the observations (thesis 4.19-4.23)
   Loss loss = Loss::none;
-  std::vector<EffectTerm> effects;           // in the model, at these values
+  std::vector<EffectTerm> effects;           // in the model, held at these values
+  std::vector<EffectTerm> estimated;         // in the model, estimated with their plausible sizes as priors; from here
   std::optional<BodySides> sides;            // decided earlier; absent: decided by this fit's estimate
   std::optional<Rigid> start_tcp_from_body;  // what the session cannot observe of the rotation is taken from here
   int most_iterations = 100;
@@ -36,8 +37,14 @@ enum class CovarianceKind {
   scatter,  // from how the observations differ (clustered by observation): the model does not fit, p < 1e-3
 };
 
+/// An effect of the model after a fit.
+struct FittedEffect {
+  EffectTerm term;
+  std::vector<double> sigmas;  // per parameter; 0 where it was held
+};
+
 struct Fit {
-  Problem problem;
+  Problem problem;  // at the solution
   Solution solution;
   Objective objective = Objective::image;
   bool fixed_markers = false;
@@ -45,6 +52,7 @@ struct Fit {
   Rigid tcp_from_body;
   Matrix6 covariance = Matrix6::Zero();  // of xi in exp(xi) tcp_from_body
   bool rotation_is_observed = true;      // false with one or two markers: the rest is left at its start
+  std::vector<FittedEffect> effects;     // held ones first
   std::vector<Vector3> markers_in_body;  // m; not meaningful for markers never seen (Problem::marker_is_seen)
   Eigen::MatrixXd parameter_covariance;  // problem columns
   Eigen::MatrixXd shape_covariance;      // of the held markers' shape, problem columns; empty where markers are free
@@ -64,6 +72,9 @@ struct Fit {
 
 /// Throws InputError where nothing can be fitted: no used observation, or an unknown mount that nothing determines.
 Fit fit(const Session& session, const FitOptions& options = {});
+
+/// The effects of a fit with their values.
+std::vector<EffectTerm> terms_of(const Fit& fit);
 
 /// The markers in the TCP frame and the mount that this fit found.
 inline const Unknowns& estimate(const Fit& f) { return f.solution.unknowns; }

@@ -22,7 +22,7 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
   Residuals residuals;
   for (const Sighting& s : o.sightings) {
-    const Vector3 predicted = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(s.marker)];
+    const Vector3 predicted = sensor_from_tcp * marker_at(o, unknowns, s.marker);
     const SightingNormal n = sighting_normal(images.rig_or_null(), s, predicted);
     residuals.squares += n.cost;
     residuals.rows += n.rows;
@@ -80,9 +80,10 @@ ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& o
     }
     if (!holds_out || !has_training) continue;
     const Unknowns unknowns = refit(fit, options, part_of(fit.problem, trains), fit.noise.value_or(1));
-    for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
-      if (fold_of(static_cast<int>(rank)) == fold)
-        all.push_back(residuals_of(images, images.observations[rank], unknowns));
+    for (char& train : trains) train = !train;
+    Problem held = part_of(images, trains);
+    if (held.effect_count() > 0) set_effects(held, unknowns.effects);
+    for (const ProblemObservation& o : held.observations) all.push_back(residuals_of(held, o, unknowns));
   }
   return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
 }
@@ -135,7 +136,7 @@ std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemOb
                                           const Unknowns& unknowns) {
   // With the markers in the TCP frame standing for the body, sensor_from_body is sensor_from_tcp_est.
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
-  const auto pose = estimate_body_pose(images.rig_or_null(), o.sightings, unknowns.markers_in_tcp, sensor_from_tcp);
+  const auto pose = estimate_body_pose(images.rig_or_null(), o.sightings, markers_at(o, unknowns), sensor_from_tcp);
   if (!pose) return std::nullopt;
   // exp(xi) sensor_from_tcp_est, brought to the TCP frame: the motion about the sensor's origin there, then at the
   // TCP's.
@@ -145,9 +146,13 @@ std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemOb
 }
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {
-  const Problem images = fit.objective == Objective::camera && session.stereo
-                             ? make_problem(session, chain_of(session), options.effects)
-                             : fit.problem;
+  Problem images = fit.problem;
+  if (fit.objective == Objective::camera && session.stereo) {
+    images = make_problem(session, chain_of(session), fit.problem.terms);
+    images.tcp_from_slip = fit.problem.tcp_from_slip;
+    images.columns_of_effects = fit.problem.columns_of_effects;
+    if (!images.terms.empty()) place_observations(images);
+  }
   FitReport r;
   r.observations = static_cast<int>(session.observations.size());
   r.used = static_cast<int>(images.observations.size());

@@ -28,12 +28,13 @@ Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, boo
 }
 
 Unknowns stepped(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step, bool fixed_body) {
-  if (!fixed_body) return moved(unknowns, step, problem.mount_is_estimated);
+  if (!fixed_body) return moved(problem, unknowns, step);
   Unknowns next = unknowns;
   const Rigid motion = small_motion<double>(step.head<6>());
   for (Vector3& marker : next.markers_in_tcp) marker = motion * marker;
   if (problem.mount_is_estimated)
-    next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.tail<6>());
+    next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.segment<6>(6));
+  next.effects += step.tail(problem.effect_count());
   return next;
 }
 
@@ -63,7 +64,7 @@ NormalEquations robust_normal(Problem& problem, const Unknowns& unknowns, const 
     const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
     o.weights.resize(o.sightings.size());
     for (std::size_t i = 0; i < o.sightings.size(); ++i) {
-      const Vector3 x = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)];
+      const Vector3 x = sensor_from_tcp * marker_at(o, unknowns, o.sightings[i].marker);
       const SightingNormal n = sighting_normal(problem.rig_or_null(), o.sightings[i], x);
       const Weighted w = weigh(options.loss, n.cost, n.rows, options.noise);
       o.weights[i] = w.weight;
@@ -71,7 +72,7 @@ NormalEquations robust_normal(Problem& problem, const Unknowns& unknowns, const 
     }
   }
   NormalEquations normal = normal_equations(problem, unknowns);
-  normal.cost = cost;
+  normal.cost = cost + normal.prior_cost;
   return normal;
 }
 
@@ -105,16 +106,34 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) 
   return half * inverse.asDiagonal() * half.transpose();
 }
 
+namespace {
+
+/// The longest part of a step: m and rad as they are, an effect's number in thousandths of its plausible size.
+double size_of(const Problem& problem, const Eigen::VectorXd& step) {
+  const Eigen::Index rest = step.size() - problem.effect_count();
+  double size = rest > 0 ? step.head(rest).cwiseAbs().maxCoeff() : 0.0;
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i)
+    size =
+        std::max(size, 1e-3 * std::abs(step[rest + i]) / problem.columns_of_effects[static_cast<std::size_t>(i)].sigma);
+  return size;
+}
+
+}  // namespace
+
 Solution solve(const Problem& original, const Unknowns& start, const SolveOptions& options) {
-  Problem reweighted;  // only a robust loss needs its own copy
-  if (options.loss != Loss::none) reweighted = original;
+  const bool has_effects = original.effect_count() > 0;
+  Problem own;  // only a robust loss and moving effects need their own copy
+  if (options.loss != Loss::none || has_effects) own = original;
   auto normal_at = [&](const Unknowns& u) {
-    return options.loss == Loss::none ? normal_equations(original, u) : robust_normal(reweighted, u, options);
+    if (has_effects && u.effects != effect_values(own)) set_effects(own, u.effects);
+    if (options.loss != Loss::none) return robust_normal(own, u, options);
+    return normal_equations(has_effects ? own : original, u);
   };
 
   Solution solution;
   solution.unknowns = start;
-  solution.normal = normal_at(start);
+  if (start.effects.size() != original.effect_count()) solution.unknowns.effects = effect_values(original);
+  solution.normal = normal_at(solution.unknowns);
   double damping = 1e-8;
   while (solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
     ++solution.iterations;
@@ -125,7 +144,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     const Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
     NormalEquations normal = normal_at(next);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
-    const double size = step.size() ? step.cwiseAbs().maxCoeff() : 0.0;
+    const double size = size_of(original, step);
     const bool rounding = size < 1e-12;
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost && normal.in_front;
     const bool was_behind = !solution.normal.in_front && std::isfinite(normal.cost);

@@ -21,27 +21,11 @@ struct Rows {
 constexpr double near_enough = 1e-3;
 constexpr Eigen::Index stacked_rows = 512;  // a long product costs less than many short ones
 
-/// d left and right pixels / d rig (6), left numbers (8), right numbers (8)
-void set_camera_columns(const StereoRig& rig, const Sighting& s, const Vector3& x, Eigen::Index row,
-                        Eigen::Index column, Eigen::MatrixXd& by_shared) {
-  if (s.left) {
-    by_shared.block<2, 8>(row, column + 6) = pixel_by_camera_numbers(rig.left, x);
-    row += 2;
-  }
-  if (!s.right) return;
-  const Vector3 in_right = rig.right_from_left * x;
-  Matrix23 pixel_by_point;
-  project(rig.right, in_right, pixel_by_point);
-  by_shared.block<2, 3>(row, column) = pixel_by_point;
-  by_shared.block<2, 3>(row, column + 3) = -pixel_by_point * cross_matrix(in_right);
-  by_shared.block<2, 8>(row, column + 14) = pixel_by_camera_numbers(rig.right, in_right);
-}
-
 void set_rows(const Problem& problem, const ProblemObservation& o, const Unknowns& u, Rows& rows) {
   const StereoRig* rig = problem.rig_or_null();
   // The body's own pose is the place to linearise at: with a large effect the chain's is pixels away.
   Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
-  if (const auto pose = refined_body_pose(rig, o.sightings, u.markers_in_tcp, sensor_from_tcp, near_enough))
+  if (const auto pose = refined_body_pose(rig, o.sightings, markers_at(o, u), sensor_from_tcp, near_enough))
     sensor_from_tcp = *pose;
 
   const Eigen::Index cameras = 3 * problem.marker_count;
@@ -52,7 +36,7 @@ void set_rows(const Problem& problem, const ProblemObservation& o, const Unknown
   rows.shared_and_error.setZero(count, error + 1);
   Eigen::Index row = 0;
   for (const Sighting& s : o.sightings) {
-    const Vector3 x = sensor_from_tcp * u.markers_in_tcp[static_cast<std::size_t>(s.marker)];
+    const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
     const SightingResidual r = sighting_residual(rig, s, x);
     const Eigen::Matrix<double, 4, 3> by_rotation = -r.by_point * cross_matrix(x);
     const Eigen::Matrix<double, 4, 3> by_marker = r.by_point * sensor_from_tcp.rotation;
@@ -60,7 +44,7 @@ void set_rows(const Problem& problem, const ProblemObservation& o, const Unknown
     rows.by_pose.block(row, 0, r.rows, 3) = r.by_point.topRows(r.rows);
     rows.by_pose.block(row, 3, r.rows, 3) = by_rotation.topRows(r.rows);
     rows.shared_and_error.block(row, 3 * s.marker, r.rows, 3) = by_marker.topRows(r.rows);
-    if (rig) set_camera_columns(*rig, s, x, row, cameras, rows.shared_and_error);
+    if (rig) rows.shared_and_error.block(row, cameras, r.rows, 22) = camera_columns(*rig, s, x).topRows(r.rows);
     row += r.rows;
   }
 }

@@ -106,10 +106,12 @@ Eigen::MatrixXd point_noise_middle(const Problem& points, const Unknowns& unknow
     const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
     for (std::size_t i = 0; i < o.sightings.size(); ++i) {
       const Eigen::Index m = 3 * o.sightings[i].marker;
-      const Vector3 x = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)];
+      const Vector3 x = sensor_from_tcp * marker_at(o, unknowns, o.sightings[i].marker);
       Eigen::MatrixXd by = Eigen::MatrixXd::Zero(3, points.columns());
       by.middleCols<3>(m) = sensor_from_tcp.rotation;
-      if (points.mount_is_estimated) by.rightCols<6>() << -Matrix3::Identity(), cross_matrix(x);
+      Eigen::Matrix<double, 3, 6> by_motion;
+      by_motion << Matrix3::Identity(), -cross_matrix(x);
+      by.rightCols(points.columns() - points.mount_column()) = by_motion * motion_by_columns(points, o, unknowns);
       middle +=
           by.transpose() * (o.point_covariances.empty() ? Matrix3(Matrix3::Identity()) : o.point_covariances[i]) * by;
     }

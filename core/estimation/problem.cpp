@@ -2,26 +2,29 @@
 #include "estimation/problem.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace handsight {
-namespace {
-
-Eigen::VectorXd zero_position(const Chain& chain) {
-  return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
-}
-
-}  // namespace
-
-Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& terms) {
+Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held,
+                     const std::vector<EffectTerm>& estimated) {
   Problem problem;
   problem.rig = chain.stereo;
   problem.marker_count = chain.marker_count;
   problem.mount_is_estimated = session.mount.estimate;
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
-  if (chain.stereo && !terms.empty())
-    problem.rig = moved_rig(*chain.stereo, moved_sites(circumstances_at(chain, zero_position(chain)), terms));
-  const std::vector<Circumstances> circumstances = circumstances_of(session, chain);
+  problem.terms = held;
+  for (const EffectTerm& term : estimated) {
+    const Effect& effect = *find_effect(term.id);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice)
+        problem.columns_of_effects.push_back({problem.terms.size(), p, effect.parameters[p].sigma});
+    problem.terms.push_back(term);
+  }
+  auto source = std::make_shared<ProblemSource>();
+  source->chain = chain;
+  source->circumstances = circumstances_of(session, source->chain);
+  problem.source = source;
 
   std::vector<int> order(session.observations.size());
   std::iota(order.begin(), order.end(), 0);
@@ -33,16 +36,36 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   for (const int index : order) {
     const Observation& observation = session.observations[static_cast<std::size_t>(index)];
     if (!is_used(observation)) continue;
-    const Circumstances& c = circumstances[static_cast<std::size_t>(index)];
-    const ObservedEnds seen = observed_ends(c, moved_sites(c, terms));
-    // A mount that moves against its link is the link moving the other way round the mount's place in the session.
-    const Rigid& mount = session.mount.mount_from_sensor;
-    const Rigid root_from_mount = seen.ends.root_from_mount * (mount * seen.mount_motion * inverse(mount));
-    problem.observations.push_back(
-        {index, seen.ends.root_from_tcp, root_from_mount, observation.sightings, {}, {}, seen.ends.converged});
+    ProblemObservation& o = problem.observations.emplace_back();
+    o.index = index;
+    o.sightings = observation.sightings;
     for (const Sighting& s : observation.sightings) problem.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;
   }
+  place_observations(problem);
   return problem;
+}
+
+Eigen::VectorXd effect_values(const Problem& problem) {
+  Eigen::VectorXd values(problem.effect_count());
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
+    values[i] = problem.terms[c.term].values[c.parameter];
+  }
+  return values;
+}
+
+void set_effects(Problem& problem, const Eigen::VectorXd& values) {
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
+    problem.terms[c.term].values[c.parameter] = values[i];
+  }
+  place_observations(problem);
+}
+
+void hold_effects(Problem& problem) {
+  problem.columns_of_effects.clear();
+  problem.cameras_by_effect.resize(22, 0);
+  for (ProblemObservation& o : problem.observations) o.motion = EffectMotion{};
 }
 
 Problem as_points(const Problem& problem, int& left_out) {
@@ -70,19 +93,99 @@ Problem as_points(const Problem& problem, int& left_out) {
   return points;
 }
 
-Unknowns moved(const Unknowns& unknowns, const Eigen::VectorXd& step, bool mount_is_estimated) {
+Unknowns moved(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step) {
   Unknowns next = unknowns;
   for (std::size_t m = 0; m < next.markers_in_tcp.size(); ++m)
     next.markers_in_tcp[m] += step.segment<3>(3 * static_cast<Eigen::Index>(m));
-  if (mount_is_estimated) next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.tail<6>());
+  if (problem.mount_is_estimated)
+    next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.segment<6>(problem.mount_column()));
+  next.effects += step.tail(problem.effect_count());
   return next;
 }
 
+Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_columns(const Problem& problem, const ProblemObservation& o,
+                                                           const Unknowns& u) {
+  const Eigen::Index mount = problem.mount_is_estimated ? 6 : 0;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> motion(6, mount + problem.effect_count());
+  if (problem.mount_is_estimated) motion.leftCols<6>() = -adjoint(inverse(o.sensor_motion));
+  if (problem.effect_count() == 0) return motion;
+  const Rigid sensor_from_root = inverse(o.root_from_mount * u.mount_from_sensor * o.sensor_motion);
+  motion.rightCols(problem.effect_count()).noalias() = adjoint(sensor_from_root) * o.motion.tcp_by_effect;
+  if (o.motion.sensor_by_effect.cols() > 0) motion.rightCols(problem.effect_count()) -= o.motion.sensor_by_effect;
+  return motion;
+}
+
+Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservation& o, const Sighting& sighting,
+                                  const SightingResidual& residual, const Vector3& x_in_sensor,
+                                  const Matrix3& sensor_from_tcp_rotation) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(residual.rows, problem.effect_count());
+  for (const EffectMotion::MarkerColumn& m : o.motion.markers)
+    if (m.marker == sighting.marker)
+      rows.col(m.column) += residual.by_point.topRows(residual.rows) * (sensor_from_tcp_rotation * m.direction);
+  if (problem.cameras_by_effect.cols() == 0 || !problem.rig) return rows;
+  rows += camera_columns(*problem.rig, sighting, x_in_sensor).topRows(residual.rows) * problem.cameras_by_effect;
+  return rows;
+}
+
+namespace {
+
+/// The general road: effects among the columns, or a sensor or markers that move.
+void add_observation_with_effects(const Problem& problem, const ProblemObservation& o, const Unknowns& u,
+                                  NormalEquations& normal) {
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Eigen::Index mount = problem.mount_column();
+  const Eigen::Index count = problem.columns() - mount;
+  const auto motion = motion_by_columns(problem, o, u);
+  const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
+  Matrix6 information = Matrix6::Zero();
+  Vector6 gradient = Vector6::Zero();
+  for (std::size_t i = 0; i < o.sightings.size(); ++i) {
+    const Sighting& sighting = o.sightings[i];
+    const Vector3 x = sensor_from_tcp * marker_at(o, u, sighting.marker);
+    SightingResidual r = sighting_residual(problem.rig_or_null(), sighting, x);
+    const double root = o.weights.empty() ? 1.0 : std::sqrt(o.weights[i]);
+    Eigen::Matrix<double, 4, 6> by_motion;  // rows that were not measured are zero
+    by_motion << root * r.by_point, -root * r.by_point * cross_matrix(x);
+    const Eigen::Matrix<double, 4, 3> by_marker = root * r.by_point * sensor_from_tcp.rotation;
+    const Eigen::Matrix<double, 4, 1> error = root * r.error;
+    normal.cost += error.squaredNorm();
+    normal.rows += r.rows;
+    normal.in_front = normal.in_front && r.in_front;
+    const Eigen::Index m = 3 * sighting.marker;
+    normal.information.block<3, 3>(m, m).noalias() += by_marker.transpose() * by_marker;
+    normal.gradient.segment<3>(m).noalias() += by_marker.transpose() * error;
+    if (!direct) {
+      information.noalias() += by_motion.transpose() * by_motion;
+      gradient.noalias() += by_motion.transpose() * error;
+      normal.information.block(mount, m, count, 3).noalias() +=
+          motion.transpose() * (by_motion.transpose() * by_marker);
+      continue;
+    }
+    Eigen::Matrix<double, 4, Eigen::Dynamic> by_columns = by_motion * motion;
+    by_columns.topRightCorner(r.rows, problem.effect_count()) +=
+        root * direct_by_effects(problem, o, sighting, r, x, sensor_from_tcp.rotation);
+    normal.information.block(mount, mount, count, count).noalias() += by_columns.transpose() * by_columns;
+    normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;
+    normal.gradient.segment(mount, count).noalias() += by_columns.transpose() * error;
+  }
+  if (direct) return;
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> weighed = information * motion;
+  normal.information.block(mount, mount, count, count).noalias() += motion.transpose() * weighed;
+  normal.gradient.segment(mount, count).noalias() += motion.transpose() * gradient;
+}
+
+bool is_plain(const Problem& problem, const ProblemObservation& o) {
+  return problem.effect_count() == 0 && o.marker_shifts.empty() && !o.sensor_moves;
+}
+
+}  // namespace
+
 void add_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                      NormalEquations& normal) {
+  if (!is_plain(problem, observation)) return add_observation_with_effects(problem, observation, unknowns, normal);
   const Rigid sensor_from_tcp = sensor_from_tcp_at(observation, unknowns.mount_from_sensor);
   const Matrix3& r = sensor_from_tcp.rotation;
-  const Eigen::Index mount = 3 * problem.marker_count;
+  const Eigen::Index mount = problem.mount_column();
   Matrix6 mount_information = Matrix6::Zero();
   Vector6 mount_gradient = Vector6::Zero();
   for (std::size_t i = 0; i < observation.sightings.size(); ++i) {
@@ -122,6 +225,21 @@ void complete(NormalEquations& normal) {
   normal.information = Eigen::MatrixXd(normal.information.selfadjointView<Eigen::Lower>());
 }
 
+namespace {
+
+void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
+    const double weight = problem.noise / problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    const Eigen::Index column = problem.effect_column() + i;
+    normal.information(column, column) += weight * weight;
+    normal.gradient[column] -= weight * weight * unknowns.effects[i];
+    normal.prior_cost += std::pow(weight * unknowns.effects[i], 2);
+  }
+  normal.cost += normal.prior_cost;
+}
+
+}  // namespace
+
 NormalEquations normal_equations(const Problem& problem, const Unknowns& unknowns, std::span<const int> places) {
   NormalEquations normal(problem.columns());
   if (places.empty()) {
@@ -131,6 +249,7 @@ NormalEquations normal_equations(const Problem& problem, const Unknowns& unknown
       add_observation(problem, problem.observations[static_cast<std::size_t>(place)], unknowns, normal);
   }
   complete(normal);
+  add_priors(problem, unknowns, normal);
   return normal;
 }
 

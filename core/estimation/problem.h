@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fit works on: the used observations in order of time, with both ends of their chains, and the normal
-// equations of all of them by the markers' positions in the TCP frame and the mount.
+// What a fit works on: the used observations in order of time, with both ends of their chains as the effects move
+// them, and the normal equations of all of them by the markers' positions in the TCP frame, the mount and the effects.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,25 @@
 
 namespace handsight {
 
+/// One number of an effect that a fit may move. Its prior is a normal distribution about 0 with this sigma.
+struct EffectColumn {
+  std::size_t term = 0;       // into Problem::terms
+  std::size_t parameter = 0;  // of the effect
+  double sigma = 0;           // the plausible size
+};
+
+/// Directions of the effects' columns in one observation; empty where no effect is estimated.
+struct EffectMotion {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> tcp_by_effect;     // of the TCP against the mount's link, root frame
+  Eigen::Matrix<double, 6, Eigen::Dynamic> sensor_by_effect;  // of the sensor in its own frame; empty: none moves it
+  struct MarkerColumn {
+    int marker;
+    Eigen::Index column;
+    Vector3 direction;  // in the TCP frame
+  };
+  std::vector<MarkerColumn> markers;
+};
+
 struct ProblemObservation {
   int index = 0;  // into Session::observations
   Rigid root_from_tcp;
@@ -18,13 +38,24 @@ struct ProblemObservation {
   std::vector<Sighting> sightings;
   std::vector<Matrix3> point_covariances;  // per sighting, only where points stand in for images: per unit px^2, m^2
   std::vector<double> weights;             // per sighting; empty: all 1
-  bool springs_hold = true;                // false: the declared springs are too soft for the load
+  bool springs_hold = true;                // false: the springs are too soft for the load
+  Rigid sensor_motion;                     // mount_from_sensor * sensor_motion is where the sensor sits
+  bool sensor_moves = false;               // sensor_motion is not the identity
+  std::vector<Vector3> marker_shifts;      // per marker, m, TCP frame; empty: none
+  EffectMotion motion;
+  Deflection deflection;  // of the springs; where the next equilibrium starts
 };
 
 /// The whole chain of an observation for a mount of the sensor.
 inline Rigid sensor_from_tcp_at(const ProblemObservation& o, const Rigid& mount_from_sensor) {
-  return inverse(o.root_from_mount * mount_from_sensor) * o.root_from_tcp;
+  return inverse(o.root_from_mount * mount_from_sensor * o.sensor_motion) * o.root_from_tcp;
 }
+
+/// What the places of the observations follow from; shared by all copies and parts of a problem.
+struct ProblemSource {
+  Chain chain;
+  std::vector<Circumstances> circumstances;  // per observation of the session
+};
 
 struct Problem {
   std::vector<ProblemObservation> observations;
@@ -33,49 +64,102 @@ struct Problem {
   bool mount_is_estimated = false;
   std::vector<char> marker_is_seen;  // per marker, in any used observation
 
+  std::shared_ptr<const ProblemSource> source;
+  std::vector<EffectTerm> terms;  // the model's effects at their present values
+  std::vector<EffectColumn> columns_of_effects;
+  Rigid tcp_from_slip;  // the frame in which slips of the body and its markers are measured
+  double noise = 1;     // px or m: what the priors of the effects are weighed against
+  Eigen::Matrix<double, 22, Eigen::Dynamic> cameras_by_effect;  // rig motion 6, left 8, right 8; empty: none
+
   const StereoRig* rig_or_null() const { return rig ? &*rig : nullptr; }
-  /// Columns of the normal equations: 3 a marker, then 6 for the mount where it is estimated.
-  Eigen::Index columns() const { return 3 * marker_count + (mount_is_estimated ? 6 : 0); }
+  Eigen::Index mount_column() const { return 3 * marker_count; }
+  Eigen::Index effect_column() const { return mount_column() + (mount_is_estimated ? 6 : 0); }
+  Eigen::Index effect_count() const { return static_cast<Eigen::Index>(columns_of_effects.size()); }
+  /// Columns of the normal equations: 3 a marker, 6 for the mount where it is estimated, the effects' numbers.
+  Eigen::Index columns() const { return effect_column() + effect_count(); }
 };
 
-/// The used observations of a session, `terms` moving the chain's ends. In order of time (then id), whatever the
-/// order in memory.
-Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& terms = {});
+/// The used observations of a session in order of time (then id), whatever the order in memory. `held` effects move
+/// the chain at their values; `estimated` ones start at theirs, and their numbers become columns.
+Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held = {},
+                     const std::vector<EffectTerm>& estimated = {});
+
+/// The values of the problem's effect columns.
+Eigen::VectorXd effect_values(const Problem& problem);
+
+/// Moves all observations to where the effects have these values (and finds the derivatives there).
+void set_effects(Problem& problem, const Eigen::VectorXd& values);
+
+/// Holds all effects where they are: no columns are left.
+void hold_effects(Problem& problem);
+
+/// Moves them again after terms, columns or the slip's frame were changed.
+void place_observations(Problem& problem);
 
 /// The same with every marker that both cameras saw as a triangulated point, for the 3D objective (thesis 4.41).
 /// Markers seen by one camera only cannot take part: `left_out` counts them.
 Problem as_points(const Problem& problem, int& left_out);
 
-/// The unknowns: markers in the TCP frame (m), and the mount.
+/// The unknowns: markers in the TCP frame (m), the mount, and the effects' numbers.
 struct Unknowns {
   std::vector<Vector3> markers_in_tcp;
   Rigid mount_from_sensor;
+  Eigen::VectorXd effects;
 };
 
-/// Applies a step: markers move by their three numbers (m, TCP frame), the mount by mount_from_sensor * exp(v).
-Unknowns moved(const Unknowns& unknowns, const Eigen::VectorXd& step, bool mount_is_estimated);
+/// Where a marker sits in one observation (m, TCP frame): slips included.
+inline Vector3 marker_at(const ProblemObservation& o, const Unknowns& u, int marker) {
+  const auto m = static_cast<std::size_t>(marker);
+  return o.marker_shifts.empty() ? u.markers_in_tcp[m] : Vector3(u.markers_in_tcp[m] + o.marker_shifts[m]);
+}
 
-/// H = J^T W J, gradient = J^T W error by the problem's columns; cost = error^T W error.
+/// All of them.
+inline std::vector<Vector3> markers_at(const ProblemObservation& o, const Unknowns& u) {
+  std::vector<Vector3> markers = u.markers_in_tcp;
+  for (std::size_t m = 0; m < o.marker_shifts.size(); ++m) markers[m] += o.marker_shifts[m];
+  return markers;
+}
+
+/// Applies a step by the problem's columns: markers move by their three numbers (m, TCP frame), the mount by
+/// mount_from_sensor * exp(v), the effects' numbers add.
+Unknowns moved(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step);
+
+/// H = J^T W J, gradient = J^T W error by the problem's columns; cost = error^T W error. The priors of the effects are
+/// part of all three, in units of the noise: (noise value / sigma)^2; `prior_cost` is their share.
 struct NormalEquations {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
   double cost = 0;
+  double prior_cost = 0;
   int rows = 0;
   bool in_front = true;
 
   explicit NormalEquations(Eigen::Index columns = 0)
       : information(Eigen::MatrixXd::Zero(columns, columns)), gradient(Eigen::VectorXd::Zero(columns)) {}
+  double data_cost() const { return cost - prior_cost; }
 };
 
-/// Adds one observation's normal equations at these unknowns. Only the lower triangle of marker-marker and
-/// mount-mount blocks and the mount-marker block are written; `complete` fills the rest.
+/// Adds one observation's normal equations at these unknowns, without priors. Only the lower triangle is written;
+/// `complete` fills the rest.
 void add_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                      NormalEquations& normal);
+
+/// The motion of the body against the sensor, in the sensor's frame, by the mount's columns and the effects': 6 x
+/// (6 where the mount is estimated, + effects).
+Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_columns(const Problem& problem,
+                                                           const ProblemObservation& observation,
+                                                           const Unknowns& unknowns);
+
+/// Derivative of one sighting's rows by the effects' columns that act on cameras and markers alone: rows x effects.
+Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservation& observation,
+                                  const Sighting& sighting, const SightingResidual& residual,
+                                  const Vector3& x_in_sensor, const Matrix3& sensor_from_tcp_rotation);
 
 /// Mirrors the lower triangle of the information matrix.
 void complete(NormalEquations& normal);
 
-/// The normal equations of the observations at these places of Problem::observations; all where empty.
+/// The normal equations of the observations at these places of Problem::observations; all where empty. The problem
+/// must stand at the unknowns' effects.
 NormalEquations normal_equations(const Problem& problem, const Unknowns& unknowns, std::span<const int> places = {});
 
 }  // namespace handsight

@@ -129,14 +129,17 @@ std::vector<Vector3> start_markers(const Problem& problem, const Rigid& mount_fr
   return markers;
 }
 
-std::optional<Unknowns> start_values(const Problem& problem, const Mount& mount) {
-  if (!mount.estimate) return Unknowns{start_markers(problem, mount.mount_from_sensor), mount.mount_from_sensor};
+namespace {
+
+std::optional<Unknowns> start_without_effects(const Problem& problem, const Mount& mount) {
+  if (!mount.estimate) return Unknowns{start_markers(problem, mount.mount_from_sensor), mount.mount_from_sensor, {}};
 
   int left_out = 0;
-  const Problem points = thinned(as_points(problem, left_out), 60);
+  Problem points = thinned(as_points(problem, left_out), 60);
+  hold_effects(points);
   if (points.observations.empty()) {
     if (!mount.known) return std::nullopt;
-    return Unknowns{start_markers(problem, mount.mount_from_sensor), mount.mount_from_sensor};
+    return Unknowns{start_markers(problem, mount.mount_from_sensor), mount.mount_from_sensor, {}};
   }
   const MountSystem system = mount_system(points);
   const Eigen::VectorXd relaxed = pseudo_inverse(system.h) * system.g;
@@ -160,6 +163,14 @@ std::optional<Unknowns> start_values(const Problem& problem, const Mount& mount)
   for (std::size_t m = 0; m < from_rays.size(); ++m)
     if (!points.marker_is_seen[m]) best->unknowns.markers_in_tcp[m] = from_rays[m];
   return best->unknowns;
+}
+
+}  // namespace
+
+std::optional<Unknowns> start_values(const Problem& problem, const Mount& mount) {
+  std::optional<Unknowns> start = start_without_effects(problem, mount);
+  if (start) start->effects = effect_values(problem);
+  return start;
 }
 
 }  // namespace handsight

@@ -35,6 +35,22 @@ Matrix3 nearest_rotation(const Matrix3& matrix) {
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
+Matrix3 left_jacobian(const Vector3& v) {
+  const double a2 = v.squaredNorm();
+  const Matrix3 k = cross_matrix(v);
+  if (a2 < 1e-8) return Matrix3::Identity() + (0.5 - a2 / 24) * k + (1.0 / 6 - a2 / 120) * k * k;
+  const double a = std::sqrt(a2);
+  const double half = std::sin(a / 2);
+  return Matrix3::Identity() + 2 * half * half / a2 * k + (a - std::sin(a)) / (a2 * a) * k * k;
+}
+
+Matrix6 small_motion_jacobian(const Vector6& v) {
+  Matrix6 j = Matrix6::Identity();
+  j.bottomRightCorner<3, 3>() = left_jacobian(v.tail<3>());
+  j.topRightCorner<3, 3>() = cross_matrix<double>(v.head<3>()) * j.bottomRightCorner<3, 3>();
+  return j;
+}
+
 Vector6 small_motion_between(const Rigid& a, const Rigid& b) {
   const Rigid difference = b * inverse(a);
   Vector6 v;

@@ -113,6 +113,13 @@ RigidT<T> small_motion(const Vector6T<T>& v) {
   return {rotation_from_vector<T>(v.template tail<3>()), v.template head<3>()};
 }
 
+/// Left Jacobian of the rotation group: exp(w + d) = exp(J d) exp(w) to first order.
+Matrix3 left_jacobian(const Vector3& rotation_vector);
+
+/// The 6x6 matrix J with small_motion(v + d) = exp(J d) small_motion(v) to first order, J d as a motion rate (v, w) of
+/// x' = v + w cross x.
+Matrix6 small_motion_jacobian(const Vector6& v);
+
 /// The small motion v with small_motion(v) * a = b; rotation part of length 0 to pi.
 Vector6 small_motion_between(const Rigid& a, const Rigid& b);
 

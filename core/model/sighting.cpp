@@ -31,6 +31,23 @@ SightingResidual sighting_residual(const StereoRig* rig, const Sighting& sightin
   return r;
 }
 
+CameraColumns camera_columns(const StereoRig& rig, const Sighting& s, const Vector3& x) {
+  CameraColumns columns = CameraColumns::Zero();
+  Eigen::Index row = 0;
+  if (s.left) {
+    columns.block<2, 8>(row, 6) = pixel_by_camera_numbers(rig.left, x);
+    row += 2;
+  }
+  if (!s.right) return columns;
+  const Vector3 in_right = rig.right_from_left * x;
+  Matrix23 pixel_by_point;
+  project(rig.right, in_right, pixel_by_point);
+  columns.block<2, 3>(row, 0) = pixel_by_point;
+  columns.block<2, 3>(row, 3) = -pixel_by_point * cross_matrix(in_right);
+  columns.block<2, 8>(row, 14) = pixel_by_camera_numbers(rig.right, in_right);
+  return columns;
+}
+
 SightingNormal sighting_normal(const StereoRig* rig, const Sighting& sighting, const Vector3& x_in_sensor) {
   const SightingResidual r = sighting_residual(rig, sighting, x_in_sensor);
   SightingNormal n;

@@ -21,6 +21,11 @@ struct SightingResidual {
 /// `x_in_sensor` is the marker in the left camera's or tracker's frame (m); rig is null in a tracker session.
 SightingResidual sighting_residual(const StereoRig* rig, const Sighting& sighting, const Vector3& x_in_sensor);
 
+/// Derivative of an image sighting's rows by the rig's motion (6: exp(v) right_from_left) and by the numbers fx fy cx cy
+/// k1 k2 p1 p2 of the left and of the right camera (8 each); rows as in SightingResidual.
+using CameraColumns = Eigen::Matrix<double, 4, 22>;
+CameraColumns camera_columns(const StereoRig& rig, const Sighting& sighting, const Vector3& x_in_sensor);
+
 /// Normal equations of one sighting: information = J^T W J, gradient = J^T W error, cost = error^T W error, by the
 /// marker's position in the sensor's frame.
 struct SightingNormal {

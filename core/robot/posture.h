@@ -34,7 +34,17 @@ struct RobotChangeT {
   T payload_mass{0.0};                                // kg, at that link's declared centre of mass
   Vector3T<T> payload_moment = Vector3T<T>::Zero();   // kg m about it, in that link's frame
 };
+using JointChange = JointChangeT<double>;
 using RobotChange = RobotChangeT<double>;
+
+/// What loads add to the joints; the unknowns of the static equilibrium.
+template <class T>
+struct DeflectionT {
+  std::vector<T> angle;                    // rad (m), per joint: of its spring and gap
+  std::vector<Vector3T<T>> lateral;        // per joint: rotation vector in the joint's rotated frame
+  Vector3T<T> base = Vector3T<T>::Zero();  // rotation vector of the whole robot about the root's origin
+};
+using Deflection = DeflectionT<double>;
 
 /// A posture at static equilibrium. Frames in the root frame; moments are those of the gravity of everything distal
 /// about the joint's origin, written in the root frame.
@@ -47,6 +57,7 @@ struct PostureT {
   std::vector<Vector3T<T>> moment;         // N m, in the root frame
   std::vector<T> distal_mass;              // kg
   std::vector<Vector3T<T>> distal_center;  // m, in the root frame
+  DeflectionT<T> deflection;
   int iterations = 0;                      // passes of the equilibrium
   bool converged = true;
 };
@@ -65,14 +76,6 @@ double magnitude(const T& x) {
   }
 }
 
-/// Angles and link rotations that loads add; the unknowns of the equilibrium.
-template <class T>
-struct Deflection {
-  std::vector<T> angle;              // per joint
-  std::vector<Vector3T<T>> lateral;  // per joint, rotation vector in the rotated joint frame
-  Vector3T<T> base = Vector3T<T>::Zero();
-};
-
 template <class T>
 JointChangeT<T> change_of(const RobotChangeT<T>& change, std::size_t joint) {
   return change.joints.empty() ? JointChangeT<T>{} : change.joints[joint];
@@ -82,7 +85,7 @@ JointChangeT<T> change_of(const RobotChangeT<T>& change, std::size_t joint) {
 /// follow, and the deflections.
 template <class T>
 void set_values(const Robot& robot, const Eigen::VectorXd& sensor, const RobotChangeT<T>& change,
-                const Deflection<T>& deflection, PostureT<T>& posture) {
+                const DeflectionT<T>& deflection, PostureT<T>& posture) {
   std::vector<T> corrected(robot.joints.size(), T(0.0));
   std::vector<char> done(robot.joints.size(), 0);
   auto corrected_value = [&](auto&& self, std::size_t j) -> T {
@@ -105,7 +108,7 @@ void set_values(const Robot& robot, const Eigen::VectorXd& sensor, const RobotCh
 }
 
 template <class T>
-void set_frames(const Robot& robot, const RobotChangeT<T>& change, const Deflection<T>& deflection, bool elastic,
+void set_frames(const Robot& robot, const RobotChangeT<T>& change, const DeflectionT<T>& deflection, bool elastic,
                 PostureT<T>& posture) {
   posture.root_from_link[0] = RigidT<T>{};
   const RigidT<T> root_from_base{rotation_from_vector<T>(deflection.base), Vector3T<T>::Zero()};
@@ -180,10 +183,10 @@ std::vector<T> carried_torques(const Robot& robot, const RobotChangeT<T>& change
 }
 
 template <class T>
-Deflection<T> deflections(const Robot& robot, const RobotChangeT<T>& change, const PostureT<T>& posture,
+DeflectionT<T> deflections(const Robot& robot, const RobotChangeT<T>& change, const PostureT<T>& posture,
                           const Vector3T<T>& root_moment) {
   using std::tanh;
-  Deflection<T> d;
+  DeflectionT<T> d;
   d.angle.assign(robot.joints.size(), T(0.0));
   d.lateral.assign(robot.joints.size(), Vector3T<T>::Zero());
   const std::vector<T> carried = carried_torques(robot, change, posture);
@@ -209,7 +212,7 @@ Deflection<T> deflections(const Robot& robot, const RobotChangeT<T>& change, con
 }
 
 template <class T>
-double largest_change(const Deflection<T>& a, const Deflection<T>& b) {
+double largest_change(const DeflectionT<T>& a, const DeflectionT<T>& b) {
   double largest = 0;
   for (std::size_t j = 0; j < a.angle.size(); ++j) {
     largest = std::max(largest, magnitude(T(a.angle[j] - b.angle[j])));
@@ -237,10 +240,11 @@ bool is_elastic(const Robot& robot, const RobotChangeT<T>& change) {
 /// The posture for sensor values (one per joint of the robot; those of fixed and mimic joints are not read) under
 /// gravity (m/s^2, root frame). Deflection changes the load: iterated until nothing moves by more than 1e-11 rad, so
 /// that what is left is below 1e-9 rad for springs that give way by less than 99 % of what would be unstable;
-/// `converged` is false for softer ones. With `with_loads` false, loads are only computed where springs need them.
+/// `converged` is false for softer ones. With `with_loads` false, loads are only computed where springs need them. A
+/// `start` near the answer, such as the deflection before a small change, saves passes.
 template <class T>
 PostureT<T> solve_posture(const Robot& robot, const Eigen::VectorXd& sensor, const RobotChangeT<T>& change,
-                          const Vector3& gravity, bool with_loads = true) {
+                          const Vector3& gravity, bool with_loads = true, const DeflectionT<T>* start = nullptr) {
   namespace detail = posture_detail;
   const std::size_t joints = robot.joints.size();
   check(static_cast<std::size_t>(sensor.size()) == joints, "{} joint values for a robot of {} joints", sensor.size(),
@@ -256,9 +260,10 @@ PostureT<T> solve_posture(const Robot& robot, const Eigen::VectorXd& sensor, con
 
   const bool elastic = detail::is_elastic(robot, change);
   const Vector3T<T> gravity_in_root = detail::tilted_gravity(gravity, change);
-  detail::Deflection<T> deflection;
+  DeflectionT<T>& deflection = posture.deflection;
   deflection.angle.assign(joints, T(0.0));
   deflection.lateral.assign(joints, Vector3T<T>::Zero());
+  if (elastic && start && start->angle.size() == joints) deflection = *start;
   constexpr int most_passes = 500;
   for (posture.iterations = 0; posture.iterations <= most_passes; ++posture.iterations) {
     detail::set_values(robot, sensor, change, deflection, posture);
@@ -266,7 +271,7 @@ PostureT<T> solve_posture(const Robot& robot, const Eigen::VectorXd& sensor, con
     if (!elastic && !with_loads) return posture;
     const Vector3T<T> root_moment = detail::set_loads(robot, gravity_in_root, change, posture);
     if (!elastic) return posture;
-    detail::Deflection<T> next = detail::deflections(robot, change, posture, root_moment);
+    DeflectionT<T> next = detail::deflections(robot, change, posture, root_moment);
     const double step = detail::largest_change(next, deflection);
     if (step < 1e-11) return posture;
     if (!(step < 10)) break;  // unstable: springs too soft for the load

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the effects of the model put every observation's chain, and how their numbers move it.
+#include <algorithm>
+
+#include "estimation/problem.h"
+#include "robot/posture_tangent.h"
+
+namespace handsight {
+namespace {
+
+/// The sites as a unit of one column moves them, choices of its term as they are.
+class UnitSites {
+ public:
+  UnitSites(const Problem& problem, const Circumstances& circumstances)
+      : problem_(&problem), circumstances_(&circumstances) {}
+
+  const Sites& of(const EffectColumn& column) {
+    const EffectTerm& term = problem_->terms[column.term];
+    const Effect& effect = *find_effect(term.id);
+    values_.assign(effect.parameters.size(), 0.0);
+    for (std::size_t p = 0; p < values_.size(); ++p)
+      if (effect.parameters[p].is_choice) values_[p] = term.values[p];
+    values_[column.parameter] = 1;
+    sites_ = Sites{};
+    sites_.robot.joints.resize(circumstances_->chain->robot.joints.size());
+    sites_.markers.assign(static_cast<std::size_t>(circumstances_->chain->marker_count), Vector3::Zero());
+    effect.move(*circumstances_, term.joint, values_, sites_);
+    return sites_;
+  }
+
+ private:
+  const Problem* problem_;
+  const Circumstances* circumstances_;
+  std::vector<double> values_;
+  Sites sites_;
+};
+
+/// A slip of the body, a motion in the slip's frame, as a motion in the TCP's.
+Rigid slip_in_tcp(const Problem& problem, const Sites& sites) {
+  return problem.tcp_from_slip * small_motion<double>(sites.body) * inverse(problem.tcp_from_slip);
+}
+
+void set_motion(const Problem& problem, const Circumstances& c, const Sites& sites, const Posture& posture,
+                ProblemObservation& o) {
+  const Chain& chain = *c.chain;
+  const PostureTangent tangent(chain.robot, sites.robot, chain.gravity, posture, chain.tcp_link, chain.mount_link);
+  const Matrix6 root_from_slip =
+      adjoint(posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)] * problem.tcp_from_slip);
+  const Matrix6 by_body = root_from_slip * small_motion_jacobian(sites.body);
+  const Rigid mount = small_motion<double>(sites.mount), drift = small_motion<double>(sites.drift);
+  const Matrix6 by_mount = adjoint(inverse(mount * drift)) * small_motion_jacobian(sites.mount);
+  const Matrix6 by_drift = adjoint(inverse(drift)) * small_motion_jacobian(sites.drift);
+  EffectMotion& motion = o.motion;
+  motion.tcp_by_effect.setZero(6, problem.effect_count());
+  motion.sensor_by_effect.resize(6, 0);
+  motion.markers.clear();
+  UnitSites unit(problem, c);
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
+    const Sites& d = unit.of(problem.columns_of_effects[static_cast<std::size_t>(i)]);
+    motion.tcp_by_effect.col(i) = tangent.motion(d.robot);
+    if (!d.body.isZero(0)) motion.tcp_by_effect.col(i) += by_body * d.body;
+    if (!d.mount.isZero(0) || !d.drift.isZero(0)) {
+      if (motion.sensor_by_effect.cols() == 0) motion.sensor_by_effect.setZero(6, problem.effect_count());
+      motion.sensor_by_effect.col(i) = by_mount * d.mount + by_drift * d.drift;
+    }
+    for (std::size_t m = 0; m < d.markers.size(); ++m)
+      if (!d.markers[m].isZero(0))
+        motion.markers.push_back({static_cast<int>(m), i, problem.tcp_from_slip.rotation * d.markers[m]});
+  }
+}
+
+void place(const Problem& problem, ProblemObservation& o) {
+  const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
+  const Chain& chain = *c.chain;
+  const Sites sites = moved_sites(c, problem.terms);
+  const bool derive = problem.effect_count() > 0;
+  Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derive, &o.deflection);
+  if (!posture.converged)  // a start from softer springs may lie beyond what is stable
+    posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derive);
+  o.root_from_tcp = posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)];
+  o.root_from_mount = posture.root_from_link[static_cast<std::size_t>(chain.mount_link)];
+  o.springs_hold = posture.converged;
+  o.sensor_moves = !sites.mount.isZero(0) || !sites.drift.isZero(0);
+  o.sensor_motion = o.sensor_moves ? small_motion<double>(sites.mount) * small_motion<double>(sites.drift) : Rigid{};
+  if (!sites.body.isZero(0)) o.root_from_tcp = o.root_from_tcp * slip_in_tcp(problem, sites);
+  o.marker_shifts.clear();
+  if (std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); }))
+    for (const Vector3& m : sites.markers) o.marker_shifts.push_back(problem.tcp_from_slip.rotation * m);
+  if (derive) set_motion(problem, c, sites, posture, o);
+  o.deflection = std::move(posture.deflection);
+}
+
+/// Cameras and rig move alike in all observations; only the chain's circumstances are needed.
+void place_cameras(Problem& problem) {
+  const Chain& chain = problem.source->chain;
+  if (!chain.stereo || !problem.rig) return;
+  const Circumstances c =
+      circumstances_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
+  const Sites sites = moved_sites(c, problem.terms);
+  if (!problem.terms.empty()) problem.rig = moved_rig(*chain.stereo, sites);
+  problem.cameras_by_effect.resize(22, 0);
+  UnitSites unit(problem, c);
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
+    const Sites& d = unit.of(problem.columns_of_effects[static_cast<std::size_t>(i)]);
+    if (d.rig.isZero(0) && d.left_camera.isZero(0) && d.right_camera.isZero(0)) continue;
+    if (problem.cameras_by_effect.cols() == 0) problem.cameras_by_effect.setZero(22, problem.effect_count());
+    problem.cameras_by_effect.col(i) << small_motion_jacobian(sites.rig) * d.rig, d.left_camera, d.right_camera;
+  }
+}
+
+}  // namespace
+
+void place_observations(Problem& problem) {
+  place_cameras(problem);
+  for (ProblemObservation& o : problem.observations) place(problem, o);
+}
+
+}  // namespace handsight

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Effects fitted together with the body: derivatives, recovery of simulated values, the part of the priors.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "estimation/fit_report.h"
+#include "estimation/start.h"
+#include "fixtures/arms.h"
+
+namespace handsight {
+namespace {
+
+/// The coupled torso with soft springs before cameras on a stand; a mount that is estimated.
+Session torso_session(int markers = 3) {
+  Session session = fixture::stand_session(markers);
+  session.robot = fixture::coupled_torso();
+  for (Joint& joint : session.robot.joints) joint.stiffness = 4000;
+  session.tcp = "hand";
+  session.mount.link = "base";
+  session.mount.mount_from_sensor = fixture::look_at({1.5, -0.6, 1.2}, {0.2, 0.1, 0.9});
+  session.joints = {"t1", "t2", "arm_1", "arm_2"};
+  session.observations[0].position = Eigen::VectorXd::Zero(4);
+  return session;
+}
+
+std::vector<EffectTerm> every_effect(const Chain& chain, double size, std::mt19937_64& random) {
+  std::normal_distribution<double> normal(0, size);
+  std::vector<EffectTerm> terms;
+  for (const Effect& e : catalogue())
+    for (const int place : effect_places(e, chain)) {
+      EffectTerm term{e.id, place, {}};
+      for (const EffectParameter& p : e.parameters)
+        term.values.push_back(p.is_choice ? (p.name == "k" ? 5 : 0.1) : normal(random) * p.sigma);
+      terms.push_back(term);
+    }
+  return terms;
+}
+
+/// The gradient of the cost by the columns against its central differences.
+void expect_gradient(const Session& session, const std::vector<EffectTerm>& terms) {
+  const Chain chain = chain_of(session);
+  Problem problem = make_problem(session, chain, {}, terms);
+  problem.tcp_from_slip = {rotation_from_rpy({0.3, -0.4, 1.0}), {0.02, 0.01, 0.03}};
+  place_observations(problem);
+  Unknowns u = *start_values(problem, session.mount);
+  u.effects = effect_values(problem);
+  const NormalEquations here = normal_equations(problem, u);
+  double by_angle = 0;  // px^2/rad
+  for (Eigen::Index c = 0; c < problem.effect_count(); ++c)
+    if (problem.terms[problem.columns_of_effects[static_cast<std::size_t>(c)].term].id == "joint_offset")
+      by_angle = std::max(by_angle, std::abs(here.gradient[problem.effect_column() + c]));
+  for (Eigen::Index c = 0; c < problem.columns(); ++c) {
+    const Eigen::Index effect = c - problem.effect_column();
+    const double scale = effect >= 0 ? problem.columns_of_effects[static_cast<std::size_t>(effect)].sigma : 1e-3;
+    const double h = 0.03 * scale;
+    auto cost_at = [&](double by) {
+      Eigen::VectorXd step = Eigen::VectorXd::Zero(problem.columns());
+      step[c] = by;
+      const Unknowns next = moved(problem, u, step);
+      Problem there = problem;
+      set_effects(there, next.effects);
+      return normal_equations(there, next).cost;
+    };
+    const double slope = -(8 * (cost_at(h) - cost_at(-h)) - (cost_at(2 * h) - cost_at(-2 * h))) / (12 * h) / 2;
+    // Differences of the cost lose its rounding, and what the equilibrium, found to 1e-11 rad, leaves open.
+    const double rounding = (1e-13 * here.cost + 1e-10 * by_angle) / h;
+    EXPECT_NEAR(here.gradient[c], slope, 1e-7 * std::abs(slope) + rounding)
+        << "column " << c << " "
+        << (effect >= 0 ? problem.terms[problem.columns_of_effects[static_cast<std::size_t>(effect)].term].id
+                        : std::string("marker or mount"));
+  }
+}
+
+TEST(EffectColumns, AreTheSlopesOfTheCostOverTheWholeCatalogue) {
+  SimulationOptions options;
+  options.observations = 12;
+  std::mt19937_64 random(5);
+  for (const bool tracker : {false, true}) {
+    Session like = torso_session();
+    if (tracker) like.stereo.reset();
+    Session session = simulate_session(like, options).session;
+    session.mount.estimate = true;
+    for (Observation& o : session.observations) {  // velocities for the lag, a marker unseen here and there
+      o.velocity = Eigen::VectorXd::Random(4) * 0.3;
+      if (o.id % 3 == 0) o.sightings.pop_back();
+      if (!tracker && o.id % 4 == 1) o.sightings[0].left.reset();
+    }
+    expect_gradient(session, every_effect(chain_of(session), 0.3, random));
+  }
+}
+
+struct Recovery {
+  Fit fit;
+  double worst = 0;  // of the parameters, in their sigmas
+};
+
+Recovery recover(const Session& like, const std::vector<EffectTerm>& truth, std::uint64_t seed) {
+  SimulationOptions options;
+  options.seed = seed;
+  options.observations = 60;
+  options.effects = truth;
+  Session session = simulate_session(like, options).session;
+  std::vector<EffectTerm> start = truth;
+  for (EffectTerm& term : start) {
+    const Effect& e = *find_effect(term.id);
+    for (std::size_t p = 0; p < term.values.size(); ++p)
+      if (!e.parameters[p].is_choice) term.values[p] = 0;
+  }
+  Recovery r;
+  r.fit = fit(session, {.estimated = start});
+  EXPECT_TRUE(r.fit.converged()) << truth[0].id;
+  for (std::size_t t = 0; t < truth.size(); ++t)
+    for (std::size_t p = 0; p < truth[t].values.size(); ++p)
+      if (r.fit.effects[t].sigmas[p] > 0)
+        r.worst = std::max(r.worst,
+                           std::abs(r.fit.effects[t].term.values[p] - truth[t].values[p]) / r.fit.effects[t].sigmas[p]);
+  return r;
+}
+
+TEST(EffectFit, RecoversEveryEffectOfTheCatalogue) {
+  const Session like = torso_session();
+  const Chain chain = chain_of(like);
+  for (const Effect& e : catalogue()) {
+    std::vector<EffectTerm> truth;
+    double sign = 1;
+    for (const int place : effect_places(e, chain)) {
+      EffectTerm term{e.id, place, {}};
+      for (const EffectParameter& p : e.parameters) {
+        term.values.push_back(p.is_choice ? (p.name == "k" ? 25 : 0.1) : sign * p.sigma);
+        sign = -sign;
+      }
+      if (e.scope == EffectScope::marker && place > 0) continue;
+      truth.push_back(term);
+    }
+    const Recovery r = recover(like, truth, 11);
+    EXPECT_LT(r.worst, 4.5) << e.id;
+    EXPECT_EQ(r.fit.covariance_kind, CovarianceKind::noise) << e.id << " leaves more than the noise";
+  }
+}
+
+TEST(EffectFit, AnEffectThatIsNotThereStaysWithinItsSigma) {
+  SimulationOptions options;
+  options.observations = 40;
+  const Session session = simulate_session(torso_session(), options).session;
+  std::vector<EffectTerm> terms;
+  for (int j = 0; j < 5; ++j) terms.push_back({"joint_elasticity", j, {0}});
+  const Fit f = fit(session, {.estimated = terms});
+  for (const FittedEffect& e : f.effects) {
+    EXPECT_LT(std::abs(e.term.values[0]), 4 * e.sigmas[0]);
+    EXPECT_LT(e.sigmas[0], 1.001 * find_effect("joint_elasticity")->parameters[0].sigma) << "the prior bounds it";
+  }
+}
+
+TEST(EffectFit, TheHeldOutErrorFallsToTheNoiseOnceTheEffectIsFitted) {
+  SimulationOptions options;
+  options.observations = 40;
+  options.effects = {{"joint_elasticity", 1, {3e-4}}, {"joint_elasticity", 0, {2e-4}}};
+  const Session session = simulate_session(torso_session(), options).session;
+  const FitOptions without;
+  FitOptions with;
+  with.estimated = {{"joint_elasticity", 0, {0}}, {"joint_elasticity", 1, {0}}};
+  const Fit before = fit(session, without), after = fit(session, with);
+  EXPECT_GT(*report(session, before, without).held_out.rms_pixel, 1.0);
+  EXPECT_LT(*report(session, after, with).held_out.rms_pixel, 0.23);
+}
+
+TEST(EffectFit, StopsWhereItsCallbackSaysSo) {
+  SimulationOptions options;
+  options.observations = 20;
+  options.effects = {{"joint_elasticity", 1, {1e-3}}};
+  const Session session = simulate_session(torso_session(), options).session;
+  FitOptions with;
+  with.estimated = {{"joint_elasticity", 1, {0}}};
+  int calls = 0;
+  with.on_iteration = [&](int, double, const Unknowns& u) {
+    EXPECT_EQ(u.effects.size(), 1);
+    return ++calls < 2;
+  };
+  const Fit f = fit(session, with);
+  EXPECT_TRUE(f.solution.stopped);
+  EXPECT_EQ(calls, 2);
+}
+
+}  // namespace
+}  // namespace handsight
