@@ -2,6 +2,7 @@
 #include <ctime>
 
 #include "command.h"
+#include "diagnosis_output.h"
 #include "estimation/fit_report.h"
 #include "fit_output.h"
 #include "session/calibration_xml.h"
@@ -24,14 +25,7 @@ int run(const Options& o) {
                                                     : Objective::image;
   options.loss = o.loss == "huber" ? Loss::huber : o.loss == "cauchy" ? Loss::cauchy : Loss::none;
   options.fix_markers = o.fix_markers;
-  for (const std::string& effect : o.effects) {
-    if (effect.find('=') == std::string::npos)
-      throw InputError(fmt::format(
-          "--effects {}: this version holds effects at given values (id:joint.parameter=value) and cannot estimate them "
-          "yet; give each a value or leave them out.",
-          effect));
-    add_effect_value(effect, session.robot, options.effects);
-  }
+  add_effects(o.effects, session, options.effects, options.estimated);
   const Fit result = fit(session, options);
   const FitReport told = report(session, result, options);
   print_fit(o.output, session, result, told, options);
@@ -54,7 +48,8 @@ Command add_fit(CLI::App& app) {
   command->add_option("--loss", options->loss, "Robust loss: none, huber or cauchy")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
   command->add_flag("--fix-markers", options->fix_markers, "Hold the body's shape at the average of the observations");
-  command->add_option("--effects", options->effects, "Effects in the model, with values: id:joint.parameter=value");
+  command->add_option("--effects", options->effects,
+                      "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
   command->add_option("--export", options->export_file, "Write the calibration XML");
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};

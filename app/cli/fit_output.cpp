@@ -32,28 +32,44 @@ std::string text_or_unknown(const std::optional<double>& value, double scale, co
   return value ? fmt::format("{:.3f} {}", scale * *value, unit) : "unknown";
 }
 
-Json parameters_json(const Session& session, const std::vector<EffectTerm>& terms, const std::string& id) {
+Json parameters_json(const Session& session, const std::vector<FittedEffect>& effects, const std::string& id) {
   Json list = Json::array();
-  for (const EffectTerm& term : terms) {
-    if (term.id != id) continue;
+  for (const FittedEffect& e : effects) {
+    if (e.term.id != id) continue;
     const Effect* effect = find_effect(id);
     for (std::size_t p = 0; p < effect->parameters.size(); ++p)
-      list.push_back({{"of", term.joint >= 0 ? Json(place_name(*effect, term.joint, session.robot)) : Json(nullptr)},
-                      {"name", effect->parameters[p].name},
-                      {"value", term.values[p]},
-                      {"sigma", 0.0},
-                      {"unit", effect->parameters[p].unit}});
+      list.push_back(
+          {{"of", e.term.joint >= 0 ? Json(place_name(*effect, e.term.joint, session.robot)) : Json(nullptr)},
+           {"name", effect->parameters[p].name},
+           {"value", e.term.values[p]},
+           {"sigma", number(e.sigmas[p])},
+           {"unit", effect->parameters[p].unit}});
   }
   return list;
 }
 
-Json effects_json(const Session& session, const std::vector<EffectTerm>& terms) {
+Json effects_json(const Session& session, const std::vector<FittedEffect>& effects) {
   Json list = Json::array();
   for (const Effect& effect : catalogue()) {
-    Json parameters = parameters_json(session, terms, effect.id);
+    Json parameters = parameters_json(session, effects, effect.id);
     if (!parameters.empty()) list.push_back({{"id", effect.id}, {"parameters", parameters}});
   }
   return list;
+}
+
+void print_effects(const Output& out, const Session& session, const Fit& fit) {
+  if (fit.effects.empty()) return;
+  out.line();
+  out.line("Effects in the model");
+  for (const FittedEffect& e : fit.effects) {
+    const Effect& effect = *find_effect(e.term.id);
+    const std::string place = place_name(effect, e.term.joint, session.robot);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      out.line(fmt::format("  {:<22} {:<12} {:<11} {:>11.4g}{} {}", e.term.id, place, effect.parameters[p].name,
+                           e.term.values[p],
+                           e.sigmas[p] > 0 ? fmt::format(" +- {:<8.2g}", e.sigmas[p]) : std::string(" (held)    "),
+                           effect.parameters[p].unit));
+  }
 }
 
 Json errors_json(const ErrorSummary& e, const std::string& prefix) {
@@ -115,6 +131,7 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
   if (fit.objective == Objective::angle_axis)
     out.line(fmt::format("          weights: {:.3f} mm and {:.4f} deg", 1e3 * fit.angle_axis_sigma_m,
                          degrees * fit.angle_axis_sigma_rad));
+  print_effects(out, session, fit);
   std::string outliers;
   for (const ObservationReport& o : told.per_observation)
     if (o.outlier) outliers += (outliers.empty() ? "" : ", ") + std::to_string(o.id);
@@ -122,7 +139,7 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
   for (const std::string& note : fit.notes) out.line("Note: " + note);
 }
 
-Json fit_json(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options) {
+Json fit_json(const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {
   Json result{{"converged", fit.converged()}, {"observations", told.observations}, {"used", told.used}};
   Json rejected = Json::array();
   for (const Unused& u : told.rejected) rejected.push_back({{"id", u.id}, {"reason", u.reason}});
@@ -145,7 +162,7 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
     markers.push_back(fit.problem.marker_is_seen[m] ? numbers(fit.markers_in_body[m]) : null);
   result["markers"] = markers;
   result["mount_from_sensor"] = motion(estimate(fit).mount_from_sensor);
-  result["effects"] = effects_json(session, options.effects);
+  result["effects"] = effects_json(session, fit.effects);
   result["per_observation"] = observations_json(fit, told);
   result["notes"] = fit.notes;
   return result;
@@ -164,7 +181,7 @@ std::string utc_now() {
 
 }  // namespace
 
-Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options) {
+Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {
   Calibration c;
   c.session = session.title;
   c.created = utc_now();
@@ -184,7 +201,8 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
   c.markers = fit.markers_in_body;
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) c.unseen_markers.push_back(static_cast<int>(m));
-  for (const EffectTerm& term : options.effects) {
+  for (const FittedEffect& fitted : fit.effects) {
+    const EffectTerm& term = fitted.term;
     const Effect* effect = find_effect(term.id);
     CalibrationEffect* listed = nullptr;
     for (CalibrationEffect& e : c.effects)
@@ -192,7 +210,8 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
     if (!listed) listed = &c.effects.emplace_back(CalibrationEffect{term.id, {}});
     const std::string of = place_name(*effect, term.joint, session.robot);
     for (std::size_t p = 0; p < effect->parameters.size(); ++p)
-      listed->parameters.push_back({of, effect->parameters[p].name, term.values[p], 0, effect->parameters[p].unit});
+      listed->parameters.push_back(
+          {of, effect->parameters[p].name, term.values[p], fitted.sigmas[p], effect->parameters[p].unit});
   }
   c.tcp = session.tcp;
   c.mount = session.mount.link;

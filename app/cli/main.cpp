@@ -20,12 +20,11 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "handsight " HANDSIGHT_VERSION);
   app.require_subcommand(1);
   const std::vector<cli::Command> commands = {
-      cli::add_check(app),          cli::add_detect(app),   cli::add_label(app),
-      cli::add_online(app),         cli::add_fit(app),      cli::add_predict(app),
-      cli::add_effective_mass(app), cli::add_simulate(app), cli::add_effects(app)};
+      cli::add_check(app),    cli::add_detect(app),  cli::add_label(app),
+      cli::add_online(app),   cli::add_fit(app),     cli::add_diagnose(app),
+      cli::add_improve(app),  cli::add_predict(app), cli::add_effective_mass(app),
+      cli::add_simulate(app), cli::add_effects(app)};
   const std::vector<CLI::App*> later = {
-      add_later(app, "diagnose", "Compares the model with the measurements and ranks what is missing"),
-      add_later(app, "improve", "Diagnoses, adds, refits, until the model is adequate or nothing helps"),
       add_later(app, "plan", "Next poses: for precision, or to tell two effects apart")};
   try {
     app.parse(argc, argv);

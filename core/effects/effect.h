@@ -20,6 +20,7 @@ struct EffectParameter {
   std::string unit;
   double sigma = 0;        // the plausible size, one standard deviation: the prior's scale
   bool is_choice = false;  // a choice among alternatives (an observation, a form), not a number that a fit may move
+  std::vector<double> choices = {};  // the alternatives; empty: the orders of all observations
 };
 
 struct Effect {
@@ -58,6 +59,10 @@ std::string place_name(const Effect& effect, int place, const Robot& robot);
 
 /// The sites as these terms move them in one observation.
 Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms);
+
+/// Parses `id` (everywhere it may sit) or `id:joint+joint` (marker numbers where it sits at markers) into terms whose
+/// numbers are all 0, to be estimated. InputError as below.
+std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain);
 
 /// Parses `id:joint.parameter=value` (joint scope), `id:marker.parameter=value` with a marker's number, or
 /// `id:parameter=value` into a term list, adding to a term that is there already. InputError names what is not known

@@ -81,4 +81,33 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
   term_for(*effect, place, terms).values[static_cast<std::size_t>(parameter - effect->parameters.begin())] += value;
 }
 
+std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain) {
+  const auto colon = text.find(':');
+  const std::string id = text.substr(0, colon);
+  const Effect* effect = find_effect(id);
+  if (!effect)
+    throw InputError(fmt::format("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects()));
+  std::vector<int> places;
+  if (colon == std::string::npos) {
+    places = effect_places(*effect, chain);
+    if (places.empty())
+      throw InputError(
+          fmt::format("Effect \"{}\" has no place in this session: it sits at {}.", id,
+                      effect->scope == EffectScope::mimic_joint ? "joints that follow others" : "markers"));
+  } else if (effect->scope == EffectScope::session) {
+    throw InputError(fmt::format("Effect \"{}\" sits at no joint; write {} alone.", text, id));
+  } else {
+    std::string rest = text.substr(colon + 1);
+    while (true) {
+      const auto plus = rest.find('+');
+      places.push_back(place_for(*effect, rest.substr(0, plus), chain.robot, text));
+      if (plus == std::string::npos) break;
+      rest = rest.substr(plus + 1);
+    }
+  }
+  std::vector<EffectTerm> terms;
+  for (const int place : places) term_for(*effect, place, terms);
+  return terms;
+}
+
 }  // namespace handsight

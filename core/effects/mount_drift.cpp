@@ -36,7 +36,7 @@ Effect mount_drift() {
                        {"rx", "rad", 2e-3},
                        {"ry", "rad", 2e-3},
                        {"rz", "rad", 2e-3},
-                       {"settling", "share of the session", 1, true}};
+                       {"settling", "share of the session", 1, true, {0, 0.1, 0.3}}};
   effect.move = move;
   return effect;
 }

@@ -250,7 +250,8 @@ Fit fit(const Session& session, const FitOptions& options) {
         fmt::format("{}: none of the {} observations has a labelled marker that may be used; label one first "
                     "(handsight-cli label).",
                     session_name(session), session.observations.size()));
-  const auto start = start_values(images, session.mount);
+  auto start = options.start ? options.start : start_values(images, session.mount);
+  if (start) start->effects = effect_values(images);
   if (!start)
     throw InputError(fmt::format(
         "{}: nothing is known of the mount, and no marker is seen by both cameras, so that no start can be found; give "

@@ -27,7 +27,9 @@ struct FitOptions {
   std::vector<EffectTerm> estimated;         // in the model, estimated with their plausible sizes as priors; from here
   std::optional<BodySides> sides;            // decided earlier; absent: decided by this fit's estimate
   std::optional<Rigid> start_tcp_from_body;  // what the session cannot observe of the rotation is taken from here
+  std::optional<Unknowns> start;  // markers and mount of a fit before, near the answer; absent: in closed form
   int most_iterations = 100;
+  double smallest_step = 1e-12;  // SolveOptions::smallest_step
   std::function<bool(int iteration, double cost, const Unknowns&)> on_iteration;
 };
 

@@ -145,7 +145,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     NormalEquations normal = normal_at(next);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
     const double size = size_of(original, step);
-    const bool rounding = size < 1e-12;
+    const bool rounding = size < options.smallest_step;
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost && normal.in_front;
     const bool was_behind = !solution.normal.in_front && std::isfinite(normal.cost);
     if (better || was_behind || rounding) {

@@ -41,6 +41,7 @@ Unknowns with_average_shape(const Session& session, const Problem& images, const
 SolveOptions solve_options(const FitOptions& options, bool fixed_body, double noise) {
   return {.fixed_body = fixed_body,
           .most_iterations = options.most_iterations,
+          .smallest_step = options.smallest_step,
           .loss = options.loss,
           .noise = noise,
           .on_iteration = options.on_iteration};

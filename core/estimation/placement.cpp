@@ -54,6 +54,10 @@ void set_motion(const Problem& problem, const Circumstances& c, const Sites& sit
   motion.tcp_by_effect.setZero(6, problem.effect_count());
   motion.sensor_by_effect.resize(6, 0);
   motion.markers.clear();
+  motion.tcp_by_value.resize(6, static_cast<Eigen::Index>(chain.joints.size()));
+  for (std::size_t j = 0; j < chain.joints.size(); ++j)
+    motion.tcp_by_value.col(static_cast<Eigen::Index>(j)) = tangent.motion_by_value(chain.joints[j]);
+  motion.torques = Eigen::Map<const Eigen::VectorXd>(posture.torque.data(), static_cast<Eigen::Index>(posture.torque.size()));
   UnitSites unit(problem, c);
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const Sites& d = unit.of(problem.columns_of_effects[static_cast<std::size_t>(i)]);
@@ -73,7 +77,7 @@ void place(const Problem& problem, ProblemObservation& o) {
   const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
   const Chain& chain = *c.chain;
   const Sites sites = moved_sites(c, problem.terms);
-  const bool derive = problem.effect_count() > 0;
+  const bool derive = problem.effect_count() > 0 || problem.with_motions;
   Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derive, &o.deflection);
   if (!posture.converged)  // a start from softer springs may lie beyond what is stable
     posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derive);
@@ -109,6 +113,14 @@ void place_cameras(Problem& problem) {
 }
 
 }  // namespace
+
+Problem with_motions(const Problem& problem) {
+  Problem filled = problem;
+  if (problem.effect_count() > 0 || problem.with_motions) return filled;
+  filled.with_motions = true;
+  place_observations(filled);
+  return filled;
+}
 
 void place_observations(Problem& problem) {
   place_cameras(problem);

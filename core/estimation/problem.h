@@ -29,6 +29,8 @@ struct EffectMotion {
     Vector3 direction;  // in the TCP frame
   };
   std::vector<MarkerColumn> markers;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> tcp_by_value;  // ... by the value of every joint of Chain::joints, root frame
+  Eigen::VectorXd torques;                                // N m (N), of gravity, per joint of the robot
 };
 
 struct ProblemObservation {
@@ -68,6 +70,7 @@ struct Problem {
   std::vector<EffectTerm> terms;  // the model's effects at their present values
   std::vector<EffectColumn> columns_of_effects;
   Rigid tcp_from_slip;  // the frame in which slips of the body and its markers are measured
+  bool with_motions = false;  // EffectMotion is filled even where no effect is estimated
   double noise = 1;     // px or m: what the priors of the effects are weighed against
   Eigen::Matrix<double, 22, Eigen::Dynamic> cameras_by_effect;  // rig motion 6, left 8, right 8; empty: none
 
@@ -95,6 +98,9 @@ void hold_effects(Problem& problem);
 
 /// Moves them again after terms, columns or the slip's frame were changed.
 void place_observations(Problem& problem);
+
+/// The problem with EffectMotion filled: how joints move the TCP, torques.
+Problem with_motions(const Problem& problem);
 
 /// The same with every marker that both cameras saw as a triangulated point, for the 3D objective (thesis 4.41).
 /// Markers seen by one camera only cannot take part: `left_out` counts them.

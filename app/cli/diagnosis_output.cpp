@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis_output.h"
+
+#include <fmt/format.h>
+
+#include "diagnosis/explanation.h"
+#include "diagnosis/refitting.h"
+#include "fit_output.h"
+#include "json_values.h"
+
+namespace handsight::cli {
+namespace {
+
+Json parameters_json(const Session& session, const DiagnosisCandidate& c) {
+  Json list = Json::array();
+  for (std::size_t t = 0; t < c.terms.size(); ++t) {
+    const Effect& effect = *find_effect(c.terms[t].id);
+    const std::string of = place_name(effect, c.terms[t].joint, session.robot);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      list.push_back({{"of", of.empty() ? Json(nullptr) : Json(of)},
+                      {"name", effect.parameters[p].name},
+                      {"value", number(c.terms[t].values[p])},
+                      {"sigma", number(c.sigmas[t][p])},
+                      {"unit", effect.parameters[p].unit},
+                      {"plausible_size", effect.parameters[p].sigma}});
+  }
+  return list;
+}
+
+std::string unnamed_id(const Variable& v) {
+  switch (v.kind) {
+    case VariableKind::angle:
+      return "unnamed_function_of_angle";
+    case VariableKind::torque:
+      return "unnamed_function_of_torque";
+    case VariableKind::time:
+      return "unnamed_function_of_time";
+    default:
+      return "unnamed_function_of_place";
+  }
+}
+
+Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
+  const bool tracker = session.is_tracker();
+  const Json null = nullptr;
+  Json j{{"id", c.unnamed ? unnamed_id(*c.unnamed->localiser.variable) : c.id},
+         {"named", !c.unnamed},
+         {"where", c.where},
+         {"ln_bayes_factor", number(c.ln_bayes_factor)},
+         {"p_value", c.unnamed ? null : number(c.p_value)},
+         {"predicted_held_out_rms_pixel", tracker ? null : number(c.predicted_held_out)},
+         {"predicted_held_out_rms_m", tracker ? number(c.predicted_held_out) : null},
+         {"held_out_rms_pixel", c.held_out ? number(c.held_out->rms_pixel) : null},
+         {"held_out_rms_m", c.held_out ? number(c.held_out->rms_m) : null},
+         {"explained", number(c.explained)},
+         {"parameters", parameters_json(session, c)},
+         {"plausible", c.plausible},
+         {"noncentrality_of_plausible_size", number(c.visibility)},
+         {"cannot_be_told_from", c.cannot_be_told_from},
+         {"explanation", c.explanation}};
+  if (c.unnamed) j["variable"] = c.unnamed->localiser.variable->name;
+  return j;
+}
+
+std::string error_or_unknown(const std::optional<double>& value, bool tracker) {
+  if (!value) return "unknown";
+  return tracker ? fmt::format("{:.3f} mm", 1e3 * *value) : fmt::format("{:.3f} px", *value);
+}
+
+std::string sure(double ln_bayes_factor) {
+  return ln_bayes_factor > 999 ? ">999" : fmt::format("{:.1f}", ln_bayes_factor);
+}
+
+}  // namespace
+
+void print_diagnosis(const Output& out, const Session& session, const Diagnosis& d) {
+  const bool tracker = session.is_tracker();
+  out.line(fmt::format("{}: {}", session.title.empty() ? "Session" : session.title, verdict_text(d.verdict)));
+  out.line(d.reason);
+  if (d.verdict == Verdict::too_few_observations) return;
+  out.line();
+  out.line(fmt::format("Error     {} held out; noise {}{}", error_text(d.report.held_out),
+                       error_or_unknown(d.noise, tracker),
+                       d.scatter > 0 ? fmt::format("; joints repeat to about {:.2g} mrad", 1e3 * d.scatter) : ""));
+  if (!d.model.wrong.empty()) out.line(fmt::format("Left out  {} wrong points", d.model.wrong.size()));
+  out.line();
+  out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  where", "Candidate", "ln BF", "held out", "explained"));
+  int shown = 0;
+  for (const DiagnosisCandidate& c : d.candidates) {
+    if (++shown > 8) break;
+    const std::string name = c.unnamed ? "(unnamed) " + c.unnamed->localiser.variable->name : c.id;
+    std::string held = "-";
+    if (c.held_out) held = error_text(*c.held_out);
+    out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  {}", name, sure(c.ln_bayes_factor), held,
+                         c.explained ? fmt::format("{:.0f} %", 100 * *c.explained) : "-", listed(c.where)));
+  }
+  out.line(fmt::format("An effect counts from ln BF {:.1f} on: with nothing missing one session in 200 would reach it.",
+                       d.threshold));
+  if (!d.patterns.empty()) {
+    out.line();
+    out.line("Where it fails");
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, d.patterns.size()); ++i)
+      out.line(fmt::format("  {} against {} (strength {:.2f}, p {:.1g})", d.patterns[i].residual.name,
+                           d.patterns[i].against.name, d.patterns[i].strength, d.patterns[i].p_value));
+  }
+  if (!d.invisible.empty()) {
+    out.line();
+    out.line("These poses could not show: " + listed(d.invisible));
+  }
+}
+
+Json diagnosis_json(const Session& session, const Diagnosis& d) {
+  const bool tracker = session.is_tracker();
+  const Json null = nullptr;
+  Json j{{"verdict", verdict_text(d.verdict)},
+         {"reason", d.reason},
+         {"observations", d.report.observations},
+         {"used", d.report.used},
+         {"rms_pixel", number(d.report.fitted.rms_pixel)},
+         {"rms_m", number(d.report.fitted.rms_m)},
+         {"mean_m", number(d.report.fitted.mean_m)},
+         {"held_out_rms_pixel", number(d.report.held_out.rms_pixel)},
+         {"held_out_rms_m", number(d.report.held_out.rms_m)},
+         {"held_out_mean_m", number(d.report.held_out.mean_m)},
+         {"noise_pixel", tracker ? null : number(d.noise)},
+         {"noise_m", tracker ? number(d.noise) : null},
+         {"joint_repeatability_rad", d.scatter},
+         {"threshold_ln_bayes_factor", d.threshold},
+         {"lack_of_fit_p", number(d.lack_of_fit_p)}};
+  Json candidates = Json::array(), patterns = Json::array(), wrong = Json::array();
+  for (const DiagnosisCandidate& c : d.candidates) candidates.push_back(candidate_json(session, c));
+  for (const DiagnosisPattern& p : d.patterns)
+    patterns.push_back({{"residual", p.residual.name},
+                        {"against", p.against.name},
+                        {"unit", p.residual.unit + " against " + p.against.unit},
+                        {"strength", number(p.strength)},
+                        {"p_value", number(p.p_value)}});
+  for (const WrongPoint& w : d.model.wrong)
+    wrong.push_back({{"id", w.id},
+                     {"marker", w.marker},
+                     {"seen_by", w.camera == SeenBy::left    ? "left"
+                                 : w.camera == SeenBy::right ? "right"
+                                                             : "tracker"},
+                     {"off_by", w.distance}});
+  j["candidates"] = candidates;
+  j["patterns"] = patterns;
+  j["invisible"] = d.invisible;
+  j["wrong_points"] = wrong;
+  return j;
+}
+
+void print_improvement(const Output& out, const Session& session, const Improvement& m) {
+  const bool tracker = session.is_tracker();
+  out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out", "noise"));
+  for (std::size_t i = 0; i < m.steps.size(); ++i) {
+    const ImprovementStep& s = m.steps[i];
+    const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "- " + s.removed : "+ " + s.added;
+    out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted), error_text(s.held_out),
+                         error_or_unknown(s.noise, tracker), listed(s.where)));
+  }
+  for (const RefusedStep& r : m.refused)
+    out.line(
+        fmt::format("     not taken: {}{}: {}", r.id, r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason));
+  out.line();
+  out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), m.last.reason));
+  out.line();
+  print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
+}
+
+Json improvement_json(const Session& session, const Improvement& m) {
+  const bool tracker = session.is_tracker();
+  const Json null = nullptr;
+  Json j = fit_json(session, m.last.model.fit, m.last.report, m.last.model_options);
+  Json steps = Json::array(), refused = Json::array();
+  for (const ImprovementStep& s : m.steps)
+    steps.push_back({{"added", s.added.empty() ? null : Json(s.added)},
+                     {"removed", s.removed.empty() ? null : Json(s.removed)},
+                     {"where", s.where},
+                     {"rms_pixel", number(s.fitted.rms_pixel)},
+                     {"held_out_rms_pixel", number(s.held_out.rms_pixel)},
+                     {"noise_pixel", tracker ? null : number(s.noise)},
+                     {"rms_m", number(s.fitted.rms_m)},
+                     {"mean_m", number(s.fitted.mean_m)},
+                     {"held_out_rms_m", number(s.held_out.rms_m)},
+                     {"held_out_mean_m", number(s.held_out.mean_m)},
+                     {"noise_m", tracker ? number(s.noise) : null}});
+  for (const RefusedStep& r : m.refused) refused.push_back({{"id", r.id}, {"where", r.where}, {"reason", r.reason}});
+  j["steps"] = steps;
+  j["refused"] = refused;
+  j["verdict"] = verdict_text(m.last.verdict);
+  j["reason"] = m.last.reason;
+  j["left"] = diagnosis_json(session, m.last);
+  return j;
+}
+
+void add_effects(const std::vector<std::string>& texts, const Session& session, std::vector<EffectTerm>& held,
+                 std::vector<EffectTerm>& estimated) {
+  const Chain chain = chain_of(session);
+  for (const std::string& text : texts) {
+    if (text.find('=') != std::string::npos) {
+      add_effect_value(text, session.robot, held);
+      continue;
+    }
+    const std::vector<EffectTerm> terms = best_choices(session, effect_terms(text, chain));
+    estimated.insert(estimated.end(), terms.begin(), terms.end());
+  }
+}
+
+}  // namespace handsight::cli

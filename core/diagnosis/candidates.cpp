@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/candidates.h"
+
+#include <algorithm>
+
+namespace handsight {
+namespace {
+
+/// Orders of the used observations at which a step can be seen: some before it, some from it on.
+std::vector<double> step_orders(const Problem& model, int most) {
+  std::vector<double> orders;
+  const std::size_t count = model.observations.size();
+  constexpr std::size_t margin = 2;
+  if (count <= 2 * margin) return orders;
+  const std::size_t inner = count - 2 * margin + 1;
+  const std::size_t kept = std::min<std::size_t>(inner, static_cast<std::size_t>(most));
+  for (std::size_t i = 0; i < kept; ++i) {
+    const std::size_t place = margin + (2 * i + 1) * inner / (2 * kept);
+    const auto index = static_cast<std::size_t>(model.observations[place].index);
+    orders.push_back(model.source->circumstances[index].order);
+  }
+  return orders;
+}
+
+/// Every combination of an effect's choices, numbers 0. At most one parameter is an order.
+std::vector<std::vector<double>> choices_of(const Effect& effect, const std::vector<double>& orders) {
+  std::vector<std::vector<double>> all{std::vector<double>(effect.parameters.size(), 0.0)};
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+    if (!effect.parameters[p].is_choice) continue;
+    std::vector<std::vector<double>> more;
+    for (const std::vector<double>& values : all)
+      for (const double choice : effect.parameters[p].choices.empty() ? orders : effect.parameters[p].choices) {
+        more.push_back(values);
+        more.back()[p] = choice;
+      }
+    all = std::move(more);
+  }
+  return all;
+}
+
+bool same_unit(const Effect& effect, const EffectTerm& a, const EffectTerm& b) {
+  if (a.id != b.id || a.joint != b.joint) return false;
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    if (effect.parameters[p].is_choice && a.values[p] != b.values[p]) return false;
+  return true;
+}
+
+void add_unit(const Effect& effect, const EffectTerm& term, CandidateEffect& candidate, Problem& problem,
+              Eigen::Index base_effects) {
+  CandidateUnit unit{term, problem.effect_count() - base_effects, 0};
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    if (!effect.parameters[p].is_choice) {
+      problem.columns_of_effects.push_back({problem.terms.size(), p, effect.parameters[p].sigma});
+      ++unit.count;
+    }
+  problem.terms.push_back(term);
+  candidate.units.push_back(unit);
+}
+
+}  // namespace
+
+Candidates all_candidates(const Problem& model, int most_orders) {
+  Candidates candidates;
+  candidates.problem = model;
+  candidates.base_effects = model.effect_count();
+  const std::vector<double> orders = step_orders(model, most_orders);
+  const Chain& chain = model.source->chain;
+  for (const Effect& effect : catalogue()) {
+    CandidateEffect candidate{&effect, {}};
+    for (const int place : effect_places(effect, chain)) {
+      if (effect.scope == EffectScope::marker && !model.marker_is_seen[static_cast<std::size_t>(place)]) continue;
+      for (const std::vector<double>& values : choices_of(effect, orders)) {
+        const EffectTerm term{effect.id, place, values};
+        const bool is_in = std::any_of(model.terms.begin(), model.terms.end(),
+                                       [&](const EffectTerm& t) { return same_unit(effect, t, term); });
+        if (!is_in) add_unit(effect, term, candidate, candidates.problem, candidates.base_effects);
+      }
+    }
+    if (!candidate.units.empty()) candidates.effects.push_back(std::move(candidate));
+  }
+  place_observations(candidates.problem);
+  return candidates;
+}
+
+Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders) {
+  Candidates candidates;
+  candidates.problem = model;
+  candidates.base_effects = model.effect_count();
+  const Effect& effect = *find_effect(term.id);
+  CandidateEffect candidate{&effect, {}};
+  for (const double order : orders) {
+    EffectTerm at = term;
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      at.values[p] = !effect.parameters[p].is_choice        ? 0.0
+                     : effect.parameters[p].choices.empty() ? order
+                                                            : term.values[p];
+    add_unit(effect, at, candidate, candidates.problem, candidates.base_effects);
+  }
+  candidates.effects.push_back(std::move(candidate));
+  place_observations(candidates.problem);
+  return candidates;
+}
+
+}  // namespace handsight

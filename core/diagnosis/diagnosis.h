@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compare the model with the measurements, see where it fails, learn what is missing.
+#pragma once
+
+#include "diagnosis/patterns.h"
+#include "diagnosis/ranking.h"
+#include "diagnosis/snooping.h"
+#include "estimation/fit_report.h"
+
+namespace handsight {
+
+enum class Verdict { too_few_observations, adequate, missing_effect, ambiguous, unexplained };
+const char* verdict_text(Verdict verdict);
+
+struct DiagnosisOptions {
+  std::vector<EffectTerm> effects;    // in the model, held
+  std::vector<EffectTerm> estimated;  // in the model, estimated; start values
+  int refitted = 3;                   // how many of the best are fitted in full
+  bool with_held_out = true;          // their held-out errors too
+  std::optional<double> threshold;    // ln of the Bayes factor that counts; absent: simulated on these poses
+  std::optional<Unknowns> start;      // of a fit of nearly the same model
+  std::optional<CleanFit> fitted;     // the model as it is already fitted (of these effects); saves a fit
+  /// Called between steps with the share of the work done; returning false stops (the result is then empty).
+  std::function<bool(double done)> on_progress;
+};
+
+/// Something of the catalogue, or an unnamed curve, that may be missing.
+struct DiagnosisCandidate {
+  std::string id;                  // of an effect; empty: unnamed
+  std::vector<std::string> where;  // joints, markers, "observation 37"; of an unnamed curve the joint that it follows
+  std::vector<EffectTerm> terms;   // with values: of the full fit where there was one, else linear
+  std::vector<std::vector<double>> sigmas;
+  double ln_bayes_factor = 0;
+  double p_value = 1;
+  double scatter = 0;  // rad, at which the evidence is largest
+  bool refitted = false;
+  bool plausible = true;  // every number within three of its plausible sizes
+  double visibility = 0;
+  std::optional<double> predicted_held_out;  // px, or m with a tracker
+  std::optional<ErrorSummary> held_out;      // after the full fit
+  std::optional<double> explained;           // share of the excess over the noise
+  std::vector<std::string> cannot_be_told_from;
+  std::string explanation;
+  std::optional<RankedLocaliser> unnamed;
+};
+
+struct DiagnosisPattern {
+  ResidualSeries residual;
+  Variable against;
+  double strength = 0;
+  double p_value = 1;
+};
+
+struct Diagnosis {
+  Verdict verdict = Verdict::adequate;
+  std::string reason;
+  CleanFit model;            // the model as it is, without wrong points
+  FitOptions model_options;  // that give it again
+  FitReport report;
+  std::optional<double> noise;  // px or m
+  double threshold = 0;
+  double scatter = 0;  // rad: joint repeatability that suits the model as it is
+  std::optional<double> lack_of_fit_p;
+  std::optional<double> excess;                // chi-squared over what noise leaves, external residuals
+  std::vector<DiagnosisCandidate> candidates;  // named and unnamed, best first
+  std::vector<DiagnosisPattern> patterns;      // those that are no chance, most structured first
+  std::vector<std::string> invisible;          // effects that these poses could not show
+  bool stopped = false;
+};
+
+Diagnosis diagnose(const Session& session, const DiagnosisOptions& options = {});
+
+/// Are these terms of one named effect? Their places as a user reads them.
+std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session);
+
+/// Lack of fit: chi-squared of what any effect could explain, its degrees of freedom, its p-value.
+struct LackOfFit {
+  double chi2 = 0;
+  double degrees = 0;
+  double p = 1;
+  double excess() const { return chi2 - degrees; }
+};
+std::optional<LackOfFit> lack_of_fit(const Fit& fit);
+
+}  // namespace handsight

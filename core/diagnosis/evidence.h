@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The evidence for what a model lacks: linearised Bayes factors with physical priors, under one assumption of how well
+// the joints repeat (docs/method.md, "Ranking what is missing").
+#pragma once
+
+#include <span>
+
+#include "diagnosis/linear_model.h"
+
+namespace handsight {
+
+/// How the logarithm of a Bayes factor follows from squares: sigma known, or profiled out over `degrees` of freedom.
+struct NoiseKnowledge {
+  bool known = true;
+  double degrees = 0;  // rows less the model's parameters; read where sigma is not known
+};
+
+/// A linear model whitened for a repeatability of the joints of `scatter` rad (each value off by a draw of its own in
+/// every observation), its own parameters projected out.
+struct WhitenedModel {
+  const LinearModel* model = nullptr;
+  double scatter = 0;                      // rad
+  std::vector<Eigen::MatrixXd> whiteners;  // per observation, count x count
+  Eigen::MatrixXd external;                // rows x (base + candidates)
+  Eigen::VectorXd external_error;
+  Eigen::LLT<Eigen::MatrixXd> base;  // of the base's information with priors
+  Eigen::MatrixXd shared;            // L^-1 B^T C, base x candidates
+  Eigen::VectorXd base_gradient;     // L^-1 of the base's gradient
+  double residual_squares = 0;       // after the base's own best step, priors included
+  double ln_evidence = 0;            // of the model, up to a constant that all scatters share
+};
+
+WhitenedModel whiten(const LinearModel& model, double scatter, const NoiseKnowledge& noise);
+
+/// What the data say of some parameters in units of their plausible size: information A and score b after the model's
+/// own parameters are projected out.
+struct Score {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+};
+
+Score score(const WhitenedModel& w, Eigen::Index first, Eigen::Index count);
+
+/// The part of a score for these of its parameters.
+Score part_of(const Score& whole, std::span<const Eigen::Index> parameters);
+
+/// ln of the mean over plausible sizes times 0.1, 0.3, 1, 3 of the Bayes factor for a score.
+double ln_bayes_factor(const Score& score, const WhitenedModel& w, const NoiseKnowledge& noise);
+
+/// The best estimate (plausible units) and its covariance at the best of those scales.
+struct LinearEstimate {
+  Eigen::VectorXd value;
+  Eigen::MatrixXd covariance;
+  double scale = 1;
+};
+LinearEstimate linear_estimate(const Score& score, const WhitenedModel& w, const NoiseKnowledge& noise);
+
+/// ln(mean(exp(x))), 0 of nothing.
+double ln_mean_exp(std::span<const double> x);
+
+}  // namespace handsight

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/explanation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+std::string odds(double ln_bayes_factor) {
+  if (ln_bayes_factor > 13.8) return "more than a million to one";
+  if (ln_bayes_factor > 0) return fmt::format("about {:.0f} to 1", std::exp(ln_bayes_factor));
+  return "none";
+}
+
+std::string noise_text(const Diagnosis& d) {
+  if (!d.noise) return "unknown";
+  const bool tracker = d.model.session.is_tracker();
+  return tracker ? fmt::format("{:.2g} mm", 1e3 * *d.noise) : fmt::format("{:.2g} px", *d.noise);
+}
+
+/// "compliance of arm_2 1.2e-04 +- 3e-06 rad/(N m)"
+std::string numbers_text(const DiagnosisCandidate& c, const Session& session) {
+  std::string text;
+  int listed_ones = 0;
+  for (std::size_t t = 0; t < c.terms.size(); ++t) {
+    const Effect& effect = *find_effect(c.terms[t].id);
+    const std::string place = place_name(effect, c.terms[t].joint, session.robot);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      if (effect.parameters[p].is_choice) continue;
+      if (++listed_ones > 6) return text + ", ...";
+      text += fmt::format("{}{}{} {:.3g} +- {:.1g} {}", text.empty() ? "" : ", ", effect.parameters[p].name,
+                          place.empty() ? "" : " of " + place, c.terms[t].values[p], c.sigmas[t][p],
+                          effect.parameters[p].unit);
+    }
+  }
+  return text;
+}
+
+std::string speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
+  for (const DiagnosisPattern& p : d.patterns) {
+    const bool own = p.against.joint < 0 || c.where.empty();
+    for (const EffectTerm& term : c.terms)
+      if (own || term.joint == p.against.joint)
+        return fmt::format(" The residual \"{}\" follows the {}.", p.residual.name, p.against.name);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+std::string error_text(const ErrorSummary& e) {
+  if (e.rms_pixel) return fmt::format("{:.3g} px", *e.rms_pixel);
+  if (e.mean_m) return fmt::format("{:.3g} mm", 1e3 * *e.mean_m);
+  return "unknown";
+}
+
+std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session) {
+  std::vector<std::string> places;
+  for (const EffectTerm& term : terms) {
+    const Effect& effect = *find_effect(term.id);
+    const std::string place = place_name(effect, term.joint, session.robot);
+    if (!place.empty()) places.push_back(place);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty())
+        places.push_back(fmt::format("from observation {:g} on", term.values[p]));
+  }
+  return places;
+}
+
+std::string explain(const DiagnosisCandidate& c, const Diagnosis& d, const Session& session) {
+  if (c.unnamed) {
+    const LocaliserTerm& best = c.unnamed->localiser.best;
+    const std::string site = best.site == LocaliserSite::tcp ? "the hand against the last link"
+                             : best.site == LocaliserSite::mount
+                                 ? (session.is_tracker() ? "the tracker" : "the cameras against their link")
+                                 : session.robot.joints[static_cast<std::size_t>(best.joint)].name;
+    return fmt::format(
+        "Something that moves {} follows the {} ({}) in a form that is not in the catalogue; odds against nothing "
+        "missing: {}.",
+        site, c.unnamed->localiser.variable->name, best.shape, odds(c.ln_bayes_factor));
+  }
+  const Effect& effect = *find_effect(c.id);
+  std::string text = effect.cause;
+  if (c.ln_bayes_factor < 0) {
+    text += c.visibility < 30 ? " These poses could not show it: " + effect.visibility
+                              : " Nothing in the residuals speaks for it.";
+    return text;
+  }
+  text += fmt::format(" Odds against nothing missing: {}; {}.", odds(c.ln_bayes_factor), numbers_text(c, session));
+  text += speaks_for(c, d);
+  if (!c.plausible) text += " Its size is more than three times what is plausible.";
+  if (!c.cannot_be_told_from.empty())
+    text += " On these poses it cannot be told from " + listed(c.cannot_be_told_from) + ".";
+  return text + " Check: " + effect.check;
+}
+
+std::string too_few_text(int observations, int degrees, int unknowns) {
+  return fmt::format(
+      "{} usable observations leave {} degrees of freedom beside {} parameters; a diagnosis needs at least 10 "
+      "observations and twice as many degrees of freedom as parameters: measure more poses.",
+      observations, degrees, unknowns);
+}
+
+std::string missing_text(const DiagnosisCandidate& best, bool rival, const Diagnosis& d) {
+  const Effect& effect = *find_effect(best.id);
+  std::string text =
+      fmt::format("The model misses by {} (held out) where the noise is {}. {}{}: {}", error_text(d.report.held_out),
+                  noise_text(d), effect.title, best.where.empty() ? "" : " (" + listed(best.where) + ")", effect.cause);
+  if (best.held_out) text += fmt::format(" With it the held-out error falls to {}.", error_text(*best.held_out));
+  if (rival) {
+    std::vector<std::string> rivals = best.cannot_be_told_from;
+    text += fmt::format(" On these poses it cannot be told from {}; plan poses that would.", listed(rivals));
+  }
+  return text;
+}
+
+std::string too_little_text(const DiagnosisCandidate& best, const Diagnosis& d) {
+  const std::string follows =
+      d.patterns.empty() ? "" : " What is left follows the " + d.patterns.front().against.name + ".";
+  return fmt::format(
+      "The model misses by {} (held out) where the noise is {}, and the best of the catalogue, {}{}, explains only "
+      "{:.0f} "
+      "% of the excess.{}",
+      error_text(d.report.held_out), noise_text(d), best.id, best.where.empty() ? "" : " at " + listed(best.where),
+      100 * best.explained.value_or(0), follows);
+}
+
+std::string follows_unnamed_text(const DiagnosisCandidate& c, const Session&) {
+  return fmt::format("The residuals follow the {} in a form that is not in the catalogue: {}.",
+                     c.unnamed->localiser.variable->name, c.unnamed->localiser.best.shape);
+}
+
+std::string follows_pattern_text(const DiagnosisPattern& p) {
+  return fmt::format("The residual \"{}\" follows the {}, and nothing of the catalogue explains it.", p.residual.name,
+                     p.against.name);
+}
+
+std::string adequate_text(const Diagnosis& d, bool has_scatter) {
+  std::string text = fmt::format(
+      "Nothing is missing that these {} observations could show: the held-out error is {} and "
+      "the noise {}.",
+      d.report.used, error_text(d.report.held_out), noise_text(d));
+  if (has_scatter || d.scatter > 0)
+    text += d.scatter > 0 ? fmt::format(
+                                " What is left is scatter from pose to pose that follows nothing, as of joints that "
+                                "repeat to {:.2g} mrad.",
+                                1e3 * d.scatter)
+                          : " What is left is scatter from pose to pose that follows nothing.";
+  if (!d.model.wrong.empty())
+    text +=
+        fmt::format(" {} wrong point{} left out.", d.model.wrong.size(), d.model.wrong.size() == 1 ? " was" : "s were");
+  return text;
+}
+
+std::string unknown_noise_text(const Diagnosis& d) {
+  return fmt::format(
+      "Nothing of the catalogue passes, but the noise of the measurements is not known (one or two markers, no sigma "
+      "declared, no repeated poses), so that nobody can say whether {} is all noise: declare sigma or repeat poses.",
+      error_text(d.report.held_out));
+}
+
+}  // namespace handsight

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/linear_model.h"
+
+#include <Eigen/QR>
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+constexpr double metres_per_radian = 0.3;  // a sliding joint's repeatability beside that of a turning one
+
+/// Candidates that act on cameras or single markers, in the order of their columns.
+std::vector<Eigen::Index> direct_columns(const Problem& problem, Eigen::Index base_effects) {
+  std::vector<char> direct(static_cast<std::size_t>(problem.effect_count()), 0);
+  for (Eigen::Index c = 0; c < problem.cameras_by_effect.cols(); ++c)
+    if (!problem.cameras_by_effect.col(c).isZero(0)) direct[static_cast<std::size_t>(c)] = 1;
+  for (const ProblemObservation& o : problem.observations)
+    for (const EffectMotion::MarkerColumn& m : o.motion.markers) direct[static_cast<std::size_t>(m.column)] = 1;
+  std::vector<Eigen::Index> columns;
+  for (Eigen::Index c = base_effects; c < problem.effect_count(); ++c)
+    if (direct[static_cast<std::size_t>(c)]) columns.push_back(c);
+  return columns;
+}
+
+/// The rows of one observation before they are parted: body motion 6 | base, direct candidates, error.
+struct Rows {
+  Eigen::MatrixXd by_body;
+  Eigen::MatrixXd rest;
+};
+
+class Builder {
+ public:
+  Builder(const Problem& problem, const Unknowns& unknowns, Eigen::Index base_effects, double noise)
+      : p_(problem), u_(unknowns), base_effects_(base_effects), noise_(noise) {
+    direct_ = direct_columns(problem, base_effects);
+    model_.base = p_.effect_column() + base_effects;
+    place_of_.assign(static_cast<std::size_t>(p_.effect_count()), -1);
+    for (std::size_t i = 0; i < direct_.size(); ++i)
+      place_of_[static_cast<std::size_t>(direct_[i])] = static_cast<Eigen::Index>(i);
+    cameras_.resize(22, p_.cameras_by_effect.cols() > 0 ? static_cast<Eigen::Index>(direct_.size()) : 0);
+    for (Eigen::Index i = 0; i < cameras_.cols(); ++i)
+      cameras_.col(i) = p_.cameras_by_effect.col(direct_[static_cast<std::size_t>(i)]);
+  }
+
+  LinearModel build() {
+    const Eigen::Index candidates = p_.effect_count() - base_effects_;
+    Eigen::Index total = 0;
+    for (const ProblemObservation& o : p_.observations) total += std::min<Eigen::Index>(6, rows_of(o));
+    model_.external.resize(total, model_.base + candidates);
+    model_.external_error.resize(total);
+    const Eigen::Index inner = model_.base + static_cast<Eigen::Index>(direct_.size()) + 1;
+    model_.internal = Eigen::MatrixXd::Zero(inner, inner);
+    for (const ProblemObservation& o : p_.observations) add(o);
+    model_.external.conservativeResize(next_, Eigen::NoChange);
+    model_.external_error.conservativeResize(next_);
+    model_.internal = Eigen::MatrixXd(model_.internal.selfadjointView<Eigen::Lower>());
+    scale_and_weigh();
+    return std::move(model_);
+  }
+
+ private:
+  static Eigen::Index rows_of(const ProblemObservation& o) {
+    Eigen::Index rows = 0;
+    for (const Sighting& s : o.sightings) rows += row_count(s);
+    return rows;
+  }
+
+  /// Body motions, base columns without the motions of its effects, direct candidates, error.
+  Rows rows_at(const ProblemObservation& o, const Rigid& sensor_from_tcp) const {
+    Rows rows;
+    const Eigen::Index inner = model_.internal.cols();
+    rows.by_body.resize(rows_of(o), 6);
+    rows.rest = Eigen::MatrixXd::Zero(rows.by_body.rows(), inner);
+    const bool base_is_direct = p_.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
+    Eigen::Index row = 0;
+    for (const Sighting& s : o.sightings) {
+      const Vector3 x = sensor_from_tcp * marker_at(o, u_, s.marker);
+      const SightingResidual r = sighting_residual(p_.rig_or_null(), s, x);
+      Eigen::Matrix<double, 4, 6> by_body;
+      by_body << r.by_point, -r.by_point * cross_matrix(x);
+      rows.by_body.middleRows(row, r.rows) = by_body.topRows(r.rows);
+      const Eigen::Matrix<double, 4, 3> by_marker = r.by_point * sensor_from_tcp.rotation;
+      rows.rest.block(row, 3 * s.marker, r.rows, 3) = by_marker.topRows(r.rows);
+      rows.rest.col(inner - 1).segment(row, r.rows) = r.error.head(r.rows);
+      auto direct = rows.rest.block(row, model_.base, r.rows, static_cast<Eigen::Index>(direct_.size()));
+      if (cameras_.cols() > 0) direct = camera_columns(*p_.rig, s, x).topRows(r.rows) * cameras_;
+      for (const EffectMotion::MarkerColumn& m : o.motion.markers) {
+        const Eigen::Index place = place_of_[static_cast<std::size_t>(m.column)];
+        if (m.marker == s.marker && place >= 0) direct.col(place) += by_marker.topRows(r.rows) * m.direction;
+      }
+      if (base_is_direct && base_effects_ > 0)
+        rows.rest.block(row, p_.effect_column(), r.rows, base_effects_) =
+            direct_by_effects(p_, o, s, r, x, sensor_from_tcp.rotation).leftCols(base_effects_);
+      row += r.rows;
+    }
+    return rows;
+  }
+
+  void add(const ProblemObservation& o) {
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u_.mount_from_sensor);
+    Rows rows = rows_at(o, sensor_from_tcp);
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(p_, o, u_);
+    const Eigen::Index mount = p_.effect_column() - p_.mount_column();
+    rows.rest.middleCols(p_.mount_column(), mount + base_effects_) +=
+        rows.by_body * motion.leftCols(mount + base_effects_);
+
+    LinearObservation part;
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+    qr.setThreshold(1e-9);
+    qr.compute(rows.by_body);
+    part.first = next_;
+    part.count = qr.rank();
+    rows.rest.applyOnTheLeft(qr.householderQ().adjoint());
+    part.by_body = Eigen::MatrixXd(qr.matrixR().topRows(part.count).template triangularView<Eigen::Upper>()) *
+                   qr.colsPermutation().transpose();
+    part.sensor_from_tcp = sensor_from_tcp;
+    const Rigid sensor_from_root = inverse(o.root_from_mount * u_.mount_from_sensor * o.sensor_motion);
+    part.joint_motions = adjoint(sensor_from_root) * o.motion.tcp_by_value;
+    for (std::size_t j = 0; j < p_.source->chain.joints.size(); ++j)
+      if (p_.source->chain.robot.joints[static_cast<std::size_t>(p_.source->chain.joints[j])].kind ==
+          JointKind::prismatic)
+        part.joint_motions.col(static_cast<Eigen::Index>(j)) *= metres_per_radian;
+    part.by_joints = part.by_body * part.joint_motions / noise_;
+
+    auto external = model_.external.middleRows(next_, part.count);
+    external.leftCols(model_.base) = rows.rest.topRows(part.count).leftCols(model_.base);
+    external.rightCols(model_.candidates()).noalias() =
+        part.by_body * motion.rightCols(p_.effect_count() - base_effects_);
+    for (std::size_t i = 0; i < direct_.size(); ++i)
+      external.col(p_.effect_column() + direct_[i]) +=
+          rows.rest.col(model_.base + static_cast<Eigen::Index>(i)).head(part.count);
+    model_.external_error.segment(next_, part.count) = rows.rest.col(rows.rest.cols() - 1).head(part.count);
+    next_ += part.count;
+    part.by_body /= noise_;
+    const Eigen::Index inner = rows.rest.rows() - part.count;
+    part.internal = static_cast<int>(inner);
+    if (inner > 0) {
+      const auto below = rows.rest.bottomRows(inner);
+      part.internal_squares = below.rightCols<1>().squaredNorm() / (noise_ * noise_);
+      model_.internal.selfadjointView<Eigen::Lower>().rankUpdate(below.transpose());
+    }
+    model_.rows += static_cast<int>(rows.rest.rows());
+    model_.internal_rows += static_cast<int>(inner);
+    model_.observations.push_back(std::move(part));
+  }
+
+  void scale_and_weigh() {
+    model_.external /= noise_;
+    model_.external_error /= noise_;
+    model_.internal /= noise_ * noise_;
+    model_.internal_of.assign(static_cast<std::size_t>(model_.candidates()), -1);
+    for (Eigen::Index c = 0; c < model_.candidates(); ++c) {
+      const double sigma = p_.columns_of_effects[static_cast<std::size_t>(base_effects_ + c)].sigma;
+      model_.external.col(model_.base + c) *= sigma;
+      const Eigen::Index place = place_of_[static_cast<std::size_t>(base_effects_ + c)];
+      if (place < 0) continue;
+      model_.internal_of[static_cast<std::size_t>(c)] = model_.base + place;
+      model_.internal.row(model_.base + place) *= sigma;
+      model_.internal.col(model_.base + place) *= sigma;
+    }
+    model_.prior_precision = model_.prior_gradient = Eigen::VectorXd::Zero(model_.base);
+    for (Eigen::Index c = 0; c < base_effects_; ++c) {
+      const double sigma = p_.columns_of_effects[static_cast<std::size_t>(c)].sigma;
+      const Eigen::Index column = p_.effect_column() + c;
+      model_.external.col(column) *= sigma;
+      model_.internal.row(column) *= sigma;
+      model_.internal.col(column) *= sigma;
+      model_.prior_precision[column] = 1;
+      model_.prior_gradient[column] = -u_.effects[c] / sigma;
+      model_.prior_cost += std::pow(u_.effects[c] / sigma, 2);
+    }
+  }
+
+  const Problem& p_;
+  const Unknowns& u_;
+  Eigen::Index base_effects_;
+  double noise_;
+  std::vector<Eigen::Index> direct_;
+  std::vector<Eigen::Index> place_of_;  // per effect column: among the direct candidates, or -1
+  Eigen::Matrix<double, 22, Eigen::Dynamic> cameras_;
+  LinearModel model_;
+  Eigen::Index next_ = 0;
+};
+
+}  // namespace
+
+LinearModel linear_model(const Problem& problem, const Unknowns& unknowns, Eigen::Index base_effects, double noise) {
+  return Builder(problem, unknowns, base_effects, noise).build();
+}
+
+}  // namespace handsight

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/ranking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace handsight {
+namespace {
+
+/// Prior odds against an unnamed curve: named physical effects are what robots usually have.
+constexpr double ln_odds_of_unnamed = -3;
+constexpr double least_visible = 1e-2;  // chi-squared of a plausible size below which a unit is left out of choices
+constexpr std::size_t most_in_pairs = 6;
+
+double ln_choose(std::size_t n, std::size_t k) {
+  return std::lgamma(static_cast<double>(n) + 1) - std::lgamma(static_cast<double>(k) + 1) -
+         std::lgamma(static_cast<double>(n - k) + 1);
+}
+
+std::vector<Eigen::Index> columns_of(const CandidateEffect& c, const std::vector<std::size_t>& units) {
+  std::vector<Eigen::Index> columns;
+  for (const std::size_t u : units)
+    for (Eigen::Index i = 0; i < c.units[u].count; ++i) columns.push_back(c.units[u].first - c.units.front().first + i);
+  return columns;
+}
+
+bool sits_at_joints(const Effect& e) { return e.scope == EffectScope::joint || e.scope == EffectScope::mimic_joint; }
+
+/// One effect under one scatter.
+class EffectRanker {
+ public:
+  EffectRanker(const WhitenedModel& w, const NoiseKnowledge& noise, const CandidateEffect& candidate)
+      : w_(w), noise_(noise), c_(candidate) {}
+
+  /// The best choice of places, searched further than pairs.
+  void search_places(RankedEffect& r) {
+    if (!sits_at_joints(*c_.effect) || c_.units.size() < 3) return;
+    const Eigen::Index first = c_.units.front().first;
+    all_ = score(w_, first, c_.units.back().first + c_.units.back().count - first);
+    std::vector<std::size_t> seen;
+    for (std::size_t u = 0; u < c_.units.size(); ++u)
+      if (part_of(all_, columns_of(c_, {u})).information.trace() >= least_visible) seen.push_back(u);
+    if (seen.size() < 3) return;
+    const double before = r.ln_best, shift = before - factor_of(r.units);  // the scatter's own share
+    r.ln_best = factor_of(r.units);
+    double best = r.ln_best - ln_choose(seen.size(), r.units.size());
+    extend(seen, seen.size(), best, r);
+    r.ln_best += shift;
+    std::sort(r.units.begin(), r.units.end());
+    finish(part_of(all_, columns_of(c_, r.units)), r);
+  }
+
+  RankedEffect rank() {
+    RankedEffect r;
+    r.candidate = &c_;
+    r.scatter = w_.scatter;
+    if (sits_at_joints(*c_.effect)) {
+      rank_joints(r);
+    } else {
+      rank_alternatives(r);
+    }
+    return r;
+  }
+
+ private:
+  void finish(const Score& s, RankedEffect& r) const {
+    r.estimate = linear_estimate(s, w_, noise_);
+    r.gained_squares = 2 * s.gradient.dot(r.estimate.value) - r.estimate.value.dot(s.information * r.estimate.value);
+    r.parameters = static_cast<int>(s.gradient.size());
+  }
+
+  /// One of several choices (markers, observations, forms) is true, or there is just one.
+  void rank_alternatives(RankedEffect& r) const {
+    std::vector<double> factors;
+    Score best;
+    for (std::size_t u = 0; u < c_.units.size(); ++u) {
+      const Score s = score(w_, c_.units[u].first, c_.units[u].count);
+      r.visibility = std::max(r.visibility, s.information.trace());
+      factors.push_back(ln_bayes_factor(s, w_, noise_));
+      if (u > 0 && factors.back() <= r.ln_best) continue;
+      r.ln_best = factors.back();
+      r.units = {u};
+      best = s;
+    }
+    r.ln_bayes_factor = ln_mean_exp(factors);
+    finish(best, r);
+  }
+
+  double factor_of(const std::vector<std::size_t>& units) const {
+    return ln_bayes_factor(part_of(all_, columns_of(c_, units)), w_, noise_);
+  }
+
+  /// One joint, a pair, some, or all of them.
+  void rank_joints(RankedEffect& r) {
+    const Eigen::Index first = c_.units.front().first;
+    all_ = score(w_, first, c_.units.back().first + c_.units.back().count - first);
+    r.visibility = all_.information.trace();
+    std::vector<std::size_t> seen;
+    std::vector<double> singles;
+    for (std::size_t u = 0; u < c_.units.size(); ++u) {
+      const Score s = part_of(all_, columns_of(c_, {u}));
+      if (s.information.trace() < least_visible) continue;
+      seen.push_back(u);
+      singles.push_back(ln_bayes_factor(s, w_, noise_));
+    }
+    if (seen.empty()) {
+      r.units = {0};
+      finish(part_of(all_, columns_of(c_, r.units)), r);
+      return;
+    }
+    const std::size_t n = seen.size();
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return singles[a] > singles[b]; });
+
+    std::vector<double> classes{ln_mean_exp(singles)};
+    r.units = {seen[order[0]]};
+    double best = singles[order[0]] - std::log(static_cast<double>(n));
+    r.ln_best = singles[order[0]];
+    if (n > 1) {
+      std::vector<double> pairs;
+      for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = a + 1; b < n; ++b) {
+          // Joints that show nothing alone seldom do in pairs: their factors are taken as independent.
+          const bool exact = b < most_in_pairs || (a < 2 && b < 12);
+          const double factor =
+              exact ? factor_of({seen[order[a]], seen[order[b]]}) : singles[order[a]] + singles[order[b]];
+          pairs.push_back(factor);
+          if (exact) take({seen[order[a]], seen[order[b]]}, factor, n, best, r);
+        }
+      classes.push_back(ln_mean_exp(pairs));
+      if (n > 2) {
+        const double all = factor_of(seen);
+        classes.push_back(all);
+        take(seen, all, n, best, r);
+      }
+    }
+    r.ln_bayes_factor = ln_mean_exp(classes);
+    std::sort(r.units.begin(), r.units.end());
+    finish(part_of(all_, columns_of(c_, r.units)), r);
+  }
+
+  void take(const std::vector<std::size_t>& units, double factor, std::size_t n, double& best, RankedEffect& r) const {
+    const double value = factor - ln_choose(n, units.size());
+    if (value <= best) return;
+    best = value;
+    r.units = units;
+    r.ln_best = factor;
+  }
+
+  /// From the best choice on, joint by joint, as long as that helps; then those that do not help are dropped.
+  void extend(const std::vector<std::size_t>& seen, std::size_t n, double& best, RankedEffect& r) const {
+    for (bool grown = true; grown && r.units.size() < n;) {
+      grown = false;
+      const std::vector<std::size_t> from = r.units;
+      for (const std::size_t u : seen) {
+        if (std::find(from.begin(), from.end(), u) != from.end()) continue;
+        std::vector<std::size_t> more = from;
+        more.push_back(u);
+        const double before = best;
+        take(more, factor_of(more), n, best, r);
+        grown = grown || best > before;
+      }
+    }
+    for (bool shrunk = true; shrunk && r.units.size() > 1;) {
+      shrunk = false;
+      const std::vector<std::size_t> from = r.units;
+      for (std::size_t i = 0; i < from.size(); ++i) {
+        std::vector<std::size_t> less = from;
+        less.erase(less.begin() + static_cast<std::ptrdiff_t>(i));
+        const double before = best;
+        take(less, factor_of(less), n, best, r);
+        shrunk = shrunk || best > before;
+      }
+    }
+  }
+
+  const WhitenedModel& w_;
+  const NoiseKnowledge& noise_;
+  const CandidateEffect& c_;
+  Score all_;
+};
+
+/// Where the effects that matter sit: of the best by evidence.
+void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& noise, Ranking& ranking) {
+  constexpr std::size_t most = 4;
+  std::vector<RankedEffect*> best;
+  for (RankedEffect& r : ranking.effects)
+    if (r.ln_bayes_factor > 1) best.push_back(&r);
+  std::stable_sort(best.begin(), best.end(),
+                   [](const auto* a, const auto* b) { return a->ln_bayes_factor > b->ln_bayes_factor; });
+  if (best.size() > most) best.resize(most);
+  for (const double scatter : ranking.scatters) {
+    std::optional<WhitenedModel> w;
+    for (RankedEffect* r : best) {
+      if (r->scatter != scatter) continue;
+      if (!w) w = whiten(model, scatter, noise);
+      EffectRanker(*w, noise, *r->candidate).search_places(*r);
+    }
+  }
+}
+
+}  // namespace
+
+const std::vector<double>& scatter_grid() {
+  static const std::vector<double> grid{0, 1e-4, 3e-4, 1e-3, 3e-3};
+  return grid;
+}
+
+Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candidates& candidates,
+             const std::vector<Variable>& variables) {
+  Ranking ranking;
+  ranking.scatters = scatter_grid();
+  std::vector<double> evidence;
+  std::vector<std::vector<RankedEffect>> effects;
+  std::vector<std::vector<Localiser>> localisers;
+  for (const double scatter : ranking.scatters) {
+    const WhitenedModel w = whiten(model, scatter, noise);
+    evidence.push_back(w.ln_evidence);
+    effects.emplace_back();
+    for (const CandidateEffect& c : candidates.effects) effects.back().push_back(EffectRanker(w, noise, c).rank());
+    localisers.push_back(localise(w, noise, candidates.problem, variables));
+  }
+  const auto top = std::max_element(evidence.begin(), evidence.end());
+  ranking.scatter = ranking.scatters[static_cast<std::size_t>(top - evidence.begin())];
+  for (std::size_t e = 0; e < effects.front().size(); ++e) {
+    std::size_t best = 0;
+    for (std::size_t s = 1; s < evidence.size(); ++s)
+      if (evidence[s] + effects[s][e].ln_bayes_factor > evidence[best] + effects[best][e].ln_bayes_factor) best = s;
+    RankedEffect r = effects[best][e];
+    r.ln_bayes_factor += evidence[best] - *top;
+    r.ln_best += evidence[best] - *top;
+    r.visibility = effects[0][e].visibility;
+    ranking.effects.push_back(std::move(r));
+  }
+  for (std::size_t l = 0; l < localisers.front().size(); ++l) {
+    std::size_t best = 0;
+    for (std::size_t s = 1; s < evidence.size(); ++s)
+      if (evidence[s] + localisers[s][l].ln_bayes_factor > evidence[best] + localisers[best][l].ln_bayes_factor)
+        best = s;
+    const double factor = localisers[best][l].ln_bayes_factor + evidence[best] - *top + ln_odds_of_unnamed;
+    ranking.localisers.push_back({localisers[best][l], factor, ranking.scatters[best]});
+  }
+  search_places_of_the_best(model, noise, ranking);
+  const auto better = [](const auto& a, const auto& b) { return a.ln_bayes_factor > b.ln_bayes_factor; };
+  std::stable_sort(ranking.effects.begin(), ranking.effects.end(), better);
+  std::stable_sort(ranking.localisers.begin(), ranking.localisers.end(), better);
+  return ranking;
+}
+
+}  // namespace handsight

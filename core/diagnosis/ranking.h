@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The catalogue's effects and the localisers in the order of their evidence, with the joints' repeatability profiled
+// out and a choice of joints inside every effect (docs/method.md, "Ranking what is missing").
+#pragma once
+
+#include "diagnosis/candidates.h"
+#include "diagnosis/localisers.h"
+
+namespace handsight {
+
+struct RankedEffect {
+  const CandidateEffect* candidate = nullptr;
+  double ln_bayes_factor = 0;      // the mean over all choices of places, at the scatter that suits it best
+  std::vector<std::size_t> units;  // the best choice of places
+  double ln_best = 0;              // of that choice alone
+  LinearEstimate estimate;         // of its parameters, unit by unit, in plausible sizes
+  double scatter = 0;              // rad, at which
+  double gained_squares = 0;       // chi-squared that the best choice takes away
+  int parameters = 0;              // of the best choice
+  double visibility = 0;  // chi-squared expected of the plausible size at all places: below 30 it cannot be seen
+};
+
+struct RankedLocaliser {
+  Localiser localiser;
+  double ln_bayes_factor = 0;  // prior odds against anything unnamed included
+  double scatter = 0;
+};
+
+struct Ranking {
+  std::vector<RankedEffect> effects;        // best first
+  std::vector<RankedLocaliser> localisers;  // best first
+  double scatter = 0;                       // rad: the repeatability that suits the model as it is
+  std::vector<double> scatters;             // the grid
+};
+
+/// Repeatabilities that are tried (rad).
+const std::vector<double>& scatter_grid();
+
+Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candidates& candidates,
+             const std::vector<Variable>& variables);
+
+}  // namespace handsight

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/refitting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+constexpr std::array<double, 4> scales{0.1, 0.3, 1, 3};
+
+/// The model with the plausible sizes of the columns from `first` on times `scale`.
+void set_scale(LinearModel& model, const LinearModel& plain, Eigen::Index first, double scale) {
+  const double precision = 1 / (scale * scale);
+  model.prior_cost = 0;
+  for (Eigen::Index i = 0; i < model.base; ++i) {
+    const double factor = i >= first ? precision : 1.0;
+    model.prior_precision[i] = factor * plain.prior_precision[i];
+    model.prior_gradient[i] = factor * plain.prior_gradient[i];
+    if (plain.prior_precision[i] > 0) model.prior_cost += factor * std::pow(plain.prior_gradient[i], 2);
+  }
+}
+
+}  // namespace
+
+FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, double noise, const NoiseKnowledge& knowledge) {
+  const Problem problem = with_motions(fit.problem);
+  const LinearModel plain = linear_model(problem, estimate(fit), problem.effect_count(), noise);
+  LinearModel scaled = plain;
+  const Eigen::Index first = problem.effect_column() + first_new;
+  const auto added = static_cast<double>(problem.effect_count() - first_new);
+  FitEvidence best{-1e300, 0};
+  for (const double scatter : scatter_grid()) {
+    std::vector<double> values;
+    for (const double scale : scales) {
+      set_scale(scaled, plain, first, scale);
+      values.push_back(whiten(scaled, scatter, knowledge).ln_evidence - added * std::log(scale));
+      if (added == 0) break;
+    }
+    const double value = ln_mean_exp(values);
+    if (value > best.ln_evidence) best = {value, scatter};
+  }
+  return best;
+}
+
+Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
+                 double noise, const NoiseKnowledge& knowledge) {
+  Refit r;
+  r.options = model_options;
+  r.options.start = estimate(model.fit);
+  r.options.estimated.insert(r.options.estimated.end(), added.begin(), added.end());
+  r.options.smallest_step = 1e-8;
+  r.options.most_iterations = 40;
+  r.added = added.size();
+  r.fit = fit(model.session, r.options);
+  for (std::size_t t = 0; t < r.options.estimated.size(); ++t)
+    r.options.estimated[t] = r.fit.effects[r.options.effects.size() + t].term;
+  r.options.start = estimate(r.fit);
+  const Eigen::Index before = model.fit.problem.effect_count();
+  r.ln_bayes_factor = fit_evidence(r.fit, before, noise, knowledge).ln_evidence -
+                      fit_evidence(model.fit, before, noise, knowledge).ln_evidence;
+  return r;
+}
+
+std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms, double noise,
+                                            const NoiseKnowledge& knowledge) {
+  std::vector<EffectTerm> settled = terms;
+  const Problem& problem = model.fit.problem;
+  for (EffectTerm& term : settled) {
+    const Effect& effect = *find_effect(term.id);
+    const auto order = std::find_if(effect.parameters.begin(), effect.parameters.end(),
+                                    [](const EffectParameter& p) { return p.is_choice && p.choices.empty(); });
+    if (order == effect.parameters.end()) continue;
+    const auto place = static_cast<std::size_t>(order - effect.parameters.begin());
+    std::vector<double> orders;
+    for (const ProblemObservation& o : problem.observations)
+      orders.push_back(problem.source->circumstances[static_cast<std::size_t>(o.index)].order);
+    const auto here = std::lower_bound(orders.begin(), orders.end(), term.values[place]) - orders.begin();
+    const auto reach = static_cast<std::ptrdiff_t>(orders.size() / 24 + 2);
+    const auto from = std::max<std::ptrdiff_t>(1, here - reach);
+    const auto to = std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(orders.size()) - 1, here + reach);
+    if (from > to) continue;
+    const Candidates near =
+        candidates_at_orders(problem, term, std::vector<double>(orders.begin() + from, orders.begin() + to + 1));
+    const LinearModel linear = linear_model(near.problem, estimate(model.fit), near.base_effects, noise);
+    const WhitenedModel w = whiten(linear, 0, knowledge);
+    double best = -1e300;
+    for (const CandidateUnit& unit : near.effects.front().units) {
+      const Score s = score(w, unit.first, unit.count);
+      const double factor = ln_bayes_factor(s, w, knowledge);
+      if (factor <= best) continue;
+      best = factor;
+      const LinearEstimate e = linear_estimate(s, w, knowledge);
+      Eigen::Index i = 0;
+      for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+        term.values[p] =
+            effect.parameters[p].is_choice ? unit.term.values[p] : e.value[i++] * effect.parameters[p].sigma;
+    }
+  }
+  return settled;
+}
+
+bool further_effect_passes(const Refit& refit, const CleanFit&, double threshold) {
+  const Fit& f = refit.fit;
+  const double noise = f.noise_estimate ? f.noise_estimate->sigma : f.noise.value_or(f.residual_rms);
+  const NoiseKnowledge knowledge{f.noise.has_value(), static_cast<double>(std::max(f.rows - f.unknowns, 1))};
+  const Candidates candidates = all_candidates(f.problem, 24);
+  const LinearModel model = linear_model(candidates.problem, estimate(f), candidates.base_effects, noise);
+  const Ranking ranking = rank(model, knowledge, candidates, {});
+  return !ranking.effects.empty() && ranking.effects.front().ln_bayes_factor >= threshold;
+}
+
+namespace {
+
+std::vector<Eigen::Index> columns_of_units(const RankedEffect& r, bool all) {
+  std::vector<Eigen::Index> columns;
+  const EffectScope scope = r.candidate->effect->scope;
+  const bool everywhere = all && (scope == EffectScope::joint || scope == EffectScope::mimic_joint);
+  for (std::size_t u = 0; u < r.candidate->units.size(); ++u) {
+    if (!everywhere && std::find(r.units.begin(), r.units.end(), u) == r.units.end()) continue;
+    for (Eigen::Index i = 0; i < r.candidate->units[u].count; ++i) columns.push_back(r.candidate->units[u].first + i);
+  }
+  return columns;
+}
+
+/// C_a^T P C_b for two lists of candidate columns.
+Eigen::MatrixXd cross_information(const WhitenedModel& w, const std::vector<Eigen::Index>& a,
+                                  const std::vector<Eigen::Index>& b) {
+  const LinearModel& m = *w.model;
+  Eigen::MatrixXd info(static_cast<Eigen::Index>(a.size()), static_cast<Eigen::Index>(b.size()));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      double x =
+          w.external.col(m.base + a[i]).dot(w.external.col(m.base + b[j])) - w.shared.col(a[i]).dot(w.shared.col(b[j]));
+      const Eigen::Index ia = m.internal_of[static_cast<std::size_t>(a[i])];
+      const Eigen::Index ib = m.internal_of[static_cast<std::size_t>(b[j])];
+      if (ia >= 0 && ib >= 0) x += m.internal(ia, ib);
+      info(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = x;
+    }
+  return info;
+}
+
+}  // namespace
+
+double imitated_share(const WhitenedModel& w, const RankedEffect& a, const RankedEffect& b) {
+  const std::vector<Eigen::Index> own = columns_of_units(a, false), other = columns_of_units(b, true);
+  const Eigen::VectorXd value = a.estimate.value;
+  const double signal = value.dot(cross_information(w, own, own) * value);
+  if (!(signal > 0)) return 0;
+  const Eigen::VectorXd shared = cross_information(w, other, own) * value;
+  Eigen::MatrixXd information = cross_information(w, other, other);
+  information.diagonal().array() += 1.0 / 9;  // three plausible sizes
+  return shared.dot(information.ldlt().solve(shared)) / signal;
+}
+
+std::vector<EffectTerm> best_choices(const Session& session, const std::vector<EffectTerm>& terms) {
+  std::vector<EffectTerm> settled = terms;
+  std::optional<CleanFit> model;
+  for (EffectTerm& term : settled) {
+    const Effect& effect = *find_effect(term.id);
+    if (std::none_of(effect.parameters.begin(), effect.parameters.end(),
+                     [](const EffectParameter& p) { return p.is_choice; }))
+      continue;
+    if (!model) model = clean_fit(session, {});
+    const Fit& f = model->fit;
+    const double noise = f.noise.value_or(std::max(f.residual_rms, 1e-12));
+    const NoiseKnowledge knowledge{f.noise.has_value(), static_cast<double>(std::max(f.rows - f.unknowns, 1))};
+    const Candidates all = all_candidates(f.problem, 24);
+    const LinearModel linear = linear_model(all.problem, estimate(f), all.base_effects, noise);
+    const WhitenedModel w = whiten(linear, 0, knowledge);
+    double best = -1e300;
+    for (const CandidateEffect& c : all.effects)
+      for (const CandidateUnit& unit : c.units) {
+        if (c.effect != &effect || unit.term.joint != term.joint) continue;
+        const double factor = ln_bayes_factor(score(w, unit.first, unit.count), w, knowledge);
+        if (factor <= best) continue;
+        best = factor;
+        term.values = unit.term.values;
+      }
+    term = with_settled_orders(*model, {term}, noise, knowledge).front();
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice) term.values[p] = 0;
+  }
+  return settled;
+}
+
+}  // namespace handsight

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A candidate fitted in full, and what that says of its evidence.
+#pragma once
+
+#include "diagnosis/ranking.h"
+#include "diagnosis/snooping.h"
+
+namespace handsight {
+
+struct Refit {
+  Fit fit;
+  FitOptions options;
+  std::size_t added = 0;       // terms at the end of fit.effects
+  double ln_bayes_factor = 0;  // against the model without them, at the minimum, repeatability profiled out
+};
+
+/// Adds terms to a model and fits everything from there, on the same points. `noise` weighs the rows.
+Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
+                 double noise, const NoiseKnowledge& knowledge);
+
+/// ln of the evidence of a fit, up to a constant that all fits of the same points share; the effects from `first_new`
+/// (an effect column) on with a mixture of plausible sizes. The best over the repeatabilities, which is given too.
+struct FitEvidence {
+  double ln_evidence = 0;
+  double scatter = 0;
+};
+FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, double noise, const NoiseKnowledge& knowledge);
+
+/// Where a term has an observation from which on it acts, the one among the neighbours of its own that suits best.
+std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms, double noise,
+                                            const NoiseKnowledge& knowledge);
+
+/// Does any further named effect of the catalogue pass the threshold once these are in the model?
+bool further_effect_passes(const Refit& refit, const CleanFit& model, double threshold);
+
+/// The share of what `a` does to the measurements (at its estimate) that `b` can imitate with plausible numbers.
+double imitated_share(const WhitenedModel& w, const RankedEffect& a, const RankedEffect& b);
+
+/// Terms whose choices (an observation from which on they act, a form) are those that suit the session best, every
+/// other choice compared with the model without them.
+std::vector<EffectTerm> best_choices(const Session& session, const std::vector<EffectTerm>& terms);
+
+}  // namespace handsight

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/snooping.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+constexpr double least_likely = 1e-5;  // of a point that is dropped, were it right
+constexpr double most_dropped = 0.15;  // share of all points
+
+/// One observation: rows parted by the body's six motions, and how joint errors move them.
+struct Parted {
+  const ProblemObservation* observation = nullptr;
+  Eigen::MatrixXd motions;         // n x 6 orthonormal: the external part
+  Eigen::VectorXd error;           // n
+  Eigen::VectorXd external_error;  // 6, in the eigenframe of the joints' errors
+  Eigen::VectorXd joint_variance;  // 6, per rad^2
+  double internal_squares = 0;
+};
+
+std::optional<Parted> parted(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
+  Eigen::Index count = 0;
+  for (const Sighting& s : o.sightings) count += row_count(s);
+  if (count <= 6) return std::nullopt;
+  Parted p;
+  p.observation = &o;
+  p.error.resize(count);
+  Eigen::MatrixXd by_body(count, 6);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  Eigen::Index row = 0;
+  for (const Sighting& s : o.sightings) {
+    const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
+    const SightingResidual r = sighting_residual(problem.rig_or_null(), s, x);
+    by_body.block(row, 0, r.rows, 3) = r.by_point.topRows(r.rows);
+    by_body.block(row, 3, r.rows, 3) = -r.by_point.topRows(r.rows) * cross_matrix(x);
+    p.error.segment(row, r.rows) = r.error.head(r.rows);
+    row += r.rows;
+  }
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(by_body);
+  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(count, 6);
+  const Rigid sensor_from_root = inverse(o.root_from_mount * u.mount_from_sensor * o.sensor_motion);
+  const Eigen::MatrixXd by_joints = q.transpose() * by_body * (adjoint(sensor_from_root) * o.motion.tcp_by_value);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(by_joints * by_joints.transpose());
+  p.joint_variance = eigen.eigenvalues().cwiseMax(0);
+  p.motions = q * eigen.eigenvectors();
+  p.external_error = p.motions.transpose() * p.error;
+  p.internal_squares = std::max(p.error.squaredNorm() - p.external_error.squaredNorm(), 0.0);
+  return p;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double median_of_chi2(double degrees) { return boost::math::quantile(boost::math::chi_squared(degrees), 0.5); }
+
+/// Of one coordinate, from the internal squares of the middle observation: wrong points do not reach it.
+double robust_noise(const std::vector<Parted>& all) {
+  std::vector<double> variances;
+  for (const Parted& p : all) {
+    const double degrees = static_cast<double>(p.error.size() - 6);
+    variances.push_back(p.internal_squares / median_of_chi2(degrees));
+  }
+  return std::sqrt(std::max(median(variances), 1e-300));
+}
+
+/// The joints' random error (rad) for which the middle observation is as likely as it should be.
+double joint_scatter(const std::vector<Parted>& all, double noise) {
+  const auto excess = [&](double scatter) {
+    std::vector<double> ratios;
+    for (const Parted& p : all) {
+      double chi2 = p.internal_squares / (noise * noise);
+      for (Eigen::Index k = 0; k < 6; ++k)
+        chi2 += p.external_error[k] * p.external_error[k] / (noise * noise + scatter * scatter * p.joint_variance[k]);
+      ratios.push_back(chi2 / median_of_chi2(static_cast<double>(p.error.size())));
+    }
+    return median(ratios) > 1;
+  };
+  if (!excess(0)) return 0;
+  double low = 1e-7, high = 1;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = std::sqrt(low * high);
+    (excess(middle) ? low : high) = middle;
+  }
+  return high;
+}
+
+/// The least likely point of an observation, if it is less likely than `least_likely`.
+std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, double noise, double scatter) {
+  // V^-1 = (1 - Q diag(m) Q^T) / noise^2 with m = g / (1 + g).
+  const Eigen::VectorXd g = scatter * scatter / (noise * noise) * p.joint_variance;
+  const Eigen::VectorXd m = g.array() / (1 + g.array());
+  const Eigen::VectorXd z = (p.error - p.motions * (m.asDiagonal() * p.external_error)) / (noise * noise);
+  std::optional<WrongPoint> worst;
+  double largest = 0;
+  Eigen::Index row = 0;
+  const auto consider = [&](const Sighting& s, SeenBy camera, Eigen::Index size) {
+    const Eigen::MatrixXd q = p.motions.middleRows(row, size);
+    const Eigen::MatrixXd precision =
+        (Eigen::MatrixXd::Identity(size, size) - q * m.asDiagonal() * q.transpose()) / (noise * noise);
+    const Eigen::VectorXd displacement = precision.ldlt().solve(z.segment(row, size));
+    const double chi2 = z.segment(row, size).dot(displacement);
+    row += size;
+    const double limit = boost::math::quantile(
+        boost::math::complement(boost::math::chi_squared(static_cast<double>(size)), least_likely));
+    if (chi2 < limit || chi2 <= largest) return;
+    largest = chi2;
+    const Observation& o = session.observations[static_cast<std::size_t>(p.observation->index)];
+    worst = WrongPoint{o.id, p.observation->index, s.marker, camera, displacement.norm()};
+  };
+  for (const Sighting& s : p.observation->sightings) {
+    if (s.point) consider(s, SeenBy::tracker, 3);
+    if (s.left) consider(s, SeenBy::left, 2);
+    if (s.right) consider(s, SeenBy::right, 2);
+  }
+  return worst;
+}
+
+void drop(Session& session, const WrongPoint& w) {
+  std::vector<Sighting>& sightings = session.observations[static_cast<std::size_t>(w.index)].sightings;
+  for (Sighting& s : sightings) {
+    if (s.marker != w.marker) continue;
+    if (w.camera == SeenBy::left) s.left.reset();
+    if (w.camera == SeenBy::right) s.right.reset();
+    if (w.camera == SeenBy::tracker) s.point.reset();
+  }
+  std::erase_if(sightings, [](const Sighting& s) { return !s.left && !s.right && !s.point; });
+}
+
+std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
+  std::vector<Parted> all;
+  const Problem problem = with_motions(f.problem);
+  for (const ProblemObservation& o : problem.observations)
+    if (auto p = parted(problem, o, estimate(f))) all.push_back(std::move(*p));
+  std::vector<WrongPoint> wrong;
+  if (all.size() < 5) return wrong;
+  const double noise = robust_noise(all);
+  const double scatter = joint_scatter(all, noise);
+  for (const Parted& p : all)
+    if (const auto w = worst_point(session, p, noise, scatter)) wrong.push_back(*w);
+  return wrong;
+}
+
+std::size_t point_count(const Session& session) {
+  std::size_t count = 0;
+  for (const Observation& o : session.observations)
+    for (const Sighting& s : o.sightings) count += (s.left ? 1 : 0) + (s.right ? 1 : 0) + (s.point ? 1 : 0);
+  return count;
+}
+
+}  // namespace
+
+CleanFit clean_fit(const Session& session, const FitOptions& options) {
+  CleanFit clean{session, fit(session, options), {}};
+  const auto most = static_cast<std::size_t>(most_dropped * static_cast<double>(point_count(session)));
+  constexpr int most_rounds = 8;
+  for (int round = 0; round < most_rounds; ++round) {
+    std::vector<WrongPoint> wrong = wrong_points(clean.session, clean.fit);
+    if (wrong.empty() || clean.wrong.size() + wrong.size() > most) break;
+    for (const WrongPoint& w : wrong) drop(clean.session, w);
+    clean.wrong.insert(clean.wrong.end(), wrong.begin(), wrong.end());
+    FitOptions again = options;
+    again.start = estimate(clean.fit);
+    for (std::size_t t = 0; t < again.estimated.size(); ++t)
+      again.estimated[t] = clean.fit.effects[options.effects.size() + t].term;
+    clean.fit = fit(clean.session, again);
+  }
+  return clean;
+}
+
+}  // namespace handsight

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Single wrong points, found while whole poses may be wrong for reasons of the robot: data snooping with the joints'
+// errors as random effects (Baarda 1968; docs/method.md, "Wrong points").
+#pragma once
+
+#include "estimation/fit.h"
+
+namespace handsight {
+
+enum class SeenBy { left, right, tracker };
+
+/// One measured point that was left out.
+struct WrongPoint {
+  std::int64_t id = 0;  // of the observation
+  int index = 0;        // into Session::observations
+  int marker = 0;
+  SeenBy camera = SeenBy::left;
+  double distance = 0;  // px or m: how far it is from where the rest of the observation puts it
+};
+
+/// A fit without the points that are wrong with p < 1e-5 each, whatever the robot does; a point is only tested where
+/// the observation has more coordinates than a body has motions.
+struct CleanFit {
+  Session session;  // without the wrong points
+  Fit fit;
+  std::vector<WrongPoint> wrong;
+};
+
+CleanFit clean_fit(const Session& session, const FitOptions& options);
+
+}  // namespace handsight

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/variables.h"
+
+#include <fmt/format.h>
+
+namespace handsight {
+namespace {
+
+template <class Value>
+void add(VariableKind kind, int joint, const std::string& name, const std::string& unit, double least,
+         const Problem& problem, Value&& value, std::vector<Variable>& list) {
+  Variable v{kind, joint, name, unit, Eigen::VectorXd(static_cast<Eigen::Index>(problem.observations.size()))};
+  for (std::size_t i = 0; i < problem.observations.size(); ++i)
+    v.values[static_cast<Eigen::Index>(i)] = value(problem.observations[i]);
+  if (v.range() > least) list.push_back(std::move(v));
+}
+
+/// The middle of the markers that an observation saw, in the sensor's frame.
+Vector3 middle(const Problem& problem, const Unknowns& u, const ProblemObservation& o) {
+  Vector3 sum = Vector3::Zero();
+  for (const Sighting& s : o.sightings) sum += marker_at(o, u, s.marker);
+  return sensor_from_tcp_at(o, u.mount_from_sensor) * Vector3(sum / static_cast<double>(o.sightings.size()));
+}
+
+}  // namespace
+
+std::vector<Variable> variables_of(const Problem& problem, const Unknowns& u) {
+  std::vector<Variable> list;
+  const Robot& robot = problem.source->chain.robot;
+  const auto at = [&](const ProblemObservation& o) -> const Circumstances& {
+    return problem.source->circumstances[static_cast<std::size_t>(o.index)];
+  };
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    if (!joint.moves()) continue;
+    const auto i = static_cast<Eigen::Index>(j);
+    const bool slides = joint.kind == JointKind::prismatic;
+    add(
+        VariableKind::angle, static_cast<int>(j), slides ? "position of " + joint.name : "angle of " + joint.name,
+        slides ? "m" : "rad", slides ? 0.02 : 0.1, problem, [&](const auto& o) { return at(o).sensor[i]; }, list);
+    add(
+        VariableKind::torque, static_cast<int>(j), "gravity torque at " + joint.name, slides ? "N" : "N m", 0.05,
+        problem, [&](const auto& o) { return o.motion.torques[i]; }, list);
+    if (!joint.is_mimic())
+      add(
+          VariableKind::approach, static_cast<int>(j), "direction in which " + joint.name + " last moved", "sign", 0.5,
+          problem, [&](const auto& o) { return at(o).approach[i]; }, list);
+  }
+  add(
+      VariableKind::time, -1, "time", "s", 1e-6, problem, [&](const auto& o) { return at(o).elapsed; }, list);
+  add(
+      VariableKind::order, -1, "order of the observations", "number", 0.5, problem,
+      [&](const auto& o) { return static_cast<double>(at(o).order); }, list);
+  if (problem.rig) {
+    add(
+        VariableKind::image_u, -1, "image column", "px", 1, problem,
+        [&](const auto& o) { return project(problem.rig->left, middle(problem, u, o)).x(); }, list);
+    add(
+        VariableKind::image_v, -1, "image row", "px", 1, problem,
+        [&](const auto& o) { return project(problem.rig->left, middle(problem, u, o)).y(); }, list);
+  }
+  add(
+      VariableKind::depth, -1, "distance from the sensor", "m", 1e-3, problem,
+      [&](const auto& o) { return problem.rig ? middle(problem, u, o).z() : middle(problem, u, o).norm(); }, list);
+  return list;
+}
+
+}  // namespace handsight

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What residuals may follow: joint angles, gravity torques, directions of approach, time, the place in the image.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/linear_model.h"
+
+namespace handsight {
+
+enum class VariableKind { angle, torque, approach, time, order, image_u, image_v, depth };
+
+struct Variable {
+  VariableKind kind = VariableKind::time;
+  int joint = -1;    // of the robot, for angle, torque and approach
+  std::string name;  // as a user reads it
+  std::string unit;
+  Eigen::VectorXd values;  // per observation of the problem
+
+  double range() const { return values.size() ? values.maxCoeff() - values.minCoeff() : 0; }
+};
+
+/// Those that vary over the observations. `problem` must hold torques (EffectMotion); a mimic joint has an angle and a
+/// torque like any other.
+std::vector<Variable> variables_of(const Problem& problem, const Unknowns& unknowns);
+
+}  // namespace handsight
