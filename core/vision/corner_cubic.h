@@ -10,7 +10,8 @@ namespace handsight {
 
 /// The sum of squares that the best cubic polynomial of (u, v), 10 coefficients, leaves in the disc of `radius` px (4
 /// to kMostPatchRadius) round the pixel of the model's position, over the sum that the model leaves: about 1 on smooth
-/// texture, 10 and more on most corners. The disc must be inside of the image. `patch` is a workspace.
+/// texture, 10 and more on most corners. The disc must be inside of the image. `patch` is a workspace: empty, or filled
+/// from the same image.
 double cubic_over_model(const Image& image, const CornerModel& model, int radius, CornerPatch& patch);
 
 }  // namespace handsight
