@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "vision/corner_lanes.h"
+
 namespace handsight {
 namespace {
 
@@ -21,7 +23,7 @@ struct Plane {
 
 constexpr float kUnit = 16;  // of the smoothed plane, per grey level
 
-void add_pairs(const std::uint8_t* upper, const std::uint8_t* lower, int count, std::int16_t* sums) {
+HANDSIGHT_LANES void add_pairs(const std::uint8_t* upper, const std::uint8_t* lower, int count, std::int16_t* sums) {
   for (int x = 0; x < count; ++x) {
     std::uint16_t a, b;  // two neighbours at once; their order does not matter to the sum
     std::memcpy(&a, upper + 2 * x, 2);
@@ -37,34 +39,42 @@ Plane half_resolution(const Image& image) {
   return half;
 }
 
-// The binomial 1 4 6 4 1 down and across; every intermediate fits 16 bits. Two rows and columns at each side stay 0.
+// The binomial 1 4 6 4 1 down and across; every intermediate fits 16 bits. Two columns at each side stay as they are.
+HANDSIGHT_LANES void smooth_row(const std::int16_t* const* rows, int width, std::uint16_t* sums, std::int16_t* to) {
+  const std::int16_t *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3], *e = rows[4];
+  for (int x = 0; x < width; ++x)
+    sums[x] =
+        static_cast<std::uint16_t>(static_cast<std::uint16_t>(a[x] + e[x] + 4 * (b[x] + d[x]) + 6 * c[x] + 2) >> 2);
+  for (int x = 2; x < width - 2; ++x)
+    to[x] = static_cast<std::int16_t>(
+        static_cast<std::uint16_t>(sums[x - 2] + sums[x + 2] + 4 * (sums[x - 1] + sums[x + 1]) + 6 * sums[x]) >> 4);
+}
+
+// Two rows and columns at each side stay 0.
 Plane smoothed(const Plane& half) {
   Plane out{half.width, half.height, std::vector<std::int16_t>(half.values.size())};
-  std::vector<std::uint16_t> column(half.width);
+  std::vector<std::uint16_t> sums(half.width);
   for (int y = 2; y + 2 < half.height; ++y) {
-    const std::int16_t *a = half.row(y - 2), *b = half.row(y - 1), *c = half.row(y), *d = half.row(y + 1),
-                       *e = half.row(y + 2);
-    std::uint16_t* sums = column.data();
-    for (int x = 0; x < half.width; ++x)
-      sums[x] =
-          static_cast<std::uint16_t>(static_cast<std::uint16_t>(a[x] + e[x] + 4 * (b[x] + d[x]) + 6 * c[x] + 2) >> 2);
-    std::int16_t* to = out.row(y);
-    for (int x = 2; x < half.width - 2; ++x)
-      to[x] = static_cast<std::int16_t>(
-          static_cast<std::uint16_t>(sums[x - 2] + sums[x + 2] + 4 * (sums[x - 1] + sums[x + 1]) + 6 * sums[x]) >> 4);
+    const std::int16_t* const rows[5] = {half.row(y - 2), half.row(y - 1), half.row(y), half.row(y + 1),
+                                         half.row(y + 2)};
+    smooth_row(rows, half.width, sums.data(), out.row(y));
   }
   return out;
 }
 
-void saddle_row(const Plane& plane, int y, float* saddle) {
-  const std::int16_t *up = plane.row(y - 1), *at = plane.row(y), *down = plane.row(y + 1);
-  for (int x = 1; x < plane.width - 1; ++x) {
+HANDSIGHT_LANES void saddle_row(const std::int16_t* up, const std::int16_t* at, const std::int16_t* down, int width,
+                                float* saddle) {
+  for (int x = 1; x < width - 1; ++x) {
     const auto twice = static_cast<std::int16_t>(2 * at[x]);
     const float xx = static_cast<std::int16_t>(at[x - 1] + at[x + 1] - twice);
     const float yy = static_cast<std::int16_t>(up[x] + down[x] - twice);
     const float xy = static_cast<std::int16_t>(up[x - 1] + down[x + 1] - up[x + 1] - down[x - 1]);
     saddle[x] = xy * xy * 0.0625f - xx * yy;
   }
+}
+
+void saddle_row(const Plane& plane, int y, float* saddle) {
+  saddle_row(plane.row(y - 1), plane.row(y), plane.row(y + 1), plane.width, saddle);
 }
 
 bool is_peak(const float* up, const float* at, const float* down, int x) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/corner_cubic.h"
 #include "vision/corner_patch.h"
 
 namespace handsight {
@@ -13,10 +14,10 @@ namespace {
 constexpr double kFirstRadius = 4;     // px: 50 pixels, enough for nine unknowns
 constexpr int kSecondRadius = 7;       // px: the edges' directions must be known better before it grows on
 constexpr double kShadeSigma = 0.003;  // 1/px: light that changes by 30 % over 100 px is no surprise
-constexpr double kLoose = 1.5;         // what all bounds are wider over the first disc
+constexpr double kLoose = 1.5;         // what bounds are wider over the first disc
 constexpr double kMostMove = 1.8;      // px, from the start
 constexpr double kMostMisfit = 0.24;   // half contrasts: sharpening in the camera leaves 0.2
-constexpr double kMostBlur = 0.45;     // radii: a saddle that never becomes flat is no corner
+constexpr double kMostBlur = 0.5;      // radii: a saddle that never becomes flat is no corner
 constexpr double kLeastNoise = 0.3;    // grey levels: rounding to whole ones alone makes 0.29
 
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
@@ -30,27 +31,24 @@ Eigen::Matrix<double, N, N> from_triangle(const float* triangle) {
   return m;
 }
 
-// Cholesky in place for these few unknowns: Eigen's blocked one takes several times as long. False where `m` is not
+// L D L^T in place for these few unknowns: Eigen's blocked Cholesky takes several times as long. False where `m` is not
 // positive definite.
 template <int N>
 bool solve(Eigen::Matrix<double, N, N> m, Eigen::Matrix<double, N, 1>& x) {
+  Eigen::Matrix<double, N, 1> inverse;  // of D
   for (int j = 0; j < N; ++j) {
-    for (int k = 0; k < j; ++k) m(j, j) -= m(j, k) * m(j, k);
+    double row[N];  // L(j, k) D(k)
+    for (int k = 0; k < j; ++k) row[k] = m(j, k), m(j, k) *= inverse(k), m(j, j) -= row[k] * m(j, k);
     if (!(m(j, j) > 1e-9)) return false;
-    m(j, j) = std::sqrt(m(j, j));
-    for (int i = j + 1; i < N; ++i) {
+    inverse(j) = 1 / m(j, j);
+    for (int i = j + 1; i < N; ++i)
       for (int k = 0; k < j; ++k) m(i, j) -= m(i, k) * m(j, k);
-      m(i, j) /= m(j, j);
-    }
   }
-  for (int i = 0; i < N; ++i) {
+  for (int i = 0; i < N; ++i)
     for (int k = 0; k < i; ++k) x(i) -= m(i, k) * x(k);
-    x(i) /= m(i, i);
-  }
-  for (int i = N - 1; i >= 0; --i) {
+  x.array() *= inverse.array();
+  for (int i = N - 1; i >= 0; --i)
     for (int k = i + 1; k < N; ++k) x(i) -= m(k, i) * x(k);
-    x(i) /= m(i, i);
-  }
   return x.allFinite();
 }
 
@@ -66,9 +64,13 @@ double noise_of(const PatchSums& sum) {
   return std::max(std::sqrt(sum.squares / std::max(sum.weights - 9.0, 1.0)), kLeastNoise);
 }
 
-// One step of both blocks, of the even one a `share`; its length in px (a radian or a px of blur counts half), or
-// nothing where the normal equations are singular.
-std::optional<double> step(const PatchSums& sum, double noise, double share, CornerModel& model) {
+struct Step {
+  double length = 0;    // px; a radian or a px of blur counts half
+  double decrease = 0;  // of the sum of squares, if the model were linear
+};
+
+// One step of both blocks, of the even one a `share`; nothing where the normal equations are singular.
+std::optional<Step> step(const PatchSums& sum, double noise, double share, CornerModel& model) {
   Eigen::Vector4d odd_step = Eigen::Map<const Eigen::Vector4f>(sum.odd_side.data()).cast<double>();
   odd_step.tail<2>() -= shade_prior(noise) * model.shade;
   Vector5 even_step = Eigen::Map<const Eigen::Matrix<float, 5, 1>>(sum.even_side.data()).cast<double>();
@@ -76,6 +78,9 @@ std::optional<double> step(const PatchSums& sum, double noise, double share, Cor
   even.diagonal() *= 1 + 1e-3;
   even(2, 2) += noise * noise;  // a sharp image says little of its blur
   if (!solve<4>(odd_hessian(sum, noise), odd_step) || !solve<5>(even, even_step)) return std::nullopt;
+  Step made;
+  made.decrease = odd_step.dot(Eigen::Map<const Eigen::Vector4f>(sum.odd_side.data()).cast<double>()) +
+                  even_step.dot(Eigen::Map<const Eigen::Matrix<float, 5, 1>>(sum.even_side.data()).cast<double>());
   // Blur and contrast balance each other: where one is held back the other must be too.
   even_step *= std::min(share, 0.5 / std::max(std::abs(even_step(2)), 1e-9));
   const double length = odd_step.head<2>().norm(), turn = even_step.head<2>().cwiseAbs().maxCoeff();
@@ -85,7 +90,8 @@ std::optional<double> step(const PatchSums& sum, double noise, double share, Cor
   model.blur = std::clamp(model.blur + even_step(2), 0.3, 5.0);
   model.level += even_step(3);
   model.half_contrast += even_step(4);
-  return std::max(length, 0.5 * std::max(turn, std::abs(even_step(2))));
+  made.length = std::max(length, 0.5 * std::max(turn, std::abs(even_step(2))));
+  return made;
 }
 
 Eigen::Vector2i pixel_of(const Eigen::Vector2d& position) { return (position.array() + 0.5).floor().cast<int>(); }
@@ -96,13 +102,30 @@ bool inside(const Image& image, const Eigen::Vector2i& centre, int radius) {
 }
 
 struct Progress {
+  double image_noise = 0;  // grey levels
   CornerPatch patch;
   PatchSums sum;
-  double noise = 0;  // grey levels
+  double noise = 0;    // grey levels
+  double promise = 0;  // grey levels, what the noise would be after the last step if the model were linear
 };
 
+// What the noise will be at least, after one more step, against the bound that it must meet at the end: a saddle that
+// is no corner need not be fitted to the end.
+bool promises_well(const CornerModel& model, double promise, double image_noise, double loose) {
+  const double misfit = kMostMisfit * model.half_contrast;
+  return promise * promise < loose * (misfit * misfit + 1.6 * image_noise * image_noise);
+}
+
+// By how much the bounds are wider over the first disc, where blur and contrast are hard to tell from each other and a
+// camera's sharpening weighs more, and how far what the first step and later ones promise may be beyond the last bound.
+struct Looseness {
+  double look, first_promise, promise;
+};
+constexpr Looseness kFirstLook{2 * kLoose, 4, 2.5}, kSecondLook{kLoose, 2, 2}, kUnchecked{1, 1e9, 1e9};
+
 // Steps until a step is shorter than `precision` px; false where the fit fails.
-bool fit_disc(const Image& image, double radius, int iterations, double precision, Progress& at, CornerModel& model) {
+bool fit_disc(const Image& image, double radius, int iterations, double precision, const Looseness& loose, Progress& at,
+              CornerModel& model) {
   const int reach = static_cast<int>(radius) + 1;
   for (int i = 0; i < iterations; ++i) {
     const Eigen::Vector2i centre = pixel_of(model.position);
@@ -114,9 +137,11 @@ bool fit_disc(const Image& image, double radius, int iterations, double precisio
     at.noise = noise_of(at.sum);
     // Edges and contrast of a corner that overexposure has torn apart swing to and fro unless held back.
     const double share = before > 0 && at.noise > before ? 0.5 : 1.0;
-    const std::optional<double> moved = step(at.sum, at.noise, share, model);
-    if (!moved) return false;
-    if (*moved < precision) break;
+    const std::optional<Step> made = step(at.sum, at.noise, share, model);
+    if (!made) return false;
+    at.promise = std::sqrt(std::max(at.sum.squares - made->decrease, 0.0) / std::max(at.sum.weights - 9.0, 1.0));
+    if (!promises_well(model, at.promise, at.image_noise, i == 0 ? loose.first_promise : loose.promise)) return false;
+    if (made->length < precision) break;
   }
   return true;
 }
@@ -186,26 +211,30 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
   model.position = start, model.edges = cross.edges;
   model.level = cross.level, model.half_contrast = cross.half_contrast, model.blur = cross.blur;
   Progress at;
+  at.image_noise = image_noise;
   fit.radius = kFirstRadius;
-  for (const double loose : {2 * kLoose, kLoose})
-    if (!fit_disc(image, fit.radius, 2, 0.05, at, model) || !looks_right(model, cross, at.noise, image_noise, loose))
+  for (const Looseness& loose : {kFirstLook, kSecondLook})
+    if (!fit_disc(image, fit.radius, 2, 0.05, loose, at, model) ||
+        !looks_right(model, cross, at.noise, image_noise, loose.look))
       return std::nullopt;
   if ((model.position - start).norm() > kMostMove) return std::nullopt;
   fit.misfit = misfit_of(at.patch);
   if (fit.misfit > kLoose * kMostMisfit * std::abs(model.half_contrast)) return std::nullopt;
   fit.radius = grown_radius(image, kFirstRadius, kSecondRadius, at, model);
   if (fit.radius > kFirstRadius) {
-    if (!fit_disc(image, fit.radius, 3, 0.2, at, model)) return std::nullopt;
+    if (!fit_disc(image, fit.radius, 3, 0.2, kUnchecked, at, model)) return std::nullopt;
     fit.radius = grown_radius(image, fit.radius, kMostPatchRadius, at, model);
-  } else if (model.blur > kMostBlur * fit.radius + 0.3) {
+  } else if (model.blur > kMostBlur * fit.radius + 0.3 || !promises_well(model, at.promise, image_noise, 1.05)) {
     return std::nullopt;
   }
-  if (!fit_disc(image, fit.radius, 4, 0.02, at, model)) return std::nullopt;
+  if (!fit_disc(image, fit.radius, 4, 0.02, kUnchecked, at, model)) return std::nullopt;
   if ((model.position - start).norm() > kMostMove || !looks_right(model, cross, at.noise, image_noise, 1))
     return std::nullopt;
   if (model.blur > kMostBlur * fit.radius) return std::nullopt;
   fit.noise = at.noise;
   fit.covariance = position_covariance(at);
+  if (fit.radius < kMostPatchRadius)
+    fit.over_cubic = cubic_over_model(image, model, static_cast<int>(fit.radius), at.patch);
   return fit;
 }
 

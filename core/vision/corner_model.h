@@ -29,8 +29,8 @@ struct CornerFit {
   Eigen::Matrix2d covariance;  // px^2, of the position
   double radius = 0;           // px, of the disc of pixels that took part
   double noise = 0;            // grey levels, sigma of a pixel
-  double misfit =
-      0;  // grey levels, root of the mean product of neighbouring residuals over 4 px: the shape's, without the noise
+  double misfit = 0;  // grey levels, root of the mean product of neighbouring residuals over 4 px: the shape's part
+  double over_cubic = 1e3;  // cubic_over_model (corner_cubic.h); this where the disc grew to its full size
 };
 
 /// Gauss-Newton from a start that is good to about 1 px. The disc grows from 4 px as long as the formula holds, so

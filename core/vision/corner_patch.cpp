@@ -7,13 +7,7 @@
 #include <cstring>
 #include <vector>
 
-// The same instructions in 8 lanes where the processor has AVX2, in 2 x 4 elsewhere: results are the same bit by bit.
-#if defined(__x86_64__) && defined(__ELF__)
-#define HANDSIGHT_LANES __attribute__((target_clones("avx2", "default")))
-#else
-#define HANDSIGHT_LANES
-#endif
-#define HANDSIGHT_INLINE inline __attribute__((always_inline))
+#include "vision/corner_lanes.h"
 
 namespace handsight {
 namespace {
@@ -183,26 +177,42 @@ HANDSIGHT_INLINE float total(const Lanes& sum) {
   return (low[0] + low[2]) + (low[1] + low[3]);
 }
 
-HANDSIGHT_INLINE void dot(const CornerPatch::Row& a, const CornerPatch::Row& b, int count, float& result) {
-  Lanes sum{}, x, y;
+// Products of `row` with the first rows and itself, and with the residual: few enough sums to stay in registers.
+template <int Rows>
+HANDSIGHT_INLINE void row_products(const CornerPatch::Row* rows, const CornerPatch::Row& residual, int count,
+                                   float* triangle, float* side) {
+  Lanes a[Rows], sum[Rows]{}, sides{}, rest;
   for (int n = 0; n < count; n += kLanes) {
-    load(&a[n], x), load(&b[n], y);
-    sum += x * y;
+#pragma GCC unroll 8
+    for (int i = 0; i < Rows; ++i) load(&rows[i][n], a[i]);
+    load(&residual[n], rest);
+#pragma GCC unroll 8
+    for (int i = 0; i < Rows; ++i) sum[i] += a[Rows - 1] * a[i];
+    sides += a[Rows - 1] * rest;
   }
-  result = total(sum);
+#pragma GCC unroll 8
+  for (int i = 0; i < Rows; ++i) triangle[Rows * (Rows - 1) / 2 + i] = total(sum[i]);
+  side[Rows - 1] = total(sides);
 }
 
 HANDSIGHT_LANES void add_up(const CornerPatch& patch, PatchSums& result) {
   const int count = patch.padded;
-  for (int i = 0, n = 0; i < 4; ++i) {
-    for (int j = 0; j <= i; ++j) dot(patch.odd[i], patch.odd[j], count, result.odd[n++]);
-    dot(patch.odd[i], patch.residual, count, result.odd_side[i]);
+  const CornerPatch::Row *const odd = patch.odd.data(), *const even = patch.even.data(), &rest_of = patch.residual;
+  row_products<1>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
+  row_products<2>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
+  row_products<3>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
+  row_products<4>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
+  row_products<1>(even, rest_of, count, result.even.data(), result.even_side.data());
+  row_products<2>(even, rest_of, count, result.even.data(), result.even_side.data());
+  row_products<3>(even, rest_of, count, result.even.data(), result.even_side.data());
+  row_products<4>(even, rest_of, count, result.even.data(), result.even_side.data());
+  row_products<5>(even, rest_of, count, result.even.data(), result.even_side.data());
+  Lanes squares{}, rest;
+  for (int n = 0; n < count; n += kLanes) {
+    load(&patch.residual[n], rest);
+    squares += rest * rest;
   }
-  for (int i = 0, n = 0; i < 5; ++i) {
-    for (int j = 0; j <= i; ++j) dot(patch.even[i], patch.even[j], count, result.even[n++]);
-    dot(patch.even[i], patch.residual, count, result.even_side[i]);
-  }
-  dot(patch.residual, patch.residual, count, result.squares);
+  result.squares = total(squares);
   result.weights = result.even[9];  // level with level
 }
 

@@ -33,7 +33,8 @@ int pixels_in_disc(int radius);
 /// px from the central pixel, of the pixel with this number.
 Eigen::Vector2i offset_of_pixel(int number);
 
-/// Makes the disc of `radius` px take part, which must be inside of the image; reads only what is not there yet.
+/// Makes the disc of `radius` px take part, which must be inside of the image; reads only what is not there yet,
+/// so that one patch serves one image only.
 void gather(const Image& image, const Eigen::Vector2i& centre, int radius, CornerPatch& patch);
 
 /// Residuals and derivatives of the pixels from number `begin` (a multiple of 8) on, up to `end`. The weight is 1 in

@@ -79,7 +79,7 @@ float flatness(const Profile& profile, float middle) {
 
 }  // namespace
 
-bool may_be_cross(const Image& image, int u, int v, double min_contrast) {
+bool may_be_cross(const Image& image, int u, int v, double min_contrast, double noise) {
   constexpr std::array<std::array<int, 2>, 8> kHalfCircle{
       {{3, 0}, {3, 1}, {2, 2}, {1, 3}, {0, 3}, {-1, 3}, {-2, 2}, {-3, 1}}};
   const std::uint8_t* const at = image.row(v) + u;
@@ -92,7 +92,8 @@ bool may_be_cross(const Image& image, int u, int v, double min_contrast) {
   }
   for (int i = 0; i < 4; ++i) across += std::abs(sum[i] - sum[i + 4]);
   // A sharp right-angled corner gives 8 times its contrast, 2.5 px of blur and 53 deg leave about 2.6 times.
-  return across > opposite && across > 1.5 * min_contrast;
+  // Noise makes 9 sigma of the opposite ones' differences.
+  return across > opposite && across > 1.5 * (opposite - 9 * noise) && across > 1.5 * min_contrast;
 }
 
 std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast) {
@@ -108,7 +109,7 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   // Blur of 2.5 px leaves half the contrast at these radii.
   if (contrast < 0.4 * min_contrast) return std::nullopt;
   // Shade over half of the patch makes opposite sectors differ, but less than black from white.
-  if (profile.odd_square > 0.16f * contrast * contrast) return std::nullopt;
+  if (profile.odd_square > 0.1f * contrast * contrast) return std::nullopt;
   CrossStructure cross;
   // Measured on right angles: 0.77 at 0.9 px of blur, 0.55 at 2 px; and the circles then miss a part of the contrast.
   // Never sharper than 0.9 px: a start that is off by more than the blur would see no slope.

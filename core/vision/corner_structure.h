@@ -20,9 +20,10 @@ struct CrossStructure {
   double blur = 1;                // px, sigma, a guess from how much the contrast grows from 2.5 to 4 px
 };
 
-/// The cheapest test: 16 pixels on a circle of 3 px. False where points a quarter turn apart differ less than opposite
-/// ones, or by too little for a corner of `min_contrast` grey levels. (u, v) must be 3 px inside the image.
-bool may_be_cross(const Image& image, int u, int v, double min_contrast);
+/// The cheapest test: 16 pixels on a circle of 3 px. False where points a quarter turn apart differ less than 1.5 times
+/// as opposite ones, beyond what noise of sigma `noise` grey levels makes, or by too little for a corner of
+/// `min_contrast` grey levels. (u, v) must be 3 px inside the image.
+bool may_be_cross(const Image& image, int u, int v, double min_contrast, double noise);
 
 /// Reads circles round `centre` (px) and finds the four sectors; nothing where they do not alternate, where opposite
 /// ones differ more than neighbours, or where the circles leave the image.
