@@ -100,6 +100,7 @@ class Work {
     base.estimated = options_.estimated;
     base.start = options_.start;
     d_.model = options_.fitted ? *options_.fitted : clean_fit(session_, base);
+    if (!options_.fitted) keep_points_that_an_effect_explains(base);
     d_.model_options = base;
     for (std::size_t t = 0; t < base.estimated.size(); ++t)
       d_.model_options.estimated[t] = d_.model.fit.effects[base.effects.size() + t].term;
@@ -129,6 +130,31 @@ class Work {
   Diagnosis stopped() {
     d_.stopped = true;
     return std::move(d_);
+  }
+
+  /// What looks like wrong points may be an effect that moves single markers or cameras. If one of the catalogue makes
+  /// most of them right, they are none, and stay in.
+  void keep_points_that_an_effect_explains(const FitOptions& base) {
+    constexpr std::size_t fewest = 4, most_tried = 3;
+    if (d_.model.wrong.size() < fewest) return;
+    const CleanFit whole{session_, fit(session_, base), {}};
+    const Weighing w = weighing(d_.model.fit);
+    const Candidates candidates = all_candidates(whole.fit.problem, most_orders);
+    const LinearModel linear =
+        linear_model(candidates.problem, estimate(whole.fit), candidates.base_effects, w.noise);
+    const Ranking ranking = rank(linear, w.knowledge, candidates, {});
+    for (std::size_t i = 0; i < std::min(most_tried, ranking.effects.size()); ++i) {
+      if (ranking.effects[i].ln_bayes_factor < 10) return;
+      FitOptions with = base;
+      const std::vector<EffectTerm> terms =
+          with_settled_orders(whole, terms_with_values(ranking.effects[i]), w.noise, w.knowledge);
+      with.estimated.insert(with.estimated.end(), terms.begin(), terms.end());
+      CleanFit alternative = clean_fit(session_, with);
+      if (2 * alternative.wrong.size() > d_.model.wrong.size()) continue;
+      d_.model = {std::move(alternative.session), {}, std::move(alternative.wrong)};
+      d_.model.fit = fit(d_.model.session, base);
+      return;
+    }
   }
 
   void rank_all() {

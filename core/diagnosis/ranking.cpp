@@ -123,10 +123,9 @@ class EffectRanker {
       std::vector<double> pairs;
       for (std::size_t a = 0; a < n; ++a)
         for (std::size_t b = a + 1; b < n; ++b) {
-          // Joints that show nothing alone seldom do in pairs: their factors are taken as independent.
+          // Joints that show little alone seldom do in pairs: the better of the two stands for them.
           const bool exact = b < most_in_pairs || (a < 2 && b < 12);
-          const double factor =
-              exact ? factor_of({seen[order[a]], seen[order[b]]}) : singles[order[a]] + singles[order[b]];
+          const double factor = exact ? factor_of({seen[order[a]], seen[order[b]]}) : singles[order[a]] - 1;
           pairs.push_back(factor);
           if (exact) take({seen[order[a]], seen[order[b]]}, factor, n, best, r);
         }
