@@ -99,6 +99,7 @@ class Work {
     base.effects = options_.effects;
     base.estimated = options_.estimated;
     base.start = options_.start;
+    if (!base.estimated.empty()) base.smallest_step = 1e-9;
     d_.model = options_.fitted ? *options_.fitted : clean_fit(session_, base);
     if (!options_.fitted) keep_points_that_an_effect_explains(base);
     d_.model_options = base;
@@ -151,7 +152,8 @@ class Work {
       with.estimated.insert(with.estimated.end(), terms.begin(), terms.end());
       CleanFit alternative = clean_fit(session_, with);
       if (2 * alternative.wrong.size() > d_.model.wrong.size()) continue;
-      d_.model = {std::move(alternative.session), {}, std::move(alternative.wrong)};
+      d_.model.session = std::move(alternative.session);
+      d_.model.wrong = std::move(alternative.wrong);
       d_.model.fit = fit(d_.model.session, base);
       return;
     }

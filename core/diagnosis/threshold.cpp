@@ -1,10 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/threshold.h"
 
-namespace handsight {
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
 
-double simulated_threshold(const LinearModel&, const Candidates&, double scatter, const NoiseKnowledge&) {
-  return scatter > 0 ? 6 : 5;
+namespace handsight {
+namespace {
+
+constexpr int draws = 400;
+constexpr double false_alarms = 0.005;
+constexpr double least = 4, more_with_scatter = 2.5;
+constexpr std::array<double, 4> scales{0.1, 0.3, 1, 3};
+
+/// One choice of places: under noise alone its score has independent normal components with these variances.
+struct NullScore {
+  std::vector<double> information;
+  std::array<double, scales.size()> volume{};  // ln det(I + s^2 A) / 2
+
+  explicit NullScore(const Score& s) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(s.information, Eigen::EigenvaluesOnly);
+    for (const double l : eigen.eigenvalues())
+      if (l > 1e-6) information.push_back(l);
+    for (std::size_t i = 0; i < scales.size(); ++i)
+      for (const double l : information) volume[i] += 0.5 * std::log1p(scales[i] * scales[i] * l);
+  }
+
+  template <class Random>
+  double draw(Random& random) const {
+    std::array<double, scales.size()> factors{};
+    std::normal_distribution<double> normal;
+    for (const double l : information) {
+      const double z2 = std::pow(normal(random), 2);
+      for (std::size_t i = 0; i < scales.size(); ++i) {
+        const double s2l = scales[i] * scales[i] * l;
+        factors[i] += 0.5 * z2 * s2l / (1 + s2l);
+      }
+    }
+    for (std::size_t i = 0; i < scales.size(); ++i) factors[i] -= volume[i];
+    return ln_mean_exp(factors);
+  }
+};
+
+/// The classes of one effect's choices: alternatives alone, or single joints and all of them.
+std::vector<std::vector<NullScore>> null_scores(const WhitenedModel& w, const CandidateEffect& c) {
+  std::vector<std::vector<NullScore>> classes(1);
+  for (const CandidateUnit& unit : c.units) classes[0].emplace_back(score(w, unit.first, unit.count));
+  if (!moves_one_joint(*c.effect) || c.units.size() < 2) return classes;
+  const Eigen::Index first = c.units.front().first;
+  classes.emplace_back();
+  classes[1].emplace_back(score(w, first, c.units.back().first + c.units.back().count - first));
+  return classes;
+}
+
+}  // namespace
+
+double simulated_threshold(const LinearModel& model, const Candidates& candidates, double scatter,
+                           const NoiseKnowledge& knowledge) {
+  const WhitenedModel w = whiten(model, scatter, knowledge);
+  std::vector<std::vector<std::vector<NullScore>>> effects;
+  for (const CandidateEffect& c : candidates.effects) effects.push_back(null_scores(w, c));
+  std::mt19937_64 random(20261121);
+  std::vector<double> largest;
+  for (int i = 0; i < draws; ++i) {
+    double best = -1e300;
+    for (const auto& classes : effects) {
+      std::vector<double> means;
+      for (const std::vector<NullScore>& scores : classes) {
+        std::vector<double> factors;
+        for (const NullScore& s : scores) factors.push_back(s.draw(random));
+        means.push_back(ln_mean_exp(factors));
+      }
+      best = std::max(best, ln_mean_exp(means));
+    }
+    largest.push_back(best);
+  }
+  std::sort(largest.begin(), largest.end());
+  const std::size_t tail = largest.size() * 9 / 10;
+  double excess = 0;
+  for (std::size_t i = tail; i < largest.size(); ++i)
+    excess += (largest[i] - largest[tail]) / static_cast<double>(largest.size() - tail);
+  const double quantile = largest[tail] + excess * std::log(0.1 / false_alarms);
+  return std::max(quantile, least) + (scatter > 0 ? more_with_scatter : 0);
 }
 
 }  // namespace handsight

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <unordered_map>
 
 #include "effects/list.h"
 
@@ -32,9 +33,13 @@ const std::vector<Effect>& catalogue() {
 }
 
 const Effect* find_effect(const std::string& id) {
-  const auto& all = catalogue();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Effect& e) { return e.id == id; });
-  return found == all.end() ? nullptr : &*found;
+  static const auto by_id = [] {
+    std::unordered_map<std::string, const Effect*> map;
+    for (const Effect& e : catalogue()) map.emplace(e.id, &e);
+    return map;
+  }();
+  const auto found = by_id.find(id);
+  return found == by_id.end() ? nullptr : found->second;
 }
 
 std::vector<int> effect_places(const Effect& effect, const Chain& chain) {

@@ -38,6 +38,11 @@ struct Effect {
   void (*move)(const Circumstances&, int place, std::span<const double> values, Sites& sites) = nullptr;
 };
 
+/// Effects of joint scope change their own joint's numbers and nothing else.
+inline bool moves_one_joint(const Effect& e) {
+  return e.scope == EffectScope::joint || e.scope == EffectScope::mimic_joint;
+}
+
 /// All effects that the program knows, each with a unique id.
 const std::vector<Effect>& catalogue();
 

@@ -69,6 +69,9 @@ Problem part_of(const Problem& whole, const std::vector<char>& in_part) {
 }
 
 ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& options, std::size_t session_size) {
+  FitOptions fold_options = options;
+  // Effects are followed to a ten-thousandth of their plausible size: far below what a fold shows of them.
+  if (fit.problem.effect_count() > 0) fold_options.smallest_step = std::max(options.smallest_step, 1e-7);
   std::vector<Residuals> all;
   for (int fold = 0; fold < 5; ++fold) {
     std::vector<char> trains(session_size, 0);
@@ -79,7 +82,7 @@ ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& o
       (held ? holds_out : has_training) = true;
     }
     if (!holds_out || !has_training) continue;
-    const Unknowns unknowns = refit(fit, options, part_of(fit.problem, trains), fit.noise.value_or(1));
+    const Unknowns unknowns = refit(fit, fold_options, part_of(fit.problem, trains), fit.noise.value_or(1));
     for (char& train : trains) train = !train;
     Problem held = part_of(images, trains);
     if (held.effect_count() > 0) set_effects(held, unknowns.effects);

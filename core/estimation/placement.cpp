@@ -8,31 +8,48 @@
 namespace handsight {
 namespace {
 
-/// The sites as a unit of one column moves them, choices of its term as they are.
+/// The sites as a unit of one column moves them, choices of its term as they are. One buffer serves all columns.
 class UnitSites {
  public:
   UnitSites(const Problem& problem, const Circumstances& circumstances)
-      : problem_(&problem), circumstances_(&circumstances) {}
+      : problem_(&problem), circumstances_(&circumstances) {
+    sites_.robot.joints.resize(circumstances.chain->robot.joints.size());
+    sites_.markers.assign(static_cast<std::size_t>(circumstances.chain->marker_count), Vector3::Zero());
+  }
 
   const Sites& of(const EffectColumn& column) {
     const EffectTerm& term = problem_->terms[column.term];
     const Effect& effect = *find_effect(term.id);
+    clear();
     values_.assign(effect.parameters.size(), 0.0);
     for (std::size_t p = 0; p < values_.size(); ++p)
       if (effect.parameters[p].is_choice) values_[p] = term.values[p];
     values_[column.parameter] = 1;
-    sites_ = Sites{};
-    sites_.robot.joints.resize(circumstances_->chain->robot.joints.size());
-    sites_.markers.assign(static_cast<std::size_t>(circumstances_->chain->marker_count), Vector3::Zero());
     effect.move(*circumstances_, term.joint, values_, sites_);
+    at_joint_ = moves_one_joint(effect) ? term.joint : -1;
     return sites_;
   }
 
+  /// The joint that the last column moves alone, or -1.
+  int joint() const { return at_joint_; }
+
  private:
+  void clear() {
+    if (at_joint_ >= 0) {
+      sites_.robot.joints[static_cast<std::size_t>(at_joint_)] = JointChange{};
+      return;
+    }
+    const std::size_t joints = sites_.robot.joints.size(), markers = sites_.markers.size();
+    sites_ = Sites{};
+    sites_.robot.joints.resize(joints);
+    sites_.markers.assign(markers, Vector3::Zero());
+  }
+
   const Problem* problem_;
   const Circumstances* circumstances_;
   std::vector<double> values_;
   Sites sites_;
+  int at_joint_ = -1;
 };
 
 /// A slip of the body, a motion in the slip's frame, as a motion in the TCP's.
@@ -57,10 +74,16 @@ void set_motion(const Problem& problem, const Circumstances& c, const Sites& sit
   motion.tcp_by_value.resize(6, static_cast<Eigen::Index>(chain.joints.size()));
   for (std::size_t j = 0; j < chain.joints.size(); ++j)
     motion.tcp_by_value.col(static_cast<Eigen::Index>(j)) = tangent.motion_by_value(chain.joints[j]);
-  motion.torques = Eigen::Map<const Eigen::VectorXd>(posture.torque.data(), static_cast<Eigen::Index>(posture.torque.size()));
+  motion.torques =
+      Eigen::Map<const Eigen::VectorXd>(posture.torque.data(), static_cast<Eigen::Index>(posture.torque.size()));
   UnitSites unit(problem, c);
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const Sites& d = unit.of(problem.columns_of_effects[static_cast<std::size_t>(i)]);
+    if (unit.joint() >= 0) {
+      const auto j = static_cast<std::size_t>(unit.joint());
+      motion.tcp_by_effect.col(i) = tangent.motion_by_joint(j, d.robot.joints[j]);
+      continue;
+    }
     motion.tcp_by_effect.col(i) = tangent.motion(d.robot);
     if (!d.body.isZero(0)) motion.tcp_by_effect.col(i) += by_body * d.body;
     if (!d.mount.isZero(0) || !d.drift.isZero(0)) {

@@ -53,6 +53,7 @@ PostureTangent::PostureTangent(const Robot& robot, const RobotChange& change, co
          j = robot.links[static_cast<std::size_t>(robot.joints[static_cast<std::size_t>(j)].parent_link)].parent_joint)
       direct_[static_cast<std::size_t>(j)] += sign;
   }
+  describe_joints();
   add_value_shares();
   list_unknowns();
   answer_to_loads();
@@ -64,13 +65,9 @@ const JointChange& PostureTangent::change_of(std::size_t joint) const {
 
 bool PostureTangent::carries(std::size_t k, std::size_t i) const { return k == whole || above_[i][k] != 0; }
 
-Vector3 PostureTangent::first_moment(std::size_t k) const {
-  return posture_->distal_mass[k] * posture_->distal_center[k];
-}
-
 /// Of everything behind a joint, by a unit of its value.
 Vector6 PostureTangent::axis_motion(std::size_t k) const {
-  const Vector3 axis = posture_->root_from_joint[k].rotation * robot_->joints[k].axis;
+  const Vector3& axis = joints_[k].axis;
   if (robot_->joints[k].kind != JointKind::prismatic)
     return rotation_about_point(axis, posture_->root_from_joint[k].translation);
   Vector6 motion;
@@ -80,15 +77,9 @@ Vector6 PostureTangent::axis_motion(std::size_t k) const {
 
 /// Of everything behind a joint, by its lateral deflection (in the rotated frame).
 Eigen::Matrix<double, 6, 3> PostureTangent::lateral_motion(std::size_t k) const {
-  const Joint& joint = robot_->joints[k];
-  Matrix3 root_from_rotated = posture_->root_from_joint[k].rotation;
   Vector3 origin = posture_->root_from_joint[k].translation;
-  if (joint.kind == JointKind::prismatic) {
-    origin += root_from_rotated * joint.axis * posture_->value[k];
-  } else {
-    root_from_rotated *= rotation_about<double>(joint.axis, posture_->value[k]);
-  }
-  const Matrix3 turned = root_from_rotated * left_jacobian(posture_->deflection.lateral[k]);
+  if (robot_->joints[k].kind == JointKind::prismatic) origin += joints_[k].axis * posture_->value[k];
+  const Matrix3 turned = joints_[k].root_from_rotated * left_jacobian(posture_->deflection.lateral[k]);
   Eigen::Matrix<double, 6, 3> motion;
   motion << cross_matrix(origin) * turned, turned;
   return motion;
@@ -97,11 +88,11 @@ Eigen::Matrix<double, 6, 3> PostureTangent::lateral_motion(std::size_t k) const 
 /// Joint i's torque (force) by a motion of all from joint k's frame on; `moves_own_frame` false: of all after it.
 PostureTangent::Row6 PostureTangent::torque_by_motion(std::size_t i, std::size_t k, bool moves_own_frame) const {
   Row6 row = Row6::Zero();
-  const Vector3 axis = posture_->root_from_joint[i].rotation * robot_->joints[i].axis;
+  const Vector3& axis = joints_[i].axis;
   const bool is_force = robot_->joints[i].kind == JointKind::prismatic;
   if (carries(k, i) || (i == k && moves_own_frame)) {
     // Carried as a whole, it sees gravity turn the other way.
-    const Vector3 arm = first_moment(i) - posture_->distal_mass[i] * posture_->root_from_joint[i].translation;
+    const Vector3& arm = joints_[i].arm;
     const Vector3 by_turn =
         is_force ? Vector3(posture_->distal_mass[i] * axis.cross(gravity_)) : Vector3(axis.cross(arm).cross(gravity_));
     row.tail<3>() = by_turn;
@@ -118,7 +109,7 @@ Eigen::Matrix<double, 3, 6> PostureTangent::moment_by_motion(std::size_t i, std:
   Eigen::Matrix<double, 3, 6> rows = Eigen::Matrix<double, 3, 6>::Zero();
   const Matrix3 g = cross_matrix(gravity_);
   if (carries(k, i) || (i == k && moves_own_frame)) {
-    const Vector3 arm = first_moment(i) - posture_->distal_mass[i] * posture_->root_from_joint[i].translation;
+    const Vector3& arm = joints_[i].arm;
     rows.rightCols<3>() = cross_matrix(arm) * g;
   } else if (i == k || carries(i, k)) {
     rows.leftCols<3>() = -posture_->distal_mass[k] * g;
@@ -127,34 +118,38 @@ Eigen::Matrix<double, 3, 6> PostureTangent::moment_by_motion(std::size_t i, std:
   return rows;
 }
 
-/// The torques that a joint's spring carries, with their factors: its own, and with a linkage its mimic joints'.
-std::vector<PostureTangent::Share> PostureTangent::carried_torques(std::size_t joint) const {
-  std::vector<Share> shares{{static_cast<int>(joint), 1.0}};
-  if (change_->joints.empty()) return shares;
-  for (std::size_t m = 0; m < robot_->joints.size(); ++m)
-    for (const Mimic& mimic : robot_->joints[m].mimics)
-      if (mimic.joint == static_cast<int>(joint) && change_of(m).share != 0)
-        shares.push_back(
-            {static_cast<int>(m), change_of(m).share * (mimic.multiplier + change_of(m).multiplier_error)});
-  return shares;
-}
-
-double PostureTangent::carried_torque(std::size_t joint) const {
-  double sum = 0;
-  for (const Share& s : carried_torques(joint)) sum += s.factor * posture_->torque[static_cast<std::size_t>(s.joint)];
-  return sum;
-}
-
-/// d deflection / d carried torque.
-double PostureTangent::slope(std::size_t joint) const {
-  const JointChange& c = change_of(joint);
-  const double stiffness = robot_->joints[joint].stiffness;
-  double slope = c.compliance + (stiffness > 0 ? 1 / stiffness : 0);
-  if (c.gap != 0) {
-    const double t = std::tanh(carried_torque(joint) / posture_detail::backlash_torque);
-    slope += c.gap * (1 - t * t) / posture_detail::backlash_torque;
+void PostureTangent::describe_joints() {
+  joints_.resize(robot_->joints.size());
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Joint& joint = robot_->joints[i];
+    JointState& s = joints_[i];
+    if (!joint.moves()) continue;
+    const Rigid& frame = posture_->root_from_joint[i];
+    s.axis = frame.rotation * joint.axis;
+    s.first_moment = posture_->distal_mass[i] * posture_->distal_center[i];
+    s.arm = s.first_moment - posture_->distal_mass[i] * frame.translation;
+    s.root_from_rotated = frame.rotation;
+    if (joint.kind != JointKind::prismatic)
+      s.root_from_rotated = frame.rotation * rotation_about<double>(joint.axis, posture_->value[i]);
+    s.carried = {{static_cast<int>(i), 1.0}};
   }
-  return slope;
+  if (!change_->joints.empty())
+    for (std::size_t m = 0; m < joints_.size(); ++m)
+      for (const Mimic& mimic : robot_->joints[m].mimics)
+        if (change_of(m).share != 0)
+          joints_[static_cast<std::size_t>(mimic.joint)].carried.push_back(
+              {static_cast<int>(m), change_of(m).share * (mimic.multiplier + change_of(m).multiplier_error)});
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    JointState& s = joints_[i];
+    const JointChange& c = change_of(i);
+    for (const Share& share : s.carried)
+      s.carried_torque += share.factor * posture_->torque[static_cast<std::size_t>(share.joint)];
+    const double stiffness = robot_->joints[i].stiffness;
+    s.slope = c.compliance + (stiffness > 0 ? 1 / stiffness : 0);
+    if (c.gap == 0) continue;
+    const double t = std::tanh(s.carried_torque / posture_detail::backlash_torque);
+    s.slope += c.gap * (1 - t * t) / posture_detail::backlash_torque;
+  }
 }
 
 Eigen::Vector2d PostureTangent::base_deflection(const Vector3& root_moment) const {
@@ -209,11 +204,7 @@ Eigen::MatrixXd PostureTangent::loads_by_motion(std::size_t k, bool moves_own_fr
         loads.row(block.first) +=
             slope(i) * s.factor * torque_by_motion(static_cast<std::size_t>(s.joint), k, moves_own_frame);
     } else if (block.kind == Block::lateral) {
-      const Matrix3 root_from_joint = posture_->root_from_joint[i].rotation;
-      const Matrix3 root_from_rotated =
-          robot_->joints[i].kind == JointKind::prismatic
-              ? root_from_joint
-              : Matrix3(root_from_joint * rotation_about<double>(robot_->joints[i].axis, posture_->value[i]));
+      const Matrix3& root_from_rotated = joints_[i].root_from_rotated;
       const Vector3& axis = robot_->joints[i].axis;
       loads.middleRows<3>(block.first) = change_of(i).lateral_compliance *
                                          (Matrix3::Identity() - axis * axis.transpose()) *

@@ -19,6 +19,9 @@ class PostureTangent {
   /// The motion of `moved` against `reference` per unit of change along `direction` (a change's numbers, all linear).
   Vector6 motion(const RobotChange& direction) const;
 
+  /// The same for a direction that changes one joint alone.
+  Vector6 motion_by_joint(std::size_t joint, const JointChange& direction) const;
+
   /// The same for a unit of one joint's sensor value (rad, m): mimic joints follow.
   const Vector6& motion_by_value(int joint) const { return by_corrected_[static_cast<std::size_t>(joint)]; }
 
@@ -34,17 +37,27 @@ class PostureTangent {
     Eigen::Index size() const { return kind == angle ? 1 : kind == lateral ? 3 : 2; }
   };
   using Row6 = Eigen::Matrix<double, 1, 6>;
+  struct JointState {  // in the root frame
+    Vector3 axis = Vector3::Zero();
+    Vector3 first_moment = Vector3::Zero();  // kg m, of what is distal, about the root's origin
+    Vector3 arm = Vector3::Zero();           // kg m, about the joint's origin
+    Matrix3 root_from_rotated = Matrix3::Identity();
+    std::vector<Share> carried;  // the torques that its spring carries: its own, and with a linkage its mimic joints'
+    double carried_torque = 0;
+    double slope = 0;  // d deflection / d carried torque
+  };
 
   const JointChange& change_of(std::size_t joint) const;
   bool carries(std::size_t k, std::size_t i) const;
-  Vector3 first_moment(std::size_t k) const;
+  const Vector3& first_moment(std::size_t k) const { return joints_[k].first_moment; }
   Vector6 axis_motion(std::size_t k) const;
   Eigen::Matrix<double, 6, 3> lateral_motion(std::size_t k) const;
   Row6 torque_by_motion(std::size_t i, std::size_t k, bool moves_own_frame) const;
   Eigen::Matrix<double, 3, 6> moment_by_motion(std::size_t i, std::size_t k, bool moves_own_frame) const;
-  std::vector<Share> carried_torques(std::size_t joint) const;
-  double slope(std::size_t joint) const;
-  double carried_torque(std::size_t joint) const;
+  const std::vector<Share>& carried_torques(std::size_t joint) const { return joints_[joint].carried; }
+  double slope(std::size_t joint) const { return joints_[joint].slope; }
+  double carried_torque(std::size_t joint) const { return joints_[joint].carried_torque; }
+  void describe_joints();
   Eigen::Vector2d base_deflection(const Vector3& root_moment) const;
   void list_unknowns();
   void add_value_shares();
@@ -52,12 +65,12 @@ class PostureTangent {
   void answer_to_loads();
   Vector6 motion_by_gravity(const Vector3& change) const;
   Vector6 motion_by_mass(int link, double mass, const Vector3& first_moment_in_root) const;
-  Vector6 motion_by_joint(std::size_t joint, const JointChange& direction) const;
 
   const Robot* robot_;
   const RobotChange* change_;
   Vector3 gravity_;  // tilted
   const Posture* posture_;
+  std::vector<JointState> joints_;
   std::vector<std::vector<char>> above_;  // [i][k]: is joint k on the way from the root to joint i, i itself excluded
   std::vector<double> direct_;            // per joint: 1 moves `moved`, -1 `reference`, 0 both or neither
   double base_direct_ = 0;

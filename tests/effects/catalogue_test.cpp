@@ -108,6 +108,19 @@ TEST(Catalogue, EffectsAddAndAreLinearInTheirSites) {
   }
 }
 
+TEST(Catalogue, EffectsOfJointScopeMoveTheirOwnJointAlone) {
+  const Chain c = chain();
+  const Circumstances here = moving(c);
+  for (const Effect& e : catalogue()) {
+    if (!moves_one_joint(e)) continue;
+    for (const int place : effect_places(e, c)) {
+      Sites sites = moved_sites(here, {{e.id, place, std::vector<double>(e.parameters.size(), 0.01)}});
+      sites.robot.joints[static_cast<std::size_t>(place)] = JointChange{};
+      EXPECT_LT(seen_change(here, sites).norm(), 1e-15) << e.id;
+    }
+  }
+}
+
 TEST(Catalogue, SlipsBeginAtTheirObservation) {
   const Chain c = chain();
   Circumstances here = moving(c);

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "diagnosis/improvement.h"
+#include "fixtures/arms.h"
+
+namespace handsight {
+namespace {
+
+Session like_stand() {
+  Session s = fixture::stand_session();
+  s.robot.joints[1].stiffness = s.robot.joints[2].stiffness = 12000;
+  return s;
+}
+
+Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t seed, int observations = 60,
+                  const Session& like = like_stand()) {
+  SimulationOptions o;
+  o.effects = effects;
+  o.seed = seed;
+  o.observations = observations;
+  o.noise = like.is_tracker() ? 2e-4 : 0.2;
+  o.declare_noise = false;
+  return simulate_session(like, o).session;
+}
+
+DiagnosisOptions quick() {
+  DiagnosisOptions o;
+  o.with_held_out = false;
+  return o;
+}
+
+struct Hidden {
+  const char* where;
+  std::vector<EffectTerm> effects;
+};
+
+TEST(Diagnosis, NamesWhatIsHiddenAndWhere) {
+  const std::vector<Hidden> all = {
+      {"a2", {{"encoder_eccentricity", 1, {1.5e-3, -1e-3}}}},
+      {"a3", {{"joint_elasticity", 2, {1e-4}}}},
+      {"a2", {{"link_geometry", 1, {8e-4, 5e-4, 2e-3, -2e-3}}}},
+      {"", {{"stereo_rig", -1, {8e-4, -5e-4, 6e-4, 1e-3, 1.5e-3, -1e-3}}}},
+      {"", {{"lens_distortion", -1, {0.02, -0.03, 5e-4, 8e-4, -0.02, 0.02, 0, 5e-4}}}},
+      {"from observation 31 on", {{"body_slip", -1, {1e-3, -1e-3, 1e-3, 0.01, 0, 0.01, 31}}}},
+      {"marker 1", {{"marker_slip", 1, {1.5e-3, 1e-3, -1e-3, 22}}}},
+      {"", {{"mount_drift", -1, {1e-3, 0, -1e-3, 2e-3, 0, 1e-3, 0}}}},
+      {"", {{"time_lag", -1, {0.015}}}}};
+  for (const Hidden& hidden : all) {
+    const Diagnosis d = diagnose(simulated(hidden.effects, 7), quick());
+    ASSERT_FALSE(d.candidates.empty());
+    const DiagnosisCandidate& best = d.candidates.front();
+    EXPECT_EQ(best.id, hidden.effects[0].id);
+    EXPECT_EQ(d.verdict, Verdict::missing_effect) << hidden.effects[0].id << ": " << d.reason;
+    const std::string where = hidden.where;
+    if (!where.empty()) {
+      EXPECT_EQ(std::count(best.where.begin(), best.where.end(), where), 1) << hidden.effects[0].id;
+    }
+    EXPECT_FALSE(best.explanation.empty());
+    EXPECT_TRUE(best.plausible);
+  }
+}
+
+TEST(Diagnosis, IsHonestWhenNothingIsMissing) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Diagnosis d = diagnose(simulated({}, seed), quick());
+    EXPECT_EQ(d.verdict, Verdict::adequate) << d.reason;
+    EXPECT_LT(d.candidates.front().ln_bayes_factor, d.threshold);
+  }
+}
+
+TEST(Diagnosis, SaysWhatThesePosesCannotShow) {
+  const Session rigid = simulated({}, 3, 40, fixture::stand_session());
+  const Diagnosis d = diagnose(rigid, quick());
+  for (const char* id : {"payload", "base_tilt", "mimic_error", "mimic_linkage"})
+    EXPECT_EQ(std::count(d.invisible.begin(), d.invisible.end(), id), 1) << id;
+  EXPECT_EQ(std::count(d.invisible.begin(), d.invisible.end(), "camera_intrinsics"), 0);
+}
+
+TEST(Diagnosis, NamesTheVariableOfWhatTheCatalogueDoesNotHave) {
+  // A deviation with sin 3q at a joint.
+  Session session = simulated({}, 5, 80);
+  for (Observation& o : session.observations) o.position[1] -= 1.5e-3 * std::sin(3 * o.position[1]);
+  const Diagnosis d = diagnose(session, quick());
+  EXPECT_EQ(d.verdict, Verdict::unexplained) << d.reason;
+  EXPECT_NE(d.reason.find("angle of a2"), std::string::npos) << d.reason;
+  ASSERT_FALSE(d.patterns.empty());
+  EXPECT_EQ(d.patterns.front().against.joint, 1);
+}
+
+TEST(Diagnosis, RefusesToJudgeTooFewObservations) {
+  const Diagnosis d = diagnose(simulated({}, 2, 8), quick());
+  EXPECT_EQ(d.verdict, Verdict::too_few_observations);
+}
+
+TEST(Diagnosis, NeverCallsAModelAdequateWhoseNoiseIsNotKnown) {
+  Session like = fixture::tracker_session(1);
+  const Diagnosis d = diagnose(simulated({}, 2, 40, like), quick());
+  EXPECT_FALSE(d.noise);
+  EXPECT_EQ(d.verdict, Verdict::unexplained);
+}
+
+TEST(Diagnosis, WorksOnTrackerSessions) {
+  const Session session = simulated({{"joint_elasticity", 1, {1e-4}}}, 4, 60, [] {
+    Session s = fixture::tracker_session(3);
+    s.robot.joints[1].stiffness = 12000;
+    return s;
+  }());
+  const Diagnosis d = diagnose(session, quick());
+  EXPECT_EQ(d.candidates.front().id, "joint_elasticity") << d.reason;
+}
+
+TEST(Snooping, FindsWrongPointsAndNoOthers) {
+  Session session = simulated({{"joint_elasticity", 1, {1e-4}}}, 6, 60);
+  std::mt19937_64 random(1);
+  int displaced = 0;
+  for (Observation& o : session.observations)
+    if (o.id % 6 == 1) {
+      *o.sightings[o.id % 3].left += Vector2(7, -6);
+      ++displaced;
+    }
+  const CleanFit clean = clean_fit(session, {});
+  int right = 0;
+  for (const WrongPoint& w : clean.wrong) right += w.id % 6 == 1 && w.marker == w.id % 3 && w.camera == SeenBy::left;
+  EXPECT_GE(right, displaced - 1);
+  EXPECT_LE(static_cast<int>(clean.wrong.size()), right + 1);
+  EXPECT_NEAR(clean.fit.noise_estimate->sigma, 0.2, 0.02);
+}
+
+TEST(Snooping, LeavesASlippedMarkerIn) {
+  const Session session = simulated({{"marker_slip", 2, {3e-3, 2e-3, -2e-3, 52}}}, 9);
+  const Diagnosis d = diagnose(session, quick());
+  EXPECT_EQ(d.candidates.front().id, "marker_slip") << d.reason;
+  EXPECT_LT(d.model.wrong.size(), 3u);
+}
+
+TEST(Patterns, OfNoiseAreNone) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    found += diagnose(simulated({}, seed), quick()).patterns.empty() ? 0 : 1;
+  EXPECT_LE(found, 1);
+}
+
+TEST(Patterns, ShowTheTorqueThatAJointGivesWayTo) {
+  const Diagnosis d = diagnose(simulated({{"joint_elasticity", 1, {1e-4}}}, 8), quick());
+  ASSERT_FALSE(d.patterns.empty());
+  EXPECT_LT(d.patterns.front().p_value, 1e-4);
+  const bool torque = std::any_of(
+      d.patterns.begin(),
+      d.patterns.begin() + std::min<std::ptrdiff_t>(5, static_cast<std::ptrdiff_t>(d.patterns.size())),
+      [](const DiagnosisPattern& p) { return p.against.kind == VariableKind::torque && p.against.joint == 1; });
+  EXPECT_TRUE(torque) << d.patterns.front().residual.name << " against " << d.patterns.front().against.name;
+}
+
+TEST(Improvement, FindsTwoEffectsAndStopsAtTheNoise) {
+  const Session session = simulated(
+      {{"joint_elasticity", 1, {1e-4}}, {"joint_elasticity", 2, {1e-4}}, {"encoder_eccentricity", 0, {1.5e-3, 1e-3}}},
+      12, 80);
+  const Improvement m = improve(session);
+  std::vector<std::string> added;
+  for (const ImprovementStep& s : m.steps)
+    if (!s.added.empty()) added.push_back(s.added);
+  std::sort(added.begin(), added.end());
+  EXPECT_EQ(added, (std::vector<std::string>{"encoder_eccentricity", "joint_elasticity"}));
+  EXPECT_EQ(m.last.verdict, Verdict::adequate) << m.last.reason;
+  EXPECT_LT(*m.steps.back().held_out.rms_pixel, 0.22);
+  for (std::size_t i = 1; i < m.steps.size(); ++i)
+    EXPECT_LT(*m.steps[i].held_out.rms_pixel, *m.steps[i - 1].held_out.rms_pixel);
+}
+
+TEST(Improvement, AddsNothingWhereNothingIsMissing) {
+  const Improvement m = improve(simulated({}, 3));
+  EXPECT_EQ(m.steps.size(), 1u);
+  EXPECT_EQ(m.last.verdict, Verdict::adequate);
+}
+
+TEST(Improvement, DoesNotTakeAWrongNameForAnUnnamedCurve) {
+  Session session = simulated({}, 5, 80);
+  for (Observation& o : session.observations) o.position[2] -= 1.5e-3 * std::sin(4 * o.position[2]);
+  const Improvement m = improve(session);
+  EXPECT_EQ(m.steps.size(), 1u);
+  EXPECT_EQ(m.last.verdict, Verdict::unexplained);
+}
+
+TEST(Improvement, StopsWhenAsked) {
+  ImprovementOptions o;
+  int calls = 0;
+  o.on_progress = [&](double) { return ++calls < 2; };
+  const Improvement m = improve(simulated({{"joint_elasticity", 1, {1e-4}}}, 3), o);
+  EXPECT_TRUE(m.stopped);
+  EXPECT_EQ(calls, 2);
+}
+
+}  // namespace
+}  // namespace handsight

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/evidence.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "diagnosis/candidates.h"
+#include "estimation/fit.h"
+#include "fixtures/arms.h"
+
+namespace handsight {
+namespace {
+
+constexpr double noise = 0.2;
+
+struct Bench {
+  SimulatedSession simulated;
+  Fit fit;
+  Candidates candidates;
+  LinearModel model;
+};
+
+Bench bench(std::uint64_t seed, int observations = 20) {
+  Bench b;
+  SimulationOptions o;
+  o.seed = seed;
+  o.observations = observations;
+  o.noise = noise;
+  o.effects = {{"joint_offset", 1, {1e-4}}};
+  b.simulated = simulate_session(fixture::stand_session(), o);
+  b.fit = fit(b.simulated.session, {});
+  b.candidates = all_candidates(b.fit.problem, 4);
+  b.model = linear_model(b.candidates.problem, estimate(b.fit), 0, noise);
+  return b;
+}
+
+/// The columns of one unit among the candidates.
+const CandidateUnit& unit_of(const Candidates& c, const std::string& id, int place) {
+  for (const CandidateEffect& e : c.effects)
+    for (const CandidateUnit& u : e.units)
+      if (e.effect->id == id && u.term.joint == place) return u;
+  throw std::runtime_error("no such unit");
+}
+
+/// ln of a zero-mean normal density, by a dense covariance.
+double ln_density(const Eigen::VectorXd& y, const Eigen::MatrixXd& covariance) {
+  const Eigen::LLT<Eigen::MatrixXd> llt(covariance);
+  return -0.5 * y.dot(llt.solve(y)) - llt.matrixLLT().diagonal().array().log().sum();
+}
+
+TEST(Evidence, IsTheRatioOfTwoNormalDensities) {
+  // Against a dense calculation: the model's own parameters under a prior so wide that its width cancels.
+  const Bench b = bench(3, 12);
+  const CandidateUnit& u = unit_of(b.candidates, "encoder_eccentricity", 2);
+  const Eigen::MatrixXd base = b.model.external.leftCols(b.model.base);
+  const Eigen::MatrixXd columns = b.model.external.middleCols(b.model.base + u.first, u.count);
+  for (const double scatter : {0.0, 1e-3}) {
+    // Internal rows are the same for both models where the candidate has none; markers' internal columns are left out
+    // of the dense calculation by giving the base only what the external rows see.
+    LinearModel outer = b.model;
+    outer.internal.setZero();
+    const WhitenedModel w = whiten(outer, scatter, {});
+    Eigen::MatrixXd v = Eigen::MatrixXd::Identity(base.rows(), base.rows());
+    for (const LinearObservation& o : b.model.observations)
+      v.block(o.first, o.first, o.count, o.count) += scatter * scatter * o.by_joints * o.by_joints.transpose();
+    Eigen::VectorXd width(base.cols());
+    for (Eigen::Index i = 0; i < width.size(); ++i) width[i] = 1e4 / base.col(i).norm();
+    v += base * width.cwiseAbs2().asDiagonal() * base.transpose();
+    std::vector<double> expected;
+    for (const double s : {0.1, 0.3, 1.0, 3.0})
+      expected.push_back(ln_density(b.model.external_error, v + s * s * columns * columns.transpose()) -
+                         ln_density(b.model.external_error, v));
+    EXPECT_NEAR(ln_bayes_factor(score(w, u.first, u.count), w, {}), ln_mean_exp(expected), 1e-3) << scatter;
+  }
+}
+
+TEST(Evidence, GainsNothingFromWhatTheModelAlreadyHas) {
+  // The last joint's offset turns the body about the joint's axis: the markers take that up.
+  const Bench b = bench(4);
+  const WhitenedModel w = whiten(b.model, 0, {});
+  const CandidateUnit& u = unit_of(b.candidates, "joint_offset", 5);
+  EXPECT_LT(score(w, u.first, u.count).information(0, 0), 1e-3);
+  EXPECT_NEAR(ln_bayes_factor(score(w, u.first, u.count), w, {}), 0, 1e-2);
+}
+
+TEST(Evidence, FollowsTheSimulatedSize) {
+  // The linear estimate is the truth within its sigma, in units of the plausible size.
+  const Bench b = bench(5, 60);
+  const WhitenedModel w = whiten(b.model, 0, {});
+  const CandidateUnit& u = unit_of(b.candidates, "joint_offset", 1);
+  const LinearEstimate e = linear_estimate(score(w, u.first, u.count), w, {});
+  EXPECT_NEAR(e.value[0], 1e-4 / 5e-3, 4.5 * std::sqrt(e.covariance(0, 0)));
+}
+
+TEST(Evidence, OfNothingIsSeldomMuch) {
+  // The mean of Bayes factors under nothing missing is 1: odds of 20 come less often than once in 20.
+  int beyond = 0, looked_at = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SimulationOptions o;
+    o.seed = seed;
+    o.observations = 20;
+    o.noise = noise;
+    const Fit f = fit(simulate_session(fixture::stand_session(), o).session, {});
+    const Candidates c = all_candidates(f.problem, 4);
+    const LinearModel m = linear_model(c.problem, estimate(f), 0, noise);
+    const WhitenedModel w = whiten(m, 0, {});
+    for (const CandidateEffect& e : c.effects) {
+      ++looked_at;
+      beyond += ln_bayes_factor(score(w, e.units.front().first, e.units.front().count), w, {}) > std::log(20.0);
+    }
+  }
+  EXPECT_LT(beyond, looked_at / 20);
+}
+
+}  // namespace
+}  // namespace handsight
