@@ -141,8 +141,7 @@ class Work {
     const CleanFit whole{session_, fit(session_, base), {}};
     const Weighing w = weighing(d_.model.fit);
     const Candidates candidates = all_candidates(whole.fit.problem, most_orders);
-    const LinearModel linear =
-        linear_model(candidates.problem, estimate(whole.fit), candidates.base_effects, w.noise);
+    const LinearModel linear = linear_model(candidates.problem, estimate(whole.fit), candidates.base_effects, w.noise);
     const Ranking ranking = rank(linear, w.knowledge, candidates, {});
     for (std::size_t i = 0; i < std::min(most_tried, ranking.effects.size()); ++i) {
       if (ranking.effects[i].ln_bayes_factor < 10) return;
@@ -250,15 +249,18 @@ class Work {
                                      [&](const RankedEffect& r) { return r.candidate->effect->id == c.id; });
     c.terms = with_settled_orders(d_.model, c.terms, weighing_.noise, weighing_.knowledge);
     c.where = places_of(c.terms, session_);
-    const Refit r = refit_with(d_.model, d_.model_options, c.terms, weighing_.noise, weighing_.knowledge);
+    Refit r = refit_with(d_.model, d_.model_options, c.terms, weighing_.noise, weighing_.knowledge);
     if (!r.fit.converged()) return;
+    drop_idle_places(r);
     c.refitted = true;
     c.terms.clear();
     c.sigmas.clear();
+    c.where.clear();
     for (std::size_t t = r.fit.effects.size() - r.added; t < r.fit.effects.size(); ++t) {
       c.terms.push_back(r.fit.effects[t].term);
       c.sigmas.push_back(r.fit.effects[t].sigmas);
     }
+    c.where = places_of(c.terms, session_);
     c.plausible = is_plausible(c.terms);
     c.ln_bayes_factor = r.ln_bayes_factor + ranked->ln_bayes_factor - ranked->ln_best;
     if (const auto left = lack_of_fit(r.fit); left && d_.excess && *d_.excess > 60 && d_.lack_of_fit_p < 1e-3)
@@ -268,6 +270,24 @@ class Work {
     }
     lack_after_[c.id] = lack_of_fit(r.fit);
     fits_[c.id] = r;
+  }
+
+  /// Places that the linear search took in, and that show nothing once all is fitted.
+  void drop_idle_places(Refit& r) const {
+    std::vector<EffectTerm> kept;
+    for (std::size_t t = r.fit.effects.size() - r.added; t < r.fit.effects.size(); ++t) {
+      const FittedEffect& e = r.fit.effects[t];
+      double z2 = 0, numbers = 0;
+      for (std::size_t p = 0; p < e.sigmas.size(); ++p)
+        if (e.sigmas[p] > 0) {
+          z2 += std::pow(e.term.values[p] / e.sigmas[p], 2);
+          ++numbers;
+        }
+      if (z2 > 6 + 2 * numbers) kept.push_back(e.term);
+    }
+    if (kept.empty() || kept.size() == r.added) return;
+    Refit fewer = refit_with(d_.model, d_.model_options, kept, weighing_.noise, weighing_.knowledge);
+    if (fewer.fit.converged() && fewer.ln_bayes_factor > r.ln_bayes_factor - 2) r = std::move(fewer);
   }
 
   /// Which effects are nearly the same term on these poses, or too near in evidence.
