@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/inspection.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+
+#include "estimation/body_pose.h"
+
+namespace handsight::app {
+namespace {
+
+/// Squared residuals of one observation, split by what could take them up, and their degrees of freedom.
+struct Parts {
+  double cameras = 0, body = 0, robot = 0;
+  int camera_rows = 0, body_rows = 0, robot_rows = 0;
+};
+
+/// What is left of a marker's four image coordinates when the marker may be anywhere.
+double free_point_cost(const StereoRig& rig, const Sighting& s, MarkerResidual& marker, int& rows) {
+  if (!s.left || !s.right) return 0;
+  const auto point = triangulate(rig, *s.left, *s.right);
+  if (!point) return 0;
+  marker.measured_in_sensor = point->point;
+  rows += 1;
+  return sighting_normal(&rig, s, point->point).cost;
+}
+
+void predict(const StereoRig* rig, MarkerResidual& marker) {
+  if (!rig) return;
+  const Vector3& x = marker.predicted_in_sensor;
+  const Vector3 in_right = rig->right_from_left * x;
+  if (x.z() > 1e-6) marker.predicted_left = project(rig->left, x);
+  if (in_right.z() > 1e-6) marker.predicted_right = project(rig->right, in_right);
+}
+
+void note_worst(const MarkerResidual& marker, InspectionRow& row) {
+  const auto look = [&](double size, int camera) {
+    if (size <= row.worst_size) return;
+    row.worst_size = size;
+    row.worst_marker = marker.marker;
+    row.worst_camera = camera;
+  };
+  if (marker.left && marker.predicted_left) look((*marker.left - *marker.predicted_left).norm(), 0);
+  if (marker.right && marker.predicted_right) look((*marker.right - *marker.predicted_right).norm(), 1);
+  if (!marker.left && !marker.right && marker.measured_in_sensor)
+    look((*marker.measured_in_sensor - marker.predicted_in_sensor).norm(), -1);
+}
+
+Parts measure(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns, InspectionRow& row) {
+  Parts parts;
+  const StereoRig* rig = problem.rig_or_null();
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  double total = 0, lengths = 0;
+  int points = 0;
+  for (const Sighting& s : o.sightings) {
+    MarkerResidual marker{.marker = s.marker, .left = s.left, .right = s.right};
+    marker.predicted_in_sensor = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(s.marker)];
+    predict(rig, marker);
+    if (rig) parts.cameras += free_point_cost(*rig, s, marker, parts.camera_rows);
+    if (s.point) marker.measured_in_sensor = s.point;
+    if (marker.measured_in_sensor) {
+      lengths += (*marker.measured_in_sensor - marker.predicted_in_sensor).squaredNorm();
+      ++points;
+    }
+    const SightingNormal normal = sighting_normal(rig, s, marker.predicted_in_sensor);
+    total += normal.cost;
+    row.coordinates += normal.rows;
+    note_worst(marker, row);
+    row.markers.push_back(std::move(marker));
+  }
+  if (row.coordinates > 0) row.rms = std::sqrt(total / row.coordinates);
+  if (points > 0) row.rms_m = std::sqrt(lengths / points);
+  const auto pose = estimate_body_pose(rig, o.sightings, unknowns.markers_in_tcp, sensor_from_tcp);
+  if (!pose) return parts;
+  row.tcp_from_tcp_est = inverse(sensor_from_tcp) * pose->sensor_from_body;
+  row.angle = vector_from_rotation(row.tcp_from_tcp_est->rotation).norm();
+  parts.body = std::max(0.0, pose->cost - parts.cameras);
+  parts.body_rows = std::max(0, row.coordinates - 6 - parts.camera_rows);
+  parts.robot = std::max(0.0, total - pose->cost);
+  parts.robot_rows = 6;
+  return parts;
+}
+
+bool exceeds(double cost, int rows, double noise) {
+  if (rows <= 0 || noise <= 0) return false;
+  const double squares = cost / (noise * noise);
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(rows), std::min(squares, 1e6))) < 1e-5;
+}
+
+/// Of what exceeds the noise. The letter goes from the inside out: images that do not fit together spoil the body's
+/// shape too, and a body out of shape spoils its pose.
+Blame blame_of(const Parts& parts, double noise) {
+  const auto excess = [&](double cost, int rows) { return std::max(0.0, cost - rows * noise * noise); };
+  const double c = excess(parts.cameras, parts.camera_rows), b = excess(parts.body, parts.body_rows),
+               r = excess(parts.robot, parts.robot_rows), sum = c + b + r;
+  Blame blame;
+  if (exceeds(parts.cameras, parts.camera_rows, noise)) {
+    blame.letter = 'C';
+  } else if (exceeds(parts.body, parts.body_rows, noise)) {
+    blame.letter = 'B';
+  } else if (exceeds(parts.robot, parts.robot_rows, noise)) {
+    blame.letter = 'R';
+  }
+  if (sum > 0 && blame.letter != 0) {
+    blame.cameras = c / sum;
+    blame.body = b / sum;
+    blame.robot = r / sum;
+  }
+  return blame;
+}
+
+QString direction(const Vector2& d) {
+  const bool sideways = std::abs(d.x()) >= std::abs(d.y());
+  const double size = sideways ? std::abs(d.x()) : std::abs(d.y());
+  const QString way = sideways ? (d.x() > 0 ? QObject::tr("further right") : QObject::tr("further left"))
+                               : (d.y() > 0 ? QObject::tr("further down") : QObject::tr("further up"));
+  return QObject::tr("%1 px %2").arg(size, 0, 'f', 1).arg(way);
+}
+
+double fold_cost(const StereoRig* rig, const Problem& problem, const Unknowns& unknowns, const Rigid& guess,
+                 std::vector<Sighting> sightings) {
+  std::erase_if(sightings, [](const Sighting& s) { return row_count(s) == 0; });
+  const auto pose = estimate_body_pose(rig, sightings, unknowns.markers_in_tcp, guess);
+  return pose && pose->rows > 6 ? pose->cost / (pose->rows - 6) : std::numeric_limits<double>::infinity();
+}
+
+struct Corner {
+  int marker = -1;
+  bool left = true;
+  Vector2 shift = Vector2::Zero();  // px, from measured to where the others say it is
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+/// The corner without which the rest agrees best, and where the rest would put it.
+Corner best_single_corner(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns) {
+  Corner best;
+  const StereoRig* rig = problem.rig_or_null();
+  const Rigid guess = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  for (std::size_t i = 0; i < o.sightings.size(); ++i)
+    for (const bool left : {true, false}) {
+      std::vector<Sighting> rest = o.sightings;
+      std::optional<Vector2>& corner = left ? rest[i].left : rest[i].right;
+      if (!corner) continue;
+      const Vector2 measured = *corner;
+      corner.reset();
+      const double cost = fold_cost(rig, problem, unknowns, guess, rest);
+      if (cost >= best.cost) continue;
+      std::erase_if(rest, [](const Sighting& s) { return row_count(s) == 0; });
+      const auto pose = estimate_body_pose(rig, rest, unknowns.markers_in_tcp, guess);
+      const Vector3 x =
+          pose->sensor_from_body * unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)];
+      const Vector2 expected = left ? project(rig->left, x) : project(rig->right, Vector3(rig->right_from_left * x));
+      best = {o.sightings[i].marker, left, expected - measured, cost};
+    }
+  return best;
+}
+
+QString pose_sentence(const InspectionRow& row) {
+  return QObject::tr("The whole hand, %1 mm and %2 deg from where the robot says.")
+      .arg(1e3 * row.tcp_from_tcp_est->translation.norm(), 0, 'f', 1)
+      .arg(57.29577951308232 * *row.angle, 0, 'f', 1);
+}
+
+/// The smallest change after which the rest agrees: one corner, one marker, the pose.
+QString what_would_mend(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns, double noise,
+                        const Parts& parts, const InspectionRow& row) {
+  if (!row.tcp_from_tcp_est || row.blame.letter == 0) return {};
+  if (row.blame.letter == 'R') return pose_sentence(row);
+  if (problem.rig && row.blame.letter == 'C') {
+    const Corner corner = best_single_corner(problem, o, unknowns);
+    const bool others_agree = corner.marker >= 0 && corner.cost < 9 * noise * noise;
+    if (others_agree)
+      return QObject::tr("Marker %1, %2 image, %3.")
+          .arg(corner.marker)
+          .arg(corner.left ? QObject::tr("left") : QObject::tr("right"), direction(corner.shift));
+    return QObject::tr("The two images do not fit together (%1 px across the epipolar lines): not taken at the same "
+                       "instant, or several wrong corners.")
+        .arg(std::sqrt(parts.cameras / std::max(1, parts.camera_rows)), 0, 'f', 1);
+  }
+  return QObject::tr("The markers do not lie to each other as on the other images (%1 %2): one is loose, hidden in part, "
+                     "or another corner.")
+      .arg(std::sqrt(parts.body / std::max(1, parts.body_rows)) * (problem.rig ? 1 : 1e3), 0, 'f', 1)
+      .arg(problem.rig ? QObject::tr("px") : QObject::tr("mm"));
+}
+
+/// The session as if every observation that shows markers counted.
+Session with_everything(const Session& session, const SecondLooks& looks) {
+  Session all = session;
+  all.source.reset();
+  for (Observation& o : all.observations) {
+    o.decision = Decision::none;
+    if (const auto look = looks.find(o.id); look != looks.end() && o.sightings.empty()) o.sightings = look->second;
+  }
+  return all;
+}
+
+}  // namespace
+
+double noise_limit(int coordinates) {
+  if (coordinates <= 0) return 1;
+  static const std::vector<double> table = [] {
+    std::vector<double> limits(257, 1.0);
+    for (int n = 1; n <= 256; ++n)
+      limits[static_cast<std::size_t>(n)] = std::sqrt(boost::math::quantile(boost::math::chi_squared(n), 0.99) / n);
+    return limits;
+  }();
+  return table[static_cast<std::size_t>(std::min(coordinates, 256))];
+}
+
+Inspection inspect(const Session& session, const Fit& fit, const FitReport& report, const SecondLooks& looks) {
+  Inspection inspection;
+  inspection.noise = fit.noise;
+  inspection.in_pixels = session.stereo.has_value();
+  inspection.rows.resize(session.observations.size());
+  for (std::size_t i = 0; i < session.observations.size(); ++i) {
+    InspectionRow& row = inspection.rows[i];
+    row.id = session.observations[i].id;
+    row.index = static_cast<int>(i);
+    row.is_used = is_used(session.observations[i]);
+    row.at_second_look = session.observations[i].sightings.empty() && looks.contains(row.id);
+  }
+  const Problem problem = make_problem(with_everything(session, looks), chain_of(session), {});
+  const Unknowns& unknowns = estimate(fit);
+  for (const ProblemObservation& o : problem.observations) {
+    ProblemObservation seen = o;
+    std::erase_if(seen.sightings, [&](const Sighting& s) {
+      return !fit.problem.marker_is_seen[static_cast<std::size_t>(s.marker)];
+    });
+    InspectionRow& row = inspection.rows[static_cast<std::size_t>(o.index)];
+    row.root_from_tcp = o.root_from_tcp;
+    row.root_from_sensor = o.root_from_mount * unknowns.mount_from_sensor;
+    const Parts parts = measure(problem, seen, unknowns, row);
+    if (!fit.noise || !row.rms || *fit.noise <= 0) continue;
+    row.ratio = *row.rms / *fit.noise;
+    row.blame = blame_of(parts, *fit.noise);
+    row.what_would_mend = what_would_mend(problem, seen, unknowns, *fit.noise, parts, row);
+  }
+  for (const ObservationReport& o : report.per_observation)
+    inspection.rows[static_cast<std::size_t>(o.index)].outlier = o.outlier;
+  return inspection;
+}
+
+}  // namespace handsight::app

@@ -1,1 +1,0 @@
-int handsight_widgets_probe() { return 0; }
