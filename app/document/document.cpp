@@ -16,7 +16,7 @@ class EditCommand : public QUndoCommand {
   bool mergeWith(const QUndoCommand* other) override {
     const auto& later = static_cast<const EditCommand&>(*other);
     if (later.edit_.joins != edit_.joins) return false;
-    edit_ = joined(edit_, later.edit_);
+    edit_ = joined(std::move(edit_), later.edit_);
     setText(edit_.sentence);
     return true;
   }
@@ -74,6 +74,7 @@ void Document::close() {
   stack_.clear();
   versions_.clear();
   shown_.reset();
+  second_looks_.clear();
   session_ = {};
   index_of_.clear();
   ++revision_;
@@ -215,6 +216,12 @@ std::vector<ModelVersionPointer> Document::versions() const {
     list.push_back(found == versions_.end() ? nullptr : found->second);
   }
   return list;
+}
+
+void Document::take_second_looks(const SecondLooks& looks) {
+  for (const auto& [id, sightings] : looks) second_looks_[id] = sightings;
+  ++revision_;
+  emit edited({});
 }
 
 void Document::take_version(const ModelVersionPointer& version) {

@@ -36,8 +36,8 @@ class Document : public QObject {
   int index_of(std::int64_t id) const;
   const Observation* find(std::int64_t id) const;
 
-  /// Does one action: written to the journal, then done, then announced. An edit that changes nothing is left out. Where
-  /// it cannot be written down it is not done, and `noticed` says why.
+  /// Does one action: written to the journal, then done, then announced. An edit that changes nothing is left out.
+  /// Where it cannot be written down it is not done, and `noticed` says why.
   void perform(Edit edit);
   void undo();
   void redo();
@@ -59,6 +59,10 @@ class Document : public QObject {
   std::vector<ModelVersionPointer> versions() const;
   /// Takes a fit, unless it is stale.
   void take_version(const ModelVersionPointer& version);
+
+  /// What a second look at rejected observations found; not part of the session, not undone. Announced as edited({}).
+  const SecondLooks& second_looks() const { return second_looks_; }
+  void take_second_looks(const SecondLooks& looks);
 
   /// A new number for Edit::joins.
   std::int64_t new_join() { return ++last_join_; }
@@ -91,6 +95,7 @@ class Document : public QObject {
   QUndoStack stack_;
   std::map<int, ModelVersionPointer> versions_;  // by index of the undo stack
   ModelVersionPointer shown_;
+  SecondLooks second_looks_;
   std::int64_t revision_ = 0;
   std::int64_t last_join_ = 0;
   bool is_replaying_ = false;

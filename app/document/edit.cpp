@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <unordered_map>
 
 #include "base/error.h"
 
@@ -84,20 +83,21 @@ bool same_state(const ObservationState& a, const ObservationState& b) {
          std::equal(a.sightings.begin(), a.sightings.end(), b.sightings.begin(), b.sightings.end(), same_sighting);
 }
 
-Edit joined(const Edit& earlier, const Edit& later) {
-  Edit both = earlier;
-  both.sentence = later.sentence;
-  std::unordered_map<std::int64_t, std::size_t> place;
-  for (std::size_t i = 0; i < both.observations.size(); ++i) place[both.observations[i].id] = i;
+Edit joined(Edit earlier, const Edit& later) {
+  earlier.sentence = later.sentence;
   for (const ObservationEdit& edit : later.observations) {
-    if (const auto found = place.find(edit.id); found != place.end()) {
-      both.observations[found->second].after = edit.after;
+    // The one that was changed last is the likeliest to change again.
+    const auto found = std::find_if(earlier.observations.rbegin(), earlier.observations.rend(),
+                                    [&](const ObservationEdit& known) { return known.id == edit.id; });
+    if (found == earlier.observations.rend()) {
+      earlier.observations.push_back(edit);
     } else {
-      both.observations.push_back(edit);
+      found->after = edit.after;
     }
   }
-  if (later.settings) both.settings = {both.settings ? both.settings->before : later.settings->before, later.settings->after};
-  return both;
+  if (later.settings)
+    earlier.settings = {earlier.settings ? earlier.settings->before : later.settings->before, later.settings->after};
+  return earlier;
 }
 
 std::string edit_text(const Edit& edit) {
@@ -107,7 +107,8 @@ std::string edit_text(const Edit& edit) {
     observations.push_back({{"id", o.id}, {"before", state_json(o.before)}, {"after", state_json(o.after)}});
   json["observations"] = std::move(observations);
   if (edit.settings)
-    json["settings"] = {{"before", settings_json(edit.settings->before)}, {"after", settings_json(edit.settings->after)}};
+    json["settings"] = {{"before", settings_json(edit.settings->before)},
+                        {"after", settings_json(edit.settings->after)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -51,7 +51,7 @@ struct Edit {
 };
 
 /// `later` follows `earlier`: both as one, with the later sentence.
-Edit joined(const Edit& earlier, const Edit& later);
+Edit joined(Edit earlier, const Edit& later);
 
 /// The edit as one line of JSON, numbers bit for bit, and back. Throws InputError where the text is no edit.
 std::string edit_text(const Edit& edit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/inspection.h"
 
+#include <QObject>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 
@@ -117,8 +118,8 @@ QString direction(const Vector2& d) {
   return QObject::tr("%1 px %2").arg(size, 0, 'f', 1).arg(way);
 }
 
-double fold_cost(const StereoRig* rig, const Problem& problem, const Unknowns& unknowns, const Rigid& guess,
-                 std::vector<Sighting> sightings) {
+double cost_per_degree(const StereoRig* rig, const Unknowns& unknowns, const Rigid& guess,
+                       std::vector<Sighting> sightings) {
   std::erase_if(sightings, [](const Sighting& s) { return row_count(s) == 0; });
   const auto pose = estimate_body_pose(rig, sightings, unknowns.markers_in_tcp, guess);
   return pose && pose->rows > 6 ? pose->cost / (pose->rows - 6) : std::numeric_limits<double>::infinity();
@@ -143,7 +144,7 @@ Corner best_single_corner(const Problem& problem, const ProblemObservation& o, c
       if (!corner) continue;
       const Vector2 measured = *corner;
       corner.reset();
-      const double cost = fold_cost(rig, problem, unknowns, guess, rest);
+      const double cost = cost_per_degree(rig, unknowns, guess, rest);
       if (cost >= best.cost) continue;
       std::erase_if(rest, [](const Sighting& s) { return row_count(s) == 0; });
       const auto pose = estimate_body_pose(rig, rest, unknowns.markers_in_tcp, guess);
@@ -173,12 +174,14 @@ QString what_would_mend(const Problem& problem, const ProblemObservation& o, con
       return QObject::tr("Marker %1, %2 image, %3.")
           .arg(corner.marker)
           .arg(corner.left ? QObject::tr("left") : QObject::tr("right"), direction(corner.shift));
-    return QObject::tr("The two images do not fit together (%1 px across the epipolar lines): not taken at the same "
-                       "instant, or several wrong corners.")
+    return QObject::tr(
+               "The two images do not fit together (%1 px across the epipolar lines): not taken at the same "
+               "instant, or several wrong corners.")
         .arg(std::sqrt(parts.cameras / std::max(1, parts.camera_rows)), 0, 'f', 1);
   }
-  return QObject::tr("The markers do not lie to each other as on the other images (%1 %2): one is loose, hidden in part, "
-                     "or another corner.")
+  return QObject::tr(
+             "The markers do not lie to each other as on the other images (%1 %2): one is loose, hidden in part, "
+             "or another corner.")
       .arg(std::sqrt(parts.body / std::max(1, parts.body_rows)) * (problem.rig ? 1 : 1e3), 0, 'f', 1)
       .arg(problem.rig ? QObject::tr("px") : QObject::tr("mm"));
 }
@@ -196,18 +199,22 @@ Session with_everything(const Session& session, const SecondLooks& looks) {
 
 }  // namespace
 
-double noise_limit(int coordinates) {
-  if (coordinates <= 0) return 1;
-  static const std::vector<double> table = [] {
-    std::vector<double> limits(257, 1.0);
-    for (int n = 1; n <= 256; ++n)
-      limits[static_cast<std::size_t>(n)] = std::sqrt(boost::math::quantile(boost::math::chi_squared(n), 0.99) / n);
-    return limits;
-  }();
-  return table[static_cast<std::size_t>(std::min(coordinates, 256))];
+void inspect_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
+                         std::optional<double> noise, const std::vector<char>& marker_is_known, InspectionRow& row) {
+  ProblemObservation seen = observation;
+  std::erase_if(seen.sightings,
+                [&](const Sighting& s) { return !marker_is_known[static_cast<std::size_t>(s.marker)]; });
+  row.root_from_tcp = observation.root_from_tcp;
+  row.root_from_sensor = observation.root_from_mount * unknowns.mount_from_sensor;
+  const Parts parts = measure(problem, seen, unknowns, row);
+  if (!noise || !row.rms || *noise <= 0) return;
+  row.ratio = *row.rms / *noise;
+  row.blame = blame_of(parts, *noise);
+  row.what_would_mend = what_would_mend(problem, seen, unknowns, *noise, parts, row);
 }
 
-Inspection inspect(const Session& session, const Fit& fit, const FitReport& report, const SecondLooks& looks) {
+Inspection inspect(const Session& session, const Fit& fit, const FitReport& report,
+                   const std::vector<EffectTerm>& effects, const SecondLooks& looks) {
   Inspection inspection;
   inspection.noise = fit.noise;
   inspection.in_pixels = session.stereo.has_value();
@@ -217,23 +224,13 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     row.id = session.observations[i].id;
     row.index = static_cast<int>(i);
     row.is_used = is_used(session.observations[i]);
-    row.at_second_look = session.observations[i].sightings.empty() && looks.contains(row.id);
+    const auto look = looks.find(row.id);
+    row.at_second_look = session.observations[i].sightings.empty() && look != looks.end() && !look->second.empty();
   }
-  const Problem problem = make_problem(with_everything(session, looks), chain_of(session), {});
-  const Unknowns& unknowns = estimate(fit);
+  const Problem problem = make_problem(with_everything(session, looks), chain_of(session), effects);
   for (const ProblemObservation& o : problem.observations) {
-    ProblemObservation seen = o;
-    std::erase_if(seen.sightings, [&](const Sighting& s) {
-      return !fit.problem.marker_is_seen[static_cast<std::size_t>(s.marker)];
-    });
     InspectionRow& row = inspection.rows[static_cast<std::size_t>(o.index)];
-    row.root_from_tcp = o.root_from_tcp;
-    row.root_from_sensor = o.root_from_mount * unknowns.mount_from_sensor;
-    const Parts parts = measure(problem, seen, unknowns, row);
-    if (!fit.noise || !row.rms || *fit.noise <= 0) continue;
-    row.ratio = *row.rms / *fit.noise;
-    row.blame = blame_of(parts, *fit.noise);
-    row.what_would_mend = what_would_mend(problem, seen, unknowns, *fit.noise, parts, row);
+    inspect_observation(problem, o, estimate(fit), fit.noise, fit.problem.marker_is_seen, row);
   }
   for (const ObservationReport& o : report.per_observation)
     inspection.rows[static_cast<std::size_t>(o.index)].outlier = o.outlier;

@@ -41,8 +41,8 @@ struct InspectionRow {
   Rigid root_from_tcp, root_from_sensor;
   std::vector<MarkerResidual> markers;
   int worst_marker = -1;
-  int worst_camera = -1;    // 0 left, 1 right
-  double worst_size = 0;    // px (m), length
+  int worst_camera = -1;  // 0 left, 1 right
+  double worst_size = 0;  // px (m), length
   Blame blame;
   bool outlier = false;     // stands out of the other observations
   QString what_would_mend;  // a sentence; empty: nothing to mend
@@ -57,10 +57,12 @@ struct Inspection {
 /// Markers that a second look found, by observation.
 using SecondLooks = std::unordered_map<std::int64_t, std::vector<Sighting>>;
 
-Inspection inspect(const Session& session, const Fit& fit, const FitReport& report, const SecondLooks& looks);
+/// One observation against any estimate; `row` has its id and index already. `noise` of one coordinate, where known.
+void inspect_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
+                         std::optional<double> noise, const std::vector<char>& marker_is_known, InspectionRow& row);
 
-/// The residual of an observation of `coordinates` averaged coordinates at which noise alone is exceeded once in a
-/// hundred, in units of the noise (chi-squared; 2.15 for 2 coordinates, 1.82 for 4, 1.48 for 12).
-double noise_limit(int coordinates);
+/// `effects` are those of the fit.
+Inspection inspect(const Session& session, const Fit& fit, const FitReport& report,
+                   const std::vector<EffectTerm>& effects, const SecondLooks& looks);
 
 }  // namespace handsight::app

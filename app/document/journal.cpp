@@ -112,9 +112,10 @@ Journal::Journal(const fs::path& session_file, const std::string& digest)
   file_ = folder / (hash(session_file_.string()) + ".journal");
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   if (descriptor_ < 0)
-    throw InputError(fmt::format("{}: the journal of this session cannot be written ({}); make its folder writable or "
-                                 "set XDG_STATE_HOME to another.",
-                                 shown_path(file_), std::strerror(errno)));
+    throw InputError(
+        fmt::format("{}: the journal of this session cannot be written ({}); make its folder writable or "
+                    "set XDG_STATE_HOME to another.",
+                    shown_path(file_), std::strerror(errno)));
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     ::close(descriptor_);
     descriptor_ = -1;
@@ -136,9 +137,9 @@ Journal::Journal(const fs::path& session_file, const std::string& digest)
     const fs::path aside = file_.string() + "." + read.base.substr(0, 8) + ".aside";
     fs::copy_file(file_, aside, fs::copy_options::overwrite_existing, error);
     contents_ = {};
-    contents_.notice = fmt::format(
-        "session.xml was changed by another program; {} unsaved actions from before that are kept in {}.",
-        read.entries.size(), shown_path(aside));
+    contents_.notice =
+        fmt::format("session.xml was changed by another program; {} unsaved actions from before that are kept in {}.",
+                    read.entries.size(), shown_path(aside));
     start(digest);
     return;
   }

@@ -18,8 +18,14 @@ ErrorAndNoise error_and_noise(const ModelVersion& version) {
   return result;
 }
 
+Vector6 origin_sigma(const Fit& fit) {
+  Matrix6 at_origin = Matrix6::Identity();
+  at_origin.topRightCorner<3, 3>() = -cross_matrix(fit.tcp_from_body.translation);
+  return (at_origin * fit.covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
+}
+
 ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,
-                                 QString cause) {
+                                 QString cause, const SecondLooks& looks) {
   auto version = std::make_shared<ModelVersion>();
   version->revision = revision;
   version->cause = std::move(cause);
@@ -31,6 +37,8 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
     auto told = std::make_shared<FitReport>(report(session, *fitted, version->options));
     for (std::size_t i = 0; i < told->per_observation.size(); ++i)
       version->row_of[told->per_observation[i].id] = static_cast<int>(i);
+    version->inspection =
+        std::make_shared<Inspection>(inspect(session, *fitted, *told, version->options.effects, looks));
     version->fit = std::move(fitted);
     version->report = std::move(told);
   } catch (const InputError& error) {

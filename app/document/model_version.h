@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "document/edit.h"
+#include "document/inspection.h"
 #include "estimation/fit_report.h"
 
 namespace handsight::app {
@@ -16,8 +17,9 @@ struct ModelVersion {
   QString cause;              // the action that led to it
   ModelSettings settings;
   FitOptions options;
-  std::shared_ptr<const Fit> fit;            // null: nothing could be fitted, and `refusal` says why
-  std::shared_ptr<const FitReport> report;   // null with the fit
+  std::shared_ptr<const Fit> fit;                // null: nothing could be fitted, and `refusal` says why
+  std::shared_ptr<const FitReport> report;       // null with the fit
+  std::shared_ptr<const Inspection> inspection;  // null with the fit
   QString refusal;
   std::unordered_map<std::int64_t, int> row_of;  // observation id -> FitReport::per_observation
 
@@ -25,10 +27,6 @@ struct ModelVersion {
   const ObservationReport* of(std::int64_t id) const {
     const auto found = row_of.find(id);
     return found == row_of.end() ? nullptr : &report->per_observation[static_cast<std::size_t>(found->second)];
-  }
-  const ProblemObservation* observation(std::int64_t id) const {
-    const auto found = row_of.find(id);
-    return found == row_of.end() ? nullptr : &fit->problem.observations[static_cast<std::size_t>(found->second)];
   }
 };
 using ModelVersionPointer = std::shared_ptr<const ModelVersion>;
@@ -45,8 +43,11 @@ struct ErrorAndNoise {
 };
 ErrorAndNoise error_and_noise(const ModelVersion& version);
 
+/// Standard deviations of tcp_from_body: of the body's origin (m), and of the rotations about the TCP's axes (rad).
+Vector6 origin_sigma(const Fit& fit);
+
 /// Fits a session and reports; a refusal of the fit becomes the version's sentence.
 ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,
-                                 QString cause);
+                                 QString cause, const SecondLooks& looks = {});
 
 }  // namespace handsight::app

@@ -35,9 +35,8 @@ void Refit::start() {
   const QString cause = document_.undo_stack().undoText();
   jobs_.start<ModelVersionPointer>(
       "fit", tr("Fitting %n observation(s)", nullptr, static_cast<int>(used)),
-      [copy = session, settings = document_.settings(), revision = document_.revision(), cause](JobControl&) {
-        return make_version(copy, settings, revision, cause);
-      },
+      [copy = session, settings = document_.settings(), revision = document_.revision(), cause,
+       looks = document_.second_looks()](JobControl&) { return make_version(copy, settings, revision, cause, looks); },
       [this](const ModelVersionPointer& version) { document_.take_version(version); },
       [this](const QString& sentence) { emit document_.noticed(sentence); });
 }

@@ -25,8 +25,9 @@ ShownImage read_shown_image(const std::filesystem::path& file, const std::string
                 .arg(camera.height)};
   QImage image = reader.read();
   if (image.isNull())
-    return {{}, QObject::tr("%1 cannot be read as an image (%2). Copy it again from where it came.")
-                    .arg(shown, reader.errorString())};
+    return {{},
+            QObject::tr("%1 cannot be read as an image (%2). Copy it again from where it came.")
+                .arg(shown, reader.errorString())};
   return {image, {}};
 }
 

@@ -31,7 +31,7 @@ class JobControl {
 struct JobState {
   bool is_running = false;
   QString title;
-  double share = 0;                  // 0 to 1
+  double share = 0;                    // 0 to 1
   std::optional<double> seconds_left;  // nothing while too little is done to tell
 };
 
@@ -49,11 +49,12 @@ class Jobs : public QObject {
   void start(const QString& kind, const QString& title, std::function<Result(JobControl&)> work,
              std::function<void(Result)> done, std::function<void(QString)> failed = {}) {
     auto result = std::make_shared<std::optional<Result>>();
-    enqueue(kind, title, [result, work = std::move(work)](JobControl& control) { result->emplace(work(control)); },
-            [result, done = std::move(done)] {
-              if (*result) done(std::move(**result));
-            },
-            std::move(failed));
+    enqueue(
+        kind, title, [result, work = std::move(work)](JobControl& control) { result->emplace(work(control)); },
+        [result, done = std::move(done)] {
+          if (*result) done(std::move(**result));
+        },
+        std::move(failed));
   }
 
   /// Cancels the job of that kind, or the one that the user sees where no kind is given. Its result is dropped.

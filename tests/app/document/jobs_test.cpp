@@ -84,7 +84,8 @@ TEST(JobsTest, AFailureIsASentenceNotACrash) {
   jobs.start<int>(
       "bad", "Bad", [](JobControl&) -> int { throw std::runtime_error("The robot has no joints."); }, [](int) {},
       [&](const QString& sentence) { failure = sentence; });
-  jobs.start<int>("good", "Good", [](JobControl&) { return 1; }, [&](int) { next = true; });
+  jobs.start<int>(
+      "good", "Good", [](JobControl&) { return 1; }, [&](int) { next = true; });
   run_until_idle(jobs);
   EXPECT_EQ(failure, "The robot has no joints.");
   EXPECT_TRUE(next);
