@@ -47,6 +47,11 @@ void note_worst(const MarkerResidual& marker, InspectionRow& row) {
     look((*marker.measured_in_sensor - marker.predicted_in_sensor).norm(), -1);
 }
 
+/// What the used observations show at the median, root mean square per degree of freedom.
+struct Typical {
+  double cameras = 0, body = 0;
+};
+
 Parts measure(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns, InspectionRow& row) {
   Parts parts;
   const StereoRig* rig = problem.rig_or_null();
@@ -88,16 +93,21 @@ bool exceeds(double cost, int rows, double noise) {
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(rows), std::min(squares, 1e6))) < 1e-5;
 }
 
+double rms(double cost, int rows) { return rows > 0 ? std::sqrt(cost / rows) : 0; }
+
 /// Of what exceeds the noise. The letter goes from the inside out: images that do not fit together spoil the body's
-/// shape too, and a body out of shape spoils its pose.
-Blame blame_of(const Parts& parts, double noise) {
+/// shape too, and a body out of shape spoils its pose. Where an effect is missing, the markers' estimate is bent and
+/// every observation shows some of it: an observation is blamed on cameras or body only beyond what is typical.
+Blame blame_of(const Parts& parts, double noise, const Typical& typical) {
+  constexpr double beyond = 4;
   const auto excess = [&](double cost, int rows) { return std::max(0.0, cost - rows * noise * noise); };
   const double c = excess(parts.cameras, parts.camera_rows), b = excess(parts.body, parts.body_rows),
                r = excess(parts.robot, parts.robot_rows), sum = c + b + r;
   Blame blame;
-  if (exceeds(parts.cameras, parts.camera_rows, noise)) {
+  if (exceeds(parts.cameras, parts.camera_rows, noise) &&
+      rms(parts.cameras, parts.camera_rows) > beyond * typical.cameras) {
     blame.letter = 'C';
-  } else if (exceeds(parts.body, parts.body_rows, noise)) {
+  } else if (exceeds(parts.body, parts.body_rows, noise) && rms(parts.body, parts.body_rows) > beyond * typical.body) {
     blame.letter = 'B';
   } else if (exceeds(parts.robot, parts.robot_rows, noise)) {
     blame.letter = 'R';
@@ -199,18 +209,39 @@ Session with_everything(const Session& session, const SecondLooks& looks) {
 
 }  // namespace
 
+namespace {
+
+Parts measure_row(const Problem& problem, ProblemObservation& seen, const Unknowns& unknowns,
+                  const std::vector<char>& marker_is_known, InspectionRow& row) {
+  std::erase_if(seen.sightings,
+                [&](const Sighting& s) { return !marker_is_known[static_cast<std::size_t>(s.marker)]; });
+  row.root_from_tcp = seen.root_from_tcp;
+  row.root_from_sensor = seen.root_from_mount * unknowns.mount_from_sensor;
+  return measure(problem, seen, unknowns, row);
+}
+
+void judge(const Problem& problem, const ProblemObservation& seen, const Unknowns& unknowns,
+           std::optional<double> noise, const Parts& parts, const Typical& typical, InspectionRow& row) {
+  if (!noise || !row.rms || *noise <= 0) return;
+  row.ratio = *row.rms / *noise;
+  row.blame = blame_of(parts, *noise, typical);
+  row.what_would_mend = what_would_mend(problem, seen, unknowns, std::max(*noise, typical.body), parts, row);
+}
+
+double median_of(std::vector<double> values) {
+  if (values.size() < 5) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
 void inspect_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                          std::optional<double> noise, const std::vector<char>& marker_is_known, InspectionRow& row) {
   ProblemObservation seen = observation;
-  std::erase_if(seen.sightings,
-                [&](const Sighting& s) { return !marker_is_known[static_cast<std::size_t>(s.marker)]; });
-  row.root_from_tcp = observation.root_from_tcp;
-  row.root_from_sensor = observation.root_from_mount * unknowns.mount_from_sensor;
-  const Parts parts = measure(problem, seen, unknowns, row);
-  if (!noise || !row.rms || *noise <= 0) return;
-  row.ratio = *row.rms / *noise;
-  row.blame = blame_of(parts, *noise);
-  row.what_would_mend = what_would_mend(problem, seen, unknowns, *noise, parts, row);
+  const Parts parts = measure_row(problem, seen, unknowns, marker_is_known, row);
+  judge(problem, seen, unknowns, noise, parts, {}, row);
 }
 
 Inspection inspect(const Session& session, const Fit& fit, const FitReport& report,
@@ -227,10 +258,20 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     const auto look = looks.find(row.id);
     row.at_second_look = session.observations[i].sightings.empty() && look != looks.end() && !look->second.empty();
   }
-  const Problem problem = make_problem(with_everything(session, looks), chain_of(session), effects);
-  for (const ProblemObservation& o : problem.observations) {
+  Problem problem = make_problem(with_everything(session, looks), chain_of(session), effects);
+  std::vector<Parts> parts;
+  std::vector<double> cameras, body;
+  for (ProblemObservation& o : problem.observations) {
     InspectionRow& row = inspection.rows[static_cast<std::size_t>(o.index)];
-    inspect_observation(problem, o, estimate(fit), fit.noise, fit.problem.marker_is_seen, row);
+    parts.push_back(measure_row(problem, o, estimate(fit), fit.problem.marker_is_seen, row));
+    if (!row.is_used) continue;
+    if (parts.back().camera_rows > 0) cameras.push_back(rms(parts.back().cameras, parts.back().camera_rows));
+    if (parts.back().body_rows > 0) body.push_back(rms(parts.back().body, parts.back().body_rows));
+  }
+  const Typical typical{median_of(cameras), median_of(body)};
+  for (std::size_t i = 0; i < problem.observations.size(); ++i) {
+    const ProblemObservation& o = problem.observations[i];
+    judge(problem, o, estimate(fit), fit.noise, parts[i], typical, inspection.rows[static_cast<std::size_t>(o.index)]);
   }
   for (const ObservationReport& o : report.per_observation)
     inspection.rows[static_cast<std::size_t>(o.index)].outlier = o.outlier;
