@@ -77,7 +77,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
 
   connect(undo_, &QToolButton::clicked, &bench.document, &Document::undo);
   connect(redo_, &QToolButton::clicked, &bench.document, &Document::redo);
-  connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { bench_.jobs.cancel(); });
+  connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { bench_.jobs.stop(); });
   connect(&bench.jobs, &Jobs::changed, this, [this] {
     if (bench_.jobs.is_busy() && !poll_.isActive()) poll_.start(100);
     refresh_job();

@@ -183,7 +183,7 @@ void MainWindow::connect_strip() {
 void MainWindow::connect_read_out() {
   connect(&bench_.document, &Document::noticed, this,
           [this](const QString& sentence) { read_out_->show_message(sentence); });
-  connect(&bench_.jobs, &Jobs::cancelled, this,
+  connect(&bench_.jobs, &Jobs::stopped, this,
           [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
   connect(&bench_, &Workbench::pointed_at, read_out_, &widgets::ReadOutLine::set_pointer);
   connect(header_->numbers(), &widgets::ThreeNumbers::read_out, read_out_, &widgets::ReadOutLine::set_pointer);

@@ -71,7 +71,13 @@ void Jobs::cancel(const QString& kind) {
   std::erase_if(waiting_, [&](const auto& job) { return any || job->kind == kind; });
   if (!running_ || !(any || running_->kind == kind)) return;
   running_->control.cancelled_ = true;
-  emit cancelled(running_->title);
+}
+
+void Jobs::stop() {
+  if (!running_) return;
+  const QString title = running_->title;
+  cancel();
+  emit stopped(title);
 }
 
 bool Jobs::is_busy(const QString& kind) const {

@@ -57,8 +57,10 @@ class Jobs : public QObject {
         std::move(failed));
   }
 
-  /// Cancels the job of that kind, or the one that the user sees where no kind is given. Its result is dropped.
+  /// Drops the jobs of that kind, or all where no kind is given, with their results.
   void cancel(const QString& kind = {});
+  /// The same for all, at the user's wish: `stopped` is said.
+  void stop();
   bool is_busy() const { return running_ != nullptr || !waiting_.empty(); }
   bool is_busy(const QString& kind) const;
   JobState state() const;
@@ -66,7 +68,7 @@ class Jobs : public QObject {
  signals:
   /// A job began, ended, or went on.
   void changed();
-  void cancelled(const QString& title);
+  void stopped(const QString& title);
   void idle();
 
  private:

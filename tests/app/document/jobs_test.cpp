@@ -54,7 +54,7 @@ TEST(JobsTest, CancelStopsAndDropsTheResult) {
   Jobs jobs;
   bool done = false, saw_cancel = false;
   QString stopped;
-  QObject::connect(&jobs, &Jobs::cancelled, [&](const QString& title) { stopped = title; });
+  QObject::connect(&jobs, &Jobs::stopped, [&](const QString& title) { stopped = title; });
   jobs.start<int>(
       "long", "Long work",
       [&](JobControl& control) {
@@ -69,7 +69,7 @@ TEST(JobsTest, CancelStopsAndDropsTheResult) {
   QTimer::singleShot(30, [&] {
     EXPECT_TRUE(jobs.state().is_running);
     EXPECT_EQ(jobs.state().title, "Long work");
-    jobs.cancel();
+    jobs.stop();
   });
   run_until_idle(jobs);
   EXPECT_TRUE(saw_cancel);

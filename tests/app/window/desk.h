@@ -2,6 +2,8 @@
 // A user at the window: mouse, keyboard, eyes. What tests do goes through the window system's events.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <QAbstractButton>
 #include <QElapsedTimer>
 #include <QTest>
@@ -17,6 +19,8 @@ class Desk {
   Desk() {
     window.show();
     (void)QTest::qWaitForWindowExposed(&window);
+    window.activateWindow();  // no window manager does it on a bare X server
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
   }
 
   template <class Widget>
@@ -65,7 +69,7 @@ class Desk {
     for (const QChar c : text) QTest::keyClick(top, c.toLatin1());
     QTest::qWait(5);
   }
-  bool wait(const std::function<bool()>& until, int milliseconds = 60000) {
+  bool wait(const std::function<bool()>& until, int milliseconds = 30000) {
     return QTest::qWaitFor(until, milliseconds);
   }
   /// Until nothing runs in the background and the fit belongs to what is shown.
