@@ -132,7 +132,18 @@ class ImageView : public QWidget {
   int candidate_at(const QPointF& position) const;  // index into candidates_; -1
   void change_viewport(const ImageViewport& viewport);
   void hover(const QPointF& position);
-  bool nudge(QKeyEvent* event);
+  bool act_on_marker(QKeyEvent* event);
+  QRectF image_area() const;
+  ImageViewport fitted() const;
+  void paint_image(QPainter& painter) const;
+  void paint_corners(QPainter& painter) const;
+  void paint_epipolar_line(QPainter& painter) const;
+  void paint_axes(QPainter& painter) const;
+  void paint_arrows(QPainter& painter) const;
+  void paint_marks(QPainter& painter) const;
+  void paint_candidates(QPainter& painter) const;
+  void paint_pointer_loupe(QPainter& painter) const;
+  void paint_title(QPainter& painter) const;
 
   QImage image_;
   QString title_, empty_text_;
@@ -144,7 +155,7 @@ class ImageView : public QWidget {
   std::vector<ImageCandidate> candidates_;
   int selected_marker_ = -1, hovered_marker_ = -1, hovered_candidate_ = -1;
   double magnification_ = 1;
-  bool is_labelling_ = false, has_loupe_ = false, is_fitted_ = true, is_wheel_smooth_ = false;
+  bool is_labelling_ = false, has_loupe_ = false, is_fitted_ = true;
   ImageViewport viewport_;
   std::optional<QPointF> pointer_;
   std::unique_ptr<Drag> drag_;

@@ -54,7 +54,6 @@ class ThreeNumbers : public QWidget {
   QString step_text(int version) const;
   int step_at(const QPointF& position) const;
   void paint_stairs(QPainter& painter) const;
-  int number_width() const;
 
   ErrorNumbers numbers_;
   int hovered_ = -1;
