@@ -71,7 +71,7 @@ class ModelPanel : public QFrame {
   QToolButton* fold_;
   QScrollArea* scroll_;
   QWidget* content_;
-  QVBoxLayout* list_;
+  QVBoxLayout* list_ = nullptr;
 };
 
 }  // namespace handsight::widgets

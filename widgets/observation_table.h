@@ -75,7 +75,7 @@ class ObservationTable : public QWidget {
 
   ObservationTableModel* model_;
   ObservationTableFilter* filter_;
-  QTableView* view_;
+  QTableView* view_ = nullptr;
   QButtonGroup* filter_buttons_;
   QLineEdit* text_;
   QLabel *summary_, *empty_;

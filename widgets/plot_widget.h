@@ -7,6 +7,8 @@
 
 class QCustomPlot;
 class QCPAxis;
+class QCPTextElement;
+class QLabel;
 
 namespace handsight::widgets {
 
@@ -47,6 +49,10 @@ class PlotWidget : public QWidget {
   virtual QString text_at(const QPointF& position) = 0;  // the read-out; also where hovering is noticed
   virtual void clicked_at(const QPointF& position, Qt::KeyboardModifiers modifiers);
   virtual bool is_empty() const = 0;
+  /// A rectangle was drawn (with Shift, or always while set_brush_always): in plot coordinates.
+  virtual void brushed(const QRectF& in_plot);
+  void allow_brush() { has_brush_ = true; }
+  void set_brush_always(bool always) { brushes_always_ = always; }
   void style_axes();
   void replot();
   bool is_dragging() const { return is_dragging_; }
@@ -54,6 +60,7 @@ class PlotWidget : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
   QCustomPlot* plot_;
 
@@ -62,6 +69,9 @@ class PlotWidget : public QWidget {
   void save_as(const QString& ending);
   void wheel_over(const QPointF& position);
 
+  QCPTextElement* title_element_ = nullptr;
+  QLabel* empty_label_ = nullptr;
+  bool has_brush_ = false, brushes_always_ = false;
   QString title_, empty_text_;
   bool is_dragging_ = false;
   QPointF pressed_at_;

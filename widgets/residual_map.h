@@ -52,11 +52,16 @@ class ResidualMap : public PlotWidget {
   std::vector<PlotColumn> columns() const override;
   QString text_at(const QPointF& position) override;
   void clicked_at(const QPointF& position, Qt::KeyboardModifiers modifiers) override;
+  void brushed(const QRectF& in_plot) override;
   bool is_empty() const override { return points_.empty(); }
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Layers;
   void fill();
+  void fill_arrows();
+  void fill_regions();
+  void ring();
   bool is_shown(const MapPoint& point) const { return !side_ || point.side == *side_; }
   const MapPoint* point_at(const QPointF& position) const;
 

@@ -48,11 +48,13 @@ class ScatterPlot : public PlotWidget {
   std::vector<PlotColumn> columns() const override;
   QString text_at(const QPointF& position) override;
   void clicked_at(const QPointF& position, Qt::KeyboardModifiers modifiers) override;
+  void brushed(const QRectF& in_plot) override;
   bool is_empty() const override { return points_.empty(); }
 
  private:
   struct Layers;
   void fill();
+  void ring();
   const ScatterPoint* point_at(const QPointF& position) const;
 
   std::vector<ScatterPoint> points_;

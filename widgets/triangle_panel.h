@@ -86,7 +86,7 @@ class TrianglePanel : public QFrame {
   TriangleSketch* sketch_;
   QTableWidget *markers_, *candidate_table_;
   QLabel *title_, *sides_, *sentence_, *candidates_title_;
-  QPushButton *use_, *discard_;
+  QPushButton *use_ = nullptr, *discard_ = nullptr;
   bool is_filling_ = false;
 };
 
