@@ -15,6 +15,7 @@
 #include "calibrate/objective_page.h"
 #include "calibrate/one_marker_page.h"
 #include "calibrate/own_pose_page.h"
+#include "document/counted.h"
 #include "frame/observation_views.h"
 #include "widgets/convergence_plot.h"
 #include "widgets/decision_list.h"
@@ -141,7 +142,7 @@ void CalibrateWorkspace::make_layout() {
   lower->addWidget(tabs_);
   lower->setStretchFactor(0, 68);
   lower->setStretchFactor(1, 32);
-  lower->setSizes({860, 400});
+  lower->setSizes({800, 460});
   auto* rows = new QSplitter(Qt::Vertical, this);
   rows->addWidget(upper);
   rows->addWidget(lower);
@@ -161,7 +162,7 @@ void CalibrateWorkspace::make_layout() {
     scene_->set_arrow_magnification(times);
     left_->set_magnification(times);
     right_->set_magnification(times);
-    ghost_text_->setText(tr("deviations x %1").arg(times));
+    ghost_text_->setText(tr("deviations × %1").arg(times));
   };
   connect(ghost_, &QSlider::valueChanged, this, magnify);
   magnify();
@@ -295,7 +296,7 @@ void CalibrateWorkspace::refresh_transport() {
   const std::size_t count = bench_.document.session().observations.size(), at = player_.position();
   const std::size_t taken = at == 0 ? 0 : player_.steps().back().accepted;
   progress_->setText(
-      at == 0 ? tr("%n observation(s) to play", nullptr, static_cast<int>(count))
+      at == 0 ? tr("%1 to play").arg(counted(static_cast<qint64>(count), "observation", "observations"))
               : tr("%1 of %2 observations, %3 taken, %4 rejected").arg(at).arg(count).arg(taken).arg(at - taken));
   emit status_changed();
 }

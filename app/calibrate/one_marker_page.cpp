@@ -8,6 +8,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "document/counted.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -98,10 +99,11 @@ void OneMarkerPage::show_result(const OneMarkerResult& result) {
     }
   }
   is_filling_ = false;
-  QString text = tr("Springs of %n joint(s)", nullptr, static_cast<int>(result.joints.size()));
+  QString text = tr("Springs of %1").arg(counted(static_cast<qint64>(result.joints.size()), "joint", "joints"));
   if (result.stiffness_is_assumed) text += tr("; 10,000 N m/rad where none is declared");
   if (!result.left_out.empty())
-    text += tr(". %n observation(s) do not show it in both images", nullptr, static_cast<int>(result.left_out.size()));
+    text += tr(". %1 without it in both images")
+                .arg(counted(static_cast<qint64>(result.left_out.size()), "observation", "observations"));
   sentence_->setText(text + ".");
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "document/counted.h"
 #include "session/session_xml.h"
 
 namespace handsight::app {
@@ -55,8 +56,9 @@ void Document::open(const std::filesystem::path& path) {
   if (!contents.notice.empty()) {
     emit noticed(QString::fromStdString(contents.notice));
   } else if (!stack_.isClean()) {
-    emit noticed(tr("Opened where you left it: %n action(s) not yet saved in session.xml.", nullptr,
-                    std::abs(stack_.index() - std::max(0, stack_.cleanIndex()))));
+    const int unsaved = std::abs(stack_.index() - std::max(0, stack_.cleanIndex()));
+    emit noticed(
+        tr("Opened where you left it: %1 not yet saved in session.xml.").arg(counted(unsaved, "action", "actions")));
   }
   emit saved_changed(is_saved());
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "document/counted.h"
+
 namespace handsight::app {
 
 Refit::Refit(Document& document, Jobs& jobs, QObject* parent) : QObject(parent), document_(document), jobs_(jobs) {
@@ -34,7 +36,7 @@ void Refit::start() {
   const auto used = std::count_if(session.observations.begin(), session.observations.end(), is_used);
   const QString cause = document_.undo_stack().undoText();
   jobs_.start<ModelVersionPointer>(
-      "fit", tr("Fitting %n observation(s)", nullptr, static_cast<int>(used)),
+      "fit", tr("Fitting %1").arg(counted(used, "observation", "observations")),
       [copy = session, settings = document_.settings(), revision = document_.revision(), cause,
        looks = document_.second_looks()](JobControl&) { return make_version(copy, settings, revision, cause, looks); },
       [this](const ModelVersionPointer& version) { document_.take_version(version); },

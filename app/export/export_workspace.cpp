@@ -19,6 +19,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "document/counted.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
 #include "session/calibration_xml.h"
@@ -106,6 +107,7 @@ QWidget* ExportWorkspace::make_left() {
   excluded_ = plain_table(2, left);
   excluded_->setHorizontalHeaderLabels({tr("obs"), tr("why")});
   excluded_->horizontalHeader()->setStretchLastSection(true);
+  excluded_->setWordWrap(true);
   excluded_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   layout->addWidget(excluded_, 1);
   return left;
@@ -252,8 +254,10 @@ void ExportWorkspace::refresh_motion() {
 
 void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
   const auto& unused = model.report->rejected;
-  excluded_title_->setText(unused.empty() ? tr("Every observation was used")
-                                          : tr("%n observation(s) not used", nullptr, static_cast<int>(unused.size())));
+  excluded_title_->setText(
+      unused.empty()
+          ? tr("Every observation was used")
+          : tr("%1 not used").arg(counted(static_cast<qint64>(unused.size()), "observation", "observations")));
   excluded_->setVisible(!unused.empty());
   excluded_->setRowCount(static_cast<int>(unused.size()));
   for (int r = 0; r < excluded_->rowCount(); ++r) {
@@ -264,6 +268,7 @@ void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
     excluded_->setItem(r, 1, why);
   }
   excluded_->resizeColumnToContents(0);
+  excluded_->resizeRowsToContents();
 }
 
 void ExportWorkspace::show_changes(const QString& text) {

@@ -28,7 +28,8 @@ QString excluded_note(const Workbench& bench, double scale, const QString& unit)
     coordinates += row.coordinates;
   }
   if (excluded == 0 || coordinates == 0) return {};
-  return QObject::tr("with %n excluded: %1", nullptr, excluded)
+  return QObject::tr("with %1 excluded: %2")
+      .arg(excluded)
       .arg(widgets::with_unit_text(scale * std::sqrt(squares / coordinates), unit));
 }
 

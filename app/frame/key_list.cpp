@@ -62,7 +62,7 @@ void KeyList::paintEvent(QPaintEvent*) {
   p.fillRect(rect(), veil);
   constexpr int row_height = 26;
   const int count = static_cast<int>(std::size(rows));
-  const QRect sheet(width() / 2 - 300, std::max(8, height() / 2 - (count * row_height + 48) / 2), 600,
+  const QRect sheet(width() / 2 - 330, std::max(8, height() / 2 - (count * row_height + 48) / 2), 660,
                     count * row_height + 48);
   p.setPen(c.hairline);
   p.setBrush(c.panel);
@@ -74,7 +74,7 @@ void KeyList::paintEvent(QPaintEvent*) {
     p.setPen(c.ink1);
     p.drawText(QRect(sheet.left() + 32, y, 220, row_height), Qt::AlignVCenter, tr(row.keys));
     p.setPen(c.ink2);
-    if (!heading) p.drawText(QRect(sheet.left() + 252, y, 320, row_height), Qt::AlignVCenter, tr(row.what));
+    if (!heading) p.drawText(QRect(sheet.left() + 252, y, 380, row_height), Qt::AlignVCenter, tr(row.what));
     y += row_height;
   }
 }

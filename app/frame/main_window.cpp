@@ -31,6 +31,26 @@
 
 namespace handsight::app {
 
+namespace {
+
+bool is_decided(const Session& s) {
+  return std::any_of(s.observations.begin(), s.observations.end(),
+                     [](const Observation& o) { return o.decision == Decision::accepted; });
+}
+
+/// Is there nothing that a play could start from: no labels, or images of which none is labelled?
+bool wants_labels(const Session& s) {
+  bool any_labels = false, any_images = false;
+  for (const Observation& o : s.observations) {
+    if (!o.left_image.empty() && !o.sightings.empty()) return false;
+    any_labels = any_labels || !o.sightings.empty();
+    any_images = any_images || !o.left_image.empty();
+  }
+  return any_images ? !is_decided(s) : !any_labels;
+}
+
+}  // namespace
+
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle(tr("Handsight"));
   resize(1440, 900);
@@ -265,10 +285,7 @@ void MainWindow::session_opened() {
   panel_->set_effects({});
   panel_->set_empty_text(tr("Not yet fitted."));
   bench_.selection.select_observation(s.observations.front().id);
-  const bool is_labelled = std::any_of(s.observations.begin(), s.observations.end(), is_used);
-  const bool is_decided = std::any_of(s.observations.begin(), s.observations.end(),
-                                      [](const Observation& o) { return o.decision == Decision::accepted; });
-  show_workspace(!is_labelled ? 0 : is_decided ? 2 : 1);
+  show_workspace(wants_labels(s) ? 0 : is_decided(s) ? 2 : 1);
   refresh_rail();
 }
 

@@ -31,7 +31,7 @@ void RailButton::set_status(const WorkStatus& status) {
   update();
 }
 
-QSize RailButton::sizeHint() const { return {96, 84}; }
+QSize RailButton::sizeHint() const { return {104, 76}; }
 
 bool RailButton::event(QEvent* event) {
   if (event->type() == QEvent::HoverEnter || event->type() == QEvent::HoverLeave) update();
@@ -88,15 +88,15 @@ void RailButton::paintEvent(QPaintEvent*) {
   } else if (underMouse()) {
     painter.fillRect(all, c.sunken);
   }
-  paint_mark(painter, QRectF(12, 11, 16, 16));
+  paint_mark(painter, QRectF(10, 11, 16, 16));
   QFont font = widgets::text_font(TextRole::body);
   font.setWeight(isChecked() ? QFont::DemiBold : QFont::Normal);
   painter.setFont(font);
   painter.setPen(c.ink1);
-  painter.drawText(QRectF(34, 8, width() - 36, 22), Qt::AlignVCenter | Qt::AlignLeft, text());
+  painter.drawText(QRectF(31, 8, width() - 32, 22), Qt::AlignVCenter | Qt::AlignLeft, text());
   painter.setFont(widgets::text_font(TextRole::small));
   painter.setPen(c.ink2);
-  painter.drawText(QRectF(12, 32, width() - 16, height() - 36), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
+  painter.drawText(QRectF(10, 32, width() - 14, height() - 36), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
                    status_.line);
   if (hasFocus()) {
     painter.setPen(QPen(c.accent, 2));
@@ -107,7 +107,7 @@ void RailButton::paintEvent(QPaintEvent*) {
 
 Rail::Rail(const QStringList& names, QWidget* parent) : QWidget(parent) {
   setObjectName("rail");
-  setFixedWidth(96);
+  setFixedWidth(104);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 8, 0, 8);
   layout->setSpacing(0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame/workbench.h"
 
+#include "document/counted.h"
 #include "document/second_look.h"
 
 namespace handsight::app {
@@ -101,7 +102,9 @@ void Workbench::look_again() {
       rejected.push_back(o);
   if (rejected.empty() || !document.session().stereo) return;
   background.start<SecondLooks>(
-      "second look", tr("Looking again at %n rejected observation(s)", nullptr, static_cast<int>(rejected.size())),
+      "second look",
+      tr("Looking again at %1")
+          .arg(counted(static_cast<qint64>(rejected.size()), "rejected observation", "rejected observations")),
       [session = document.session(), model, rejected](JobControl& control) {
         SecondLooks found;
         for (std::size_t i = 0; i < rejected.size() && !control.is_cancelled(); ++i) {

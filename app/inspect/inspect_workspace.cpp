@@ -419,7 +419,7 @@ void InspectWorkspace::refresh_observation() {
   const double times = row ? round_magnification(row->worst_size, 60) : 1;
   left_->set_magnification(times);
   right_->set_magnification(times);
-  magnified_->setText(row && row->rms ? tr("arrows x %1").arg(times) : QString());
+  magnified_->setText(row && row->rms ? tr("arrows × %1").arg(times) : QString());
   show_pose(bench_.document, *o, row, *scene_);
   scene_->set_ghost_magnification(
       row && row->tcp_from_tcp_est ? round_magnification(row->tcp_from_tcp_est->translation.norm(), 0.05) : 1);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "label/label_workspace.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QToolButton>
 
+#include "document/counted.h"
 #include "vision/corner_detector.h"
 #include "widgets/image_view.h"
 #include "widgets/loupe.h"
@@ -51,18 +52,16 @@ void LabelWorkspace::make_layout() {
   left_->set_loupe(true);
   left_loupe_ = new widgets::Loupe(this);
   right_loupe_ = new widgets::Loupe(this);
-  left_loupe_->set_title(tr("Left, 8 x"));
+  left_loupe_->set_title(tr("Left"));
   right_loupe_->set_title(tr("Right, along the line"));
   left_loupe_->set_hints(tr("arrows 0.1 px, Shift 1, Alt free"));
   triangle_ = new widgets::TrianglePanel(this);
   triangle_->setObjectName("triangle");
   triangle_->setMinimumWidth(288);
   triangle_->setMaximumWidth(360);
-  together_ = new QToolButton(this);
+  together_ = new QCheckBox(this);
   together_->setObjectName("together");
   together_->setText(tr("Zoom both together"));
-  together_->setCheckable(true);
-  together_->setAutoRaise(true);
   hint_ = new QLabel(this);
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -198,9 +197,9 @@ WorkStatus LabelWorkspace::status() const {
   });
   const bool any = std::any_of(s.observations.begin(), s.observations.end(),
                                [](const Observation& o) { return !o.sightings.empty(); });
-  if (labelled > 0) return {WorkState::done, tr("%n by hand", nullptr, static_cast<int>(labelled))};
+  if (labelled > 0) return {WorkState::done, tr("%1 by hand").arg(labelled)};
   if (any) return {WorkState::done, tr("labels came with it")};
-  return {WorkState::open, tr("%n marker(s) wanted", nullptr, std::min(3, s.marker_count))};
+  return {WorkState::open, tr("%1 wanted").arg(counted(std::min(3, s.marker_count), "marker", "markers"))};
 }
 
 void LabelWorkspace::activate() { show_observation(); }
@@ -372,8 +371,9 @@ void LabelWorkspace::use() {
   const ObservationState after{labeller_.sightings(), Decision::none, ""};
   const Edit edit = bench_.document.edit_of(tr("labelled observation %1").arg(o->id), {{o->id, after}});
   if (edit.is_empty()) return bench_.workspace_requested(1);
-  const bool is_first = std::none_of(bench_.document.session().observations.begin(),
-                                     bench_.document.session().observations.end(), is_used);
+  const auto& all = bench_.document.session().observations;
+  const bool is_first =
+      std::none_of(all.begin(), all.end(), [](const Observation& x) { return x.decision == Decision::accepted; });
   bench_.document.perform(edit);
   if (is_first) emit bench_.workspace_requested(1);
 }

@@ -5,8 +5,8 @@
 #include "frame/workspace.h"
 #include "label/labeller.h"
 
+class QCheckBox;
 class QLabel;
-class QToolButton;
 
 namespace handsight::widgets {
 class ImageView;
@@ -52,7 +52,7 @@ class LabelWorkspace : public Workspace {
   widgets::ImageView *left_, *right_;
   widgets::Loupe *left_loupe_, *right_loupe_;
   widgets::TrianglePanel* triangle_;
-  QToolButton* together_;
+  QCheckBox* together_;
   QLabel* hint_;
 };
 

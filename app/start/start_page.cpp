@@ -107,7 +107,7 @@ void StartPage::refresh() {
   auto* make = new QPushButton(tr("New session from images…"), column);
   make->setObjectName("start_new");
   for (QPushButton* b : {open, make}) {
-    b->setMinimumHeight(36);
+    b->setMinimumSize(b->sizeHint().width() + 32, 36);
     buttons->addWidget(b);
   }
   buttons->addStretch(1);

@@ -16,6 +16,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "document/counted.h"
 #include "frame/main_window.h"
 #include "robot/urdf.h"
 #include "session/csv.h"
@@ -208,7 +209,7 @@ void SessionWizard::read_images() {
         if (pair.left.empty() || pair.right.empty())
           alone << QString::fromStdString((pair.left.empty() ? pair.right : pair.left).filename().string());
       const int whole = static_cast<int>(pairs_.size()) - static_cast<int>(alone.size());
-      QString sentence = tr("%n pair(s)", nullptr, whole);
+      QString sentence = counted(whole, "pair", "pairs");
       if (!alone.isEmpty())
         sentence += tr("; without a partner: %1").arg(alone.mid(0, 3).join(", ") + (alone.size() > 3 ? " …" : ""));
       say(where, sentence + ".", false);

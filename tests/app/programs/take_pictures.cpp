@@ -28,6 +28,7 @@ struct Photographer {
 TEST(Pictures, OfEveryWorkspace) {
   Desk desk;
   desk.window.resize(1440, 900);
+  QTest::qWait(100);
   Photographer photo{desk};
   LabelPage label{desk};
   CalibratePage calibrate{desk};

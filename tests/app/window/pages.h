@@ -78,6 +78,7 @@ struct InspectPage {
   }
   void click_row(int row) {
     QTableView* view = table()->view();
+    view->scrollTo(view->model()->index(row, 1));
     desk.click(view->viewport(), view->visualRect(view->model()->index(row, 1)).center());
   }
   std::int64_t id_at(int row) { return table()->shown()[static_cast<std::size_t>(row)]; }

@@ -67,7 +67,7 @@ TEST_F(WizardTest, MakesASessionThatCanBeLabelledAndPlayed) {
   EXPECT_FALSE(make->isEnabled());
   fill("wizard_left", text("left"));
   fill("wizard_right", text("right"));
-  EXPECT_TRUE(desk.find<QLabel>("wizard_right_sentence")->text().startsWith("12 pair"));
+  EXPECT_TRUE(desk.find<QLabel>("wizard_right_sentence")->text().startsWith("12 pairs"));
   fill("wizard_robot", text("justin.urdf"));
   fill("wizard_angles", text("nowhere.csv"));
   EXPECT_TRUE(desk.find<QLabel>("wizard_angles_sentence")->text().contains("nowhere.csv"));
