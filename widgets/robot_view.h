@@ -113,7 +113,7 @@ class RobotView : public QOpenGLWidget {
  private:
   struct Parts;
   void pick(const QPointF& position, bool take);
-  void paint_labels();
+  void paint_labels(QPainter& painter);
   std::unique_ptr<Parts> parts_;
 };
 
