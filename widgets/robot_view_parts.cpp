@@ -69,10 +69,10 @@ void RobotView::Parts::set_colors() {
 
 void RobotView::Parts::place_robot() {
   set_visible(links, !posture.empty());
-  set_posture(links, posture);
+  place_links(links, posture);
   const bool has_ghost = bent.has_value() && !posture.empty();
   set_visible(ghost, has_ghost);
-  if (has_ghost) set_posture(ghost, magnified(posture, *bent, ghost_times));
+  if (has_ghost) place_links(ghost, magnified(posture, *bent, ghost_times));
   if (posture_changed) {
     double lowest = 0;
     for (const LinkActor& part : links.parts)

@@ -160,7 +160,7 @@ void set_visible(const RobotActors& actors, bool visible) {
   for (const LinkActor& part : actors.parts) part.actor->SetVisibility(visible);
 }
 
-void set_posture(const RobotActors& actors, const std::vector<Rigid>& root_from_link) {
+void place_links(const RobotActors& actors, const std::vector<Rigid>& root_from_link) {
   for (const LinkActor& part : actors.parts) {
     if (static_cast<std::size_t>(part.link) >= root_from_link.size()) continue;
     part.actor->SetUserMatrix(vtk_matrix(root_from_link[static_cast<std::size_t>(part.link)] * part.link_from_shape));

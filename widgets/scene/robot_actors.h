@@ -36,7 +36,7 @@ void remove_from(vtkRenderer& renderer, const RobotActors& actors);
 void set_visible(const RobotActors& actors, bool visible);
 
 /// One motion per link of the robot.
-void set_posture(const RobotActors& actors, const std::vector<Rigid>& root_from_link);
+void place_links(const RobotActors& actors, const std::vector<Rigid>& root_from_link);
 
 /// posture + times * (bent - posture), link by link.
 std::vector<Rigid> magnified(const std::vector<Rigid>& posture, const std::vector<Rigid>& bent, double times);
