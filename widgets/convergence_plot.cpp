@@ -128,8 +128,8 @@ int ConvergencePlot::settled_at(int curve) const {
 void ConvergencePlot::fill() {
   const double factor = factor_of(unit_);
   const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
-  const QString label = has_bands ? QStringLiteral("%1 − last (%2)") : QStringLiteral("%1 (%2)");
-  plot_->yAxis->setLabel(label.arg(quantity_, unit_));
+  const QString label = has_bands ? QStringLiteral("%1 from last") : QStringLiteral("%1");
+  plot_->yAxis->setLabel(label.arg(unit_));
   for (std::size_t i = 0; i < 3; ++i) {
     // Where a band says how well a value is known, what matters is the way to the last one.
     const double origin = has_bands ? samples_.back().value[i] : 0;

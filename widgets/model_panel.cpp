@@ -25,7 +25,7 @@ class ParameterRow : public QWidget {
  public:
   ParameterRow(ModelParameter parameter, bool is_candidate, bool is_selected, QWidget* parent)
       : QWidget(parent), parameter_(std::move(parameter)), is_candidate_(is_candidate), is_selected_(is_selected) {
-    setFixedHeight(parameter_.plausible ? 34 : kRowHeight);
+    setFixedHeight(bar_top() + (parameter_.plausible ? 10 : 2));
     setToolTip(QStringLiteral("%1 %2%3").arg(name(), value(), plausible()));
   }
 
@@ -35,15 +35,21 @@ class ParameterRow : public QWidget {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (is_selected_) painter.fillRect(rect(), c.selected_row);
-    const QRectF line(0, 0, width(), 22);
+    const bool is_long = !parameter_.of.isEmpty();
+    const QRectF line(0, is_long ? 18 : 0, width(), 20);
     painter.setFont(number_font(TextRole::small));
     const double wide = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value()) + 2, line.width() * 0.72);
     painter.setPen(is_candidate_ ? c.candidate : c.ink1);
     draw_text(painter, line.adjusted(line.width() - wide, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, value());
     painter.setFont(text_font(TextRole::small));
     painter.setPen(c.ink2);
-    draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, name());
-    if (parameter_.plausible && *parameter_.plausible > 0) paint_bar(painter, QRectF(0, 24, width(), 6));
+    if (is_long) {
+      draw_text(painter, QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter, parameter_.of);
+      draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, parameter_.name);
+    } else {
+      draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, name());
+    }
+    if (parameter_.plausible && *parameter_.plausible > 0) paint_bar(painter, QRectF(0, bar_top() + 2, width(), 6));
   }
 
  private:
@@ -70,6 +76,8 @@ class ParameterRow : public QWidget {
     painter.setBrush(ink);
     painter.drawRect(QRectF(x_of(value) - 1.5, bar.top() - 1, 3, bar.height() + 2));
   }
+  /// A joint's name takes a line of its own above the parameter's.
+  int bar_top() const { return parameter_.of.isEmpty() ? 22 : 40; }
   QString name() const {
     return parameter_.of.isEmpty() ? parameter_.name : parameter_.of + QStringLiteral("  ") + parameter_.name;
   }
@@ -192,6 +200,7 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
     font.setWeight(QFont::DemiBold);
     title->setFont(font);
     title->setPalette(tinted);
+    title->setForegroundRole(QPalette::WindowText);
     title->setWordWrap(true);
     title->setToolTip(effect.help);
     layout->addWidget(title);
@@ -221,6 +230,7 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
     QPalette inks = palette();
     inks.setColor(QPalette::WindowText, effect.note_is_warning ? c.care : c.ink2);
     note->setPalette(inks);
+    note->setForegroundRole(QPalette::WindowText);
     layout->addWidget(note);
   }
   return box;

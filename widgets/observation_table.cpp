@@ -44,7 +44,7 @@ void set_up_view(QTableView& view) {
   header.setFixedHeight(kControlHeight);
   header.setStretchLastSection(true);
   header.setMinimumSectionSize(36);
-  const std::array<int, 6> widths = {64, 62, 62, 58, 84, 74};
+  const std::array<int, 6> widths = {54, 50, 52, 48, 74, 66};
   for (std::size_t i = 0; i < widths.size(); ++i) view.setColumnWidth(static_cast<int>(i), widths[i]);
 }
 

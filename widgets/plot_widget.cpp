@@ -30,7 +30,6 @@ PlotWidget::PlotWidget(QWidget* parent)
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setContextMenuPolicy(Qt::CustomContextMenu);
-  plot_->axisRect()->setupFullAxesBox(false);
   plot_->axisRect()->setMinimumMargins(QMargins(8, 4, 10, 6));
   plot_->installEventFilter(this);
   connect(plot_, &QCustomPlot::customContextMenuRequested, this, &PlotWidget::show_menu);
@@ -76,7 +75,7 @@ void PlotWidget::replot() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void PlotWidget::resizeEvent(QResizeEvent*) { empty_label_->setGeometry(rect().adjusted(0, 24, 0, 0)); }
+void PlotWidget::resizeEvent(QResizeEvent*) { empty_label_->setGeometry(rect().adjusted(0, 21, 0, 0)); }
 
 void PlotWidget::brushed(const QRectF&) {}
 

@@ -96,7 +96,7 @@ void ResidualMap::restyle() {
   for (int i = 0; i < kDirections; ++i) {
     const QColor color = direction_color((i + 0.5) / kDirections * 2 * M_PI - M_PI);
     layers_->directions[static_cast<std::size_t>(i)]->setScatterStyle(
-        QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(c.control_edge, 0.5), color, 8));
+        QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(c.control_edge, 0.7), color, 9));
   }
   layers_->means->setPen(QPen(c.ink1, 2));
   layers_->selected->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(c.accent, 2), Qt::NoBrush, 14));
@@ -106,6 +106,9 @@ void ResidualMap::restyle() {
   for (QCPItemText* text : layers_->counts) {
     text->setColor(c.ink3);
     text->setFont(number_font(TextRole::small));
+    QColor plate = c.panel;
+    plate.setAlpha(200);
+    text->setBrush(plate);
   }
   layers_->bar_text->setColor(c.ink1);
   layers_->bar_text->setFont(text_font(TextRole::small));

@@ -61,11 +61,12 @@ void RobotView::paint_labels(QPainter& painter) {
   }
   QStringList legend;
   if (p.tcp) legend += p.tcp_est ? QStringLiteral("x y z TCP, x′ y′ z′ TCPest") : QStringLiteral("x y z TCP");
-  if (p.bent) legend += QStringLiteral("ghost %1 ×").arg(short_text(p.ghost_times));
-  if (!p.arrows.empty()) legend += QStringLiteral("arrows %1 ×").arg(short_text(p.arrow_times));
-  painter.setPen(c.ink2);
-  draw_text(painter, QRectF(64, height() - 22.0, width() - 72.0, 18), Qt::AlignRight | Qt::AlignVCenter,
-            legend.join(QStringLiteral("   ")));
+  if (p.bent) legend += QStringLiteral("ghost %1 ×").arg(QString::number(p.ghost_times, 'g', 3));
+  if (!p.arrows.empty()) legend += QStringLiteral("arrows %1 ×").arg(QString::number(p.arrow_times, 'g', 3));
+  const QString text = legend.join(QStringLiteral("   "));
+  const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text) + 6;
+  if (!text.isEmpty())
+    draw_plate(painter, QPointF(std::max(width() - wide - 6, 64.0), height() - 13.0), text, c.ink2, c.panel);
   if (hasFocus()) draw_focus(painter, rect());
 }
 

@@ -152,7 +152,8 @@ void RobotView::Parts::look(StandardView view) {
   const Vector3 along = camera.rotation.col(2);
   orbit.elevation = std::asin(std::clamp(-along.z(), -1.0, 1.0));
   orbit.azimuth = std::atan2(-along.y(), -along.x());
-  orbit.distance = 0.9;
+  // A little in front of it: the camera itself sits in a head.
+  orbit.distance = 0.7;
   orbit.target = camera.translation + 0.9 * along;
   orbit.turn(0, 0);
 }

@@ -37,6 +37,9 @@ QTableWidget* make_table(const QStringList& head, QWidget* parent) {
   table->horizontalHeader()->setHighlightSections(false);
   table->horizontalHeader()->setFixedHeight(kRowHeight);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setMinimumSectionSize(30);
+  table->horizontalHeader()->setFont(text_font(TextRole::small));
   table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return table;
 }
@@ -84,6 +87,8 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
   sentence_->setWordWrap(true);
   sentence_->setMargin(kGap);
   sentence_->setAutoFillBackground(true);
+  sentence_->setBackgroundRole(QPalette::Window);
+  sentence_->setForegroundRole(QPalette::WindowText);
   candidates_title_ = new QLabel(this);
   candidate_table_ = make_table({QStringLiteral("line px"), QStringLiteral("depth m"), QStringLiteral("sides")}, this);
   candidate_table_->setAccessibleName(QStringLiteral("Candidates on the epipolar line"));
@@ -123,6 +128,7 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
       emit candidate_hovered(candidates_[static_cast<std::size_t>(row)].index);
   });
   refresh();
+  refresh_candidates();
 }
 
 void TrianglePanel::set_state(TriangleState state) {
@@ -156,6 +162,11 @@ void TrianglePanel::refresh() {
   colors_of_sentence.setColor(QPalette::Window, ground);
   colors_of_sentence.setColor(QPalette::WindowText, ink);
   sentence_->setPalette(colors_of_sentence);
+  QPalette rows = palette();
+  rows.setColor(QPalette::Highlight, c.selected_row);
+  rows.setColor(QPalette::HighlightedText, c.ink1);
+  markers_->setPalette(rows);
+  candidate_table_->setPalette(rows);
   sentence_->setText(state_.sentence.isEmpty() ? QString() : sign + state_.sentence);
   sentence_->setVisible(!state_.sentence.isEmpty());
   use_->setEnabled(state_.can_use);

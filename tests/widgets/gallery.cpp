@@ -176,10 +176,7 @@ void plots(const SampleData& data) {
 
 void pictures_and_scene(const SampleData& data) {
   int with_image = 0;
-  while (data.session.observations[static_cast<std::size_t>(with_image)].left_image.empty() ||
-         data.session.observations[static_cast<std::size_t>(with_image)].sightings.empty()) {
-    if (++with_image + 1 == static_cast<int>(data.session.observations.size())) break;
-  }
+  while (data.session.observations[static_cast<std::size_t>(with_image)].left_image.empty()) ++with_image;
   ImageView view;
   data.show_in(view, with_image);
   view.set_magnification(5);
@@ -216,6 +213,8 @@ void pictures_and_scene(const SampleData& data) {
   scene.set_ellipsoid(SceneEllipsoid{tcp * Vector3(0, 0.1, 0), Matrix3::Identity() * 1e-4, 0.95});
   scene.set_selected_observation(data.arrows()[5].observation);
   keep(scene, "scene_all", {640, 480}, true);
+  const QImage whole = scene.grab().toImage();  // with its buttons
+  whole.save(folder_of_pictures + "/scene_grabbed.png");
   scene.look(StandardView::tcp);
   keep(scene, "scene_tcp", {640, 480}, true);
   scene.look(StandardView::camera);
