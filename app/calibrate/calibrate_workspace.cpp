@@ -170,16 +170,43 @@ void CalibrateWorkspace::make_layout() {
 
 void CalibrateWorkspace::connect_player() {
   connect(&player_, &Player::stepped, this, [this](const PlayedStep& played) {
-    if (played.step.has_estimate && played.step.accepted) board_->append(point_of(played));
-    decisions_->append(entry_of(played));
-    if (is_active()) refresh_observation();
-    emit status_changed();
+    unshown_.push_back(played);
+    if (!player_.is_playing()) {
+      show_played();
+    } else if (!show_timer_.isActive()) {
+      show_timer_.start(100);
+    }
   });
+  show_timer_.setSingleShot(true);
+  connect(&show_timer_, &QTimer::timeout, this, &CalibrateWorkspace::show_played);
   connect(&player_, &Player::rewound, this, [this] {
+    unshown_.clear();
     board_->set_points({});
     decisions_->set_entries({});
   });
-  connect(&player_, &Player::state_changed, this, &CalibrateWorkspace::refresh_transport);
+  connect(&player_, &Player::state_changed, this, [this] {
+    if (!player_.is_playing()) {
+      show_played();
+    } else if (!show_timer_.isActive()) {
+      show_timer_.start(100);
+    }
+  });
+}
+
+void CalibrateWorkspace::show_played() {
+  if (unshown_.empty()) {
+    refresh_transport();
+    return;
+  }
+  for (const PlayedStep& played : unshown_) {
+    if (played.step.has_estimate && played.step.accepted) board_->append(point_of(played));
+    decisions_->append(entry_of(played));
+  }
+  const std::int64_t last = unshown_.back().step.id;
+  unshown_.clear();
+  bench_.selection.select_observation(last);
+  if (is_active()) refresh_observation();
+  refresh_transport();
 }
 
 void CalibrateWorkspace::connect_selection() {
@@ -220,8 +247,7 @@ void CalibrateWorkspace::connect_selection() {
   });
   connect(&bench_.document, &Document::opened, this, [this] { robot_is_set_ = false; });
   connect(&bench_.document, &Document::edited, this, [this] {
-    refresh_transport();
-    emit status_changed();
+    if (!player_.is_playing()) refresh_transport();
   });
   connect(&bench_.document, &Document::model_changed, this, [this] {
     is_stale_ = true;

@@ -2,6 +2,8 @@
 // The Calibrate workspace: the session is played, and four things move together.
 #pragma once
 
+#include <QTimer>
+
 #include "calibrate/player.h"
 #include "frame/workspace.h"
 
@@ -43,6 +45,8 @@ class CalibrateWorkspace : public Workspace {
   QWidget* make_transport();
   void connect_player();
   void connect_selection();
+  /// What was played since the last time, in all views at once: they need not be painted for each observation.
+  void show_played();
   void refresh_transport();
   void refresh_observation();
   void refresh_model();
@@ -63,6 +67,8 @@ class CalibrateWorkspace : public Workspace {
   ObjectivePage* objectives_;
   OneMarkerPage* one_marker_;
   OwnPosePage* own_pose_;
+  std::vector<PlayedStep> unshown_;  // played, not yet in the views
+  QTimer show_timer_;
   bool robot_is_set_ = false, is_stale_ = true;
 };
 

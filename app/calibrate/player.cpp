@@ -183,7 +183,6 @@ void Player::take(std::shared_ptr<PlayedStep> played) {
     bench_.document.perform(std::move(edit));
     is_own_edit_ = false;
   }
-  bench_.selection.select_observation(played->step.id);
   emit stepped(steps_.back());
   if (is_finished()) stop();
   emit state_changed();

@@ -2,6 +2,7 @@
 #include "document/model_version.h"
 
 #include "base/error.h"
+#include "estimation/export.h"
 
 namespace handsight::app {
 
@@ -39,6 +40,9 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
       version->row_of[told->per_observation[i].id] = static_cast<int>(i);
     version->inspection =
         std::make_shared<Inspection>(inspect(session, *fitted, *told, version->options.effects, looks));
+    version->calibration = std::make_shared<Calibration>(
+        calibration_of(session, *fitted, *told, version->options, "handsight " HANDSIGHT_VERSION));
+    version->scatter = tcp_scatter(*fitted);
     version->fit = std::move(fitted);
     version->report = std::move(told);
   } catch (const InputError& error) {

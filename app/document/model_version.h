@@ -9,6 +9,8 @@
 #include "document/edit.h"
 #include "document/inspection.h"
 #include "estimation/fit_report.h"
+#include "estimation/prediction.h"
+#include "session/calibration.h"
 
 namespace handsight::app {
 
@@ -17,9 +19,11 @@ struct ModelVersion {
   QString cause;              // the action that led to it
   ModelSettings settings;
   FitOptions options;
-  std::shared_ptr<const Fit> fit;                // null: nothing could be fitted, and `refusal` says why
-  std::shared_ptr<const FitReport> report;       // null with the fit
-  std::shared_ptr<const Inspection> inspection;  // null with the fit
+  std::shared_ptr<const Fit> fit;                  // null: nothing could be fitted, and `refusal` says why
+  std::shared_ptr<const FitReport> report;         // null with the fit
+  std::shared_ptr<const Inspection> inspection;    // null with the fit
+  std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit
+  TcpScatter scatter;                              // of the TCP about the model
   QString refusal;
   std::unordered_map<std::int64_t, int> row_of;  // observation id -> FitReport::per_observation
 

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 
 #include "base/numbers.h"
-#include "estimation/export.h"
 #include "explain/explain_workspace.h"
 #include "widgets/number_text.h"
 
@@ -16,10 +15,6 @@ constexpr double degrees = 57.29577951308232;
 QString number(double value) { return QString::fromStdString(format_number(value)); }
 
 }  // namespace
-
-Calibration calibration_of_model(const Session& session, const ModelVersion& model) {
-  return calibration_of(session, *model.fit, *model.report, model.options, "handsight " HANDSIGHT_VERSION);
-}
 
 std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form) {
   const Rigid& m = model.fit->tcp_from_body;

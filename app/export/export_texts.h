@@ -6,12 +6,8 @@
 #include <vector>
 
 #include "document/document.h"
-#include "session/calibration.h"
 
 namespace handsight::app {
-
-/// What is exported: as handsight-cli fit --export writes it.
-Calibration calibration_of_model(const Session& session, const ModelVersion& model);
 
 enum class MotionForm { matrix, xyz_rpy, quaternion };
 

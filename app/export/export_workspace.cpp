@@ -207,8 +207,7 @@ void ExportWorkspace::refresh() {
   if (!ready) return;
   refresh_motion();
   refresh_excluded(*model);
-  const QString text =
-      QString::fromStdString(calibration_text(calibration_of_model(bench_.document.session(), *model)));
+  const QString text = QString::fromStdString(calibration_text(*model->calibration));
   if (xml_->toPlainText() != text) xml_->setPlainText(text);
   show_changes(text);
 }
@@ -305,7 +304,7 @@ void ExportWorkspace::save_xml() {
   const ModelVersionPointer model = bench_.document.model();
   if (!model || !model->fit) return;
   try {
-    write_calibration(path(), calibration_of_model(bench_.document.session(), *model));
+    write_calibration(path(), *model->calibration);
     exported_ = bench_.document.revision();
     say(tr("Written: %1").arg(path_->text()), false);
     refresh();

@@ -170,7 +170,15 @@ void MainWindow::make_shortcuts() {
 
 void MainWindow::connect_strip() {
   Document& d = bench_.document;
-  connect(&d, &Document::edited, this, &MainWindow::refresh_strip);
+  strip_timer_.setSingleShot(true);
+  strip_timer_.setInterval(40);
+  connect(&strip_timer_, &QTimer::timeout, this, [this] {
+    refresh_strip();
+    refresh_rail();
+  });
+  connect(&d, &Document::edited, this, [this] {
+    if (!strip_timer_.isActive()) strip_timer_.start();
+  });
   connect(&d, &Document::model_changed, this, [this] {
     refresh_strip();
     refresh_rail();
@@ -179,7 +187,6 @@ void MainWindow::connect_strip() {
     panel_->set_effects(model_effects(bench_.document));
     panel_->set_empty_text(model && !model->refusal.isEmpty() ? model->refusal : tr("Not yet fitted."));
   });
-  connect(&d, &Document::edited, this, &MainWindow::refresh_rail);
   connect(&d, &Document::saved_changed, this, &MainWindow::refresh_rail);
   connect(&bench_.jobs, &Jobs::changed, this, [this] { panel_->set_busy(bench_.jobs.is_busy("fit")); });
   connect(strip_, &widgets::ObservationStrip::observation_selected, this,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 #include <memory>
 #include <vector>
 
@@ -72,6 +73,7 @@ class MainWindow : public QMainWindow {
   widgets::ReadOutLine* read_out_;
   widgets::ObservationStrip* strip_;
   std::vector<Workspace*> workspaces_;
+  QTimer strip_timer_;  // a play edits many times a second
   bool panel_folded_by_user_ = false;
 };
 
