@@ -50,8 +50,8 @@ ConvergencePlot::ConvergencePlot(const QString& quantity, const QString& unit, c
     if (samples_.empty()) return;
     std::array<std::pair<double, std::size_t>, 3> places;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto data = curves_->value[i]->data();
-      const double end = data->isEmpty() ? 0 : (data->constEnd() - 1)->value;
+      const auto points = curves_->value[i]->data();
+      const double end = points->isEmpty() ? 0 : (points->constEnd() - 1)->value;
       places[i] = {plot_->yAxis->coordToPixel(end), i};
     }
     std::sort(places.begin(), places.end());

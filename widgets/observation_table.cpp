@@ -42,10 +42,10 @@ void set_up_view(QTableView& view) {
   QHeaderView& header = *view.horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
-  header.setStretchLastSection(true);
   header.setMinimumSectionSize(36);
-  const std::array<int, 6> widths = {54, 50, 52, 48, 74, 66};
+  const std::array<int, 6> widths = {54, 50, 52, 46, 70, 72};
   for (std::size_t i = 0; i < widths.size(); ++i) view.setColumnWidth(static_cast<int>(i), widths[i]);
+  header.setSectionResizeMode(static_cast<int>(TableColumn::reason), QHeaderView::Stretch);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ void PlotWidget::set_empty_text(const QString& sentence) {
 void PlotWidget::replot() {
   empty_label_->setText(empty_text_);
   empty_label_->setVisible(is_empty());
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setVisible(!is_empty());
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

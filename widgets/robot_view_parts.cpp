@@ -126,7 +126,7 @@ void RobotView::Parts::look(StandardView view) {
   const auto from = [&, middle = center, size = radius](double azimuth, double elevation) {
     orbit.azimuth = azimuth;
     orbit.elevation = elevation;
-    orbit.see(middle, 0.8 * size);
+    orbit.see(middle, 0.74 * size);
   };
   switch (view) {
     case StandardView::front:
@@ -149,7 +149,9 @@ void RobotView::Parts::look(StandardView view) {
   }
   if (cameras.empty()) return;
   const Rigid& camera = cameras.front().root_from_camera;
-  const Vector3 along = camera.rotation.col(2);
+  // Along its axis, or at the TCP, which it watches: the 3D view shows less to the sides than a camera does.
+  const Vector3 along =
+      tcp ? Vector3((tcp->translation - camera.translation).normalized()) : Vector3(camera.rotation.col(2));
   orbit.elevation = std::asin(std::clamp(-along.z(), -1.0, 1.0));
   orbit.azimuth = std::atan2(-along.y(), -along.x());
   // A little in front of it: the camera itself sits in a head.
