@@ -161,7 +161,6 @@ void OwnPosePage::refresh() {
 }
 
 void OwnPosePage::show(widgets::RobotView& view) {
-  const Session& s = bench_.document.session();
   Observation pose;
   pose.id = widgets::kNoObservation;
   pose.position = position();

@@ -172,9 +172,13 @@ void show_pose(const Document& document, const Observation& observation, const I
 }
 
 std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection) {
+  // More than so many are a cloud, and slow without a graphics card: then every n-th, and all that stand out.
+  constexpr std::size_t most = 1000;
+  const std::size_t every = inspection.rows.size() / most + 1;
   std::vector<widgets::SceneArrow> arrows;
-  for (const InspectionRow& row : inspection.rows) {
-    if (!row.tcp_from_tcp_est) continue;
+  for (std::size_t i = 0; i < inspection.rows.size(); ++i) {
+    const InspectionRow& row = inspection.rows[i];
+    if (!row.tcp_from_tcp_est || (i % every != 0 && !row.outlier)) continue;
     arrows.push_back({.observation = row.id,
                       .from = row.root_from_tcp.translation,
                       .residual = row.root_from_tcp.rotation * row.tcp_from_tcp_est->translation,

@@ -27,7 +27,7 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
 void show_pose(const Document& document, const Observation& observation, const InspectionRow* row,
                widgets::RobotView& view);
 
-/// Residual arrows at every TCP of an inspection.
+/// Residual arrows at every TCP of an inspection; above a thousand observations, of every n-th and of the outliers.
 std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection);
 
 /// The robot's links in a posture given in the order of Session::joints.

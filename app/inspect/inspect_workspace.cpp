@@ -320,15 +320,23 @@ void InspectWorkspace::connect_bench() {
     if (!is_active()) return;
     const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
     table_->set_selected(id);
+    if (tabs_->currentIndex() == 0) {
+      histogram_->set_selected(id);
+    } else {
+      map_->set_selected(id);
+    }
+    refresh_observation();
+  });
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+    const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
     histogram_->set_selected(id);
     map_->set_selected(id);
-    refresh_observation();
   });
   connect(&bench_.selection, &Selection::hover_changed, this, [this] {
     if (!is_active()) return;
     const auto id = bench_.selection.hovered().observation.value_or(widgets::kNoObservation);
     table_->set_hovered(id);
-    map_->set_hovered(id);
+    if (tabs_->currentIndex() == 1) map_->set_hovered(id);
     scene_->set_hovered_observation(id);
   });
 }
