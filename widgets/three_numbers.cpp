@@ -121,6 +121,7 @@ void ThreeNumbers::paint_stairs(QPainter& painter) const {
     if (!value) return;
     const double y = y_of(*value);
     if (path.isEmpty()) path.moveTo(slot.left(), y);
+    path.lineTo(slot.left(), path.currentPosition().y());  // level past refused steps
     path.lineTo(slot.left(), y);
     path.lineTo(slot.right(), y);
   };
