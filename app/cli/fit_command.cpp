@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <ctime>
-
 #include "command.h"
 #include "diagnosis_output.h"
+#include "estimation/export.h"
 #include "estimation/fit_report.h"
 #include "fit_output.h"
 #include "session/calibration_xml.h"
@@ -31,7 +30,7 @@ int run(const Options& o) {
   print_fit(o.output, session, result, told, options);
   o.output.json(fit_json(session, result, told, options));
   if (!o.export_file.empty()) {
-    write_calibration(o.export_file, calibration_of(session, result, told, options));
+    write_calibration(o.export_file, calibration_of(session, result, told, options, "handsight " HANDSIGHT_VERSION));
     o.output.line("Written: " + o.export_file);
   }
   return result.converged() ? done : answer_is_no;

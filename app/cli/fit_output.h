@@ -4,13 +4,11 @@
 
 #include "command.h"
 #include "estimation/fit_report.h"
-#include "session/calibration.h"
 
 namespace handsight::cli {
 
 void print_fit(const Output& output, const Session& session, const Fit& fit, const FitReport& told,
                const FitOptions& options);
 Json fit_json(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options);
-Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options);
 
 }  // namespace handsight::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.h"
 #include "diagnosis_output.h"
+#include "estimation/export.h"
 #include "fit_output.h"
 #include "session/calibration_xml.h"
 
@@ -26,7 +27,8 @@ int run(const Options& o) {
   print_improvement(o.output, session, m);
   o.output.json(improvement_json(session, m));
   if (!o.export_file.empty()) {
-    write_calibration(o.export_file, calibration_of(session, m.last.model.fit, m.last.report, m.last.model_options));
+    write_calibration(o.export_file, calibration_of(session, m.last.model.fit, m.last.report, m.last.model_options,
+                                                    "handsight " HANDSIGHT_VERSION));
     o.output.line("Written: " + o.export_file);
   }
   const bool no = m.last.verdict == Verdict::unexplained || m.last.verdict == Verdict::too_few_observations ||

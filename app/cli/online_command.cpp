@@ -57,13 +57,6 @@ std::optional<ImagePair> read_images(const Session& session, const Observation& 
   }
 }
 
-/// What --save writes of one observation: the decision, and the markers that were found.
-void keep(const OnlineStep& step, Observation& o) {
-  o.decision = step.accepted ? Decision::accepted : Decision::rejected;
-  o.reason = step.reason;
-  if (step.from_images && !step.sightings.empty()) o.sightings = step.sightings;
-}
-
 void print_estimate(const Output& output, const OnlineStep& last) {
   const Vector3 xyz = 1e3 * last.tcp_from_body.translation,
                 rpy = degrees * rpy_from_rotation(last.tcp_from_body.rotation);
@@ -110,7 +103,7 @@ int run(const Options& options) {
     } else if (!options.output.json_file.empty()) {
       json_text += step_json(step).dump() + '\n';
     }
-    if (observation.decision != Decision::excluded) keep(step, observation);
+    if (observation.decision != Decision::excluded) keep_step(step, observation);
     if (step.has_estimate) last = std::move(step);
     progress.at(k + 1);
   }

@@ -34,6 +34,12 @@ bool exceeds_noise(double squares, int degrees, int estimated) {
 
 }  // namespace
 
+void keep_step(const OnlineStep& step, Observation& observation) {
+  observation.decision = step.accepted ? Decision::accepted : Decision::rejected;
+  observation.reason = step.reason;
+  if (step.from_images && !step.sightings.empty()) observation.sightings = step.sightings;
+}
+
 OnlineCalibration::OnlineCalibration(const Session& session, OnlineOptions options)
     : chain_(chain_of(session)),
       mount_(session.mount),

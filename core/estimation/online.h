@@ -38,6 +38,9 @@ struct OnlineStep {
   std::size_t kept = 0;                   // observations in the estimate; none is retired
 };
 
+/// Writes into the observation what a step decided: the decision with its reason, and the markers found in its images.
+void keep_step(const OnlineStep& step, Observation& observation);
+
 /// The images of one observation, grey.
 struct ImagePair {
   Image left, right;

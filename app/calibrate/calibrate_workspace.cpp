@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "calibrate/calibrate_workspace.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "calibrate/objective_page.h"
+#include "calibrate/one_marker_page.h"
+#include "calibrate/own_pose_page.h"
+#include "document/counted.h"
+#include "frame/observation_views.h"
+#include "widgets/convergence_plot.h"
+#include "widgets/decision_list.h"
+#include "widgets/image_view.h"
+#include "widgets/robot_view.h"
+
+namespace handsight::app {
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+constexpr int magnifications[] = {1, 2, 5, 10, 20, 50, 100};
+
+/// x y z, then roll pitch yaw.
+Vector6 six(const Rigid& motion) {
+  Vector6 v;
+  v << motion.translation, rpy_from_rotation(motion.rotation);
+  return v;
+}
+
+widgets::ConvergencePoint point_of(const PlayedStep& played) {
+  widgets::ConvergencePoint p{.count = static_cast<int>(played.step.kept), .observation = played.step.id};
+  p.tcp_from_body = six(played.step.tcp_from_body);
+  p.sigma = played.step.sigma;
+  if (played.step.tcp_from_tcp_est) p.tcp_from_tcp_est = six(*played.step.tcp_from_tcp_est);
+  return p;
+}
+
+widgets::DecisionEntry entry_of(const PlayedStep& played) {
+  widgets::DecisionEntry e{.id = played.step.id, .reason = QString::fromStdString(played.step.reason)};
+  e.state = played.step.accepted ? widgets::CellState::used : widgets::CellState::rejected;
+  if (!played.row.markers.empty()) {
+    e.rms_pixel = played.row.rms;
+    e.rms_over_sigma = played.row.ratio;
+    e.coordinates = played.row.coordinates;
+  }
+  return e;
+}
+
+}  // namespace
+
+CalibrateWorkspace::CalibrateWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent), player_(bench) {
+  setObjectName("calibrate");
+  make_layout();
+  connect_player();
+  connect_selection();
+  refresh_transport();
+}
+
+QWidget* CalibrateWorkspace::make_transport() {
+  auto* row = new QWidget(this);
+  play_ = new QPushButton(tr("Play"), row);
+  play_->setObjectName("play");
+  play_->setDefault(true);
+  step_ = new QToolButton(row);
+  step_->setObjectName("step");
+  step_->setText(tr("Step"));
+  step_->setToolTip(tr("One observation (.)"));
+  rewind_ = new QToolButton(row);
+  rewind_->setObjectName("rewind");
+  rewind_->setText(tr("Rewind"));
+  rewind_->setToolTip(tr("Play from the first observation again"));
+  speed_ = new QComboBox(row);
+  speed_->setObjectName("speed");
+  for (const double s : {1.0, 2.0, 5.0, 10.0, 30.0}) speed_->addItem(tr("%1 per second").arg(s), s);
+  speed_->addItem(tr("As fast as it goes"), 0.0);
+  speed_->setCurrentIndex(3);
+  speed_->setFocusPolicy(Qt::StrongFocus);
+  progress_ = new QLabel(row);
+  progress_->setObjectName("play_progress");
+  ghost_ = new QSlider(Qt::Horizontal, row);
+  ghost_->setObjectName("ghost");
+  ghost_->setRange(0, static_cast<int>(std::size(magnifications)) - 1);
+  ghost_->setFixedWidth(140);
+  ghost_->setValue(3);
+  ghost_text_ = new QLabel(row);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_, speed_}) {
+    w->setMinimumHeight(28);
+    layout->addWidget(w);
+  }
+  layout->addSpacing(8);
+  layout->addWidget(progress_, 1);
+  layout->addWidget(ghost_text_);
+  layout->addWidget(ghost_);
+  row->setFixedHeight(36);
+  connect(play_, &QPushButton::clicked, this, [this] { player_.is_playing() ? player_.pause() : player_.play(); });
+  connect(step_, &QToolButton::clicked, &player_, &Player::step);
+  connect(rewind_, &QToolButton::clicked, &player_, &Player::rewind);
+  connect(speed_, &QComboBox::currentIndexChanged, this,
+          [this] { player_.set_speed(speed_->currentData().toDouble()); });
+  player_.set_speed(10);
+  return row;
+}
+
+void CalibrateWorkspace::make_layout() {
+  left_ = new widgets::ImageView(this);
+  right_ = new widgets::ImageView(this);
+  left_->setObjectName("calibrate_left");
+  right_->setObjectName("calibrate_right");
+  scene_ = new widgets::RobotView(this);
+  scene_->setObjectName("calibrate_scene");
+  board_ = new widgets::ConvergenceBoard(this);
+  board_->set_empty_text(tr("Play, and the six parameters converge here."));
+  decisions_ = new widgets::DecisionList(this);
+  decisions_->setObjectName("decisions");
+  decisions_->set_empty_text(tr("Play: each observation is taken, or rejected with its reason."));
+  objectives_ = new ObjectivePage(bench_, this);
+  one_marker_ = new OneMarkerPage(bench_, this);
+  own_pose_ = new OwnPosePage(bench_, this);
+  tabs_ = new QTabWidget(this);
+  tabs_->setObjectName("calibrate_tabs");
+  tabs_->setDocumentMode(true);
+  tabs_->addTab(decisions_, tr("Decisions"));
+  tabs_->addTab(objectives_, tr("Objective"));
+  tabs_->addTab(one_marker_, tr("One marker"));
+  tabs_->addTab(own_pose_, tr("Own pose"));
+  auto* upper = new QSplitter(Qt::Horizontal, this);
+  for (QWidget* w : std::initializer_list<QWidget*>{left_, right_, scene_}) upper->addWidget(w);
+  upper->setSizes({32, 32, 36});
+  auto* lower = new QSplitter(Qt::Horizontal, this);
+  lower->addWidget(board_);
+  lower->addWidget(tabs_);
+  lower->setStretchFactor(0, 68);
+  lower->setStretchFactor(1, 32);
+  lower->setSizes({800, 460});
+  auto* rows = new QSplitter(Qt::Vertical, this);
+  rows->addWidget(upper);
+  rows->addWidget(lower);
+  rows->setSizes({400, 360});
+  for (QSplitter* s : {upper, lower, rows}) {
+    s->setChildrenCollapsible(false);
+    s->setHandleWidth(8);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 0, 8, 8);
+  layout->setSpacing(4);
+  layout->addWidget(make_transport());
+  layout->addWidget(rows, 1);
+  const auto magnify = [this] {
+    const double times = magnifications[ghost_->value()];
+    scene_->set_ghost_magnification(times);
+    scene_->set_arrow_magnification(times);
+    left_->set_magnification(times);
+    right_->set_magnification(times);
+    ghost_text_->setText(tr("deviations × %1").arg(times));
+  };
+  connect(ghost_, &QSlider::valueChanged, this, magnify);
+  magnify();
+}
+
+void CalibrateWorkspace::connect_player() {
+  connect(&player_, &Player::stepped, this, [this](const PlayedStep& played) {
+    unshown_.push_back(played);
+    if (!player_.is_playing()) {
+      show_played();
+    } else if (!show_timer_.isActive()) {
+      show_timer_.start(100);
+    }
+  });
+  show_timer_.setSingleShot(true);
+  connect(&show_timer_, &QTimer::timeout, this, &CalibrateWorkspace::show_played);
+  connect(&player_, &Player::rewound, this, [this] {
+    unshown_.clear();
+    board_->set_points({});
+    decisions_->set_entries({});
+  });
+  connect(&player_, &Player::state_changed, this, [this] {
+    if (!player_.is_playing()) {
+      show_played();
+    } else if (!show_timer_.isActive()) {
+      show_timer_.start(100);
+    }
+  });
+}
+
+void CalibrateWorkspace::show_played() {
+  if (unshown_.empty()) {
+    refresh_transport();
+    return;
+  }
+  for (const PlayedStep& played : unshown_) {
+    if (played.step.has_estimate && played.step.accepted) board_->append(point_of(played));
+    decisions_->append(entry_of(played));
+  }
+  const std::int64_t last = unshown_.back().step.id;
+  unshown_.clear();
+  bench_.selection.select_observation(last);
+  if (is_active()) refresh_observation();
+  refresh_transport();
+}
+
+void CalibrateWorkspace::connect_selection() {
+  const auto select = [this](qint64 id) { bench_.selection.select_observation(id); };
+  const auto hover = [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); };
+  connect(board_, &widgets::ConvergenceBoard::observation_selected, this, select);
+  connect(board_, &widgets::ConvergenceBoard::observation_hovered, this, hover);
+  connect(board_, &widgets::ConvergenceBoard::read_out, &bench_, &Workbench::pointed_at);
+  connect(board_, &widgets::ConvergenceBoard::message, &bench_.document, &Document::noticed);
+  connect(decisions_, &widgets::DecisionList::observation_selected, this, select);
+  connect(decisions_, &widgets::DecisionList::observation_hovered, this, hover);
+  connect(scene_, &widgets::RobotView::observation_selected, this, select);
+  connect(scene_, &widgets::RobotView::observation_hovered, this, hover);
+  connect(scene_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
+  connect(scene_, &widgets::RobotView::joint_selected, this, [this](const QString& joint) {
+    Selected s = bench_.selection.current();
+    s.joint = joint.toStdString();
+    bench_.selection.select(s);
+  });
+  for (widgets::ImageView* view : {left_, right_}) {
+    connect(view, &widgets::ImageView::read_out, &bench_, &Workbench::pointed_at);
+    connect(view, &widgets::ImageView::marker_selected, this, [this, view](int marker) {
+      if (!bench_.selection.current().observation || marker < 0) return;
+      bench_.selection.select({.observation = bench_.selection.current().observation,
+                               .marker = marker,
+                               .camera = view == left_ ? CameraSide::left : CameraSide::right});
+    });
+  }
+  connect(&bench_.selection, &Selection::changed, this, [this] {
+    const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
+    board_->set_selected(id);
+    decisions_->set_selected(id);
+    if (is_active() && !player_.is_playing()) refresh_observation();
+  });
+  connect(&bench_.selection, &Selection::hover_changed, this, [this] {
+    if (is_active())
+      scene_->set_hovered_observation(bench_.selection.hovered().observation.value_or(widgets::kNoObservation));
+  });
+  connect(&bench_.document, &Document::opened, this, [this] { robot_is_set_ = false; });
+  connect(&bench_.document, &Document::edited, this, [this] {
+    if (!player_.is_playing()) refresh_transport();
+  });
+  connect(&bench_.document, &Document::model_changed, this, [this] {
+    is_stale_ = true;
+    if (is_active()) refresh_model();
+  });
+  connect(own_pose_, &OwnPosePage::changed, this, [this] {
+    if (is_active()) refresh_observation();
+  });
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+    objectives_->set_active(tabs_->currentWidget() == objectives_);
+    one_marker_->set_active(tabs_->currentWidget() == one_marker_);
+    own_pose_->set_active(tabs_->currentWidget() == own_pose_);
+    if (is_active()) refresh_observation();
+  });
+}
+
+bool CalibrateWorkspace::is_labelled() const {
+  const auto& all = bench_.document.session().observations;
+  return std::any_of(all.begin(), all.end(), [](const Observation& o) { return !o.sightings.empty(); });
+}
+
+WorkStatus CalibrateWorkspace::status() const {
+  const Session& s = bench_.document.session();
+  if (!is_labelled()) return {WorkState::waiting, tr("waits for labels")};
+  const auto taken = std::count_if(s.observations.begin(), s.observations.end(),
+                                   [](const Observation& o) { return o.decision == Decision::accepted; });
+  const auto rejected = std::count_if(s.observations.begin(), s.observations.end(),
+                                      [](const Observation& o) { return o.decision == Decision::rejected; });
+  if (player_.is_playing()) return {WorkState::open, tr("playing")};
+  if (taken == 0) return {WorkState::open, tr("ready to play")};
+  return {WorkState::done,
+          rejected > 0 ? tr("%1 taken, %2 rejected").arg(taken).arg(rejected) : tr("%1 taken").arg(taken)};
+}
+
+void CalibrateWorkspace::set_robot() {
+  if (robot_is_set_ || !bench_.document.is_open()) return;
+  const Session& s = bench_.document.session();
+  const std::filesystem::path urdf = folder(s) / s.robot_file;
+  scene_->set_robot(s.robot, urdf.parent_path());
+  for (const QString& note : scene_->notes()) emit bench_.document.noticed(note);
+  own_pose_->set_session();
+  robot_is_set_ = true;
+}
+
+void CalibrateWorkspace::activate() {
+  set_robot();
+  refresh_transport();
+  if (is_stale_) refresh_model();
+  refresh_observation();
+}
+
+bool CalibrateWorkspace::key(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Space) {
+    play_->click();
+  } else if (event->key() == Qt::Key_Period) {
+    player_.step();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void CalibrateWorkspace::refresh_transport() {
+  const bool open = bench_.document.is_open();
+  const bool labelled = open && is_labelled();
+  play_->setText(player_.is_playing() ? tr("Pause") : player_.is_finished() ? tr("Play again") : tr("Play"));
+  for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
+  if (!labelled) {
+    progress_->setText(tr("Waits for three markers: label the first observation (Ctrl+1)."));
+    return;
+  }
+  const std::size_t count = bench_.document.session().observations.size(), at = player_.position();
+  const std::size_t taken = at == 0 ? 0 : player_.steps().back().accepted;
+  progress_->setText(
+      at == 0 ? tr("%1 to play").arg(counted(static_cast<qint64>(count), "observation", "observations"))
+              : tr("%1 of %2 observations, %3 taken, %4 rejected").arg(at).arg(count).arg(taken).arg(at - taken));
+  emit status_changed();
+}
+
+void CalibrateWorkspace::refresh_observation() {
+  const Observation* o = bench_.selected_observation();
+  if (!o) {
+    left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));
+    right_->clear({});
+    return;
+  }
+  // While it is played, against the estimate of that moment; afterwards against the model.
+  const PlayedStep* played = player_.step_of(o->id);
+  const bool use_played = played && !played->row.markers.empty() && (player_.is_playing() || !bench_.document.model());
+  const InspectionRow* row = use_played ? &played->row : bench_.row(o->id);
+  show_images(bench_, *o, row, *left_, *right_, true);
+  if (tabs_->currentWidget() == own_pose_) {
+    own_pose_->show(*scene_);
+  } else {
+    scene_->set_ellipsoid(std::nullopt);
+    show_pose(bench_.document, *o, row, *scene_);
+  }
+}
+
+void CalibrateWorkspace::refresh_model() {
+  is_stale_ = false;
+  if (const Inspection* all = bench_.inspection()) scene_->set_arrows(scene_arrows(*all));
+  refresh_observation();
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Calibrate workspace: the session is played, and four things move together.
+#pragma once
+
+#include <QTimer>
+
+#include "calibrate/player.h"
+#include "frame/workspace.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QTabWidget;
+class QToolButton;
+
+namespace handsight::widgets {
+class ConvergenceBoard;
+class DecisionList;
+class ImageView;
+class RobotView;
+}  // namespace handsight::widgets
+
+namespace handsight::app {
+
+class ObjectivePage;
+class OneMarkerPage;
+class OwnPosePage;
+
+class CalibrateWorkspace : public Workspace {
+  Q_OBJECT
+
+ public:
+  explicit CalibrateWorkspace(Workbench& bench, QWidget* parent = nullptr);
+
+  QString name() const override { return tr("Calibrate"); }
+  WorkStatus status() const override;
+  Panel panel() const override { return Panel::folded; }
+  void activate() override;
+  bool key(QKeyEvent* event) override;
+  Player& player() { return player_; }
+
+ private:
+  void make_layout();
+  QWidget* make_transport();
+  void connect_player();
+  void connect_selection();
+  /// What was played since the last time, in all views at once: they need not be painted for each observation.
+  void show_played();
+  void refresh_transport();
+  void refresh_observation();
+  void refresh_model();
+  void set_robot();
+  bool is_labelled() const;
+
+  Player player_;
+  QPushButton* play_;
+  QToolButton *step_, *rewind_;
+  QComboBox* speed_;
+  QLabel *progress_, *ghost_text_;
+  QSlider* ghost_;
+  widgets::ImageView *left_, *right_;
+  widgets::RobotView* scene_ = nullptr;
+  widgets::ConvergenceBoard* board_;
+  widgets::DecisionList* decisions_;
+  QTabWidget* tabs_;
+  ObjectivePage* objectives_;
+  OneMarkerPage* one_marker_;
+  OwnPosePage* own_pose_;
+  std::vector<PlayedStep> unshown_;  // played, not yet in the views
+  QTimer show_timer_;
+  bool robot_is_set_ = false, is_stale_ = true;
+};
+
+}  // namespace handsight::app

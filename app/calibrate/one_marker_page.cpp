@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "calibrate/one_marker_page.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "document/counted.h"
+#include "widgets/number_text.h"
+#include "widgets/theme.h"
+
+namespace handsight::app {
+
+OneMarkerPage::OneMarkerPage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+  marker_ = new QComboBox(this);
+  marker_->setObjectName("one_marker");
+  marker_->setFocusPolicy(Qt::StrongFocus);
+  table_ = new QTableWidget(0, 5, this);
+  table_->setObjectName("one_marker_table");
+  table_->setHorizontalHeaderLabels({tr("obs"), tr("mass kg"), tr("before mm"), tr("after mm"), tr("angle deg")});
+  table_->setToolTip(
+      tr("Mass: the force at the TCP, as a mass, that pulls it toward the measured marker. Before and "
+         "after: how far the marker is off. Angle: between that and what the springs can do at all."));
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(22);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  sentence_ = new QLabel(this);
+  sentence_->setWordWrap(true);
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Pull toward"), this));
+  row->addWidget(marker_);
+  row->addStretch(1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 0);
+  layout->addLayout(row);
+  layout->addWidget(table_, 1);
+  layout->addWidget(sentence_);
+  connect(marker_, &QComboBox::activated, this, &OneMarkerPage::compute);
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int r) {
+    if (!is_filling_ && r >= 0)
+      bench_.selection.select_observation(table_->item(r, 0)->data(Qt::UserRole).toLongLong());
+  });
+  connect(&bench.document, &Document::model_changed, this, [this] {
+    if (is_active_) compute();
+  });
+}
+
+void OneMarkerPage::set_active(bool active) {
+  is_active_ = active;
+  if (!active) return;
+  const int count = bench_.document.session().marker_count;
+  if (marker_->count() != count) {
+    marker_->clear();
+    for (int m = 0; m < count; ++m) marker_->addItem(tr("marker %1").arg(m), m);
+  }
+  compute();
+}
+
+void OneMarkerPage::compute() {
+  const ModelVersionPointer model = bench_.document.model();
+  if (!model || !model->fit) {
+    table_->setRowCount(0);
+    sentence_->setText(tr("Waits for a fit."));
+    return;
+  }
+  OneMarkerOptions options;
+  options.marker = std::max(0, marker_->currentIndex());
+  options.marker_in_tcp = estimate(*model->fit).markers_in_tcp[static_cast<std::size_t>(options.marker)];
+  bench_.jobs.start<OneMarkerResult>(
+      "one marker", tr("Effective masses"),
+      [session = bench_.document.session(), options](JobControl&) { return effective_masses(session, options); },
+      [this](const OneMarkerResult& result) { show_result(result); },
+      [this](const QString& refusal) {
+        table_->setRowCount(0);
+        sentence_->setText(refusal);
+      });
+}
+
+void OneMarkerPage::show_result(const OneMarkerResult& result) {
+  is_filling_ = true;
+  table_->setRowCount(static_cast<int>(result.observations.size()));
+  for (int r = 0; r < table_->rowCount(); ++r) {
+    const EffectiveMass& m = result.observations[static_cast<std::size_t>(r)];
+    const QString cells[] = {
+        QString::number(m.id), widgets::fixed_text(m.mass, 2), widgets::fixed_text(1e3 * m.before.norm(), 2),
+        widgets::fixed_text(1e3 * m.after.norm(), 2), widgets::fixed_text(57.29577951308232 * m.angle, 1)};
+    for (int c = 0; c < 5; ++c) {
+      auto* item = new QTableWidgetItem(cells[c]);
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      item->setFont(widgets::number_font(widgets::TextRole::small));
+      item->setData(Qt::UserRole, static_cast<qlonglong>(m.id));
+      table_->setItem(r, c, item);
+    }
+  }
+  is_filling_ = false;
+  QString text = tr("Springs of %1").arg(counted(static_cast<qint64>(result.joints.size()), "joint", "joints"));
+  if (result.stiffness_is_assumed) text += tr("; 10,000 N m/rad where none is declared");
+  if (!result.left_out.empty())
+    text += tr(". %1 without it in both images")
+                .arg(counted(static_cast<qint64>(result.left_out.size()), "observation", "observations"));
+  sentence_->setText(text + ".");
+}
+
+}  // namespace handsight::app

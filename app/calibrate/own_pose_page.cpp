@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "calibrate/own_pose_page.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include "base/numbers.h"
+#include "frame/observation_views.h"
+#include "model/chain.h"
+#include "widgets/number_text.h"
+
+namespace handsight::app {
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+
+}  // namespace
+
+OwnPosePage::OwnPosePage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+  typed_ = new QLineEdit(this);
+  typed_->setObjectName("own_pose_typed");
+  typed_->setPlaceholderText(tr("joint angles in rad, in the session's order"));
+  auto* take = new QPushButton(tr("From the selected"), this);
+  take->setObjectName("own_pose_take");
+  auto* row = new QHBoxLayout;
+  row->addWidget(typed_, 1);
+  row->addWidget(take);
+  joints_ = new QWidget(this);
+  grid_ = new QGridLayout(joints_);
+  grid_->setContentsMargins(0, 0, 8, 0);
+  grid_->setVerticalSpacing(2);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(joints_);
+  result_ = new QLabel(this);
+  result_->setObjectName("own_pose_result");
+  result_->setWordWrap(true);
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 0);
+  layout->addWidget(result_);
+  layout->addLayout(row);
+  layout->addWidget(scroll, 1);
+  connect(take, &QPushButton::clicked, this, &OwnPosePage::take_selected);
+  connect(typed_, &QLineEdit::editingFinished, this, &OwnPosePage::take_typed);
+  connect(&bench.document, &Document::model_changed, this, [this] {
+    if (isVisible()) refresh();
+  });
+}
+
+void OwnPosePage::set_session() {
+  is_filling_ = true;
+  for (QObject* child : joints_->children())
+    if (auto* w = qobject_cast<QWidget*>(child)) w->deleteLater();
+  sliders_.clear();
+  boxes_.clear();
+  scales_.clear();
+  const Session& s = bench_.document.session();
+  for (std::size_t i = 0; i < s.joints.size(); ++i) {
+    const Joint& joint = s.robot.joints[static_cast<std::size_t>(find_joint(s.robot, s.joints[i]))];
+    const bool prismatic = joint.kind == JointKind::prismatic;
+    const double scale = prismatic ? 1e3 : degrees;
+    const double wide = prismatic ? 1.0 : 3.14159265358979;
+    const double lower = std::max(joint.lower, -wide), upper = std::min(joint.upper, wide);
+    auto* name = new QLabel(QString::fromStdString(s.joints[i]), joints_);
+    auto* slider = new QSlider(Qt::Horizontal, joints_);
+    slider->setRange(static_cast<int>(lower * 1000), static_cast<int>(upper * 1000));
+    auto* box = new QDoubleSpinBox(joints_);
+    box->setObjectName("own_pose_joint_" + QString::number(i));
+    box->setDecimals(2);
+    box->setSuffix(prismatic ? tr(" mm") : tr(" deg"));
+    box->setRange(-36000, 36000);
+    box->setFocusPolicy(Qt::StrongFocus);
+    slider->setFocusPolicy(Qt::StrongFocus);
+    const int r = static_cast<int>(i);
+    grid_->addWidget(name, r, 0);
+    grid_->addWidget(slider, r, 1);
+    grid_->addWidget(box, r, 2);
+    connect(slider, &QSlider::valueChanged, this, [this, box, scale](int value) {
+      if (!is_filling_) box->setValue(1e-3 * value * scale);
+    });
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, slider, scale](double value) {
+      if (is_filling_) return;
+      is_filling_ = true;
+      slider->setValue(static_cast<int>(1000 * value / scale));
+      is_filling_ = false;
+      refresh();
+    });
+    sliders_.push_back(slider);
+    boxes_.push_back(box);
+    scales_.push_back(scale);
+  }
+  is_filling_ = false;
+  prediction_.reset();
+}
+
+void OwnPosePage::set_active(bool active) {
+  if (!active || boxes_.empty()) return;
+  if (!prediction_) take_selected();
+  refresh();
+}
+
+Eigen::VectorXd OwnPosePage::position() const {
+  Eigen::VectorXd q(static_cast<Eigen::Index>(boxes_.size()));
+  for (std::size_t i = 0; i < boxes_.size(); ++i) q[static_cast<Eigen::Index>(i)] = boxes_[i]->value() / scales_[i];
+  return q;
+}
+
+void OwnPosePage::set_position(const Eigen::VectorXd& q) {
+  is_filling_ = true;
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    boxes_[i]->setValue(q[static_cast<Eigen::Index>(i)] * scales_[i]);
+    sliders_[i]->setValue(static_cast<int>(1000 * q[static_cast<Eigen::Index>(i)]));
+  }
+  is_filling_ = false;
+  refresh();
+}
+
+void OwnPosePage::take_selected() {
+  if (const Observation* o = bench_.selected_observation()) set_position(o->position);
+}
+
+void OwnPosePage::take_typed() {
+  const std::string text = typed_->text().simplified().replace(",", " ").toStdString();
+  if (text.empty()) return;
+  const auto numbers = parse_numbers(text);
+  if (!numbers || numbers->size() != boxes_.size()) {
+    result_->setText(tr("%1 numbers are wanted, one for each joint; there are %2.")
+                         .arg(boxes_.size())
+                         .arg(numbers ? QString::number(numbers->size()) : tr("some that cannot be read")));
+    return;
+  }
+  set_position(Eigen::Map<const Eigen::VectorXd>(numbers->data(), static_cast<Eigen::Index>(numbers->size())));
+}
+
+void OwnPosePage::refresh() {
+  const ModelVersionPointer model = bench_.document.shown_model();
+  if (!model || !model->fit) {
+    prediction_.reset();
+    result_->setText(tr("Waits for a fit; then it says where the TCP really is."));
+    emit changed();
+    return;
+  }
+  const Fit& fit = *model->fit;
+  prediction_ = predict_tcp(chain_of(bench_.document.session()), position(), model->options.effects, model->scatter,
+                            fit.tcp_from_body, fit.covariance);
+  const Vector3 t = prediction_->root_from_tcp_est.translation;
+  const Vector6 s = prediction_->sigma;
+  result_->setText(tr("TCP at %1, %2, %3 mm (± %4, %5, %6)")
+                       .arg(widgets::fixed_text(1e3 * t.x(), 1), widgets::fixed_text(1e3 * t.y(), 1),
+                            widgets::fixed_text(1e3 * t.z(), 1), widgets::short_text(1e3 * s[0]),
+                            widgets::short_text(1e3 * s[1]), widgets::short_text(1e3 * s[2])));
+  emit changed();
+}
+
+void OwnPosePage::show(widgets::RobotView& view) {
+  Observation pose;
+  pose.id = widgets::kNoObservation;
+  pose.position = position();
+  show_pose(bench_.document, pose, nullptr, view);
+  if (!prediction_) return;
+  view.set_tcp_est(prediction_->root_from_tcp_est);
+  widgets::SceneEllipsoid ellipsoid{.center = prediction_->root_from_tcp_est.translation};
+  ellipsoid.covariance = prediction_->sigma.head<3>().cwiseAbs2().asDiagonal();
+  view.set_ellipsoid(ellipsoid);
+}
+
+}  // namespace handsight::app

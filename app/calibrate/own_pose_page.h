@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pose of the user's own: sliders or typed numbers, and where the TCP really is in it.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "estimation/prediction.h"
+#include "frame/workbench.h"
+
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QSlider;
+
+namespace handsight::widgets {
+class RobotView;
+}
+
+namespace handsight::app {
+
+class OwnPosePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  OwnPosePage(Workbench& bench, QWidget* parent);
+  /// Sliders for the joints of the open session.
+  void set_session();
+  void set_active(bool active);
+  /// The robot in this pose with the predicted TCP and its ellipsoid.
+  void show(widgets::RobotView& view);
+
+ signals:
+  void changed();
+
+ private:
+  void take_selected();
+  void take_typed();
+  void refresh();
+  Eigen::VectorXd position() const;
+  void set_position(const Eigen::VectorXd& position);
+
+  Workbench& bench_;
+  QWidget* joints_;
+  QGridLayout* grid_;
+  QLineEdit* typed_;
+  QLabel* result_;
+  std::vector<QSlider*> sliders_;
+  std::vector<QDoubleSpinBox*> boxes_;  // degrees (mm for prismatic joints)
+  std::vector<double> scales_;          // shown per SI unit
+  std::optional<TcpPrediction> prediction_;
+  bool is_filling_ = false;
+};
+
+}  // namespace handsight::app

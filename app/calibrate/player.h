@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plays a session through the online calibration, observation by observation, in the background.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "estimation/online.h"
+#include "frame/workbench.h"
+
+namespace handsight::app {
+
+/// One observation as it was decided, with how it stood against the estimate of that moment.
+struct PlayedStep {
+  OnlineStep step;
+  InspectionRow row;  // without markers where nothing was estimated or found
+  std::size_t accepted = 0;
+};
+
+class Player : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Player(Workbench& bench, QObject* parent = nullptr);
+
+  bool is_playing() const { return is_playing_; }
+  bool is_finished() const;
+  std::size_t position() const { return steps_.size(); }  // observations decided in this play
+  const std::vector<PlayedStep>& steps() const { return steps_; }
+  const PlayedStep* step_of(std::int64_t id) const;
+
+  /// From where it stopped; from the beginning where it was finished, or where the session was changed since.
+  void play();
+  void pause();
+  void step();
+  void rewind();
+  /// Observations a second; 0: as fast as it goes.
+  void set_speed(double per_second) { per_second_ = per_second; }
+
+ signals:
+  void stepped(const PlayedStep& step);
+  void state_changed();
+  void rewound();
+
+ private:
+  struct Run;
+  void next();
+  void take(std::shared_ptr<PlayedStep> step);
+  void stop();
+
+  Workbench& bench_;
+  std::shared_ptr<Run> run_;
+  std::vector<PlayedStep> steps_;
+  QTimer timer_;
+  QElapsedTimer begun_;  // of the step at hand
+  double per_second_ = 10;
+  std::int64_t join_ = 0;
+  std::size_t accepted_ = 0;
+  bool is_playing_ = false, is_single_ = false, is_busy_ = false, holds_refit_ = false, is_own_edit_ = false;
+};
+
+}  // namespace handsight::app

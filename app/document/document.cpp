@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/document.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "document/counted.h"
+#include "session/session_xml.h"
+
+namespace handsight::app {
+
+class EditCommand : public QUndoCommand {
+ public:
+  EditCommand(Document& document, Edit edit) : document_(document), edit_(std::move(edit)) { setText(edit_.sentence); }
+  void redo() override { document_.apply(edit_, true); }
+  void undo() override { document_.apply(edit_, false); }
+  int id() const override { return edit_.joins == 0 ? -1 : 1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto& later = static_cast<const EditCommand&>(*other);
+    if (later.edit_.joins != edit_.joins) return false;
+    edit_ = joined(std::move(edit_), later.edit_);
+    setText(edit_.sentence);
+    return true;
+  }
+
+ private:
+  Document& document_;
+  Edit edit_;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {
+  connect(&stack_, &QUndoStack::cleanChanged, this, [this](bool clean) {
+    if (!is_replaying_) emit saved_changed(clean);
+  });
+}
+
+Document::~Document() { close(); }
+
+void Document::open(const std::filesystem::path& path) {
+  Session session = read_session(path);
+  const std::string digest = digest_of(read_file(session.file));
+  const bool is_same_file =
+      journal_ && std::filesystem::weakly_canonical(session.file) == std::filesystem::weakly_canonical(session_.file);
+  if (is_same_file) close();
+  auto journal = std::make_unique<Journal>(session.file, digest);
+  close();
+  journal_ = std::move(journal);
+  session_ = std::move(session);
+  settings_ = {};
+  index_of_.clear();
+  for (std::size_t i = 0; i < session_.observations.size(); ++i)
+    index_of_[session_.observations[i].id] = static_cast<int>(i);
+  ++revision_;
+  const JournalContents contents = journal_->take_contents();
+  replay(contents);
+  emit opened();
+  if (!contents.notice.empty()) {
+    emit noticed(QString::fromStdString(contents.notice));
+  } else if (!stack_.isClean()) {
+    const int unsaved = std::abs(stack_.index() - std::max(0, stack_.cleanIndex()));
+    emit noticed(
+        tr("Opened where you left it: %1 not yet saved in session.xml.").arg(counted(unsaved, "action", "actions")));
+  }
+  emit saved_changed(is_saved());
+}
+
+void Document::close() {
+  if (!journal_) return;
+  if (stack_.isClean()) {
+    try {
+      journal_->clear(digest_of(read_file(session_.file)));
+    } catch (const InputError&) {
+      // The session's folder is gone; the journal is then set aside when it comes back.
+    }
+  }
+  journal_.reset();
+  stack_.clear();
+  versions_.clear();
+  shown_.reset();
+  second_looks_.clear();
+  session_ = {};
+  index_of_.clear();
+  ++revision_;
+  emit closed();
+}
+
+int Document::index_of(std::int64_t id) const {
+  const auto found = index_of_.find(id);
+  return found == index_of_.end() ? -1 : found->second;
+}
+
+const Observation* Document::find(std::int64_t id) const {
+  const int index = index_of(id);
+  return index < 0 ? nullptr : &session_.observations[static_cast<std::size_t>(index)];
+}
+
+Edit Document::edit_of(const QString& sentence,
+                       const std::vector<std::pair<std::int64_t, ObservationState>>& after) const {
+  Edit edit{.sentence = sentence};
+  for (const auto& [id, state] : after) {
+    const Observation* observation = find(id);
+    if (observation && !same_state(state_of(*observation), state))
+      edit.observations.push_back({id, state_of(*observation), state});
+  }
+  return edit;
+}
+
+bool Document::write_down(const JournalEntry& entry) {
+  if (is_replaying_) return true;
+  try {
+    journal_->append(entry);
+    return true;
+  } catch (const InputError& error) {
+    emit noticed(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+void Document::push(Edit edit) {
+  versions_.erase(versions_.upper_bound(stack_.index()), versions_.end());
+  stack_.push(new EditCommand(*this, std::move(edit)));
+}
+
+void Document::perform(Edit edit) {
+  if (!journal_ || edit.is_empty()) return;
+  if (!write_down({JournalEntry::Kind::done, edit, {}})) return;
+  push(std::move(edit));
+}
+
+void Document::undo() {
+  if (!journal_ || !stack_.canUndo() || !write_down({JournalEntry::Kind::undone, {}, {}})) return;
+  const QString sentence = stack_.undoText();
+  stack_.undo();
+  if (!is_replaying_) emit noticed(tr("Undone: %1").arg(sentence));
+}
+
+void Document::redo() {
+  if (!journal_ || !stack_.canRedo() || !write_down({JournalEntry::Kind::redone, {}, {}})) return;
+  const QString sentence = stack_.redoText();
+  stack_.redo();
+  if (!is_replaying_) emit noticed(tr("Done again: %1").arg(sentence));
+}
+
+void Document::undo_all() {
+  while (stack_.canUndo()) {
+    const int before = stack_.index();
+    undo();
+    if (stack_.index() == before) return;
+  }
+}
+
+void Document::save() {
+  if (!journal_) return;
+  const std::string text = session_text(session_);
+  const std::string digest = digest_of(text);
+  // Marked before the file is replaced: a kill between the two finds the old content, and replays.
+  journal_->append({JournalEntry::Kind::saved, {}, digest});
+  replace_file(session_.file, text);
+  session_.source = std::make_shared<const std::string>(text);
+  stack_.setClean();
+  emit noticed(tr("Saved in %1").arg(QString::fromStdString(session_.file.string())));
+}
+
+void Document::apply(const Edit& edit, bool forward) {
+  if (edit.settings) settings_ = forward ? edit.settings->after : edit.settings->before;
+  if (!applies_) return;
+  std::vector<std::int64_t> ids;
+  for (const ObservationEdit& o : edit.observations) {
+    const int index = index_of(o.id);
+    if (index < 0) continue;
+    const ObservationState& state = forward ? o.after : o.before;
+    Observation& observation = session_.observations[static_cast<std::size_t>(index)];
+    observation.sightings = state.sightings;
+    observation.decision = state.decision;
+    observation.reason = state.reason;
+    ids.push_back(o.id);
+  }
+  ++revision_;
+  if (is_replaying_) return;
+  if (edit.settings) emit settings_changed();
+  emit edited(ids);
+}
+
+void Document::replay(const JournalContents& contents) {
+  is_replaying_ = true;
+  for (std::size_t i = 0; i < contents.entries.size(); ++i) {
+    const JournalEntry& entry = contents.entries[i];
+    // What session.xml already holds is only listed, so that it can be undone.
+    applies_ = i >= contents.in_file;
+    last_join_ = std::max(last_join_, entry.edit.joins);
+    switch (entry.kind) {
+      case JournalEntry::Kind::done:
+        push(entry.edit);
+        break;
+      case JournalEntry::Kind::undone:
+        stack_.undo();
+        break;
+      case JournalEntry::Kind::redone:
+        stack_.redo();
+        break;
+      case JournalEntry::Kind::saved:
+        if (i < contents.in_file) stack_.setClean();
+        break;
+    }
+  }
+  applies_ = true;
+  is_replaying_ = false;
+}
+
+ModelVersionPointer Document::model() const {
+  const auto found = versions_.find(stack_.index());
+  return found != versions_.end() && found->second->revision == revision_ ? found->second : nullptr;
+}
+
+std::vector<ModelVersionPointer> Document::versions() const {
+  std::vector<ModelVersionPointer> list;
+  for (int i = 0; i <= stack_.index(); ++i) {
+    const auto found = versions_.find(i);
+    list.push_back(found == versions_.end() ? nullptr : found->second);
+  }
+  return list;
+}
+
+void Document::take_second_looks(const SecondLooks& looks) {
+  for (const auto& [id, sightings] : looks) second_looks_[id] = sightings;
+  ++revision_;
+  emit edited({});
+}
+
+void Document::take_version(const ModelVersionPointer& version) {
+  if (!version || version->revision != revision_) return;
+  versions_[stack_.index()] = version;
+  shown_ = version;
+  emit model_changed();
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one document of the window: a session, what the user did to it, and the model's versions with their fits.
+#pragma once
+
+#include <QObject>
+#include <QUndoStack>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <unordered_map>
+
+#include "document/edit.h"
+#include "document/journal.h"
+#include "document/model_version.h"
+#include "session/session.h"
+
+namespace handsight::app {
+
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(QObject* parent = nullptr);
+  ~Document() override;
+
+  /// Opens a session (folder or file) with what the journal remembers of it. InputError where it cannot be read; the
+  /// document is then as it was.
+  void open(const std::filesystem::path& path);
+  /// Closes what is open; the journal keeps what was not saved.
+  void close();
+  bool is_open() const { return journal_ != nullptr; }
+
+  const Session& session() const { return session_; }
+  const ModelSettings& settings() const { return settings_; }
+  /// Index into Session::observations, -1 where there is none of this id.
+  int index_of(std::int64_t id) const;
+  const Observation* find(std::int64_t id) const;
+
+  /// Does one action: written to the journal, then done, then announced. An edit that changes nothing is left out.
+  /// Where it cannot be written down it is not done, and `noticed` says why.
+  void perform(Edit edit);
+  void undo();
+  void redo();
+  /// Back to before the first action, one by one.
+  void undo_all();
+  const QUndoStack& undo_stack() const { return stack_; }
+  /// Replaces session.xml. InputError where it cannot be written.
+  void save();
+  bool is_saved() const { return stack_.isClean(); }
+
+  /// Counts every change of state; a result made for an older one is stale.
+  std::int64_t revision() const { return revision_; }
+
+  /// The model of the present state; null until it is fitted.
+  ModelVersionPointer model() const;
+  /// The last one that was fitted, which may be of an earlier state: what the window shows meanwhile. Null before.
+  ModelVersionPointer shown_model() const { return shown_; }
+  /// Versions from the beginning to the present state, null where an action's fit was never asked for.
+  std::vector<ModelVersionPointer> versions() const;
+  /// Takes a fit, unless it is stale.
+  void take_version(const ModelVersionPointer& version);
+
+  /// What a second look at rejected observations found; not part of the session, not undone. Announced as edited({}).
+  const SecondLooks& second_looks() const { return second_looks_; }
+  void take_second_looks(const SecondLooks& looks);
+
+  /// A new number for Edit::joins.
+  std::int64_t new_join() { return ++last_join_; }
+
+  /// Edits made of the present state.
+  Edit edit_of(const QString& sentence, const std::vector<std::pair<std::int64_t, ObservationState>>& after) const;
+
+ signals:
+  void opened();
+  void closed();
+  /// Observations changed (labels, decisions). Empty: none, only settings.
+  void edited(const std::vector<std::int64_t>& ids);
+  void settings_changed();
+  void model_changed();
+  void saved_changed(bool is_saved);
+  /// A sentence for the read-out line.
+  void noticed(const QString& sentence);
+
+ private:
+  friend class EditCommand;
+  void apply(const Edit& edit, bool forward);
+  void replay(const JournalContents& contents);
+  bool write_down(const JournalEntry& entry);
+  void push(Edit edit);
+
+  Session session_;
+  ModelSettings settings_;
+  std::unordered_map<std::int64_t, int> index_of_;
+  std::unique_ptr<Journal> journal_;
+  QUndoStack stack_;
+  std::map<int, ModelVersionPointer> versions_;  // by index of the undo stack
+  ModelVersionPointer shown_;
+  SecondLooks second_looks_;
+  std::int64_t revision_ = 0;
+  std::int64_t last_join_ = 0;
+  bool is_replaying_ = false;
+  bool applies_ = true;  // false while entries are replayed that session.xml already holds
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/edit.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+
+namespace handsight::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Vector>
+bool same_point(const std::optional<Vector>& a, const std::optional<Vector>& b) {
+  return a.has_value() == b.has_value() && (!a || *a == *b);
+}
+
+template <class Vector>
+Json point_json(const Vector& v) {
+  Json list = Json::array();
+  for (Eigen::Index i = 0; i < v.size(); ++i) list.push_back(v[i]);
+  return list;
+}
+
+template <class Vector>
+std::optional<Vector> point_of(const Json& parent, const char* key) {
+  if (!parent.contains(key)) return std::nullopt;
+  Vector v;
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = parent.at(key).at(static_cast<std::size_t>(i)).get<double>();
+  return v;
+}
+
+Json state_json(const ObservationState& state) {
+  Json sightings = Json::array();
+  for (const Sighting& s : state.sightings) {
+    Json one{{"marker", s.marker}, {"by", static_cast<int>(s.by)}};
+    if (s.left) one["left"] = point_json(*s.left);
+    if (s.right) one["right"] = point_json(*s.right);
+    if (s.point) one["point"] = point_json(*s.point);
+    sightings.push_back(std::move(one));
+  }
+  return {{"sightings", sightings}, {"decision", static_cast<int>(state.decision)}, {"reason", state.reason}};
+}
+
+int within(const Json& value, int lowest, int highest) {
+  const int number = value.get<int>();
+  if (number < lowest || number > highest) throw InputError("A number in the journal is out of its range.");
+  return number;
+}
+
+ObservationState parse_state(const Json& json) {
+  ObservationState state;
+  for (const Json& one : json.at("sightings"))
+    state.sightings.push_back({within(one.at("marker"), 0, 63), point_of<Vector2>(one, "left"),
+                               point_of<Vector2>(one, "right"), point_of<Vector3>(one, "point"),
+                               static_cast<MarkedBy>(within(one.at("by"), 0, 2))});
+  state.decision = static_cast<Decision>(within(json.at("decision"), 0, 3));
+  state.reason = json.at("reason").get<std::string>();
+  return state;
+}
+
+Json settings_json(const ModelSettings& s) {
+  return {{"objective", static_cast<int>(s.objective)}, {"fix_markers", s.fix_markers}};
+}
+
+ModelSettings parse_settings(const Json& json) {
+  return {static_cast<Objective>(within(json.at("objective"), 0, 2)), json.at("fix_markers").get<bool>()};
+}
+
+}  // namespace
+
+ObservationState state_of(const Observation& observation) {
+  return {observation.sightings, observation.decision, observation.reason};
+}
+
+bool same_state(const ObservationState& a, const ObservationState& b) {
+  const auto same_sighting = [](const Sighting& x, const Sighting& y) {
+    return x.marker == y.marker && x.by == y.by && same_point(x.left, y.left) && same_point(x.right, y.right) &&
+           same_point(x.point, y.point);
+  };
+  return a.decision == b.decision && a.reason == b.reason &&
+         std::equal(a.sightings.begin(), a.sightings.end(), b.sightings.begin(), b.sightings.end(), same_sighting);
+}
+
+Edit joined(Edit earlier, const Edit& later) {
+  earlier.sentence = later.sentence;
+  for (const ObservationEdit& edit : later.observations) {
+    // The one that was changed last is the likeliest to change again.
+    const auto found = std::find_if(earlier.observations.rbegin(), earlier.observations.rend(),
+                                    [&](const ObservationEdit& known) { return known.id == edit.id; });
+    if (found == earlier.observations.rend()) {
+      earlier.observations.push_back(edit);
+    } else {
+      found->after = edit.after;
+    }
+  }
+  if (later.settings)
+    earlier.settings = {earlier.settings ? earlier.settings->before : later.settings->before, later.settings->after};
+  return earlier;
+}
+
+std::string edit_text(const Edit& edit) {
+  Json json{{"sentence", edit.sentence.toStdString()}, {"joins", edit.joins}};
+  Json observations = Json::array();
+  for (const ObservationEdit& o : edit.observations)
+    observations.push_back({{"id", o.id}, {"before", state_json(o.before)}, {"after", state_json(o.after)}});
+  json["observations"] = std::move(observations);
+  if (edit.settings)
+    json["settings"] = {{"before", settings_json(edit.settings->before)},
+                        {"after", settings_json(edit.settings->after)}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Edit parse_edit(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    Edit edit;
+    edit.sentence = QString::fromStdString(json.at("sentence").get<std::string>());
+    edit.joins = json.at("joins").get<std::int64_t>();
+    for (const Json& o : json.at("observations"))
+      edit.observations.push_back(
+          {o.at("id").get<std::int64_t>(), parse_state(o.at("before")), parse_state(o.at("after"))});
+    if (json.contains("settings"))
+      edit.settings = {parse_settings(json["settings"].at("before")), parse_settings(json["settings"].at("after"))};
+    return edit;
+  } catch (const Json::exception&) {
+    throw InputError("A line of the journal is no action that this version understands.");
+  }
+}
+
+}  // namespace handsight::app

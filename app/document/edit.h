@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One action of the user as data: what it changed, from what to what. Undo, redo and the journal need no more.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "estimation/fit.h"
+#include "session/session.h"
+
+namespace handsight::app {
+
+/// What a user can change of one observation.
+struct ObservationState {
+  std::vector<Sighting> sightings;
+  Decision decision = Decision::none;
+  std::string reason;
+};
+
+ObservationState state_of(const Observation& observation);
+bool same_state(const ObservationState& a, const ObservationState& b);
+
+struct ObservationEdit {
+  std::int64_t id = 0;
+  ObservationState before, after;
+};
+
+/// How the model is fitted: what the user chose.
+struct ModelSettings {
+  Objective objective = Objective::image;
+  bool fix_markers = false;
+
+  bool operator==(const ModelSettings&) const = default;
+};
+
+struct SettingsEdit {
+  ModelSettings before, after;
+};
+
+/// One action. `sentence` says what was done in the past tense without a subject: "excluded observation 7".
+struct Edit {
+  QString sentence;
+  std::vector<ObservationEdit> observations;
+  std::optional<SettingsEdit> settings;
+  /// Actions with the same number, pushed one after the other, are one action to undo: a drag, a play. 0: alone.
+  std::int64_t joins = 0;
+
+  bool is_empty() const { return observations.empty() && !settings; }
+};
+
+/// `later` follows `earlier`: both as one, with the later sentence.
+Edit joined(Edit earlier, const Edit& later);
+
+/// The edit as one line of JSON, numbers bit for bit, and back. Throws InputError where the text is no edit.
+std::string edit_text(const Edit& edit);
+Edit parse_edit(const std::string& text);
+
+}  // namespace handsight::app

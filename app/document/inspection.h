@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every observation held against the model, the ones that are not part of the fit too: how far off, whose fault, and
+// the smallest change that would make it right.
+#pragma once
+
+#include <QString>
+#include <unordered_map>
+
+#include "estimation/fit_report.h"
+
+namespace handsight::app {
+
+/// Whose fault an observation's error is, as shares of what exceeds the noise (0 to 1, together 1 or all 0):
+/// cameras: the two images of a marker do not fit together; body: the markers do not lie to each other as the body's
+/// do; robot: the body as a whole is not where the robot says.
+struct Blame {
+  double cameras = 0, body = 0, robot = 0;
+  char letter = 0;  // C, B or R: the cause to look at first. 0: nothing stands out of the noise
+};
+
+/// One marker of one observation, measured against predicted.
+struct MarkerResidual {
+  int marker = 0;
+  std::optional<Vector2> left, right;                      // px, measured
+  std::optional<Vector2> predicted_left, predicted_right;  // px; nothing behind the camera
+  Vector3 predicted_in_sensor = Vector3::Zero();           // m
+  std::optional<Vector3> measured_in_sensor;               // m, triangulated or the tracker's
+};
+
+struct InspectionRow {
+  std::int64_t id = 0;
+  int index = 0;  // into Session::observations
+  bool is_used = false;
+  bool at_second_look = false;  // the markers were found with wider gates after the observation was rejected
+  int coordinates = 0;
+  std::optional<double> rms;    // px (m in tracker sessions) of one coordinate
+  std::optional<double> rms_m;  // m, of the markers' distances
+  std::optional<double> angle;  // rad, of tcp_from_tcp_est
+  std::optional<double> ratio;  // rms over the noise
+  std::optional<Rigid> tcp_from_tcp_est;
+  Rigid root_from_tcp, root_from_sensor;
+  std::vector<MarkerResidual> markers;
+  int worst_marker = -1;
+  int worst_camera = -1;  // 0 left, 1 right
+  double worst_size = 0;  // px (m), length
+  Blame blame;
+  bool outlier = false;     // stands out of the other observations
+  QString what_would_mend;  // a sentence; empty: nothing to mend
+};
+
+struct Inspection {
+  std::vector<InspectionRow> rows;  // one for each observation of the session, in its order
+  std::optional<double> noise;      // px or m
+  bool in_pixels = true;
+};
+
+/// Markers that a second look found, by observation.
+using SecondLooks = std::unordered_map<std::int64_t, std::vector<Sighting>>;
+
+/// One observation against any estimate; `row` has its id and index already. `noise` of one coordinate, where known.
+void inspect_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
+                         std::optional<double> noise, const std::vector<char>& marker_is_known, InspectionRow& row);
+
+/// `effects` are those of the fit.
+Inspection inspect(const Session& session, const Fit& fit, const FitReport& report,
+                   const std::vector<EffectTerm>& effects, const SecondLooks& looks);
+
+}  // namespace handsight::app

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <QCryptographicHash>
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+
+namespace handsight::app {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string hash(const std::string& bytes) {
+  return QCryptographicHash::hash(QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())),
+                                  QCryptographicHash::Sha256)
+      .toHex()
+      .left(32)
+      .toStdString();
+}
+
+std::string line_of(const JournalEntry& entry) {
+  switch (entry.kind) {
+    case JournalEntry::Kind::done:
+      return "do " + edit_text(entry.edit);
+    case JournalEntry::Kind::undone:
+      return "undo";
+    case JournalEntry::Kind::redone:
+      return "redo";
+    case JournalEntry::Kind::saved:
+      return "saved " + entry.digest;
+  }
+  return {};
+}
+
+std::optional<JournalEntry> parse_line(const std::string& line) {
+  JournalEntry entry;
+  if (line == "undo") {
+    entry.kind = JournalEntry::Kind::undone;
+  } else if (line == "redo") {
+    entry.kind = JournalEntry::Kind::redone;
+  } else if (line.starts_with("saved ")) {
+    entry.kind = JournalEntry::Kind::saved;
+    entry.digest = line.substr(6);
+  } else if (line.starts_with("do ")) {
+    entry.edit = parse_edit(line.substr(3));
+  } else {
+    return std::nullopt;
+  }
+  return entry;
+}
+
+/// The whole lines of the text; what follows the last line end was cut off by a kill.
+std::vector<std::string> whole_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+    lines.push_back(text.substr(begin, end - begin));
+  return lines;
+}
+
+struct Read {
+  std::string base;  // digest of the session file that the entries start from
+  std::vector<JournalEntry> entries;
+  std::size_t good_bytes = 0;
+};
+
+Read read_entries(const std::string& text) {
+  Read read;
+  const std::vector<std::string> lines = whole_lines(text);
+  if (lines.empty() || !lines[0].starts_with("handsight journal 1 ")) return read;
+  read.base = lines[0].substr(20, 32);
+  read.good_bytes = lines[0].size() + 1;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    try {
+      const auto entry = parse_line(lines[i]);
+      if (!entry) break;
+      read.entries.push_back(*entry);
+    } catch (const InputError&) {
+      break;
+    }
+    read.good_bytes += lines[i].size() + 1;
+  }
+  return read;
+}
+
+}  // namespace
+
+fs::path state_folder() {
+  const char* state = std::getenv("XDG_STATE_HOME");
+  if (state && fs::path(state).is_absolute()) return fs::path(state) / "handsight";
+  const char* home = std::getenv("HOME");
+  return fs::path(home ? home : "/tmp") / ".local" / "state" / "handsight";
+}
+
+std::string digest_of(const std::string& bytes) { return hash(bytes); }
+
+Journal::Journal(const fs::path& session_file, const std::string& digest)
+    : session_file_(fs::weakly_canonical(session_file)) {
+  const fs::path folder = state_folder() / "journals";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  file_ = folder / (hash(session_file_.string()) + ".journal");
+  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  if (descriptor_ < 0)
+    throw InputError(
+        fmt::format("{}: the journal of this session cannot be written ({}); make its folder writable or "
+                    "set XDG_STATE_HOME to another.",
+                    shown_path(file_), std::strerror(errno)));
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(descriptor_);
+    descriptor_ = -1;
+    throw InputError(fmt::format("{}: the session is open in another window of Handsight; work there or close it.",
+                                 shown_path(session_file_)));
+  }
+  Read read = read_entries(read_file(file_));
+  bool matches = read.base == digest;
+  for (std::size_t i = read.entries.size(); i-- > 0 && contents_.in_file == 0;)
+    if (read.entries[i].kind == JournalEntry::Kind::saved && read.entries[i].digest == digest) {
+      contents_.in_file = i + 1;
+      matches = true;
+    }
+  if (read.good_bytes == 0 || (!matches && read.entries.empty())) {
+    start(digest);
+    return;
+  }
+  if (!matches) {
+    const fs::path aside = file_.string() + "." + read.base.substr(0, 8) + ".aside";
+    fs::copy_file(file_, aside, fs::copy_options::overwrite_existing, error);
+    contents_ = {};
+    contents_.notice =
+        fmt::format("session.xml was changed by another program; {} unsaved actions from before that are kept in {}.",
+                    read.entries.size(), shown_path(aside));
+    start(digest);
+    return;
+  }
+  if (::ftruncate(descriptor_, static_cast<off_t>(read.good_bytes)) != 0)
+    throw InputError(fmt::format("{}: the journal cannot be repaired: {}.", shown_path(file_), std::strerror(errno)));
+  contents_.entries = std::move(read.entries);
+}
+
+Journal::~Journal() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+JournalContents Journal::take_contents() { return std::exchange(contents_, {}); }
+
+void Journal::append(const JournalEntry& entry) { write_line(line_of(entry)); }
+
+void Journal::clear(const std::string& digest) { start(digest); }
+
+void Journal::start(const std::string& digest) {
+  if (::ftruncate(descriptor_, 0) != 0)
+    throw InputError(fmt::format("{}: the journal cannot be written: {}.", shown_path(file_), std::strerror(errno)));
+  write_line("handsight journal 1 " + digest + " " + session_file_.string());
+}
+
+void Journal::write_line(const std::string& line) {
+  const std::string text = line + "\n";
+  const off_t before = ::lseek(descriptor_, 0, SEEK_END);
+  const ssize_t written = ::write(descriptor_, text.data(), text.size());
+  if (written == static_cast<ssize_t>(text.size()) && ::fdatasync(descriptor_) == 0) return;
+  const int error = written < 0 || written == static_cast<ssize_t>(text.size()) ? errno : ENOSPC;
+  // Half a line would swallow the next one.
+  if (before >= 0 && ::ftruncate(descriptor_, before) != 0) {
+  }
+  throw InputError(fmt::format("{}: the last action could not be written down ({}); make room and save the session.",
+                               shown_path(file_), std::strerror(error)));
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One fit of the document's model with what it says; read-only once made.
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <unordered_map>
+
+#include "document/edit.h"
+#include "document/inspection.h"
+#include "estimation/fit_report.h"
+#include "estimation/prediction.h"
+#include "session/calibration.h"
+
+namespace handsight::app {
+
+struct ModelVersion {
+  std::int64_t revision = 0;  // of the document's state that was fitted
+  QString cause;              // the action that led to it
+  ModelSettings settings;
+  FitOptions options;
+  std::shared_ptr<const Fit> fit;                  // null: nothing could be fitted, and `refusal` says why
+  std::shared_ptr<const FitReport> report;         // null with the fit
+  std::shared_ptr<const Inspection> inspection;    // null with the fit
+  std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit
+  TcpScatter scatter;                              // of the TCP about the model
+  QString refusal;
+  std::unordered_map<std::int64_t, int> row_of;  // observation id -> FitReport::per_observation
+
+  /// The report of an observation, null where it was not used.
+  const ObservationReport* of(std::int64_t id) const {
+    const auto found = row_of.find(id);
+    return found == row_of.end() ? nullptr : &report->per_observation[static_cast<std::size_t>(found->second)];
+  }
+};
+using ModelVersionPointer = std::shared_ptr<const ModelVersion>;
+
+/// The error that counts (held out where it is known, else fitted) and the noise, both px, or m in tracker sessions.
+struct ErrorAndNoise {
+  std::optional<double> error, noise;
+  bool held_out = false;
+  bool in_pixels = true;
+
+  std::optional<double> ratio() const {
+    return error && noise && *noise > 0 ? std::optional(*error / *noise) : std::nullopt;
+  }
+};
+ErrorAndNoise error_and_noise(const ModelVersion& version);
+
+/// Standard deviations of tcp_from_body: of the body's origin (m), and of the rotations about the TCP's axes (rad).
+Vector6 origin_sigma(const Fit& fit);
+
+/// Fits a session and reports; a refusal of the fit becomes the version's sentence.
+ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,
+                                 QString cause, const SecondLooks& looks = {});
+
+}  // namespace handsight::app

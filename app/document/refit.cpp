@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/refit.h"
+
+#include <algorithm>
+
+#include "document/counted.h"
+
+namespace handsight::app {
+
+Refit::Refit(Document& document, Jobs& jobs, QObject* parent) : QObject(parent), document_(document), jobs_(jobs) {
+  timer_.setSingleShot(true);
+  timer_.setInterval(0);
+  connect(&timer_, &QTimer::timeout, this, &Refit::start);
+  connect(&document, &Document::opened, this, &Refit::schedule);
+  connect(&document, &Document::edited, this, &Refit::schedule);
+  connect(&document, &Document::settings_changed, this, &Refit::schedule);
+  connect(&document, &Document::closed, this, [this] {
+    timer_.stop();
+    jobs_.cancel("fit");
+  });
+}
+
+void Refit::hold() { ++holds_; }
+
+void Refit::release() {
+  if (--holds_ == 0 && document_.is_open() && !document_.model()) schedule();
+}
+
+void Refit::schedule() {
+  if (holds_ == 0) timer_.start();
+}
+
+void Refit::start() {
+  if (!document_.is_open()) return;
+  const Session& session = document_.session();
+  const auto used = std::count_if(session.observations.begin(), session.observations.end(), is_used);
+  const QString cause = document_.undo_stack().undoText();
+  jobs_.start<ModelVersionPointer>(
+      "fit", tr("Fitting %1").arg(counted(used, "observation", "observations")),
+      [copy = session, settings = document_.settings(), revision = document_.revision(), cause,
+       looks = document_.second_looks()](JobControl&) { return make_version(copy, settings, revision, cause, looks); },
+      [this](const ModelVersionPointer& version) { document_.take_version(version); },
+      [this](const QString& sentence) { emit document_.noticed(sentence); });
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/export_texts.h"
+
+#include <Eigen/Geometry>
+
+#include "base/numbers.h"
+#include "explain/explain_workspace.h"
+#include "widgets/number_text.h"
+
+namespace handsight::app {
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+
+QString number(double value) { return QString::fromStdString(format_number(value)); }
+
+}  // namespace
+
+std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form) {
+  const Rigid& m = model.fit->tcp_from_body;
+  const Vector6 sigma = origin_sigma(*model.fit);
+  std::vector<MotionLine> lines;
+  const auto split = [](const QString& name, double value, double s, const QString& unit) {
+    const QStringList parts = widgets::with_sigma_text(value, s).split(QString(" ± "));
+    return MotionLine{name, parts.value(0), parts.value(1), unit};
+  };
+  if (form == MotionForm::matrix) {
+    const Matrix4 rows = matrix_from_rigid(m);
+    for (int r = 0; r < 4; ++r) {
+      QStringList cells;
+      for (int c = 0; c < 4; ++c) cells << widgets::fixed_text(rows(r, c), 6).rightJustified(10);
+      lines.push_back({QString(), cells.join("  "), QString(), r < 3 ? QObject::tr("m") : QString()});
+    }
+    return lines;
+  }
+  const char* axes[] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) lines.push_back(split(axes[i], 1e3 * m.translation[i], 1e3 * sigma[i], "mm"));
+  if (form == MotionForm::xyz_rpy) {
+    const Vector3 rpy = degrees * rpy_from_rotation(m.rotation);
+    const char* names[] = {"roll", "pitch", "yaw"};
+    for (int i = 0; i < 3; ++i) lines.push_back(split(names[i], rpy[i], degrees * sigma[i + 3], "deg"));
+    return lines;
+  }
+  const Eigen::Quaterniond q(m.rotation);
+  const double values[] = {q.x(), q.y(), q.z(), q.w()};
+  const char* names[] = {"qx", "qy", "qz", "qw"};
+  for (int i = 0; i < 4; ++i) lines.push_back({names[i], widgets::fixed_text(values[i], 6), QString(), QString()});
+  return lines;
+}
+
+QString motion_text(const Rigid& motion, MotionForm form) {
+  const auto joined = [](std::initializer_list<double> values) {
+    QStringList list;
+    for (const double v : values) list << number(v);
+    return list.join(' ');
+  };
+  const Vector3& t = motion.translation;
+  if (form == MotionForm::xyz_rpy) {
+    const Vector3 rpy = rpy_from_rotation(motion.rotation);
+    return joined({t.x(), t.y(), t.z(), rpy.x(), rpy.y(), rpy.z()});
+  }
+  if (form == MotionForm::quaternion) {
+    const Eigen::Quaterniond q(motion.rotation);
+    return joined({t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()});
+  }
+  const Matrix4 m = matrix_from_rigid(motion);
+  QStringList rows;
+  for (int r = 0; r < 4; ++r) rows << joined({m(r, 0), m(r, 1), m(r, 2), m(r, 3)});
+  return rows.join('\n');
+}
+
+std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model) {
+  std::vector<ExportRemark> remarks;
+  const auto ratio = error_and_noise(model).ratio();
+  remarks.push_back({comparison_sentence(model), !ratio || *ratio >= 1.25});
+  if (!model.fit->converged())
+    remarks.push_back({QObject::tr("The fit has not converged: more observations, or look at Inspect."), true});
+  if (model.fit->covariance_kind == CovarianceKind::scatter)
+    remarks.push_back(
+        {QObject::tr("The uncertainties come from how the observations differ, because the model does not "
+                     "agree with them to the noise: they hold for poses like these."),
+         false});
+  if (document.session().mount.estimate)
+    remarks.push_back({QObject::tr("Right only together with the camera mount that was estimated with it."), false});
+  for (const std::string& note : model.fit->notes) remarks.push_back({QString::fromStdString(note), true});
+  return remarks;
+}
+
+}  // namespace handsight::app

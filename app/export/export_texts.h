@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// TCP->Body as people and programs write it down.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "document/document.h"
+
+namespace handsight::app {
+
+enum class MotionForm { matrix, xyz_rpy, quaternion };
+
+/// One line of a table: name, value, sigma, unit; empty where there is none.
+struct MotionLine {
+  QString name, value, sigma, unit;
+};
+std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form);
+
+/// The same as text to paste: full precision, SI.
+QString motion_text(const Rigid& motion, MotionForm form);
+
+/// Sentences about what to know before the matrix is used, and whether they are a warning.
+struct ExportRemark {
+  QString sentence;
+  bool is_warning = false;
+};
+std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model);
+
+}  // namespace handsight::app

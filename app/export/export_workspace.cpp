@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/export_workspace.h"
+
+#include <QButtonGroup>
+#include <QClipboard>
+#include <QFontDatabase>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSet>
+#include <QTableWidget>
+#include <QTextBlock>
+#include <QVBoxLayout>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "document/counted.h"
+#include "export/report.h"
+#include "export/report_pictures.h"
+#include "session/calibration_xml.h"
+#include "widgets/theme.h"
+
+namespace handsight::app {
+namespace {
+
+using widgets::colors;
+using widgets::TextRole;
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(widgets::text_font(TextRole::title));
+  return label;
+}
+
+QTableWidget* plain_table(int columns, QWidget* parent) {
+  auto* table = new QTableWidget(0, columns, parent);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(24);
+  table->setShowGrid(false);
+  table->setFrameShape(QFrame::NoFrame);
+  table->setWordWrap(false);
+  return table;
+}
+
+}  // namespace
+
+ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
+  setObjectName("export");
+  make_layout();
+  connect(&bench.document, &Document::opened, this, [this] {
+    exported_ = -1;
+    path_->setText(QString::fromStdString((folder(bench_.document.session()) / "calibration.xml").string()));
+    said_->hide();
+  });
+  connect(&bench.document, &Document::model_changed, this, [this] {
+    emit status_changed();
+    if (is_active()) refresh();
+  });
+  connect(save_, &QPushButton::clicked, this, &ExportWorkspace::save_xml);
+  connect(html_, &QPushButton::clicked, this, [this] { save_report(false); });
+  connect(pdf_, &QPushButton::clicked, this, [this] { save_report(true); });
+  connect(copy_, &QPushButton::clicked, this, [this] {
+    const ModelVersionPointer model = bench_.document.model();
+    if (!model || !model->fit) return;
+    QGuiApplication::clipboard()->setText(motion_text(model->fit->tcp_from_body, form()));
+    say(tr("Copied, in m and rad."), false);
+  });
+  connect(calibrate_, &QPushButton::clicked, this, [this] { emit bench_.workspace_requested(1); });
+  connect(forms_, &QButtonGroup::idClicked, this, &ExportWorkspace::refresh_motion);
+}
+
+QWidget* ExportWorkspace::make_left() {
+  auto* left = new QWidget(body_);
+  auto* layout = new QVBoxLayout(left);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(heading(tr("TCP→Body"), left));
+  auto* row = new QHBoxLayout;
+  forms_ = new QButtonGroup(this);
+  const QString names[] = {tr("Matrix"), tr("xyz + rpy"), tr("Quaternion")};
+  for (int i = 0; i < 3; ++i) {
+    auto* b = new QRadioButton(names[i], left);
+    b->setObjectName("form_" + QString::number(i));
+    forms_->addButton(b, i);
+    row->addWidget(b);
+  }
+  forms_->button(1)->setChecked(true);
+  row->addStretch(1);
+  copy_ = new QPushButton(tr("Copy"), left);
+  copy_->setObjectName("copy");
+  row->addWidget(copy_);
+  layout->addLayout(row);
+  motion_ = plain_table(4, left);
+  motion_->setObjectName("motion");
+  motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
+  motion_->setMinimumHeight(7 * 24 + 36);
+  layout->addWidget(motion_);
+  excluded_title_ = heading(tr("Not used"), left);
+  layout->addWidget(excluded_title_);
+  excluded_ = plain_table(2, left);
+  excluded_->setHorizontalHeaderLabels({tr("obs"), tr("why")});
+  excluded_->horizontalHeader()->setStretchLastSection(true);
+  excluded_->setWordWrap(true);
+  excluded_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  layout->addWidget(excluded_, 1);
+  return left;
+}
+
+QWidget* ExportWorkspace::make_right() {
+  auto* right = new QWidget(body_);
+  auto* layout = new QVBoxLayout(right);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(heading(tr("XML as it will be written"), right));
+  xml_ = new QPlainTextEdit(right);
+  xml_->setObjectName("xml");
+  xml_->setReadOnly(true);
+  xml_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  QFont mono = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  mono.setPixelSize(12);
+  xml_->setFont(mono);
+  layout->addWidget(xml_, 1);
+  return right;
+}
+
+void ExportWorkspace::make_layout() {
+  before_ = new QWidget(this);
+  remarks_ = new QVBoxLayout(before_);
+  remarks_->setContentsMargins(12, 8, 12, 8);
+  remarks_->setSpacing(4);
+  before_->setAutoFillBackground(true);
+  body_ = new QWidget(this);
+  auto* columns = new QHBoxLayout(body_);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(16);
+  columns->addWidget(make_left(), 45);
+  columns->addWidget(make_right(), 55);
+  empty_ = new QLabel(tr("Nothing to export: TCP→Body has not been estimated."), this);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  calibrate_ = new QPushButton(tr("Calibrate"), this);
+  path_ = new QLineEdit(this);
+  path_->setObjectName("export_path");
+  save_ = new QPushButton(tr("Save XML"), this);
+  save_->setObjectName("save_xml");
+  save_->setDefault(true);
+  html_ = new QPushButton(tr("Report HTML"), this);
+  html_->setObjectName("report_html");
+  pdf_ = new QPushButton(tr("Report PDF"), this);
+  pdf_->setObjectName("report_pdf");
+  said_ = new QLabel(this);
+  said_->setObjectName("export_said");
+  said_->setWordWrap(true);
+  said_->setContentsMargins(12, 6, 12, 6);
+  said_->setAutoFillBackground(true);
+  said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(path_, 1);
+  for (QPushButton* b : {save_, html_, pdf_}) {
+    b->setMinimumHeight(28);
+    row->addWidget(b);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 12);
+  layout->setSpacing(12);
+  layout->addWidget(before_);
+  layout->addWidget(empty_, 1);
+  layout->addWidget(calibrate_, 0, Qt::AlignHCenter);
+  layout->addWidget(body_, 1);
+  layout->addWidget(said_);
+  layout->addLayout(row);
+  said_->hide();
+}
+
+MotionForm ExportWorkspace::form() const { return static_cast<MotionForm>(forms_->checkedId()); }
+
+std::filesystem::path ExportWorkspace::path() const { return path_->text().trimmed().toStdString(); }
+
+WorkStatus ExportWorkspace::status() const {
+  const ModelVersionPointer model = bench_.document.shown_model();
+  if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
+  if (exported_ == bench_.document.revision()) return {WorkState::done, tr("exported")};
+  return {WorkState::open, exported_ < 0 ? tr("ready") : tr("changed since")};
+}
+
+void ExportWorkspace::activate() { refresh(); }
+
+void ExportWorkspace::refresh() {
+  const ModelVersionPointer model = bench_.document.model();
+  const bool ready = model && model->fit;
+  empty_->setText(model && !model->fit         ? tr("Nothing to export: %1").arg(model->refusal)
+                  : bench_.jobs.is_busy("fit") ? tr("A fit runs; the export follows it.")
+                                               : tr("Nothing to export: TCP→Body has not been estimated."));
+  empty_->setVisible(!ready);
+  calibrate_->setVisible(!ready);
+  body_->setVisible(ready);
+  for (QPushButton* b : {save_, html_, pdf_, copy_}) b->setEnabled(ready);
+  refresh_remarks(ready ? model.get() : nullptr);
+  if (!ready) return;
+  refresh_motion();
+  refresh_excluded(*model);
+  const QString text = QString::fromStdString(calibration_text(*model->calibration));
+  if (xml_->toPlainText() != text) xml_->setPlainText(text);
+  show_changes(text);
+}
+
+void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
+  while (QLayoutItem* item = remarks_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  before_->setVisible(model != nullptr);
+  if (!model) return;
+  bool any_warning = false;
+  const auto remarks = export_remarks(bench_.document, *model);
+  for (const ExportRemark& remark : remarks) {
+    auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, before_);
+    label->setWordWrap(true);
+    remarks_->addWidget(label);
+    any_warning = any_warning || remark.is_warning;
+  }
+  QPalette tinted = before_->palette();
+  tinted.setColor(QPalette::Window, any_warning ? colors().care_tint : colors().good_tint);
+  before_->setPalette(tinted);
+}
+
+void ExportWorkspace::refresh_motion() {
+  const ModelVersionPointer model = bench_.document.model();
+  if (!model || !model->fit) return;
+  const auto lines = motion_lines(*model, form());
+  motion_->setRowCount(static_cast<int>(lines.size()));
+  for (int r = 0; r < motion_->rowCount(); ++r) {
+    const MotionLine& l = lines[static_cast<std::size_t>(r)];
+    const QString cells[] = {l.name, l.value, l.sigma, l.unit};
+    for (int c = 0; c < 4; ++c) {
+      auto* item = new QTableWidgetItem(cells[c]);
+      item->setTextAlignment((c == 1 || c == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+      if (c == 1 || c == 2) item->setFont(widgets::number_font(TextRole::body));
+      motion_->setItem(r, c, item);
+    }
+  }
+  motion_->resizeColumnsToContents();
+  motion_->horizontalHeader()->setStretchLastSection(true);
+}
+
+void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
+  const auto& unused = model.report->rejected;
+  excluded_title_->setText(
+      unused.empty()
+          ? tr("Every observation was used")
+          : tr("%1 not used").arg(counted(static_cast<qint64>(unused.size()), "observation", "observations")));
+  excluded_->setVisible(!unused.empty());
+  excluded_->setRowCount(static_cast<int>(unused.size()));
+  for (int r = 0; r < excluded_->rowCount(); ++r) {
+    const Unused& u = unused[static_cast<std::size_t>(r)];
+    excluded_->setItem(r, 0, new QTableWidgetItem(QString::number(u.id)));
+    auto* why = new QTableWidgetItem(QString::fromStdString(u.reason));
+    why->setToolTip(why->text());
+    excluded_->setItem(r, 1, why);
+  }
+  excluded_->resizeColumnToContents(0);
+  excluded_->resizeRowsToContents();
+}
+
+void ExportWorkspace::show_changes(const QString& text) {
+  // Lines that the file on the disk does not have are marked.
+  QSet<QString> on_disk;
+  try {
+    if (std::filesystem::exists(path()))
+      for (const QString& line : QString::fromStdString(read_file(path())).split('\n')) on_disk.insert(line);
+  } catch (const InputError&) {
+    // What cannot be read cannot be compared.
+  }
+  QList<QTextEdit::ExtraSelection> marks;
+  if (!on_disk.isEmpty())
+    for (QTextBlock block = xml_->document()->begin(); block.isValid(); block = block.next()) {
+      if (block.text().trimmed().isEmpty() || on_disk.contains(block.text())) continue;
+      QTextEdit::ExtraSelection mark;
+      mark.cursor = QTextCursor(block);
+      mark.format.setBackground(colors().care_tint);
+      mark.format.setProperty(QTextFormat::FullWidthSelection, true);
+      marks.append(mark);
+    }
+  xml_->setExtraSelections(marks);
+}
+
+void ExportWorkspace::say(const QString& sentence, bool is_refusal) {
+  QPalette tinted = said_->palette();
+  tinted.setColor(QPalette::Window, is_refusal ? colors().bad_tint : colors().good_tint);
+  said_->setPalette(tinted);
+  said_->setText(sentence);
+  said_->show();
+}
+
+void ExportWorkspace::save_xml() {
+  const ModelVersionPointer model = bench_.document.model();
+  if (!model || !model->fit) return;
+  try {
+    write_calibration(path(), *model->calibration);
+    exported_ = bench_.document.revision();
+    say(tr("Written: %1").arg(path_->text()), false);
+    refresh();
+    emit status_changed();
+  } catch (const std::exception& error) {
+    say(QString::fromStdString(error.what()), true);
+  }
+}
+
+void ExportWorkspace::save_report(bool pdf) {
+  const ModelVersionPointer model = bench_.document.model();
+  if (!model || !model->fit) return;
+  std::filesystem::path file = path();
+  file.replace_extension(pdf ? ".pdf" : ".html");
+  try {
+    const auto pictures = report_pictures(bench_);
+    const QByteArray bytes =
+        pdf ? report_pdf(bench_.document, *model, pictures) : report_html(bench_.document, *model, pictures).toUtf8();
+    replace_file(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    say(tr("Written: %1").arg(QString::fromStdString(file.string())), false);
+  } catch (const std::exception& error) {
+    say(QString::fromStdString(error.what()), true);
+  }
+}
+
+}  // namespace handsight::app

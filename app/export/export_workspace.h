@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Export workspace: TCP->Body as it will be written, saved, copied, reported.
+#pragma once
+
+#include "export/export_texts.h"
+#include "frame/workspace.h"
+
+class QButtonGroup;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QTableWidget;
+class QVBoxLayout;
+
+namespace handsight::app {
+
+class ExportWorkspace : public Workspace {
+  Q_OBJECT
+
+ public:
+  explicit ExportWorkspace(Workbench& bench, QWidget* parent = nullptr);
+
+  QString name() const override { return tr("Export"); }
+  WorkStatus status() const override;
+  void activate() override;
+
+ private:
+  void make_layout();
+  QWidget* make_left();
+  QWidget* make_right();
+  void refresh();
+  void refresh_motion();
+  void refresh_remarks(const ModelVersion* model);
+  void refresh_excluded(const ModelVersion& model);
+  void show_changes(const QString& text);
+  void save_xml();
+  void save_report(bool pdf);
+  void say(const QString& sentence, bool is_refusal);
+  MotionForm form() const;
+  std::filesystem::path path() const;
+
+  QWidget *before_, *body_;
+  QVBoxLayout* remarks_;
+  QButtonGroup* forms_;
+  QTableWidget *motion_, *excluded_;
+  QPlainTextEdit* xml_;
+  QLineEdit* path_;
+  QLabel *excluded_title_, *empty_, *said_;
+  QPushButton *save_, *copy_, *html_, *pdf_, *calibrate_;
+  std::int64_t exported_ = -1;  // revision
+};
+
+}  // namespace handsight::app

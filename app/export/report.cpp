@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/report.h"
+
+#include <QBuffer>
+#include <QDateTime>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+#include <functional>
+
+#include "explain/explain_workspace.h"
+#include "export/export_texts.h"
+#include "widgets/number_text.h"
+
+namespace handsight::app {
+namespace {
+
+QString row(const QStringList& cells, const char* tag = "td") {
+  QString text = "<tr>";
+  for (int i = 0; i < cells.size(); ++i)
+    text += QString("<%1 align=\"%2\">%3</%1>").arg(tag, i == 0 ? "left" : "right", cells[i].toHtmlEscaped());
+  return text + "</tr>\n";
+}
+
+QString table(const QStringList& head, const std::vector<QStringList>& rows) {
+  QString text = "<table cellspacing=\"0\" cellpadding=\"4\">\n";
+  if (!head.isEmpty()) text += row(head, "th");
+  for (const QStringList& r : rows) text += row(r);
+  return text + "</table>\n";
+}
+
+QString error_text(const ErrorSummary& e) {
+  QStringList parts;
+  if (e.rms_pixel) parts << widgets::with_unit_text(*e.rms_pixel, "px", 3);
+  if (e.rms_m) parts << widgets::with_unit_text(1e3 * *e.rms_m, "mm", 3);
+  return parts.isEmpty() ? QString("-") : parts.join(", ");
+}
+
+QString numbers_part(const Document& document, const ModelVersion& model) {
+  std::vector<QStringList> rows;
+  for (const MotionLine& l : motion_lines(model, MotionForm::xyz_rpy))
+    rows.push_back({l.name, l.value, l.sigma.isEmpty() ? QString() : "± " + l.sigma, l.unit});
+  QString text = "<h2>" + QObject::tr("TCP→Body") + "</h2>\n" + table({}, rows);
+  text += "<pre>" + motion_text(model.fit->tcp_from_body, MotionForm::matrix) + "</pre>\n";
+  const FitReport& r = *model.report;
+  const double scale = model.inspection->in_pixels ? 1 : 1e3;
+  const QString unit = model.inspection->in_pixels ? "px" : "mm";
+  text += "<h2>" + QObject::tr("The fit") + "</h2>\n";
+  text +=
+      table({}, {{QObject::tr("Observations"), QString::number(r.observations)},
+                 {QObject::tr("Used"), QString::number(r.used)},
+                 {QObject::tr("Error fitted, rms"), error_text(r.fitted)},
+                 {QObject::tr("Error held out, rms"), error_text(r.held_out)},
+                 {QObject::tr("Noise of one coordinate"),
+                  model.fit->noise ? widgets::with_unit_text(scale * *model.fit->noise, unit, 3) : QString("-")},
+                 {QObject::tr("Chi-squared per degree of freedom"), widgets::short_text(model.fit->chi2_per_dof, 3)}});
+  for (const ExportRemark& remark : export_remarks(document, model))
+    text += "<p>" + remark.sentence.toHtmlEscaped() + "</p>\n";
+  return text;
+}
+
+QString decisions_part(const ModelVersion& model) {
+  if (model.report->rejected.empty()) return "<p>" + QObject::tr("Every observation was used.") + "</p>\n";
+  std::vector<QStringList> rows;
+  for (const Unused& u : model.report->rejected)
+    rows.push_back({QString::number(u.id), QString::fromStdString(u.reason)});
+  return "<h2>" + QObject::tr("Not used") + "</h2>\n" + table({QObject::tr("Observation"), QObject::tr("Why")}, rows);
+}
+
+QString actions_part(const Document& document) {
+  const QUndoStack& stack = document.undo_stack();
+  if (stack.index() == 0) return {};
+  const auto versions = document.versions();
+  std::vector<QStringList> rows;
+  for (int i = 0; i < stack.index(); ++i) {
+    const ModelVersionPointer& after = versions[static_cast<std::size_t>(i) + 1];
+    const auto e = after && after->fit ? error_and_noise(*after) : ErrorAndNoise{};
+    rows.push_back({stack.text(i),
+                    e.error ? widgets::with_unit_text((e.in_pixels ? 1 : 1e3) * *e.error, e.in_pixels ? "px" : "mm", 3)
+                            : QString("-")});
+  }
+  return "<h2>" + QObject::tr("What was done") + "</h2>\n" +
+         table({QObject::tr("Action"), QObject::tr("Error after it")}, rows);
+}
+
+/// `source` gives the picture's address: inside the file, or of a resource.
+QString body(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
+             const std::function<QString(std::size_t)>& source) {
+  const Session& s = document.session();
+  const QString title = QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
+  QString text = "<h1>" + title.toHtmlEscaped() + "</h1>\n<p><b>" + comparison_sentence(model).toHtmlEscaped() +
+                 "</b></p>\n<p>" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
+                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
+  text += numbers_part(document, model);
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    text += "<p>" + pictures[i].caption.toHtmlEscaped() + "<br/><img width=\"560\" src=\"" + source(i) + "\"/></p>\n";
+  return text + decisions_part(model) + actions_part(document);
+}
+
+}  // namespace
+
+QString report_html(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures) {
+  const auto inside = [&](std::size_t i) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    pictures[i].image.save(&buffer, "PNG");
+    return "data:image/png;base64," + QString::fromLatin1(bytes.toBase64());
+  };
+  return "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"/><title>Handsight</title><style>\n"
+         "body{font:14px sans-serif;max-width:760px;margin:32px auto;color:#1b2128;background:#fff}\n"
+         "th,td{border-bottom:1px solid #d0d5db;padding:4px 12px 4px 0}h2{margin-top:32px}pre{font-size:12px}\n"
+         "</style></head><body>\n" +
+         body(document, model, pictures, inside) + "</body></html>\n";
+}
+
+QByteArray report_pdf(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter writer(&buffer);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins(QMarginsF(18, 18, 18, 18), QPageLayout::Millimeter);
+    writer.setTitle(QString::fromStdString(document.session().title));
+    writer.setCreator("handsight " HANDSIGHT_VERSION);
+    QTextDocument text;
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+      text.addResource(QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), pictures[i].image);
+    text.setDefaultFont(QFont("DejaVu Sans", 9));
+    text.setHtml(body(document, model, pictures, [](std::size_t i) { return QString("picture:%1").arg(i); }));
+    text.print(&writer);
+  }
+  return bytes;
+}
+
+}  // namespace handsight::app

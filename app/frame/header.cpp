@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame/header.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "widgets/number_text.h"
+#include "widgets/theme.h"
+#include "widgets/three_numbers.h"
+
+namespace handsight::app {
+namespace {
+
+/// The error of all labelled observations, the excluded ones too; nothing where none is excluded.
+QString excluded_note(const Workbench& bench, double scale, const QString& unit) {
+  const Inspection* all = bench.inspection();
+  if (!all) return {};
+  double squares = 0;
+  int coordinates = 0, excluded = 0;
+  for (const InspectionRow& row : all->rows) {
+    const Observation* o = bench.document.find(row.id);
+    if (!o || !row.rms || (o->decision != Decision::excluded && !row.is_used)) continue;
+    excluded += o->decision == Decision::excluded ? 1 : 0;
+    squares += *row.rms * *row.rms * row.coordinates;
+    coordinates += row.coordinates;
+  }
+  if (excluded == 0 || coordinates == 0) return {};
+  return QObject::tr("with %1 excluded: %2")
+      .arg(excluded)
+      .arg(widgets::with_unit_text(scale * std::sqrt(squares / coordinates), unit));
+}
+
+}  // namespace
+
+Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget(parent), bench_(bench) {
+  setObjectName("header");
+  const auto button = [this](const char* name, const QString& text, const QString& tip) {
+    auto* b = new QToolButton(this);
+    b->setObjectName(name);
+    b->setText(text);
+    b->setToolTip(tip);
+    b->setAutoRaise(true);
+    b->setMinimumHeight(widgets::kControlHeight);
+    return b;
+  };
+  session_ = button("session_menu", tr("Session"), tr("Open, save, close"));
+  session_->setMenu(session_menu);
+  session_->setPopupMode(QToolButton::InstantPopup);
+  session_->setFont(widgets::text_font(widgets::TextRole::title));
+  undo_ = button("undo", tr("Undo"), {});
+  redo_ = button("redo", tr("Redo"), {});
+  job_ = new QLabel(this);
+  job_->setObjectName("job");
+  progress_ = new QProgressBar(this);
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(120, 6);
+  progress_->setRange(0, 1000);
+  cancel_ = button("cancel", tr("Cancel"), tr("Stops the job; everything stays as it was before"));
+  numbers_ = new widgets::ThreeNumbers(this);
+  numbers_->setObjectName("three_numbers");
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 2, 8, 2);
+  layout->setSpacing(8);
+  layout->addWidget(session_);
+  layout->addSpacing(8);
+  layout->addWidget(undo_);
+  layout->addWidget(redo_);
+  layout->addStretch(1);
+  layout->addWidget(job_);
+  layout->addWidget(progress_);
+  layout->addWidget(cancel_);
+  layout->addSpacing(16);
+  layout->addWidget(numbers_);
+
+  connect(undo_, &QToolButton::clicked, &bench.document, &Document::undo);
+  connect(redo_, &QToolButton::clicked, &bench.document, &Document::redo);
+  connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { bench_.jobs.stop(); });
+  connect(&bench.jobs, &Jobs::changed, this, [this] {
+    if (bench_.jobs.is_busy() && !poll_.isActive()) poll_.start(100);
+    refresh_job();
+  });
+  connect(&poll_, &QTimer::timeout, this, &Header::refresh_job);
+  for (auto signal : {&Document::opened, &Document::closed, &Document::model_changed})
+    connect(&bench.document, signal, this, [this] {
+      refresh_session();
+      refresh_numbers();
+    });
+  connect(&bench.document, &Document::edited, this, &Header::refresh_session);
+  connect(&bench.document, &Document::settings_changed, this, &Header::refresh_session);
+  connect(&bench.document, &Document::saved_changed, this, &Header::refresh_session);
+  refresh_session();
+  refresh_job();
+}
+
+void Header::refresh_session() {
+  const Document& d = bench_.document;
+  const QString title = QString::fromStdString(
+      d.session().title.empty() ? d.session().file.parent_path().filename().string() : d.session().title);
+  session_->setText(d.is_open() ? title + (d.is_saved() ? "" : " •") : tr("Session"));
+  session_->setToolTip(!d.is_open()   ? tr("Open, save, close")
+                       : d.is_saved() ? tr("Everything is saved in %1").arg(QString::fromStdString(d.session().file))
+                                      : tr("Not yet saved in session.xml (Ctrl+S). Nothing is lost if you close."));
+  const QUndoStack& stack = d.undo_stack();
+  undo_->setEnabled(stack.canUndo());
+  redo_->setEnabled(stack.canRedo());
+  undo_->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : tr("Nothing to undo"));
+  redo_->setToolTip(stack.canRedo() ? tr("Do again: %1 (Ctrl+Shift+Z)").arg(stack.redoText()) : tr("Nothing to redo"));
+  for (QWidget* w : {static_cast<QWidget*>(undo_), static_cast<QWidget*>(redo_), static_cast<QWidget*>(numbers_)})
+    w->setVisible(d.is_open());
+}
+
+void Header::refresh_job() {
+  const JobState state = bench_.jobs.state();
+  if (!bench_.jobs.is_busy()) poll_.stop();
+  // A job of a moment would only flicker.
+  const bool shown = state.is_running && (job_->isVisible() || state.seconds_left || state.share > 0.02);
+  job_->setVisible(shown);
+  progress_->setVisible(shown && state.share > 0);
+  cancel_->setVisible(shown);
+  if (!shown) return;
+  QString text = state.title;
+  if (state.share > 0) text += tr(": %1 %").arg(static_cast<int>(100 * state.share));
+  if (state.seconds_left) text += tr(", %1 left").arg(widgets::duration_text(*state.seconds_left));
+  job_->setText(text);
+  progress_->setValue(static_cast<int>(1000 * state.share));
+}
+
+void Header::refresh_numbers() {
+  widgets::ErrorNumbers n;
+  const ModelVersionPointer shown = bench_.document.shown_model();
+  if (shown && shown->fit) {
+    const ErrorAndNoise e = error_and_noise(*shown);
+    const double scale = e.in_pixels ? 1 : 1e3;
+    n.unit = e.in_pixels ? "px" : "mm";
+    const auto scaled = [&](std::optional<double> v) { return v ? std::optional(scale * *v) : std::nullopt; };
+    n.now = scaled(e.error);
+    n.noise = scaled(e.noise);
+    n.is_stale = bench_.document.model() == nullptr;
+    n.excluded_note = excluded_note(bench_, scale, n.unit);
+    for (const ModelVersionPointer& version : bench_.document.versions()) {
+      if (!version || !version->fit) continue;
+      const ErrorSummary& fitted = version->report->fitted;
+      n.versions.push_back({version->cause.isEmpty() ? tr("as opened") : version->cause,
+                            scaled(e.in_pixels ? fitted.rms_pixel : fitted.rms_m),
+                            scaled(error_and_noise(*version).error)});
+    }
+  }
+  numbers_->set_numbers(std::move(n));
+}
+
+}  // namespace handsight::app

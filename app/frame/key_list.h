@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys, laid over the window; any key or click takes it away.
+#pragma once
+
+#include <QWidget>
+
+namespace handsight::app {
+
+class KeyList : public QWidget {
+  Q_OBJECT
+
+ public:
+  static void show_over(QWidget* window);
+
+ protected:
+  explicit KeyList(QWidget* window);
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame/main_window.h"
+
+#include <QCloseEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "base/error.h"
+#include "calibrate/calibrate_workspace.h"
+#include "explain/explain_workspace.h"
+#include "export/export_workspace.h"
+#include "frame/header.h"
+#include "frame/key_list.h"
+#include "frame/model_effects.h"
+#include "frame/rail.h"
+#include "inspect/inspect_workspace.h"
+#include "label/label_workspace.h"
+#include "start/session_places.h"
+#include "start/start_page.h"
+#include "widgets/model_panel.h"
+#include "widgets/number_text.h"
+#include "widgets/observation_strip.h"
+#include "widgets/read_out_line.h"
+#include "widgets/three_numbers.h"
+#include "wizard/session_wizard.h"
+
+namespace handsight::app {
+
+namespace {
+
+bool is_decided(const Session& s) {
+  return std::any_of(s.observations.begin(), s.observations.end(),
+                     [](const Observation& o) { return o.decision == Decision::accepted; });
+}
+
+/// Is there nothing that a play could start from: no labels, or images of which none is labelled?
+bool wants_labels(const Session& s) {
+  bool any_labels = false, any_images = false;
+  for (const Observation& o : s.observations) {
+    if (!o.left_image.empty() && !o.sightings.empty()) return false;
+    any_labels = any_labels || !o.sightings.empty();
+    any_images = any_images || !o.left_image.empty();
+  }
+  return any_images ? !is_decided(s) : !any_labels;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  setWindowTitle(tr("Handsight"));
+  resize(1440, 900);
+  make_menu();
+  make_pages();
+  make_shortcuts();
+  connect_strip();
+  connect_read_out();
+  connect(&bench_.document, &Document::opened, this, &MainWindow::session_opened);
+  connect(&bench_.document, &Document::closed, this, &MainWindow::session_closed);
+  connect(&bench_, &Workbench::workspace_requested, this, &MainWindow::show_workspace);
+  connect(&bench_, &Workbench::relabel_requested, this, [this] { show_workspace(0); });
+  session_closed();
+}
+
+MainWindow::~MainWindow() {
+  disconnect(&bench_.document, nullptr, this, nullptr);
+  bench_.document.close();
+}
+
+void MainWindow::make_menu() {
+  menu_ = new QMenu(this);
+  menu_->setObjectName("menu");
+  const auto add = [this](const QString& text, const QKeySequence& key, auto slot) {
+    QAction* action = menu_->addAction(text, this, slot);
+    action->setShortcut(key);
+    addAction(action);
+    return action;
+  };
+  add(tr("&Open a session…"), QKeySequence::Open, [this] { choose_session(); });
+  add(tr("&New session from images…"), QKeySequence::New, [this] { SessionWizard::run(*this); });
+  add(tr("&Save"), QKeySequence::Save, [this] { save(); });
+  menu_->addSeparator();
+  add(tr("&Undo everything"), {}, [this] { bench_.document.undo_all(); });
+  QAction* fresh = add(tr("Start this sample &anew"), {}, [this] {
+    const std::string name = sample_of(bench_.document.session().file);
+    bench_.document.close();
+    open_sample(QString::fromStdString(name), true);
+  });
+  menu_->addSeparator();
+  add(tr("&Keys"), QKeySequence(Qt::Key_Question), [this] { show_keys(); });
+  add(tr("&Close the session"), QKeySequence::Close, [this] { bench_.document.close(); });
+  add(tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+  connect(menu_, &QMenu::aboutToShow, this, [this, fresh] {
+    fresh->setVisible(bench_.document.is_open() && !sample_of(bench_.document.session().file).empty());
+  });
+}
+
+void MainWindow::make_pages() {
+  pages_ = new QStackedWidget(this);
+  setCentralWidget(pages_);
+  start_ = new StartPage(pages_);
+  pages_->addWidget(start_);
+  connect(start_, &StartPage::open_requested, this, &MainWindow::choose_session);
+  connect(start_, &StartPage::new_requested, this, [this] { SessionWizard::run(*this); });
+  connect(start_, &StartPage::session_chosen, this, &MainWindow::open);
+  connect(start_, &StartPage::sample_chosen, this, [this](const QString& name) { open_sample(name); });
+
+  auto* session = new QWidget(pages_);
+  header_ = new Header(bench_, menu_, session);
+  header_->setFixedHeight(44);
+  workspaces_ = {new LabelWorkspace(bench_, session), new CalibrateWorkspace(bench_, session),
+                 new InspectWorkspace(bench_, session), new ExplainWorkspace(bench_, session),
+                 new ExportWorkspace(bench_, session)};
+  QStringList names;
+  centre_ = new QStackedWidget(session);
+  for (Workspace* workspace : workspaces_) {
+    names << workspace->name();
+    centre_->addWidget(workspace);
+    connect(workspace, &Workspace::status_changed, this, &MainWindow::refresh_rail);
+  }
+  rail_ = new Rail(names, session);
+  panel_ = new widgets::ModelPanel(session);
+  panel_->setObjectName("model_panel");
+  read_out_ = new widgets::ReadOutLine(session);
+  read_out_->setObjectName("read_out");
+  strip_ = new widgets::ObservationStrip(session);
+  strip_->setObjectName("strip");
+  strip_->setFixedHeight(72);
+
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(0);
+  middle->addWidget(rail_);
+  middle->addWidget(centre_, 1);
+  middle->addWidget(panel_);
+  auto* rows = new QVBoxLayout(session);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(header_);
+  rows->addLayout(middle, 1);
+  rows->addWidget(read_out_);
+  rows->addWidget(strip_);
+  pages_->addWidget(session);
+  connect(rail_, &Rail::chosen, this, &MainWindow::show_workspace);
+  connect(panel_, &widgets::ModelPanel::folded_changed, this, [this](bool folded) { panel_folded_by_user_ = folded; });
+  connect(panel_, &widgets::ModelPanel::joint_selected, this, [this](const QString& joint) {
+    Selected selected = bench_.selection.current();
+    selected.joint = joint.toStdString();
+    bench_.selection.select(selected);
+  });
+}
+
+void MainWindow::make_shortcuts() {
+  const auto key = [this](const QKeySequence& sequence, auto slot) {
+    connect(new QShortcut(sequence, this), &QShortcut::activated, this, slot);
+  };
+  for (int i = 0; i < static_cast<int>(workspaces_.size()); ++i)
+    key(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)), [this, i] {
+      if (bench_.document.is_open()) show_workspace(i);
+    });
+  key(QKeySequence::Undo, [this] { bench_.document.undo(); });
+  key(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { bench_.document.redo(); });
+  key(QKeySequence(Qt::CTRL | Qt::Key_Y), [this] { bench_.document.redo(); });
+  key(QKeySequence(Qt::ALT | Qt::Key_Left), [this] { bench_.selection.back(); });
+  key(QKeySequence(Qt::Key_F1), [this] { show_keys(); });
+}
+
+void MainWindow::connect_strip() {
+  Document& d = bench_.document;
+  strip_timer_.setSingleShot(true);
+  strip_timer_.setInterval(40);
+  connect(&strip_timer_, &QTimer::timeout, this, [this] {
+    refresh_strip();
+    refresh_rail();
+  });
+  connect(&d, &Document::edited, this, [this] {
+    if (!strip_timer_.isActive()) strip_timer_.start();
+  });
+  connect(&d, &Document::model_changed, this, [this] {
+    refresh_strip();
+    refresh_rail();
+    refresh_crumbs();
+    const ModelVersionPointer model = bench_.document.shown_model();
+    panel_->set_effects(model_effects(bench_.document));
+    panel_->set_empty_text(model && !model->refusal.isEmpty() ? model->refusal : tr("Not yet fitted."));
+  });
+  connect(&d, &Document::saved_changed, this, &MainWindow::refresh_rail);
+  connect(&bench_.jobs, &Jobs::changed, this, [this] { panel_->set_busy(bench_.jobs.is_busy("fit")); });
+  connect(strip_, &widgets::ObservationStrip::observation_selected, this,
+          [this](qint64 id) { bench_.selection.select_observation(id); });
+  connect(strip_, &widgets::ObservationStrip::observations_selected, this, [this](const std::vector<qint64>& ids) {
+    bench_.selection.select_many({ids.begin(), ids.end()});
+  });
+  connect(strip_, &widgets::ObservationStrip::observation_hovered, this,
+          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  connect(&bench_.selection, &Selection::changed, this, [this] {
+    const Selected& s = bench_.selection.current();
+    strip_->set_selected(s.observation.value_or(widgets::kNoObservation));
+    const auto& many = bench_.selection.many();
+    strip_->set_highlighted(many.size() > 1 ? std::vector<widgets::ObservationId>(many.begin(), many.end())
+                                            : std::vector<widgets::ObservationId>{});
+    panel_->set_selected_joint(s.joint ? QString::fromStdString(*s.joint) : QString());
+    refresh_crumbs();
+  });
+}
+
+void MainWindow::connect_read_out() {
+  connect(&bench_.document, &Document::noticed, this,
+          [this](const QString& sentence) { read_out_->show_message(sentence); });
+  connect(&bench_.jobs, &Jobs::stopped, this,
+          [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
+  connect(&bench_, &Workbench::pointed_at, read_out_, &widgets::ReadOutLine::set_pointer);
+  connect(header_->numbers(), &widgets::ThreeNumbers::read_out, read_out_, &widgets::ReadOutLine::set_pointer);
+  connect(&bench_.selection, &Selection::hover_changed, this, [this] {
+    const Selected& h = bench_.selection.hovered();
+    strip_->set_hovered(h.observation.value_or(widgets::kNoObservation));
+    if (!h.observation) {
+      read_out_->set_pointer({});
+      return;
+    }
+    const InspectionRow* row = bench_.row(*h.observation);
+    const double scale = row && bench_.document.session().is_tracker() ? 1e3 : 1;
+    const QString unit = bench_.document.session().is_tracker() ? tr("mm") : tr("px");
+    QString text = tr("obs %1").arg(*h.observation);
+    if (row && row->rms) text += "  " + widgets::with_unit_text(scale * *row->rms, unit);
+    if (const Observation* o = bench_.document.find(*h.observation); o && !o->reason.empty())
+      text += "  " + QString::fromStdString(o->reason);
+    read_out_->set_pointer(text);
+  });
+  connect(read_out_, &widgets::ReadOutLine::crumb_clicked, this, [this](int index) {
+    Selected s = bench_.selection.current();
+    if (index < 2) s.camera.reset();
+    if (index < 1) s.marker.reset();
+    bench_.selection.select(s);
+  });
+}
+
+bool MainWindow::open(const QString& path) {
+  try {
+    bench_.document.open(std::filesystem::path(path.toStdString()));
+    return true;
+  } catch (const std::exception& error) {
+    const QString sentence = QString::fromStdString(error.what());
+    start_->set_refusal(sentence);
+    read_out_->show_message(sentence);
+    return false;
+  }
+}
+
+bool MainWindow::open_sample(const QString& name, bool fresh) {
+  try {
+    for (const SampleSession& sample : sample_sessions())
+      if (QString::fromStdString(sample.name) == name)
+        return open(QString::fromStdString((fresh ? fresh_copy(sample) : working_copy(sample)).string()));
+    throw InputError(fmt::format("There is no sample session \"{}\".", name.toStdString()));
+  } catch (const InputError& error) {
+    start_->set_refusal(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+void MainWindow::choose_session() {
+  auto* dialog = new QFileDialog(this, tr("Open a session"), {}, tr("Sessions (*.xml)"));
+  dialog->setObjectName("open_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
+  dialog->open();
+}
+
+void MainWindow::save() {
+  if (!bench_.document.is_open()) return;
+  try {
+    bench_.document.save();
+  } catch (const InputError& error) {
+    read_out_->show_message(QString::fromStdString(error.what()));
+  }
+}
+
+void MainWindow::session_opened() {
+  const Session& s = bench_.document.session();
+  const QString title = QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
+  setWindowTitle(tr("%1 - Handsight").arg(title));
+  remember_session(s.file, title);
+  start_->set_refusal({});
+  pages_->setCurrentIndex(1);
+  strip_->set_selected(widgets::kNoObservation);
+  refresh_strip();
+  panel_->set_effects({});
+  panel_->set_empty_text(tr("Not yet fitted."));
+  bench_.selection.select_observation(s.observations.front().id);
+  show_workspace(wants_labels(s) ? 0 : is_decided(s) ? 2 : 1);
+  refresh_rail();
+}
+
+void MainWindow::session_closed() {
+  setWindowTitle(tr("Handsight"));
+  start_->refresh();
+  pages_->setCurrentIndex(0);
+  strip_->set_cells({});
+}
+
+void MainWindow::show_workspace(int index) {
+  if (!bench_.document.is_open()) return;
+  rail_->set_current(index);
+  centre_->setCurrentIndex(index);
+  fit_panel_to_workspace();
+  workspaces_[static_cast<std::size_t>(index)]->activate();
+}
+
+int MainWindow::workspace() const { return centre_->currentIndex(); }
+
+void MainWindow::fit_panel_to_workspace() {
+  const auto wanted = workspaces_[static_cast<std::size_t>(centre_->currentIndex())]->panel();
+  panel_->setVisible(wanted != Workspace::Panel::absent);
+  const bool by_user = panel_folded_by_user_;
+  panel_->set_folded(by_user || wanted == Workspace::Panel::folded);
+  panel_folded_by_user_ = by_user;
+}
+
+void MainWindow::refresh_strip() {
+  if (bench_.document.is_open()) strip_->set_cells(bench_.cells());
+}
+
+void MainWindow::refresh_rail() {
+  if (!bench_.document.is_open()) return;
+  for (std::size_t i = 0; i < workspaces_.size(); ++i) rail_->set_status(static_cast<int>(i), workspaces_[i]->status());
+}
+
+void MainWindow::refresh_crumbs() {
+  const Selected& s = bench_.selection.current();
+  QStringList crumbs;
+  if (s.observation) crumbs << tr("obs %1").arg(*s.observation);
+  if (s.marker) crumbs << tr("marker %1").arg(*s.marker);
+  if (s.camera) crumbs << (*s.camera == CameraSide::left ? tr("left") : tr("right"));
+  if (s.joint) crumbs << QString::fromStdString(*s.joint);
+  const InspectionRow* row = bench_.selected_row();
+  if (!crumbs.isEmpty() && row && row->rms) {
+    const bool tracker = bench_.document.session().is_tracker();
+    double size = *row->rms;
+    for (const MarkerResidual& m : row->markers) {
+      if (!s.marker || m.marker != *s.marker) continue;
+      const bool left = !s.camera || *s.camera == CameraSide::left;
+      const auto& measured = left ? m.left : m.right;
+      const auto& predicted = left ? m.predicted_left : m.predicted_right;
+      if (measured && predicted) size = (*measured - *predicted).norm();
+    }
+    crumbs.last() += "  " + widgets::with_unit_text(tracker ? 1e3 * size : size, tracker ? tr("mm") : tr("px"));
+  }
+  read_out_->set_crumbs(crumbs);
+}
+
+void MainWindow::step(int by) {
+  const auto& observations = bench_.document.session().observations;
+  if (observations.empty()) return;
+  const int count = static_cast<int>(observations.size());
+  const int now = bench_.selection.current().observation
+                      ? bench_.document.index_of(*bench_.selection.current().observation)
+                      : (by > 0 ? -1 : count);
+  bench_.selection.select_observation(observations[static_cast<std::size_t>(std::clamp(now + by, 0, count - 1))].id);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (!bench_.document.is_open()) return QMainWindow::keyPressEvent(event);
+  if (workspaces_[static_cast<std::size_t>(centre_->currentIndex())]->key(event)) return;
+  if (event->modifiers() != Qt::NoModifier && event->modifiers() != Qt::KeypadModifier)
+    return QMainWindow::keyPressEvent(event);
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return step(-1);
+    case Qt::Key_Right:
+      return step(1);
+    case Qt::Key_Escape:
+      return bench_.selection.up();
+    case Qt::Key_M:
+      panel_->set_folded(!panel_->is_folded());
+      return;
+    default:
+      QMainWindow::keyPressEvent(event);
+  }
+}
+
+void MainWindow::show_keys() { KeyList::show_over(this); }
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  bench_.document.close();
+  event->accept();
+}
+
+}  // namespace handsight::app

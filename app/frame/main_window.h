@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window: header, rail, the workspaces, model panel, read-out line, observation strip; or the start page.
+#pragma once
+
+#include <QMainWindow>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "frame/workbench.h"
+#include "frame/workspace.h"
+
+class QMenu;
+class QSplitter;
+class QStackedWidget;
+
+namespace handsight::widgets {
+class ModelPanel;
+class ObservationStrip;
+class ReadOutLine;
+}  // namespace handsight::widgets
+
+namespace handsight::app {
+
+class Header;
+class Rail;
+class StartPage;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Opens a session; where it cannot be opened the sentence is shown on the page at hand. True where it was.
+  bool open(const QString& path);
+  bool open_sample(const QString& name, bool fresh = false);
+  Workbench& bench() { return bench_; }
+  void show_workspace(int index);
+  int workspace() const;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void make_menu();
+  void make_pages();
+  void make_shortcuts();
+  void connect_strip();
+  void connect_read_out();
+  void choose_session();
+  void save();
+  void show_keys();
+  void session_opened();
+  void session_closed();
+  void refresh_strip();
+  void refresh_crumbs();
+  void refresh_rail();
+  void fit_panel_to_workspace();
+  void step(int by);
+
+  Workbench bench_;
+  QMenu* menu_;
+  QStackedWidget* pages_;  // start page, or the session
+  StartPage* start_;
+  Header* header_;
+  Rail* rail_;
+  QStackedWidget* centre_;
+  QSplitter* splitter_;
+  widgets::ModelPanel* panel_;
+  widgets::ReadOutLine* read_out_;
+  widgets::ObservationStrip* strip_;
+  std::vector<Workspace*> workspaces_;
+  QTimer strip_timer_;  // a play edits many times a second
+  bool panel_folded_by_user_ = false;
+};
+
+}  // namespace handsight::app

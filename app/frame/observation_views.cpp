@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame/observation_views.h"
+
+#include <algorithm>
+
+#include "model/chain.h"
+
+namespace handsight::app {
+namespace {
+
+std::optional<double> corner_ratio(const Vector2& residual, std::optional<double> noise) {
+  return noise && *noise > 0 ? std::optional(residual.norm() / std::sqrt(2.0) / *noise) : std::nullopt;
+}
+
+std::optional<widgets::ImageAxes> axes_of(const StereoRig& rig, const Rigid& left_from_frame, bool left,
+                                          bool is_estimate) {
+  const Rigid camera_from_frame = left ? left_from_frame : rig.right_from_left * left_from_frame;
+  const Camera& camera = left ? rig.left : rig.right;
+  widgets::ImageAxes axes{.is_estimate = is_estimate};
+  const Vector3 origin = camera_from_frame.translation;
+  if (origin.z() < 0.02) return std::nullopt;
+  axes.origin = project(camera, origin);
+  for (int i = 0; i < 3; ++i) {
+    const Vector3 tip = camera_from_frame * Vector3(0.05 * Vector3::Unit(i));
+    if (tip.z() < 0.02) return std::nullopt;
+    axes.tips[static_cast<std::size_t>(i)] = project(camera, tip);
+  }
+  return axes;
+}
+
+std::vector<int> links_beyond_last_joint(const Robot& robot, int tcp_link) {
+  const std::vector<int> chain = joints_to(robot, tcp_link);
+  int last = -1;
+  for (const int j : chain)
+    if (robot.joints[static_cast<std::size_t>(j)].moves()) last = j;
+  std::vector<int> links;
+  for (int l = 0; l < static_cast<int>(robot.links.size()); ++l)
+    if (last >= 0 && is_distal(robot, last, l)) links.push_back(l);
+  return links;
+}
+
+}  // namespace
+
+std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left, std::optional<double> noise) {
+  std::vector<widgets::ImageMark> marks;
+  for (const MarkerResidual& m : row.markers) {
+    const auto& measured = left ? m.left : m.right;
+    const auto& predicted = left ? m.predicted_left : m.predicted_right;
+    if (predicted) marks.push_back({.marker = m.marker, .position = *predicted, .role = widgets::MarkRole::predicted});
+    if (!measured) continue;
+    widgets::ImageMark mark{.marker = m.marker, .position = *measured};
+    if (predicted) {
+      mark.rms_over_sigma = corner_ratio(*measured - *predicted, noise);
+      mark.text = QObject::tr("marker %1, %2 px from where it was predicted")
+                      .arg(m.marker)
+                      .arg((*measured - *predicted).norm(), 0, 'f', 2);
+    }
+    marks.push_back(mark);
+  }
+  return marks;
+}
+
+std::vector<widgets::ImageArrow> image_arrows(const InspectionRow& row, bool left, std::optional<double> noise) {
+  std::vector<widgets::ImageArrow> arrows;
+  for (const MarkerResidual& m : row.markers) {
+    const auto& measured = left ? m.left : m.right;
+    const auto& predicted = left ? m.predicted_left : m.predicted_right;
+    if (!measured || !predicted) continue;
+    const Vector2 residual = *measured - *predicted;
+    arrows.push_back({.from = *predicted, .residual = residual, .rms_over_sigma = corner_ratio(residual, noise)});
+  }
+  return arrows;
+}
+
+std::vector<widgets::ImageAxes> image_axes(const InspectionRow& row, const StereoRig& rig, bool left) {
+  std::vector<widgets::ImageAxes> all;
+  const Rigid left_from_tcp = inverse(row.root_from_sensor) * row.root_from_tcp;
+  if (const auto tcp = axes_of(rig, left_from_tcp, left, false)) all.push_back(*tcp);
+  if (row.tcp_from_tcp_est)
+    if (const auto est = axes_of(rig, left_from_tcp * *row.tcp_from_tcp_est, left, true)) all.push_back(*est);
+  return all;
+}
+
+std::vector<widgets::ImageMark> label_marks(const Observation& observation, bool left) {
+  std::vector<widgets::ImageMark> marks;
+  for (const Sighting& s : observation.sightings)
+    if (const auto& px = left ? s.left : s.right) marks.push_back({.marker = s.marker, .position = *px});
+  return marks;
+}
+
+void show_images(Workbench& bench, const Observation& observation, const InspectionRow* row, widgets::ImageView& left,
+                 widgets::ImageView& right, bool with_axes) {
+  const Session& s = bench.document.session();
+  for (widgets::ImageView* view : {&left, &right}) {
+    const bool is_left = view == &left;
+    if (!s.stereo) {
+      view->clear(QObject::tr("A tracker session has no images."));
+      continue;
+    }
+    const Camera& camera = is_left ? s.stereo->left : s.stereo->right;
+    const std::string& file = is_left ? observation.left_image : observation.right_image;
+    const ShownImage shown = bench.images.image(s, observation, is_left);
+    const QString side = is_left ? QObject::tr("Left") : QObject::tr("Right");
+    view->set_title(file.empty() ? side + QObject::tr(", no image")
+                                 : side + "  " + QString::fromStdString(std::filesystem::path(file).filename()));
+    if (!shown.image.isNull()) {
+      view->set_image(shown.image);
+    } else if (!shown.refusal.isEmpty()) {
+      view->clear(shown.refusal);
+    } else {
+      view->clear({});
+      view->set_frame_size(camera.width, camera.height);
+    }
+    const auto noise = bench.inspection() ? bench.inspection()->noise : std::nullopt;
+    view->set_marks(row ? image_marks(*row, is_left, noise) : label_marks(observation, is_left));
+    view->set_arrows(row ? image_arrows(*row, is_left, noise) : std::vector<widgets::ImageArrow>{});
+    view->set_axes(row && with_axes ? image_axes(*row, *s.stereo, is_left) : std::vector<widgets::ImageAxes>{});
+    view->set_selected_marker(bench.selection.current().marker.value_or(-1));
+  }
+}
+
+std::vector<Rigid> link_motions(const Session& session, const Eigen::VectorXd& position) {
+  std::vector<int> joints;
+  for (const std::string& name : session.joints) joints.push_back(find_joint(session.robot, name));
+  return solve_posture(session.robot, joint_values(session.robot, joints, position), session.gravity).root_from_link;
+}
+
+void show_pose(const Document& document, const Observation& observation, const InspectionRow* row,
+               widgets::RobotView& view) {
+  const Session& s = document.session();
+  const std::vector<Rigid> links = link_motions(s, observation.position);
+  const int tcp = find_link(s.robot, s.tcp), mount = find_link(s.robot, s.mount.link);
+  const Rigid root_from_tcp = links[static_cast<std::size_t>(tcp)];
+  view.set_posture(links);
+  view.set_tcp(root_from_tcp);
+  const ModelVersionPointer model = document.shown_model();
+  const Rigid root_from_sensor =
+      row ? row->root_from_sensor
+          : links[static_cast<std::size_t>(mount)] *
+                (model && model->fit ? estimate(*model->fit).mount_from_sensor : s.mount.mount_from_sensor);
+  if (s.stereo && (s.mount.known || row))
+    view.set_cameras({{QObject::tr("left"), root_from_sensor, s.stereo->left},
+                      {QObject::tr("right"), root_from_sensor * inverse(s.stereo->right_from_left), s.stereo->right}});
+  view.set_selected_observation(observation.id);
+  std::vector<widgets::SceneMarker> markers;
+  if (!row) {
+    view.set_tcp_est(std::nullopt);
+    view.set_ghost(std::nullopt);
+    view.set_markers({});
+    return;
+  }
+  for (const MarkerResidual& m : row->markers) {
+    markers.push_back({.marker = m.marker,
+                       .in_root = row->root_from_sensor * m.predicted_in_sensor,
+                       .role = widgets::SceneMarkerRole::predicted});
+    if (m.measured_in_sensor)
+      markers.push_back({.marker = m.marker, .in_root = row->root_from_sensor * *m.measured_in_sensor});
+  }
+  view.set_markers(std::move(markers));
+  if (!row->tcp_from_tcp_est) {
+    view.set_tcp_est(std::nullopt);
+    view.set_ghost(std::nullopt);
+    return;
+  }
+  const Rigid root_from_tcp_est = root_from_tcp * *row->tcp_from_tcp_est;
+  view.set_tcp_est(root_from_tcp_est);
+  std::vector<Rigid> ghost = links;
+  const Rigid displaced = root_from_tcp_est * inverse(root_from_tcp);
+  for (const int l : links_beyond_last_joint(s.robot, tcp))
+    ghost[static_cast<std::size_t>(l)] = displaced * ghost[static_cast<std::size_t>(l)];
+  view.set_ghost(ghost);
+}
+
+std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection) {
+  // More than so many are a cloud, and slow without a graphics card: then every n-th, and all that stand out.
+  constexpr std::size_t most = 1000;
+  const std::size_t every = inspection.rows.size() / most + 1;
+  std::vector<widgets::SceneArrow> arrows;
+  for (std::size_t i = 0; i < inspection.rows.size(); ++i) {
+    const InspectionRow& row = inspection.rows[i];
+    if (!row.tcp_from_tcp_est || (i % every != 0 && !row.outlier)) continue;
+    arrows.push_back({.observation = row.id,
+                      .from = row.root_from_tcp.translation,
+                      .residual = row.root_from_tcp.rotation * row.tcp_from_tcp_est->translation,
+                      .rms_over_sigma = row.ratio,
+                      .coordinates = row.coordinates});
+  }
+  return arrows;
+}
+
+double round_magnification(double size, double wanted) {
+  if (!(size > 0)) return 1;
+  const double exact = wanted / size;
+  double best = 1;
+  for (double decade = 1; decade <= 1e4; decade *= 10)
+    for (const double step : {1.0, 2.0, 5.0})
+      if (decade * step <= exact) best = decade * step;
+  return best;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One observation against the model, as image overlays and as a 3D scene; shared by Calibrate and Inspect.
+#pragma once
+
+#include "frame/workbench.h"
+#include "widgets/image_view.h"
+#include "widgets/robot_view.h"
+
+namespace handsight::app {
+
+/// Measured and predicted markers of one image.
+std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left, std::optional<double> noise);
+/// Residual arrows of one image.
+std::vector<widgets::ImageArrow> image_arrows(const InspectionRow& row, bool left, std::optional<double> noise);
+/// TCP and, where it is known, TCPest, with axes of 5 cm.
+std::vector<widgets::ImageAxes> image_axes(const InspectionRow& row, const StereoRig& rig, bool left);
+
+/// Labels alone, where there is no estimate yet.
+std::vector<widgets::ImageMark> label_marks(const Observation& observation, bool left);
+
+/// Both images of an observation with everything that is known of it; `row` may be null.
+void show_images(Workbench& bench, const Observation& observation, const InspectionRow* row, widgets::ImageView& left,
+                 widgets::ImageView& right, bool with_axes);
+
+/// The robot in the observation's pose with its cameras, TCP, TCPest and markers; `row` may be null. The ghost is the
+/// hand where it was measured.
+void show_pose(const Document& document, const Observation& observation, const InspectionRow* row,
+               widgets::RobotView& view);
+
+/// Residual arrows at every TCP of an inspection; above a thousand observations, of every n-th and of the outliers.
+std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection);
+
+/// The robot's links in a posture given in the order of Session::joints.
+std::vector<Rigid> link_motions(const Session& session, const Eigen::VectorXd& position);
+
+/// 1, 2, 5, 10, ...: how much arrows of this size are to be magnified to be about `wanted` long.
+double round_magnification(double size, double wanted);
+
+}  // namespace handsight::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+
+#include "frame/workspace.h"
+
+namespace handsight::app {
+
+/// One workspace of the rail: mark, name, a line of state.
+class RailButton : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  RailButton(const QString& name, int number, QWidget* parent);
+  void set_status(const WorkStatus& status);
+  const WorkStatus& status() const { return status_; }
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  void paint_mark(QPainter& painter, const QRectF& area) const;
+
+  WorkStatus status_;
+  int number_;
+};
+
+}  // namespace handsight::app

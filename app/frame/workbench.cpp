@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame/workbench.h"
+
+#include "document/counted.h"
+#include "document/second_look.h"
+
+namespace handsight::app {
+namespace {
+
+widgets::CellState cell_state(const Observation& o) {
+  if (o.decision == Decision::rejected) return widgets::CellState::rejected;
+  if (o.decision == Decision::excluded) return widgets::CellState::excluded;
+  return o.sightings.empty() ? widgets::CellState::waiting : widgets::CellState::used;
+}
+
+}  // namespace
+
+QString observations_text(const std::vector<std::int64_t>& ids) {
+  return ids.size() == 1 ? QObject::tr("observation %1").arg(ids.front())
+                         : QObject::tr("%1 observations").arg(ids.size());
+}
+
+Workbench::Workbench(QObject* parent) : QObject(parent) {
+  connect(&document, &Document::model_changed, this, &Workbench::look_again);
+  connect(&document, &Document::closed, this, [this] {
+    jobs.cancel();
+    background.cancel();
+    images.clear();
+    selection.clear();
+  });
+}
+
+const Inspection* Workbench::inspection() const {
+  const ModelVersionPointer model = document.shown_model();
+  return model ? model->inspection.get() : nullptr;
+}
+
+const InspectionRow* Workbench::row(std::int64_t id) const {
+  const Inspection* all = inspection();
+  const int index = document.index_of(id);
+  if (!all || index < 0 || static_cast<std::size_t>(index) >= all->rows.size()) return nullptr;
+  const InspectionRow& row = all->rows[static_cast<std::size_t>(index)];
+  return row.markers.empty() ? nullptr : &row;
+}
+
+const InspectionRow* Workbench::selected_row() const {
+  return selection.current().observation ? row(*selection.current().observation) : nullptr;
+}
+
+const Observation* Workbench::selected_observation() const {
+  return selection.current().observation ? document.find(*selection.current().observation) : nullptr;
+}
+
+std::vector<widgets::ObservationCell> Workbench::cells() const {
+  std::vector<widgets::ObservationCell> list;
+  const Inspection* all = inspection();
+  const auto& observations = document.session().observations;
+  list.reserve(observations.size());
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const Observation& o = observations[i];
+    widgets::ObservationCell cell{.id = o.id, .state = cell_state(o), .note = QString::fromStdString(o.reason)};
+    if (all && i < all->rows.size() && !all->rows[i].markers.empty()) {
+      cell.rms_over_sigma = all->rows[i].ratio;
+      cell.coordinates = all->rows[i].coordinates;
+    }
+    list.push_back(std::move(cell));
+  }
+  return list;
+}
+
+void Workbench::exclude(const std::vector<std::int64_t>& ids, const std::string& reason) {
+  std::vector<std::pair<std::int64_t, ObservationState>> after;
+  std::vector<std::int64_t> changed;
+  for (const std::int64_t id : ids) {
+    const Observation* o = document.find(id);
+    if (!o || o->decision == Decision::excluded) continue;
+    after.push_back({id, {o->sightings, Decision::excluded, reason}});
+    changed.push_back(id);
+  }
+  if (!after.empty()) document.perform(document.edit_of(tr("excluded %1").arg(observations_text(changed)), after));
+}
+
+void Workbench::include(const std::vector<std::int64_t>& ids) {
+  std::vector<std::pair<std::int64_t, ObservationState>> after;
+  std::vector<std::int64_t> changed;
+  for (const std::int64_t id : ids) {
+    const Observation* o = document.find(id);
+    if (!o || (o->decision != Decision::excluded && o->decision != Decision::rejected)) continue;
+    after.push_back({id, {o->sightings, Decision::none, ""}});
+    changed.push_back(id);
+  }
+  if (!after.empty()) document.perform(document.edit_of(tr("included %1").arg(observations_text(changed)), after));
+}
+
+void Workbench::look_again() {
+  const ModelVersionPointer model = document.model();
+  if (!model || !model->fit) return;
+  std::vector<Observation> rejected;
+  for (const Observation& o : document.session().observations)
+    if (o.decision == Decision::rejected && o.sightings.empty() && !o.left_image.empty() && !o.right_image.empty() &&
+        !document.second_looks().contains(o.id))
+      rejected.push_back(o);
+  if (rejected.empty() || !document.session().stereo) return;
+  background.start<SecondLooks>(
+      "second look",
+      tr("Looking again at %1")
+          .arg(counted(static_cast<qint64>(rejected.size()), "rejected observation", "rejected observations")),
+      [session = document.session(), model, rejected](JobControl& control) {
+        SecondLooks found;
+        for (std::size_t i = 0; i < rejected.size() && !control.is_cancelled(); ++i) {
+          const Observation& o = rejected[i];
+          const ShownImage left = read_shown_image(folder(session) / o.left_image, o.left_image, session.stereo->left);
+          const ShownImage right =
+              read_shown_image(folder(session) / o.right_image, o.right_image, session.stereo->right);
+          if (left.image.isNull() || right.image.isNull()) continue;
+          // What was looked at and not found is remembered too, so that it is not looked for again.
+          found[o.id] = second_look(session, *model->fit, o, {grey_image(left.image), grey_image(right.image)})
+                            .value_or(std::vector<Sighting>{});
+          control.report(static_cast<double>(i + 1) / static_cast<double>(rejected.size()));
+        }
+        return found;
+      },
+      [this](const SecondLooks& found) {
+        if (document.is_open()) document.take_second_looks(found);
+      });
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "inspect/inspect_workspace.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "frame/observation_views.h"
+#include "inspect/inspection_rows.h"
+#include "inspect/snap.h"
+#include "widgets/blame_bar.h"
+#include "widgets/histogram_plot.h"
+#include "widgets/image_view.h"
+#include "widgets/number_text.h"
+#include "widgets/observation_table.h"
+#include "widgets/residual_map.h"
+#include "widgets/robot_view.h"
+
+namespace handsight::app {
+
+InspectWorkspace::InspectWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
+  setObjectName("inspect");
+  make_layout();
+  connect_table();
+  connect_images();
+  connect_plots();
+  connect_bench();
+}
+
+QWidget* InspectWorkspace::make_actions() {
+  auto* row = new QWidget(this);
+  const auto button = [row](const char* name, const QString& text, const QString& tip) {
+    auto* b = new QPushButton(text, row);
+    b->setObjectName(name);
+    b->setToolTip(tip);
+    b->setMinimumHeight(28);
+    return b;
+  };
+  exclude_ = button("exclude", tr("Exclude"), tr("Leaves the chosen observations out of the fit (Delete)"));
+  include_ = button("include", tr("Include"), tr("Takes the chosen observations into the fit (Insert)"));
+  look_ = button("look", tr("Look there"), tr("Zooms to the marker that is worst off"));
+  relabel_ = button("relabel", tr("Relabel"), tr("Opens the observation in Label"));
+  magnified_ = new QLabel(row);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  for (QPushButton* b : {exclude_, include_, look_, relabel_}) layout->addWidget(b);
+  layout->addStretch(1);
+  layout->addWidget(magnified_);
+  return row;
+}
+
+QWidget* InspectWorkspace::make_map() {
+  auto* page = new QWidget(this);
+  map_ = new widgets::ResidualMap(page);
+  map_->setObjectName("residual_map");
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 4, 0, 0);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  const auto group = [&](std::initializer_list<QString> names, int checked, auto slot) {
+    auto* buttons = new QButtonGroup(page);
+    int i = 0;
+    for (const QString& name : names) {
+      auto* b = new QToolButton(page);
+      b->setText(name);
+      b->setCheckable(true);
+      b->setAutoRaise(true);
+      b->setChecked(i == checked);
+      buttons->addButton(b, i++);
+      row->addWidget(b);
+    }
+    connect(buttons, &QButtonGroup::idClicked, this, slot);
+  };
+  group({tr("Size"), tr("Arrows"), tr("Direction")}, 1,
+        [this](int id) { map_->set_lens(static_cast<widgets::MapLens>(id)); });
+  row->addStretch(1);
+  group({tr("Left"), tr("Right"), tr("Both")}, 2, [this](int id) {
+    map_->set_side(id == 2 ? std::nullopt
+                           : std::optional(id == 0 ? widgets::ImageSide::left : widgets::ImageSide::right));
+  });
+  layout->addLayout(row);
+  layout->addWidget(map_, 1);
+  return page;
+}
+
+QWidget* InspectWorkspace::make_threshold() {
+  auto* page = new QWidget(this);
+  histogram_ = new widgets::HistogramPlot(page);
+  histogram_->setObjectName("histogram");
+  beyond_text_ = new QLabel(tr("Drag the threshold: what lies beyond it can be excluded."), page);
+  beyond_text_->setObjectName("beyond_text");
+  beyond_text_->setWordWrap(true);
+  exclude_beyond_ = new QPushButton(tr("Exclude them"), page);
+  exclude_beyond_->setObjectName("exclude_beyond");
+  exclude_beyond_->setEnabled(false);
+  auto* row = new QHBoxLayout;
+  row->addWidget(beyond_text_, 1);
+  row->addWidget(exclude_beyond_);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 4, 0, 0);
+  layout->addWidget(histogram_, 1);
+  layout->addLayout(row);
+  return page;
+}
+
+void InspectWorkspace::make_layout() {
+  table_ = new widgets::ObservationTable(this);
+  table_->setObjectName("inspect_table");
+  table_->set_empty_text(tr("No fit yet."), tr("Fit now"));
+  left_ = new widgets::ImageView(this);
+  right_ = new widgets::ImageView(this);
+  left_->setObjectName("inspect_left");
+  right_->setObjectName("inspect_right");
+  for (widgets::ImageView* view : {left_, right_}) view->set_labelling(true);
+  blame_ = new widgets::BlameBar(this);
+  blame_->setObjectName("blame");
+  scene_ = new widgets::RobotView(this);
+  scene_->setObjectName("inspect_scene");
+  tabs_ = new QTabWidget(this);
+  tabs_->setObjectName("inspect_tabs");
+  tabs_->setDocumentMode(true);
+  tabs_->addTab(make_threshold(), tr("Histogram"));
+  tabs_->addTab(make_map(), tr("Over the image"));
+
+  auto* images = new QSplitter(Qt::Horizontal, this);
+  images->addWidget(left_);
+  images->addWidget(right_);
+  auto* blame = new QWidget(this);
+  auto* blame_layout = new QVBoxLayout(blame);
+  blame_layout->setContentsMargins(0, 0, 0, 0);
+  blame_layout->setSpacing(8);
+  blame_layout->addWidget(blame_, 1);
+  blame_layout->addWidget(make_actions());
+  auto* lower = new QSplitter(Qt::Horizontal, this);
+  lower->addWidget(scene_);
+  lower->addWidget(tabs_);
+  lower->setSizes({330, 340});
+  auto* rows = new QSplitter(Qt::Vertical, this);
+  rows->addWidget(images);
+  rows->addWidget(blame);
+  rows->addWidget(lower);
+  rows->setSizes({260, 120, 350});
+  auto* columns = new QSplitter(Qt::Horizontal, this);
+  columns->addWidget(table_);
+  columns->addWidget(rows);
+  columns->setSizes({400, 640});
+  columns->setStretchFactor(0, 37);
+  columns->setStretchFactor(1, 63);
+  for (QSplitter* s : {images, lower, rows, columns}) {
+    s->setChildrenCollapsible(false);
+    s->setHandleWidth(8);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->addWidget(columns);
+}
+
+std::vector<std::int64_t> InspectWorkspace::chosen() const {
+  const auto& many = bench_.selection.many();
+  return {many.begin(), many.end()};
+}
+
+void InspectWorkspace::connect_table() {
+  using widgets::ObservationTable;
+  connect(table_, &ObservationTable::observation_selected, this,
+          [this](qint64 id) { bench_.selection.select_observation(id); });
+  connect(table_, &ObservationTable::observations_selected, this, [this](const std::vector<qint64>& ids) {
+    bench_.selection.select_many({ids.begin(), ids.end()});
+  });
+  connect(table_, &ObservationTable::observation_hovered, this,
+          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  connect(table_, &ObservationTable::exclude_requested, this, [this](const std::vector<qint64>& ids) {
+    bench_.exclude({ids.begin(), ids.end()});
+  });
+  connect(table_, &ObservationTable::include_requested, this, [this](const std::vector<qint64>& ids) {
+    bench_.include({ids.begin(), ids.end()});
+  });
+  connect(table_, &ObservationTable::relabel_requested, &bench_, &Workbench::relabel_requested);
+  connect(table_, &ObservationTable::empty_action_requested, this, [this] { emit bench_.workspace_requested(1); });
+  connect(exclude_, &QPushButton::clicked, this, [this] { bench_.exclude(chosen()); });
+  connect(include_, &QPushButton::clicked, this, [this] { bench_.include(chosen()); });
+  connect(relabel_, &QPushButton::clicked, this, [this] {
+    if (const auto id = bench_.selection.current().observation) emit bench_.relabel_requested(*id);
+  });
+  connect(look_, &QPushButton::clicked, this, [this] {
+    const InspectionRow* row = bench_.selected_row();
+    if (!row || row->worst_marker < 0) return;
+    for (const MarkerResidual& m : row->markers) {
+      if (m.marker != row->worst_marker) continue;
+      if (m.left) left_->show_point(*m.left, 4);
+      if (m.right) right_->show_point(*m.right, 4);
+    }
+  });
+}
+
+void InspectWorkspace::connect_images() {
+  using widgets::ImageView;
+  for (ImageView* view : {left_, right_}) {
+    const bool is_left = view == left_;
+    connect(view, &ImageView::read_out, &bench_, &Workbench::pointed_at);
+    connect(view, &ImageView::marker_selected, this, [this, is_left](int marker) {
+      const auto id = bench_.selection.current().observation;
+      if (!id || marker < 0) return;
+      bench_.selection.select(
+          {.observation = id, .marker = marker, .camera = is_left ? CameraSide::left : CameraSide::right});
+    });
+    connect(view, &ImageView::marker_dragged, this,
+            [this, is_left](int marker, const Vector2& px, bool finished, Qt::KeyboardModifiers keys) {
+              relabel_in_place(is_left, marker, px, finished, keys.testFlag(Qt::AltModifier));
+            });
+    connect(view, &ImageView::marker_nudged, this, [this, is_left](int marker, const Vector2& delta) {
+      const Observation* o = bench_.selected_observation();
+      if (!o) return;
+      for (const Sighting& s : o->sightings)
+        if (const auto& px = is_left ? s.left : s.right; s.marker == marker && px)
+          return relabel_in_place(is_left, marker, *px + delta, true, true);
+    });
+  }
+}
+
+void InspectWorkspace::relabel_in_place(bool left, int marker, const Vector2& px, bool finished, bool free) {
+  const Observation* o = bench_.selected_observation();
+  if (!o || o->sightings.empty()) return;
+  if (join_ == 0) join_ = bench_.document.new_join();
+  ObservationState after = state_of(*o);
+  for (Sighting& s : after.sightings) {
+    if (s.marker != marker) continue;
+    const QImage& image = left ? left_->image() : right_->image();
+    (left ? s.left : s.right) = finished && !free ? snapped(image, px).value_or(px) : px;
+    s.by = MarkedBy::hand;
+  }
+  Edit edit = bench_.document.edit_of(tr("moved marker %1 of observation %2").arg(marker).arg(o->id), {{o->id, after}});
+  edit.joins = join_;
+  if (finished) join_ = 0;
+  bench_.document.perform(std::move(edit));
+}
+
+void InspectWorkspace::connect_plots() {
+  using widgets::HistogramPlot;
+  using widgets::ResidualMap;
+  connect(histogram_, &HistogramPlot::observations_selected, this, [this](const std::vector<qint64>& ids) {
+    bench_.selection.select_many({ids.begin(), ids.end()});
+  });
+  connect(histogram_, &HistogramPlot::threshold_changed, this, [this](double) {
+    const auto beyond = histogram_->beyond_threshold();
+    table_->set_highlighted(beyond);
+    if (!beyond.empty()) bench_.selection.select_many({beyond.begin(), beyond.end()});
+  });
+  connect(histogram_, &HistogramPlot::threshold_set, this, [this](double threshold, const std::vector<qint64>& ids) {
+    try_threshold(threshold, {ids.begin(), ids.end()});
+  });
+  connect(exclude_beyond_, &QPushButton::clicked, this, [this] { bench_.exclude(beyond_, "beyond the threshold"); });
+  connect(map_, &ResidualMap::observation_selected, this,
+          [this](qint64 id) { bench_.selection.select_observation(id); });
+  connect(map_, &ResidualMap::observation_hovered, this,
+          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  connect(map_, &ResidualMap::observations_selected, this, [this](const std::vector<qint64>& ids) {
+    bench_.selection.select_many({ids.begin(), ids.end()});
+  });
+  for (widgets::PlotWidget* plot : std::initializer_list<widgets::PlotWidget*>{histogram_, map_}) {
+    connect(plot, &widgets::PlotWidget::read_out, &bench_, &Workbench::pointed_at);
+    connect(plot, &widgets::PlotWidget::message, &bench_.document, &Document::noticed);
+  }
+  connect(scene_, &widgets::RobotView::observation_selected, this,
+          [this](qint64 id) { bench_.selection.select_observation(id); });
+  connect(scene_, &widgets::RobotView::observation_hovered, this,
+          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  connect(scene_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
+}
+
+void InspectWorkspace::try_threshold(double threshold, const std::vector<std::int64_t>& beyond) {
+  beyond_ = beyond;
+  exclude_beyond_->setEnabled(false);
+  const ModelVersionPointer now = bench_.document.model();
+  if (beyond.empty() || !now || !now->fit) {
+    beyond_text_->setText(tr("Nothing lies beyond %1 sigma.").arg(threshold, 0, 'f', 1));
+    return;
+  }
+  Session without = bench_.document.session();
+  for (const std::int64_t id : beyond)
+    without.observations[static_cast<std::size_t>(bench_.document.index_of(id))].decision = Decision::excluded;
+  bench_.jobs.start<ModelVersionPointer>(
+      "threshold", tr("Fitting without them"),
+      [without, settings = bench_.document.settings(), revision = now->revision](JobControl&) {
+        return make_version(without, settings, revision, {});
+      },
+      [this, now, beyond](const ModelVersionPointer& then) {
+        if (then->revision != bench_.document.revision()) return;
+        beyond_text_->setText(
+            exclusion_sentence(*now, *then, beyond.size(), static_cast<std::size_t>(now->report->used)));
+        exclude_beyond_->setEnabled(then->fit != nullptr);
+      });
+}
+
+void InspectWorkspace::connect_bench() {
+  connect(&bench_.document, &Document::opened, this, [this] {
+    robot_is_set_ = false;
+    is_stale_ = true;
+  });
+  const auto stale = [this] {
+    is_stale_ = true;
+    emit status_changed();
+    if (is_active()) refresh_all();
+  };
+  connect(&bench_.document, &Document::model_changed, this, [this, stale] {
+    exclude_beyond_->setEnabled(false);
+    stale();
+  });
+  connect(&bench_.document, &Document::edited, this, [this] {
+    if (is_active()) refresh_rows();
+    is_stale_ = true;
+  });
+  connect(&bench_.selection, &Selection::changed, this, [this] {
+    if (!is_active()) return;
+    const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
+    table_->set_selected(id);
+    if (tabs_->currentIndex() == 0) {
+      histogram_->set_selected(id);
+    } else {
+      map_->set_selected(id);
+    }
+    refresh_observation();
+  });
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+    const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
+    histogram_->set_selected(id);
+    map_->set_selected(id);
+  });
+  connect(&bench_.selection, &Selection::hover_changed, this, [this] {
+    if (!is_active()) return;
+    const auto id = bench_.selection.hovered().observation.value_or(widgets::kNoObservation);
+    table_->set_hovered(id);
+    if (tabs_->currentIndex() == 1) map_->set_hovered(id);
+    scene_->set_hovered_observation(id);
+  });
+}
+
+WorkStatus InspectWorkspace::status() const {
+  const Inspection* all = bench_.inspection();
+  if (!all) return {WorkState::waiting, tr("waits for a fit")};
+  const auto odd = std::count_if(all->rows.begin(), all->rows.end(), [](const InspectionRow& r) { return r.outlier; });
+  const auto& observations = bench_.document.session().observations;
+  const auto rejected = std::count_if(observations.begin(), observations.end(),
+                                      [](const Observation& o) { return o.decision == Decision::rejected; });
+  if (odd + rejected == 0) return {WorkState::done, tr("nothing odd")};
+  return {WorkState::care, tr("%1 odd").arg(odd + rejected)};
+}
+
+void InspectWorkspace::activate() {
+  if (!robot_is_set_ && bench_.document.is_open()) {
+    const Session& s = bench_.document.session();
+    scene_->set_robot(s.robot, (folder(s) / s.robot_file).parent_path());
+    robot_is_set_ = true;
+  }
+  if (is_stale_) {
+    refresh_all();
+  } else {
+    refresh_observation();
+  }
+}
+
+void InspectWorkspace::refresh_all() {
+  is_stale_ = false;
+  refresh_rows();
+  refresh_plots();
+  refresh_observation();
+}
+
+void InspectWorkspace::refresh_rows() {
+  if (!bench_.document.is_open()) return;
+  const bool has_fit = bench_.inspection() != nullptr;
+  table_->set_rows(has_fit ? table_rows(bench_) : std::vector<widgets::ObservationRow>{},
+                   !bench_.document.session().is_tracker());
+  table_->set_selected(bench_.selection.current().observation.value_or(widgets::kNoObservation));
+}
+
+void InspectWorkspace::refresh_plots() {
+  const Inspection* all = bench_.inspection();
+  const Session& s = bench_.document.session();
+  histogram_->set_noise(all && all->noise ? std::optional((all->in_pixels ? 1 : 1e3) * *all->noise) : std::nullopt,
+                        s.is_tracker() ? tr("mm") : tr("px"));
+  histogram_->set_cells(bench_.cells());
+  histogram_->fit();
+  if (s.stereo) map_->set_image_size(s.stereo->left.width, s.stereo->left.height);
+  map_->set_points(map_points(bench_));
+  map_->fit();
+  if (!all) return;
+  scene_->set_arrows(scene_arrows(*all));
+  double typical = 0;
+  for (const InspectionRow& row : all->rows)
+    if (row.is_used && row.rms_m) typical = std::max(typical, *row.rms_m);
+  scene_->set_arrow_magnification(round_magnification(typical, 0.1));
+}
+
+void InspectWorkspace::refresh_observation() {
+  const Observation* o = bench_.selected_observation();
+  const InspectionRow* row = bench_.selected_row();
+  const auto ids = chosen();
+  const auto any = [&](auto test) {
+    return std::any_of(ids.begin(), ids.end(), [&](std::int64_t id) {
+      const Observation* one = bench_.document.find(id);
+      return one && test(*one);
+    });
+  };
+  exclude_->setEnabled(any([](const Observation& x) { return x.decision != Decision::excluded; }));
+  include_->setEnabled(any([](const Observation& x) {
+    return x.decision == Decision::excluded || (x.decision == Decision::rejected && !x.sightings.empty());
+  }));
+  look_->setEnabled(row && row->worst_marker >= 0);
+  relabel_->setEnabled(o && !o->left_image.empty());
+  blame_->set_sentence(blame_sentence(row, o));
+  blame_->set_blame(row && row->blame.letter != 0
+                        ? std::optional(widgets::Blame{row->blame.cameras, row->blame.body, row->blame.robot})
+                        : std::nullopt);
+  if (!o) {
+    left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));
+    right_->clear({});
+    return;
+  }
+  show_images(bench_, *o, row, *left_, *right_, true);
+  const double times = row ? round_magnification(row->worst_size, 60) : 1;
+  left_->set_magnification(times);
+  right_->set_magnification(times);
+  magnified_->setText(row && row->rms ? tr("arrows × %1").arg(times) : QString());
+  show_pose(bench_.document, *o, row, *scene_);
+  scene_->set_ghost_magnification(
+      row && row->tcp_from_tcp_est ? round_magnification(row->tcp_from_tcp_est->translation.norm(), 0.05) : 1);
+}
+
+}  // namespace handsight::app

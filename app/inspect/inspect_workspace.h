@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Inspect workspace: which observations are off, whose fault it is, and what becomes of the fit without them.
+#pragma once
+
+#include "frame/workspace.h"
+
+class QLabel;
+class QPushButton;
+class QTabWidget;
+
+namespace handsight::widgets {
+class BlameBar;
+class HistogramPlot;
+class ImageView;
+class ObservationTable;
+class ResidualMap;
+class RobotView;
+}  // namespace handsight::widgets
+
+namespace handsight::app {
+
+class InspectWorkspace : public Workspace {
+  Q_OBJECT
+
+ public:
+  explicit InspectWorkspace(Workbench& bench, QWidget* parent = nullptr);
+
+  QString name() const override { return tr("Inspect"); }
+  WorkStatus status() const override;
+  void activate() override;
+
+ private:
+  void make_layout();
+  QWidget* make_actions();
+  QWidget* make_map();
+  QWidget* make_threshold();
+  void connect_table();
+  void connect_images();
+  void connect_plots();
+  void connect_bench();
+  void refresh_all();
+  void refresh_rows();
+  void refresh_observation();
+  void refresh_plots();
+  void relabel_in_place(bool left, int marker, const Vector2& px, bool finished, bool free);
+  void try_threshold(double threshold, const std::vector<std::int64_t>& beyond);
+  std::vector<std::int64_t> chosen() const;
+
+  widgets::ObservationTable* table_;
+  widgets::ImageView *left_, *right_;
+  widgets::BlameBar* blame_;
+  widgets::RobotView* scene_;
+  widgets::HistogramPlot* histogram_;
+  widgets::ResidualMap* map_;
+  QTabWidget* tabs_;
+  QPushButton *exclude_, *include_, *look_, *relabel_, *exclude_beyond_;
+  QLabel *magnified_, *beyond_text_;
+  std::vector<std::int64_t> beyond_;
+  std::int64_t join_ = 0;
+  bool is_stale_ = true, robot_is_set_ = false;
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "inspect/inspection_rows.h"
+
+#include <Eigen/Dense>
+
+#include "widgets/number_text.h"
+#include "widgets/theme.h"
+
+namespace handsight::app {
+namespace {
+
+std::optional<double> scaled(std::optional<double> value, double scale) {
+  return value ? std::optional(scale * *value) : std::nullopt;
+}
+
+/// The reason that is shown: the decision's own, else whose fault it is where the observation is odd.
+QString reason_of(const Observation& o, const InspectionRow* row) {
+  if (!o.reason.empty()) return QString::fromStdString(o.reason);
+  if (!row || !row->outlier) return {};
+  return row->what_would_mend;
+}
+
+}  // namespace
+
+std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
+  std::vector<widgets::ObservationRow> list;
+  const auto cells = bench.cells();
+  const auto& observations = bench.document.session().observations;
+  const bool pixels = !bench.document.session().is_tracker();
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const Observation& o = observations[i];
+    const InspectionRow* row = bench.row(o.id);
+    widgets::ObservationRow r{.id = o.id, .state = cells[i].state};
+    if (row) {
+      if (pixels) r.rms_pixel = row->rms;
+      r.rms_mm = scaled(row->rms_m, 1e3);
+      r.angle_deg = scaled(row->angle, 57.29577951308232);
+      r.rms_over_sigma = row->ratio;
+      r.coordinates = row->coordinates;
+      if (row->worst_marker >= 0)
+        r.worst = QString::number(row->worst_marker) + (row->worst_camera == 0   ? QObject::tr(", left")
+                                                        : row->worst_camera == 1 ? QObject::tr(", right")
+                                                                                 : QString());
+      if (bench.inspection()->noise && *bench.inspection()->noise > 0)
+        r.worst_over_sigma = row->worst_size / std::sqrt(pixels ? 2.0 : 3.0) / *bench.inspection()->noise;
+    }
+    r.is_odd = (row && row->outlier) || o.decision == Decision::rejected;
+    r.reason = reason_of(o, row);
+    list.push_back(std::move(r));
+  }
+  return list;
+}
+
+std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
+  std::vector<widgets::MapPoint> points;
+  const Inspection* all = bench.inspection();
+  if (!all) return points;
+  for (const InspectionRow& row : all->rows) {
+    if (!row.is_used) continue;
+    for (const MarkerResidual& m : row.markers)
+      for (const bool left : {true, false}) {
+        const auto& measured = left ? m.left : m.right;
+        const auto& predicted = left ? m.predicted_left : m.predicted_right;
+        if (!measured || !predicted) continue;
+        const Vector2 residual = *measured - *predicted;
+        points.push_back({.observation = row.id,
+                          .marker = m.marker,
+                          .side = left ? widgets::ImageSide::left : widgets::ImageSide::right,
+                          .position = *measured,
+                          .residual = residual,
+                          .rms_over_sigma = all->noise ? std::optional(residual.norm() / std::sqrt(2.0) / *all->noise)
+                                                       : std::nullopt});
+      }
+  }
+  return points;
+}
+
+QString blame_sentence(const InspectionRow* row, const Observation* observation) {
+  if (!observation) return QObject::tr("Choose an observation in the strip, a plot or the 3D view.");
+  if (!row) {
+    if (observation->sightings.empty() && observation->decision == Decision::rejected)
+      return QObject::tr("Its markers were not found, at a second look neither: %1")
+          .arg(QString::fromStdString(observation->reason));
+    return observation->sightings.empty() ? QObject::tr("No marker is labelled in this observation.")
+                                          : QObject::tr("Waits for a fit.");
+  }
+  if (!row->ratio) return QObject::tr("The noise is not known, so nothing can be said about this observation.");
+  QString text;
+  switch (row->blame.letter) {
+    case 'C':
+      text = QObject::tr("The cameras: the two images do not agree with each other. ");
+      break;
+    case 'B':
+      text = QObject::tr("The marker body: the markers are not where they sit on the hand. ");
+      break;
+    case 'R':
+      text = QObject::tr("The robot: the hand is not where the joints say. ");
+      break;
+    default:
+      text = QObject::tr("Agrees with the model down to the noise. ");
+  }
+  if (!row->what_would_mend.isEmpty()) text += QObject::tr("To be right: %1").arg(row->what_would_mend);
+  if (row->at_second_look) text += QObject::tr(" (Markers from a second look with wider gates; not part of the fit.)");
+  return text;
+}
+
+QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, std::size_t excluded, std::size_t of) {
+  QString text = QObject::tr("%1 of %2.").arg(excluded).arg(of);
+  if (!then.fit) return text + " " + then.refusal;
+  if (!now.fit) return text;
+  const ErrorAndNoise a = error_and_noise(now), b = error_and_noise(then);
+  const double scale = a.in_pixels ? 1 : 1e3;
+  if (a.error && b.error)
+    text += QObject::tr(" Error %1 → %2")
+                .arg(widgets::short_text(scale * *a.error, 3),
+                     widgets::with_unit_text(scale * *b.error, a.in_pixels ? QObject::tr("px") : QObject::tr("mm"), 3));
+  const Vector6 xi = small_motion_between(now.fit->tcp_from_body, then.fit->tcp_from_body);
+  const Eigen::LDLT<Matrix6> covariance(now.fit->covariance);
+  const double sigmas = std::sqrt(std::max(0.0, xi.dot(covariance.solve(xi))) / 6);
+  if (std::isfinite(sigmas)) text += QObject::tr("; TCP→Body moves %1 sigma").arg(widgets::short_text(sigmas));
+  return text + ".";
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/jobs.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace handsight::app {
+
+Jobs::Jobs(QObject* parent) : QObject(parent), worker_(new QObject) {
+  worker_->moveToThread(&thread_);
+  connect(&thread_, &QThread::finished, worker_, &QObject::deleteLater);
+  thread_.start();
+}
+
+Jobs::~Jobs() {
+  waiting_.clear();
+  if (running_) running_->control.cancelled_ = true;
+  thread_.quit();
+  thread_.wait();
+}
+
+void Jobs::enqueue(const QString& kind, const QString& title, std::function<void(JobControl&)> work,
+                   std::function<void()> done, std::function<void(QString)> failed) {
+  std::erase_if(waiting_, [&](const auto& job) { return job->kind == kind; });
+  if (running_ && running_->kind == kind) running_->control.cancelled_ = true;
+  auto job = std::make_shared<Job>();
+  job->kind = kind;
+  job->title = title;
+  job->work = std::move(work);
+  job->done = std::move(done);
+  job->failed = std::move(failed);
+  waiting_.push_back(std::move(job));
+  if (!running_) start_next();
+}
+
+void Jobs::start_next() {
+  if (waiting_.empty()) {
+    emit changed();
+    emit idle();
+    return;
+  }
+  running_ = waiting_.front();
+  waiting_.pop_front();
+  running_->begin = std::chrono::steady_clock::now();
+  emit changed();
+  QMetaObject::invokeMethod(worker_, [this, job = running_] {
+    try {
+      if (!job->control.is_cancelled()) job->work(job->control);
+    } catch (const std::exception& error) {
+      job->failure = QString::fromUtf8(error.what());
+      if (job->failure.isEmpty()) job->failure = tr("The job failed without saying why.");
+    }
+    QMetaObject::invokeMethod(this, [this, job] { finish(job); });
+  });
+}
+
+void Jobs::finish(const std::shared_ptr<Job>& job) {
+  running_.reset();
+  if (!job->control.is_cancelled()) {
+    if (!job->failure.isEmpty()) {
+      if (job->failed) job->failed(job->failure);
+    } else {
+      job->done();
+    }
+  }
+  if (!running_) start_next();
+}
+
+void Jobs::cancel(const QString& kind) {
+  const bool any = kind.isEmpty();
+  std::erase_if(waiting_, [&](const auto& job) { return any || job->kind == kind; });
+  if (!running_ || !(any || running_->kind == kind)) return;
+  running_->control.cancelled_ = true;
+}
+
+void Jobs::stop() {
+  if (!running_) return;
+  const QString title = running_->title;
+  cancel();
+  emit stopped(title);
+}
+
+bool Jobs::is_busy(const QString& kind) const {
+  return (running_ && running_->kind == kind && !running_->control.is_cancelled()) ||
+         std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& job) { return job->kind == kind; });
+}
+
+JobState Jobs::state() const {
+  if (!running_) return {};
+  JobState state{true, running_->title, running_->control.share_, {}};
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - running_->begin).count();
+  if (state.share > 0.05 && seconds > 0.5) state.seconds_left = seconds * (1 - state.share) / state.share;
+  return state;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Background work: one worker thread that does one job after the other on copies, and hands results back to the
+// window's thread.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThread>
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <memory>
+
+namespace handsight::app {
+
+/// What a job sees of the outside.
+class JobControl {
+ public:
+  bool is_cancelled() const { return cancelled_; }
+  /// Share that is done, 0 to 1.
+  void report(double share) { share_ = share; }
+
+ private:
+  friend class Jobs;
+  std::atomic<bool> cancelled_{false};
+  std::atomic<double> share_{0};
+};
+
+/// The job that runs, for people.
+struct JobState {
+  bool is_running = false;
+  QString title;
+  double share = 0;                    // 0 to 1
+  std::optional<double> seconds_left;  // nothing while too little is done to tell
+};
+
+class Jobs : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Jobs(QObject* parent = nullptr);
+  /// Cancels what runs and waits for it.
+  ~Jobs() override;
+
+  /// Runs `work` in the background, then `done` with its result in this thread. A job of the same `kind` that waits or
+  /// runs is cancelled and its result dropped: only the newest counts. A sentence that `work` throws goes to `failed`.
+  template <class Result>
+  void start(const QString& kind, const QString& title, std::function<Result(JobControl&)> work,
+             std::function<void(Result)> done, std::function<void(QString)> failed = {}) {
+    auto result = std::make_shared<std::optional<Result>>();
+    enqueue(
+        kind, title, [result, work = std::move(work)](JobControl& control) { result->emplace(work(control)); },
+        [result, done = std::move(done)] {
+          if (*result) done(std::move(**result));
+        },
+        std::move(failed));
+  }
+
+  /// Drops the jobs of that kind, or all where no kind is given, with their results.
+  void cancel(const QString& kind = {});
+  /// The same for all, at the user's wish: `stopped` is said.
+  void stop();
+  bool is_busy() const { return running_ != nullptr || !waiting_.empty(); }
+  bool is_busy(const QString& kind) const;
+  JobState state() const;
+
+ signals:
+  /// A job began, ended, or went on.
+  void changed();
+  void stopped(const QString& title);
+  void idle();
+
+ private:
+  struct Job {
+    QString kind, title;
+    std::function<void(JobControl&)> work;
+    std::function<void()> done;
+    std::function<void(QString)> failed;
+    JobControl control;
+    QString failure;
+    std::chrono::steady_clock::time_point begin;
+  };
+  void enqueue(const QString& kind, const QString& title, std::function<void(JobControl&)> work,
+               std::function<void()> done, std::function<void(QString)> failed);
+  void start_next();
+  void finish(const std::shared_ptr<Job>& job);
+
+  QThread thread_;
+  QObject* worker_;
+  std::shared_ptr<Job> running_;
+  std::deque<std::shared_ptr<Job>> waiting_;
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "label/label_workspace.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+
+#include "document/counted.h"
+#include "vision/corner_detector.h"
+#include "widgets/image_view.h"
+#include "widgets/loupe.h"
+#include "widgets/number_text.h"
+#include "widgets/theme.h"
+#include "widgets/triangle_panel.h"
+
+namespace handsight::app {
+
+LabelWorkspace::LabelWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
+  setObjectName("label");
+  make_layout();
+  connect_left();
+  connect_right();
+  connect_panel();
+  connect(&bench.selection, &Selection::changed, this, [this] {
+    if (is_active()) show_observation();
+  });
+  connect(&bench.document, &Document::edited, this, [this] {
+    emit status_changed();
+    if (!is_active()) return;
+    observation_ = -1;
+    show_observation();
+  });
+  connect(&bench, &Workbench::relabel_requested, this, [this](qint64 id) {
+    bench_.selection.select_observation(id);
+    observation_ = -1;
+  });
+  connect(&bench.document, &Document::closed, this, [this] {
+    observation_ = corners_of_ = -1;
+    left_->clear({});
+    right_->clear({});
+  });
+}
+
+void LabelWorkspace::make_layout() {
+  left_ = new widgets::ImageView(this);
+  right_ = new widgets::ImageView(this);
+  left_->setObjectName("label_left");
+  right_->setObjectName("label_right");
+  left_->set_labelling(true);
+  right_->set_labelling(true);
+  left_->set_loupe(true);
+  left_loupe_ = new widgets::Loupe(this);
+  right_loupe_ = new widgets::Loupe(this);
+  left_loupe_->set_title(tr("Left"));
+  right_loupe_->set_title(tr("Right, along the line"));
+  left_loupe_->set_hints(tr("arrows 0.1 px, Shift 1, Alt free"));
+  triangle_ = new widgets::TrianglePanel(this);
+  triangle_->setObjectName("triangle");
+  triangle_->setMinimumWidth(288);
+  triangle_->setMaximumWidth(360);
+  together_ = new QCheckBox(this);
+  together_->setObjectName("together");
+  together_->setText(tr("Zoom both together"));
+  hint_ = new QLabel(this);
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  hint_->setText(
+      tr("Click near a marker's corner in the left image: it snaps, and its partner in the right image is found along "
+         "the epipolar line. Drag a marker, nudge it with the arrows, press a digit to renumber it, Delete to remove "
+         "it. Hold Alt to set it freely."));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(8, 8, 8, 8);
+  grid->setSpacing(8);
+  auto* loupes = new QHBoxLayout;
+  loupes->setSpacing(8);
+  loupes->addWidget(left_loupe_);
+  loupes->addWidget(right_loupe_);
+  auto* words = new QVBoxLayout;
+  words->addWidget(together_, 0, Qt::AlignLeft);
+  words->addWidget(hint_, 1);
+  loupes->addSpacing(8);
+  loupes->addLayout(words, 1);
+  grid->addWidget(left_, 0, 0);
+  grid->addWidget(right_, 0, 1);
+  grid->addLayout(loupes, 1, 0, 1, 2);
+  grid->addWidget(triangle_, 0, 2, 2, 1);
+  grid->setRowStretch(0, 1);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+}
+
+void LabelWorkspace::connect_left() {
+  using widgets::ImageView;
+  connect(left_, &ImageView::pointed, this, [this](const Vector2& px, Qt::KeyboardModifiers keys) {
+    const std::size_t before = labeller_.markers().size();
+    sentence_ = labeller_.point(px, keys.testFlag(Qt::AltModifier));
+    if (labeller_.markers().size() > before)
+      for (const auto& [number, m] : labeller_.markers())
+        if (number == static_cast<int>(before) || marker_ < 0) marker_ = number;
+    refresh();
+  });
+  connect(left_, &ImageView::pointer_moved, this, [this](const Vector2& px) {
+    left_loupe_->set_center(px);
+    right_->set_epipolar_line(labeller_.epipolar_line(px));
+  });
+  connect(left_, &ImageView::pointer_left, this, &LabelWorkspace::refresh);
+  connect(left_, &ImageView::viewport_changed, this, [this](const widgets::ImageViewport& viewport) {
+    if (together_->isChecked()) right_->set_viewport(viewport);
+  });
+  connect(right_, &ImageView::viewport_changed, this, [this](const widgets::ImageViewport& viewport) {
+    if (together_->isChecked()) left_->set_viewport(viewport);
+  });
+  for (ImageView* view : {left_, right_}) {
+    const bool is_left = view == left_;
+    connect(view, &ImageView::marker_selected, this, &LabelWorkspace::select_marker);
+    connect(view, &ImageView::marker_hovered, this, [this](int marker) {
+      left_->set_hovered_marker(marker);
+      right_->set_hovered_marker(marker);
+    });
+    connect(view, &ImageView::marker_dragged, this,
+            [this, is_left](int marker, const Vector2& px, bool finished, Qt::KeyboardModifiers keys) {
+              marker_ = marker;
+              labeller_.move(marker, is_left, px, !finished || keys.testFlag(Qt::AltModifier));
+              refresh();
+            });
+    connect(view, &ImageView::marker_nudged, this, [this, is_left](int marker, const Vector2& delta) {
+      const auto found = labeller_.markers().find(marker);
+      if (found == labeller_.markers().end() || (!is_left && !found->second.right)) return;
+      const Vector2 from = is_left ? found->second.left.position : found->second.right->position;
+      labeller_.move(marker, is_left, from + delta, true);
+      refresh();
+    });
+    connect(view, &ImageView::marker_removed, this, [this](int marker) {
+      labeller_.remove(marker);
+      marker_ = -1;
+      refresh();
+    });
+    connect(view, &ImageView::marker_renumbered, this, [this](int marker, int to) {
+      labeller_.renumber(marker, to);
+      marker_ = to;
+      refresh();
+    });
+    connect(view, &ImageView::read_out, &bench_, &Workbench::pointed_at);
+  }
+}
+
+void LabelWorkspace::connect_right() {
+  using widgets::ImageView;
+  connect(right_, &ImageView::candidate_chosen, this, [this](int index) {
+    labeller_.choose_partner(marker_, index);
+    refresh();
+  });
+  connect(right_, &ImageView::candidate_hovered, this, [this](int index) {
+    const auto& corners = labeller_.corners().right;
+    if (index >= 0 && index < static_cast<int>(corners.size()))
+      right_loupe_->set_center(corners[static_cast<std::size_t>(index)].position);
+  });
+  connect(right_, &ImageView::pointer_moved, this, [this](const Vector2& px) { right_loupe_->set_center(px); });
+  connect(right_, &ImageView::pointed, this, [this](const Vector2& px, Qt::KeyboardModifiers keys) {
+    if (marker_ < 0) {
+      say(tr("Click a marker's corner in the left image first."));
+      return;
+    }
+    labeller_.move(marker_, false, px, keys.testFlag(Qt::AltModifier));
+    refresh();
+  });
+}
+
+void LabelWorkspace::connect_panel() {
+  using widgets::TrianglePanel;
+  connect(triangle_, &TrianglePanel::use_requested, this, &LabelWorkspace::use);
+  connect(triangle_, &TrianglePanel::discard_requested, this, &LabelWorkspace::next_observation);
+  connect(triangle_, &TrianglePanel::marker_selected, this, &LabelWorkspace::select_marker);
+  connect(triangle_, &TrianglePanel::marker_removed, this, [this](int marker) {
+    labeller_.remove(marker);
+    marker_ = -1;
+    refresh();
+  });
+  connect(triangle_, &TrianglePanel::marker_renumbered, this, [this](int marker, int to) {
+    labeller_.renumber(marker, to);
+    marker_ = to;
+    refresh();
+  });
+  connect(triangle_, &TrianglePanel::candidate_chosen, this, [this](int index) {
+    labeller_.choose_partner(marker_, index);
+    refresh();
+  });
+  connect(triangle_, &TrianglePanel::candidate_hovered, right_, &widgets::ImageView::set_hovered_candidate);
+}
+
+WorkStatus LabelWorkspace::status() const {
+  const Session& s = bench_.document.session();
+  const auto labelled = std::count_if(s.observations.begin(), s.observations.end(), [](const Observation& o) {
+    return std::any_of(o.sightings.begin(), o.sightings.end(),
+                       [](const Sighting& x) { return x.by == MarkedBy::hand; });
+  });
+  const bool any = std::any_of(s.observations.begin(), s.observations.end(),
+                               [](const Observation& o) { return !o.sightings.empty(); });
+  if (labelled > 0) return {WorkState::done, tr("%1 by hand").arg(labelled)};
+  if (any) return {WorkState::done, tr("labels came with it")};
+  return {WorkState::open, tr("%1 wanted").arg(counted(std::min(3, s.marker_count), "marker", "markers"))};
+}
+
+void LabelWorkspace::activate() { show_observation(); }
+
+bool LabelWorkspace::key(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) return false;
+  if (labeller_.will_do()) use();
+  return true;
+}
+
+void LabelWorkspace::show_observation() {
+  const Observation* o = bench_.selected_observation();
+  if (!o) {
+    left_->clear(tr("Choose an observation in the strip."));
+    right_->clear({});
+    return;
+  }
+  if (o->id == observation_) return;
+  observation_ = o->id;
+  marker_ = -1;
+  sentence_.clear();
+  const Session& s = bench_.document.session();
+  labeller_.start(s, *o, corners_of_ == o->id ? labeller_.corners() : CornersOfPair{});
+  const ShownImage left = bench_.images.image(s, *o, true), right = bench_.images.image(s, *o, false);
+  const QString none = s.is_tracker() ? tr("A tracker session has no images; its markers are points already.")
+                                      : tr("Observation %1 has no images to label.").arg(o->id);
+  const auto show = [&](widgets::ImageView* view, widgets::Loupe* loupe, const ShownImage& shown, const QString& side,
+                        const std::string& file) {
+    view->set_title(file.empty() ? side : side + "  " + QString::fromStdString(std::filesystem::path(file).filename()));
+    loupe->set_image(shown.image);
+    loupe->set_center({});
+    if (shown.image.isNull()) {
+      view->clear(shown.refusal.isEmpty() ? none : shown.refusal);
+    } else {
+      view->set_image(shown.image);
+    }
+  };
+  show(left_, left_loupe_, left, tr("Left"), o->left_image);
+  show(right_, right_loupe_, right, tr("Right"), o->right_image);
+  refresh();
+  if (corners_of_ != o->id && !left.image.isNull() && !right.image.isNull()) find_corners(o->id);
+}
+
+void LabelWorkspace::find_corners(std::int64_t id) {
+  bench_.background.start<CornersOfPair>(
+      "corners", tr("Looking for corners"),
+      [left = left_->image(), right = right_->image()](JobControl&) {
+        return CornersOfPair{detect_corners(grey_image(left)), detect_corners(grey_image(right))};
+      },
+      [this, id](CornersOfPair corners) { corners_found(id, std::move(corners)); });
+}
+
+void LabelWorkspace::corners_found(std::int64_t id, CornersOfPair corners) {
+  if (id != observation_) return;
+  corners_of_ = id;
+  labeller_.set_corners(std::move(corners));
+  refresh();
+}
+
+void LabelWorkspace::select_marker(int marker) {
+  marker_ = marker;
+  if (bench_.selection.current().observation) {
+    Selected s{.observation = bench_.selection.current().observation};
+    if (marker >= 0) s.marker = marker;
+    bench_.selection.select(s);
+  }
+  refresh();
+}
+
+void LabelWorkspace::say(const QString& sentence) {
+  sentence_ = sentence;
+  refresh_panel();
+}
+
+void LabelWorkspace::refresh() {
+  std::vector<Vector2> left_corners, right_corners;
+  for (const Corner& c : labeller_.corners().left) left_corners.push_back(c.position);
+  for (const Corner& c : labeller_.corners().right) right_corners.push_back(c.position);
+  left_->set_corners(std::move(left_corners));
+  right_->set_corners(std::move(right_corners));
+  std::vector<widgets::ImageMark> left_marks, right_marks;
+  for (const auto& [number, m] : labeller_.markers()) {
+    left_marks.push_back({.marker = number, .position = m.left.position});
+    if (m.right) right_marks.push_back({.marker = number, .position = m.right->position});
+  }
+  left_->set_marks(std::move(left_marks));
+  right_->set_marks(std::move(right_marks));
+  left_->set_selected_marker(marker_);
+  right_->set_selected_marker(marker_);
+  std::vector<widgets::ImageCandidate> candidates;
+  std::vector<Vector2> line;
+  const auto chosen = labeller_.markers().find(marker_);
+  if (chosen != labeller_.markers().end()) {
+    line = labeller_.epipolar_line(chosen->second.left.position);
+    left_loupe_->set_center(chosen->second.left.position);
+    if (chosen->second.right) right_loupe_->set_center(chosen->second.right->position);
+    for (const LabelCandidate& c : labeller_.candidates(marker_))
+      candidates.push_back({.index = c.corner,
+                            .position = c.position,
+                            .label = tr("%1 px, %2 m").arg(c.distance, 0, 'f', 1).arg(c.depth, 0, 'f', 2),
+                            .is_taken = c.is_taken});
+  }
+  right_->set_epipolar_line(std::move(line));
+  right_->set_candidates(std::move(candidates));
+  refresh_panel();
+}
+
+void LabelWorkspace::refresh_panel() {
+  widgets::TriangleState state;
+  state.selected_marker = marker_;
+  for (const auto& [number, m] : labeller_.markers()) {
+    widgets::TriangleMarker t{.number = number, .has_left = true, .has_right = m.right.has_value()};
+    if (m.point) {
+      t.in_left_camera = m.point->point;
+      t.depth_sigma_m = std::sqrt(m.point->covariance(2, 2));
+      t.epipolar_distance = m.point->epipolar_distance;
+    }
+    state.markers.push_back(t);
+  }
+  for (auto a = labeller_.markers().begin(); a != labeller_.markers().end(); ++a)
+    for (auto b = std::next(a); b != labeller_.markers().end(); ++b)
+      if (a->second.point && b->second.point) {
+        const auto sigma = labeller_.side_sigma(a->first, b->first);
+        state.sides.push_back({a->first, b->first, 1e3 * (b->second.point->point - a->second.point->point).norm(),
+                               sigma ? std::optional(1e3 * *sigma) : std::nullopt});
+      }
+  const int missing = labeller_.wanted() - static_cast<int>(labeller_.markers().size());
+  const bool has_images = !left_->image().isNull();
+  state.can_use = labeller_.will_do();
+  state.can_discard = has_images || bench_.document.session().observations.size() > 1;
+  state.verdict = widgets::TriangleVerdict::waiting;
+  if (!sentence_.isEmpty()) {
+    state.verdict = widgets::TriangleVerdict::care;
+    state.sentence = sentence_;
+  } else if (!labeller_.refusal().isEmpty()) {
+    state.verdict = widgets::TriangleVerdict::bad;
+    state.sentence = labeller_.refusal();
+  } else if (!has_images) {
+    state.sentence = tr("Nothing to label here.");
+  } else if (missing == labeller_.wanted()) {
+    state.sentence =
+        corners_of_ == observation_ ? tr("Click a marker's corner in the left image.") : tr("Looking for corners…");
+  } else if (missing > 0) {
+    state.sentence = missing == 1 ? tr("One more marker.") : tr("%1 more markers.").arg(missing);
+  } else if (state.can_use) {
+    state.verdict = widgets::TriangleVerdict::good;
+    state.sentence = tr("This will do.");
+  } else {
+    state.verdict = widgets::TriangleVerdict::bad;
+    state.sentence = tr("A marker has no partner in the right image. Choose it, then click its corner there.");
+  }
+  triangle_->set_state(std::move(state));
+  std::vector<widgets::TriangleCandidate> rows;
+  for (const LabelCandidate& c : labeller_.candidates(marker_)) {
+    widgets::TriangleCandidate row{.index = c.corner, .distance = c.distance, .depth_m = c.depth};
+    row.is_taken = c.is_taken;
+    if (c.misfit_m)
+      row.sides = c.is_taken || std::abs(*c.misfit_m) < 5e-5
+                      ? tr("fits")
+                      : tr("%1 mm").arg((*c.misfit_m > 0 ? "+" : "") + widgets::fixed_text(1e3 * *c.misfit_m, 0));
+    rows.push_back(row);
+  }
+  triangle_->set_candidates(marker_, std::move(rows));
+}
+
+void LabelWorkspace::use() {
+  const Observation* o = bench_.document.find(observation_);
+  if (!o || !labeller_.will_do()) return;
+  const ObservationState after{labeller_.sightings(), Decision::none, ""};
+  const Edit edit = bench_.document.edit_of(tr("labelled observation %1").arg(o->id), {{o->id, after}});
+  if (edit.is_empty()) return bench_.workspace_requested(1);
+  const auto& all = bench_.document.session().observations;
+  const bool is_first =
+      std::none_of(all.begin(), all.end(), [](const Observation& x) { return x.decision == Decision::accepted; });
+  bench_.document.perform(edit);
+  if (is_first) emit bench_.workspace_requested(1);
+}
+
+void LabelWorkspace::next_observation() {
+  const auto& all = bench_.document.session().observations;
+  const int index = bench_.document.index_of(observation_);
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const Observation& o = all[(static_cast<std::size_t>(std::max(0, index)) + k) % all.size()];
+    if (o.left_image.empty() || o.right_image.empty()) continue;
+    bench_.selection.select_observation(o.id);
+    return;
+  }
+  say(tr("No other observation has images."));
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "start/session_places.h"
+
+#include <QCoreApplication>
+#include <QObject>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "document/journal.h"
+
+namespace handsight::app {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t most_recent = 8;
+
+fs::path recent_file() { return state_folder() / "recent.json"; }
+
+Json read_recent() {
+  try {
+    return Json::parse(read_file(recent_file()));
+  } catch (const std::exception&) {
+    return Json::array();  // never opened one, or the list is broken: it is only a list
+  }
+}
+
+fs::path samples_folder() {
+  const fs::path here = QCoreApplication::applicationDirPath().toStdString();
+  for (const fs::path& folder :
+       {here / ".." / "share" / "handsight" / "sample_sessions", fs::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions"}) {
+    std::error_code error;
+    if (fs::exists(folder, error)) return fs::weakly_canonical(folder, error);
+  }
+  return {};
+}
+
+fs::path copy_folder(const std::string& name) { return state_folder() / "samples" / name; }
+
+}  // namespace
+
+std::vector<RecentSession> recent_sessions() {
+  std::vector<RecentSession> list;
+  const Json recent = read_recent();
+  if (!recent.is_array()) return list;
+  for (const Json& one : recent) {
+    if (!one.is_object() || !one.contains("file") || !one["file"].is_string()) continue;
+    const fs::path file = one["file"].get<std::string>();
+    std::error_code error;
+    if (!fs::exists(file, error)) continue;
+    list.push_back({file, QString::fromStdString(one.value("title", file.parent_path().filename().string()))});
+  }
+  return list;
+}
+
+void remember_session(const fs::path& file, const QString& title) {
+  const fs::path whole = fs::weakly_canonical(file);
+  Json list = Json::array({{{"file", whole.string()}, {"title", title.toStdString()}}});
+  for (const RecentSession& one : recent_sessions())
+    if (one.file != whole && list.size() < most_recent)
+      list.push_back({{"file", one.file.string()}, {"title", one.title.toStdString()}});
+  std::error_code error;
+  fs::create_directories(state_folder(), error);
+  try {
+    replace_file(recent_file(), list.dump(1, ' ', false, Json::error_handler_t::replace));
+  } catch (const InputError&) {
+    // A list of what was opened lately is not worth a refusal.
+  }
+}
+
+std::vector<SampleSession> sample_sessions() {
+  const fs::path folder = samples_folder();
+  std::vector<SampleSession> list;
+  const auto add = [&](const char* name, const QString& title, const QString& sentence) {
+    if (!folder.empty() && fs::exists(folder / name / "session.xml"))
+      list.push_back({name, title, sentence, folder / name});
+  };
+  add("first_steps", QObject::tr("First steps"),
+      QObject::tr("Twelve observations with images, nothing hidden: label three markers, play, export."));
+  add("hundred_poses", QObject::tr("A hundred poses"),
+      QObject::tr("A guided arm that sags, and three bad poses with three different causes to find."));
+  add("thesis_simulation", QObject::tr("The thesis's simulation"),
+      QObject::tr("Six poses, everything measured 1 cm nearer than it is: no images, labels only."));
+  return list;
+}
+
+fs::path working_copy(const SampleSession& sample) {
+  const fs::path copy = copy_folder(sample.name);
+  std::error_code error;
+  if (fs::exists(copy / "session.xml", error)) return copy;
+  const fs::path partial = copy.string() + ".partial";
+  fs::remove_all(partial, error);
+  fs::create_directories(partial.parent_path(), error);
+  fs::copy(sample.folder, partial, fs::copy_options::recursive, error);
+  if (!error) fs::rename(partial, copy, error);
+  if (error)
+    throw InputError(
+        fmt::format("{}: the sample session could not be copied there ({}); make room or set "
+                    "XDG_STATE_HOME to another folder.",
+                    shown_path(copy), error.message()));
+  return copy;
+}
+
+fs::path fresh_copy(const SampleSession& sample) {
+  std::error_code error;
+  const fs::path copy = copy_folder(sample.name);
+  if (fs::exists(copy, error)) {
+    // The journal belongs to the work that is thrown away.
+    try {
+      const std::string digest = digest_of(read_file(copy / "session.xml"));
+      Journal(copy / "session.xml", digest).clear(digest);
+    } catch (const InputError&) {
+      throw InputError(
+          fmt::format("{}: the sample session is open in another window; close it first.", shown_path(copy)));
+    }
+    fs::remove_all(copy, error);
+  }
+  return working_copy(sample);
+}
+
+std::string sample_of(const fs::path& session_file) {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(session_file, error).parent_path();
+  if (folder.parent_path() != fs::weakly_canonical(state_folder() / "samples", error)) return {};
+  return folder.filename().string();
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/new_session.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "robot/urdf.h"
+#include "session/session_xml.h"
+
+namespace handsight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool is_image(const fs::path& file) {
+  const std::string ending = lower(file.extension().string());
+  const auto endings = {".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff"};
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+/// The last number in a name; nothing without one.
+std::optional<std::int64_t> number_of(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  std::size_t end = stem.size();
+  while (end > 0 && !std::isdigit(static_cast<unsigned char>(stem[end - 1]))) --end;
+  std::size_t begin = end;
+  while (begin > 0 && std::isdigit(static_cast<unsigned char>(stem[begin - 1])) && end - begin < 15) --begin;
+  if (begin == end) return std::nullopt;
+  return std::stoll(stem.substr(begin, end - begin));
+}
+
+enum class Side { left, right, unknown };
+
+Side side_of(const fs::path& file) {
+  const std::string stem = lower(file.stem().string());
+  if (stem.find("left") != std::string::npos) return Side::left;
+  if (stem.find("right") != std::string::npos) return Side::right;
+  std::string letters;
+  for (const char c : stem)
+    if (std::isalpha(static_cast<unsigned char>(c))) letters += c;
+  if (!letters.empty() && letters.back() == 'l') return Side::left;
+  if (!letters.empty() && letters.back() == 'r') return Side::right;
+  return Side::unknown;
+}
+
+std::map<std::int64_t, fs::path> images_by_number(const fs::path& folder, std::optional<Side> wanted) {
+  std::error_code error;
+  std::map<std::int64_t, fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (!entry.is_regular_file() || !is_image(entry.path())) continue;
+    if (wanted && side_of(entry.path()) != *wanted) continue;
+    const auto number = number_of(entry.path());
+    if (!number) continue;
+    const auto [place, is_new] = found.emplace(*number, entry.path());
+    if (!is_new)
+      throw InputError(fmt::format("{}: {} and {} have the same number; one image an instant and side is wanted.",
+                                   shown_path(folder), in_quotes(place->second.filename().string()),
+                                   in_quotes(entry.path().filename().string())));
+  }
+  if (error) throw InputError(fmt::format("{}: the folder cannot be read ({}).", shown_path(folder), error.message()));
+  if (found.empty())
+    throw InputError(fmt::format("{}: has no {}images with a number in their names (PNG, JPEG, PGM, BMP or TIFF).",
+                                 shown_path(folder),
+                                 !wanted                 ? ""
+                                 : *wanted == Side::left ? "left "
+                                                         : "right "));
+  return found;
+}
+
+bool is_inside(const fs::path& file, const fs::path& folder) {
+  const fs::path relative = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// The path that the session names a file by, and the file brought there where it lies elsewhere.
+std::string brought(const fs::path& file, const fs::path& folder, const fs::path& into) {
+  if (is_inside(file, folder))
+    return fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder)).generic_string();
+  std::error_code error;
+  fs::create_directories(folder / into, error);
+  const fs::path name = into / file.filename();
+  replace_file(folder / name, read_file(file));
+  return name.generic_string();
+}
+
+void check_parts(const NewSession& parts, const Robot& robot) {
+  if (fs::exists(parts.folder / "session.xml"))
+    throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(parts.folder)));
+  if (parts.positions.size() != parts.images.size())
+    throw InputError(
+        fmt::format("There are {} lines of joint angles for {} images; each instant needs one of each, in "
+                    "the same order.",
+                    parts.positions.size(), parts.images.size()));
+  if (parts.positions.empty()) throw InputError("A session needs at least one observation; there is no pose.");
+  for (const std::string& link : {parts.tcp, parts.mount})
+    if (find_link(robot, link) < 0)
+      throw InputError(fmt::format("{}: has no link {}.", shown_path(parts.urdf), in_quotes(link)));
+  for (const Camera* c : {&parts.rig.left, &parts.rig.right})
+    if (c->width <= 0 || c->height <= 0)
+      throw InputError("The size of the images is not known; the stereo calibration does not name it.");
+}
+
+}  // namespace
+
+std::vector<ImageFiles> find_image_pairs(const fs::path& left_folder, const fs::path& right_folder) {
+  std::error_code error;
+  const bool same = fs::equivalent(left_folder, right_folder, error);
+  const auto left = images_by_number(left_folder, same ? std::optional(Side::left) : std::nullopt);
+  const auto right = images_by_number(right_folder, same ? std::optional(Side::right) : std::nullopt);
+  std::map<std::int64_t, ImageFiles> pairs;
+  for (const auto& [number, file] : left) pairs[number] = {number, file, {}};
+  for (const auto& [number, file] : right) {
+    pairs[number].number = number;
+    pairs[number].right = file;
+  }
+  std::vector<ImageFiles> list;
+  for (auto& [number, pair] : pairs) list.push_back(std::move(pair));
+  return list;
+}
+
+std::vector<std::string> link_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Link& link : robot.links) names.push_back(link.name);
+  return names;
+}
+
+std::vector<std::string> joint_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Joint& joint : robot.joints)
+    if (joint.moves() && !joint.is_mimic()) names.push_back(joint.name);
+  return names;
+}
+
+std::vector<std::string> joints_of_table(const fs::path& table, const Robot& robot) {
+  const std::string text = read_file(table);
+  std::string line;
+  for (std::size_t begin = 0; begin < text.size() && line.empty();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    line = text.substr(begin, end - begin);
+    line.resize(std::min(line.find('#'), line.size()));
+    for (char& c : line)
+      if (c == ',' || c == ';' || c == '"' || c == '\'' || c == '\r') c = ' ';
+    if (split_words(line).empty()) line.clear();
+    begin = end + 1;
+  }
+  const std::vector<std::string> all = joint_names(robot);
+  std::vector<std::string> named;
+  for (const std::string_view word : split_words(line))
+    if (std::find(all.begin(), all.end(), word) != all.end()) named.emplace_back(word);
+  return named.empty() ? all : named;
+}
+
+Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
+  const Robot robot = read_urdf(parts.urdf, notes);
+  check_parts(parts, robot);
+  std::error_code error;
+  fs::create_directories(parts.folder, error);
+  if (error)
+    throw InputError(fmt::format("{}: the folder cannot be made ({}).", shown_path(parts.folder), error.message()));
+  Session s;
+  s.file = parts.folder / "session.xml";
+  s.title = parts.title;
+  s.robot_file = brought(parts.urdf, parts.folder, "");
+  s.tcp = parts.tcp;
+  s.mount = {parts.mount, parts.mount_from_left, !parts.mount_is_known, parts.mount_is_known};
+  s.stereo = parts.rig;
+  s.marker_count = parts.marker_count;
+  s.joints = parts.joints;
+  for (std::size_t i = 0; i < parts.positions.size(); ++i) {
+    Observation o;
+    o.id = static_cast<std::int64_t>(i);
+    o.time = static_cast<double>(i);
+    o.position = parts.positions[i];
+    const ImageFiles& pair = parts.images[i];
+    if (!pair.left.empty() && !pair.right.empty()) {
+      const bool twins = pair.left.filename() == pair.right.filename();
+      o.left_image = brought(pair.left, parts.folder, twins ? "images/left" : "images");
+      o.right_image = brought(pair.right, parts.folder, twins ? "images/right" : "images");
+    } else if (notes) {
+      notes->push_back(fmt::format("{} has no partner and is left out; observation {} has no images.",
+                                   (pair.left.empty() ? pair.right : pair.left).filename().string(), i));
+    }
+    s.observations.push_back(std::move(o));
+  }
+  s.robot = robot;
+  replace_file(s.file, session_text(s));
+  try {
+    return read_session(s.file);
+  } catch (const InputError&) {
+    fs::remove(s.file, error);
+    throw;
+  }
+}
+
+}  // namespace handsight

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// A new session from what a user has: folders of images, a URDF, joint angles, a stereo calibration.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "session/session.h"
+
+namespace handsight {
+
+/// The two images of one instant; one may be missing (empty).
+struct ImageFiles {
+  std::int64_t number = 0;  // the last number in the files' names
+  std::filesystem::path left, right;
+};
+
+/// Pairs the images of two folders by the last number in their names, ascending. With both folders the same, names
+/// tell the sides apart: "left" or "right" in them, else a last letter l or r. InputError where there is no image, or a
+/// side has a number twice.
+std::vector<ImageFiles> find_image_pairs(const std::filesystem::path& left_folder,
+                                         const std::filesystem::path& right_folder);
+
+struct NewSession {
+  std::filesystem::path folder;  // where the session is made; may be there, but without a session.xml
+  std::string title;
+  std::filesystem::path urdf;
+  std::string tcp, mount;  // links
+  bool mount_is_known = false;
+  Rigid mount_from_left;  // where it is known
+  StereoRig rig;          // with image sizes
+  int marker_count = 3;
+  std::vector<std::string> joints;  // the order of `positions`
+  std::vector<Eigen::VectorXd> positions;
+  std::vector<ImageFiles> images;  // one for each position, in the same order
+};
+
+/// Writes the folder: the URDF and the images (copied where they lie elsewhere), session.xml last. An observation whose
+/// pair is not whole has no images and is named in the notes. InputError where something does not fit together, named
+/// before anything is written; the session that is returned is the one that was read back.
+Session make_session(const NewSession& parts, std::vector<std::string>* notes = nullptr);
+
+/// The links of a robot that can be the TCP or carry the cameras, and the joints that a position names: those that
+/// move and mimic no other.
+std::vector<std::string> link_names(const Robot& robot);
+std::vector<std::string> joint_names(const Robot& robot);
+
+/// Those of joint_names that the table's first line names, in its order; all of them where it names none (a table
+/// without a header).
+std::vector<std::string> joints_of_table(const std::filesystem::path& table, const Robot& robot);
+
+}  // namespace handsight

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "document/document.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QTimer>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "document/refit.h"
+#include "document/selection.h"
+#include "images/image_source.h"
+#include "session/session_xml.h"
+#include "temporary_folder.h"
+#include "vision/image_file.h"
+
+namespace handsight::app {
+namespace {
+
+std::filesystem::path sample(const char* name) {
+  return std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name;
+}
+
+class DocumentTest : public testing::Test {
+ protected:
+  DocumentTest() {
+    std::filesystem::copy(sample("thesis_simulation"), session, std::filesystem::copy_options::recursive);
+  }
+  template <class Condition>
+  static void wait_until(Condition condition) {
+    QEventLoop loop;
+    QTimer poll, limit;
+    QObject::connect(&poll, &QTimer::timeout, [&] {
+      if (condition()) loop.quit();
+    });
+    QObject::connect(&limit, &QTimer::timeout, &loop, &QEventLoop::quit);
+    poll.start(1);
+    limit.start(20000);
+    loop.exec();
+    ASSERT_TRUE(condition());
+  }
+  Edit change(std::int64_t id, Decision decision, std::int64_t joins = 0) {
+    ObservationState after = state_of(*document.find(id));
+    after.decision = decision;
+    Edit edit = document.edit_of(QString("set observation %1").arg(id), {{id, after}});
+    edit.joins = joins;
+    return edit;
+  }
+  TemporaryFolder folder;
+  std::filesystem::path session = folder.path / "session";
+  Document document;
+};
+
+TEST_F(DocumentTest, TheFitFollowsEveryActionAndItsUndo) {
+  Jobs jobs;
+  Refit refit(document, jobs);
+  document.open(session);
+  wait_until([&] { return document.model() != nullptr; });
+  const Rigid first = document.model()->fit->tcp_from_body;
+  EXPECT_EQ(document.model()->report->used, 6);
+  document.perform(change(2, Decision::excluded));
+  EXPECT_EQ(document.model(), nullptr) << "a fit of an earlier state is not the model of this one";
+  EXPECT_NE(document.shown_model(), nullptr);
+  wait_until([&] { return document.model() != nullptr; });
+  EXPECT_EQ(document.model()->report->used, 5);
+  EXPECT_EQ(document.model()->cause, "set observation 2");
+  EXPECT_EQ(document.versions().size(), 2U);
+  document.undo();
+  wait_until([&] { return document.model() != nullptr; });
+  EXPECT_EQ(document.model()->fit->tcp_from_body.translation, first.translation);
+  EXPECT_EQ(document.versions().size(), 1U);
+}
+
+TEST_F(DocumentTest, AStaleFitIsDropped) {
+  document.open(session);
+  const auto stale = make_version(document.session(), {}, document.revision(), "");
+  document.perform(change(1, Decision::excluded));
+  document.take_version(stale);
+  EXPECT_EQ(document.shown_model(), nullptr);
+  document.take_version(make_version(document.session(), {}, document.revision(), ""));
+  EXPECT_NE(document.model(), nullptr);
+}
+
+TEST_F(DocumentTest, AFitThatIsRefusedLeavesASentence) {
+  document.open(session);
+  Edit all{.sentence = "excluded all"};
+  for (const Observation& o : document.session().observations)
+    all.observations.push_back({o.id, state_of(o), {o.sightings, Decision::excluded, ""}});
+  document.perform(all);
+  const auto version = make_version(document.session(), {}, document.revision(), "");
+  EXPECT_EQ(version->fit, nullptr);
+  EXPECT_GT(version->refusal.size(), 20);
+}
+
+TEST_F(DocumentTest, ActionsThatJoinAreUndoneAsOne) {
+  document.open(session);
+  const std::int64_t join = document.new_join();
+  document.perform(change(0, Decision::accepted, join));
+  document.perform(change(1, Decision::accepted, join));
+  document.perform(change(0, Decision::rejected, join));
+  document.perform(change(3, Decision::excluded));
+  EXPECT_EQ(document.undo_stack().count(), 2);
+  document.close();
+  document.open(session);
+  EXPECT_EQ(document.undo_stack().count(), 2) << "read back from the journal";
+  document.undo();
+  EXPECT_EQ(document.find(0)->decision, Decision::rejected);
+  EXPECT_EQ(document.find(1)->decision, Decision::accepted);
+  document.undo();
+  EXPECT_EQ(document.find(0)->decision, Decision::none);
+  EXPECT_EQ(document.find(1)->decision, Decision::none);
+}
+
+TEST_F(DocumentTest, SettingsAreActionsToo) {
+  document.open(session);
+  document.perform({.sentence = "chose the camera objective",
+                    .settings = SettingsEdit{document.settings(), {Objective::camera, true}}});
+  EXPECT_EQ(document.settings().objective, Objective::camera);
+  document.save();
+  document.perform(change(0, Decision::excluded));
+  document.undo();
+  document.undo();
+  EXPECT_EQ(document.settings(), ModelSettings{});
+}
+
+TEST_F(DocumentTest, AnOpeningThatFailsLeavesWhatWasOpen) {
+  document.open(session);
+  document.perform(change(0, Decision::excluded));
+  EXPECT_THROW(document.open(folder.path / "nowhere"), InputError);
+  EXPECT_TRUE(document.is_open());
+  EXPECT_EQ(document.find(0)->decision, Decision::excluded);
+}
+
+TEST_F(DocumentTest, SavingKeepsWhatTheProgramDoesNotUnderstand) {
+  std::string text = read_file(session / "session.xml");
+  text.insert(text.find("<observations>"), "<note by=\"me\">torque sensor 3 is noisy</note>\n  ");
+  replace_file(session / "session.xml", text);
+  document.open(session);
+  document.perform(change(4, Decision::excluded));
+  document.save();
+  const Session again = read_session(session);
+  EXPECT_EQ(again.observations[4].decision, Decision::excluded);
+  EXPECT_NE(again.source->find("torque sensor 3 is noisy"), std::string::npos);
+}
+
+TEST(Edits, ReadBackBitForBit) {
+  ObservationState a, b;
+  a.sightings.push_back({2, Vector2(1.0 / 3, 2e-300), std::nullopt, std::nullopt, MarkedBy::hand});
+  b.sightings.push_back({0, std::nullopt, Vector2(-0.1, 7), Vector3(0.1, 0.2, 0.3), MarkedBy::tracker});
+  b.decision = Decision::rejected;
+  b.reason = "\"quoted\"\n and \xc3\xa4";
+  const Edit edit{"d\xc3\xa9placé", {{7, a, b}}, SettingsEdit{{}, {Objective::angle_axis, true}}, 12};
+  const Edit again = parse_edit(edit_text(edit));
+  EXPECT_EQ(again.sentence, edit.sentence);
+  EXPECT_EQ(again.joins, 12);
+  ASSERT_EQ(again.observations.size(), 1U);
+  EXPECT_TRUE(same_state(again.observations[0].before, a));
+  EXPECT_TRUE(same_state(again.observations[0].after, b));
+  EXPECT_EQ(again.settings->after, edit.settings->after);
+  EXPECT_EQ(edit_text(edit).find('\n'), std::string::npos) << "one line";
+  EXPECT_THROW(parse_edit("{\"sentence\":1}"), InputError);
+}
+
+TEST(SelectionTest, SpeaksOnlyWhenItChangesAndGoesBack) {
+  Selection selection;
+  int changes = 0;
+  QObject::connect(&selection, &Selection::changed, [&] { ++changes; });
+  selection.select_marker(4, 1);
+  selection.select_marker(4, 1);
+  EXPECT_EQ(changes, 1);
+  selection.select_many({3, 4, 5});
+  EXPECT_EQ(selection.current().marker, 1) << "the current one stays where it is among the many";
+  selection.select_observation(9);
+  selection.back();
+  EXPECT_EQ(selection.current().observation, 4);
+  EXPECT_EQ(selection.current().marker, 1);
+  selection.up();
+  EXPECT_FALSE(selection.current().marker);
+  selection.up();
+  EXPECT_FALSE(selection.current().observation);
+}
+
+TEST(ImageSourceTest, GreyIsTheEnginesOwn) {
+  const Session session = read_session(sample("first_steps"));
+  ImageSource source;
+  const Observation& o = session.observations[3];
+  const ShownImage shown = source.image(session, o, true);
+  ASSERT_FALSE(shown.image.isNull()) << shown.refusal.toStdString();
+  EXPECT_EQ(grey_image(shown.image).pixels, read_image(folder(session) / o.left_image).pixels);
+  const QImage colours = shown.image.convertToFormat(QImage::Format_RGB32);
+  EXPECT_EQ(grey_image(colours).pixels, read_image(folder(session) / o.left_image).pixels);
+}
+
+TEST(ImageSourceTest, RefusesInASentence) {
+  Session session = read_session(sample("first_steps"));
+  Observation o = session.observations[0];
+  session.stereo->left.width = 1280;
+  ImageSource source;
+  EXPECT_TRUE(source.image(session, o, true).refusal.contains("640 x 480, the camera says 1280 x 480"));
+  o.right_image = "images/none.png";
+  EXPECT_TRUE(source.image(session, o, false).refusal.contains("is not there"));
+}
+
+}  // namespace
+}  // namespace handsight::app

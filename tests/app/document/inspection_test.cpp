@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The three bad poses of hundred_poses, each with the right blame: what Inspect shows.
+#include "document/inspection.h"
+
+#include <gtest/gtest.h>
+
+#include "document/model_version.h"
+#include "document/second_look.h"
+#include "label/labeller.h"
+#include "session/session_xml.h"
+#include "vision/image_file.h"
+
+namespace handsight::app {
+namespace {
+
+std::filesystem::path sample(const char* name) {
+  return std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name;
+}
+
+ImagePair images_of(const Session& session, const Observation& o) {
+  return {read_image(folder(session) / o.left_image), read_image(folder(session) / o.right_image)};
+}
+
+/// Labelled by three clicks and played, as the window does it.
+Session played(const char* name, const std::vector<Vector2>& clicks) {
+  Session s = read_session(sample(name));
+  const ImagePair first = images_of(s, s.observations[0]);
+  Labeller labeller;
+  labeller.start(s, s.observations[0], {detect_corners(first.left), detect_corners(first.right)});
+  for (const Vector2& click : clicks) EXPECT_EQ(labeller.point(click, false), QString());
+  EXPECT_TRUE(labeller.will_do()) << labeller.refusal().toStdString();
+  s.observations[0].sightings = labeller.sightings();
+  OnlineCalibration online(s);
+  for (Observation& o : s.observations) {
+    const bool has_images = !o.left_image.empty();
+    const ImagePair images = has_images ? images_of(s, o) : ImagePair{};
+    keep_step(online.add(o, has_images ? &images : nullptr), o);
+  }
+  return s;
+}
+
+TEST(InspectionTest, TheThreeBadPosesHaveTheRightBlame) {
+  const Session s = played("hundred_poses", {{519, 98}, {515, 132}, {576, 113}});
+  ModelVersionPointer version = make_version(s, {}, 1, "");
+  ASSERT_NE(version->fit, nullptr) << version->refusal.toStdString();
+  SecondLooks looks;
+  std::vector<std::int64_t> rejected;
+  for (const Observation& o : s.observations)
+    if (o.decision == Decision::rejected) {
+      rejected.push_back(o.id);
+      if (const auto found = second_look(s, *version->fit, o, images_of(s, o))) looks[o.id] = *found;
+    }
+  EXPECT_EQ(rejected, (std::vector<std::int64_t>{58, 75, 98}));
+  version = make_version(s, {}, 1, "", looks);
+  const auto row = [&](std::size_t id) { return version->inspection->rows[id]; };
+  for (const std::size_t id : {58, 75, 98}) {
+    EXPECT_TRUE(row(id).at_second_look) << id;
+    EXPECT_FALSE(row(id).what_would_mend.isEmpty()) << id;
+  }
+  EXPECT_EQ(row(58).blame.letter, 'R') << "a joint reading that is off: " << row(58).what_would_mend.toStdString();
+  EXPECT_EQ(row(75).blame.letter, 'B') << "a marker that moved: " << row(75).what_would_mend.toStdString();
+  EXPECT_EQ(row(98).blame.letter, 'C') << "images of two moments: " << row(98).what_would_mend.toStdString();
+  // The arm sags: the others miss too, and that is the robot's fault.
+  EXPECT_EQ(row(10).blame.letter, 'R');
+}
+
+TEST(InspectionTest, NothingStandsOutWhereNothingIsHidden) {
+  const Session s = played("first_steps", {{421, 338}, {408, 411}, {473, 378}});
+  const ModelVersionPointer version = make_version(s, {}, 1, "");
+  ASSERT_NE(version->fit, nullptr);
+  for (const InspectionRow& row : version->inspection->rows) {
+    ASSERT_TRUE(row.ratio.has_value());
+    EXPECT_LT(*row.ratio, 2);
+    EXPECT_EQ(row.blame.letter, 0) << row.id;
+    EXPECT_TRUE(row.what_would_mend.isEmpty());
+  }
+}
+
+TEST(InspectionTest, AWrongCornerIsNamedWithWhereItShouldBe) {
+  Session s = played("first_steps", {{421, 338}, {408, 411}, {473, 378}});
+  Observation& o = s.observations[4];
+  const int marker = o.sightings[1].marker;
+  *o.sightings[1].right += Vector2(0, 4);
+  o.decision = Decision::excluded;  // so that it cannot bend the fit
+  const ModelVersionPointer version = make_version(s, {}, 1, "");
+  const InspectionRow& row = version->inspection->rows[4];
+  EXPECT_EQ(row.blame.letter, 'C');
+  EXPECT_GT(row.blame.cameras, 0.5);
+  EXPECT_EQ(row.worst_marker, marker);
+  EXPECT_EQ(row.worst_camera, 1);
+  EXPECT_EQ(row.what_would_mend.toStdString(),
+            "Marker " + std::to_string(marker) + ", right image, 4.0 px further up.");
+}
+
+}  // namespace
+}  // namespace handsight::app

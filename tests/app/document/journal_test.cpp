@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nothing is lost: what the journal must survive.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <random>
+
+#include "app/document/killed_writer.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "session/session_xml.h"
+#include "temporary_folder.h"
+
+namespace handsight::app {
+namespace {
+
+class JournalTest : public testing::Test {
+ protected:
+  JournalTest() {
+    const auto from = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / "thesis_simulation";
+    session = folder.path / "session";
+    std::filesystem::copy(from, session, std::filesystem::copy_options::recursive);
+  }
+  std::filesystem::path journal_file() const {
+    return state_folder() / "journals" /
+           (digest_of(std::filesystem::weakly_canonical(session / "session.xml").string()) + ".journal");
+  }
+  static Edit exclude(const Document& document, std::size_t index, const char* reason) {
+    const Observation& o = document.session().observations[index];
+    ObservationState after = state_of(o);
+    after.decision = Decision::excluded;
+    after.reason = reason;
+    return document.edit_of(QString("excluded observation %1").arg(o.id), {{o.id, after}});
+  }
+  TemporaryFolder folder;
+  std::filesystem::path session;
+};
+
+TEST_F(JournalTest, UnsavedActionsAreThereAtTheNextOpening) {
+  const std::string before = read_file(session / "session.xml");
+  {
+    Document document;
+    document.open(session);
+    document.perform(exclude(document, 1, "one"));
+    document.perform(exclude(document, 2, "two"));
+    document.undo();
+  }
+  EXPECT_EQ(read_file(session / "session.xml"), before) << "only the user's save changes the session";
+  Document document;
+  document.open(session);
+  EXPECT_FALSE(document.is_saved());
+  EXPECT_EQ(document.session().observations[1].reason, "one");
+  EXPECT_EQ(document.session().observations[2].decision, Decision::none);
+  EXPECT_TRUE(document.undo_stack().canRedo());
+  document.redo();
+  EXPECT_EQ(document.session().observations[2].reason, "two");
+  document.undo_all();
+  EXPECT_TRUE(document.is_saved());
+  EXPECT_EQ(session_text(document.session()), before);
+}
+
+TEST_F(JournalTest, ActionsCanBeUndoneBeyondASaveAndAKill) {
+  Document document;
+  document.open(session);
+  document.perform(exclude(document, 1, "one"));
+  document.save();
+  document.perform(exclude(document, 2, "two"));
+  const std::string kept = read_file(journal_file());
+  document.undo_all();
+  document.close();
+  // As if it had been killed before the two undos:
+  replace_file(journal_file(), kept);
+  Document again;
+  again.open(session);
+  EXPECT_EQ(again.session().observations[2].reason, "two");
+  EXPECT_EQ(again.undo_stack().index(), 2);
+  EXPECT_EQ(again.undo_stack().cleanIndex(), 1);
+  again.undo_all();
+  EXPECT_EQ(again.session().observations[1].decision, Decision::none);
+  EXPECT_FALSE(again.is_saved());
+}
+
+TEST_F(JournalTest, ALineThatWasCutOffLosesOnlyItself) {
+  const auto file = journal_file();
+  {
+    Document document;
+    document.open(session);
+    document.perform(exclude(document, 1, "one"));
+    document.perform(exclude(document, 2, "two"));
+  }
+  const std::string whole = read_file(file);
+  const std::size_t second = whole.rfind("\ndo ") + 1;
+  for (std::size_t length = second; length < whole.size(); length += 7) {
+    replace_file(file, whole.substr(0, length));
+    Document document;
+    document.open(session);
+    EXPECT_EQ(document.session().observations[1].reason, "one") << length;
+    EXPECT_EQ(document.session().observations[2].decision, Decision::none) << length;
+    document.perform(exclude(document, 3, "three"));
+    document.close();
+    document.open(session);
+    EXPECT_EQ(document.session().observations[3].reason, "three") << length;
+  }
+}
+
+TEST_F(JournalTest, ASessionChangedByAnotherProgramSetsTheActionsAside) {
+  {
+    Document document;
+    document.open(session);
+    document.perform(exclude(document, 1, "one"));
+  }
+  std::string text = read_file(session / "session.xml");
+  replace_file(session / "session.xml", text + "<!-- another program -->\n");
+  Document document;
+  QString notice;
+  QObject::connect(&document, &Document::noticed, [&](const QString& sentence) { notice = sentence; });
+  document.open(session);
+  EXPECT_EQ(document.undo_stack().count(), 0);
+  EXPECT_TRUE(notice.contains("1 unsaved action")) << notice.toStdString();
+  EXPECT_TRUE(notice.contains(".aside"));
+}
+
+TEST_F(JournalTest, TwoWindowsCannotHaveTheSameSession) {
+  Document one, two;
+  one.open(session);
+  try {
+    two.open(session);
+    FAIL() << "the second window opened it too";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("another window"), std::string::npos);
+  }
+  one.close();
+  two.open(session);
+  EXPECT_TRUE(two.is_open());
+}
+
+TEST_F(JournalTest, KilledAtRandomMomentsNothingIsLostButTheLastAction) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> microseconds(2000, 60000);
+  int known = 0;
+  for (int round = 0; round < 50; ++round) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::dup2(ends[1], 1);
+      ::close(ends[0]);
+      const std::string path = session.string();
+      ::execl("/proc/self/exe", "test_app_document", "--write-until-killed", path.c_str(), nullptr);
+      ::_exit(9);
+    }
+    ::close(ends[1]);
+    std::FILE* said = ::fdopen(ends[0], "r");
+    char line[32];
+    ASSERT_NE(std::fgets(line, sizeof line, said), nullptr) << "the process died by itself";
+    ::usleep(static_cast<useconds_t>(microseconds(random)));
+    ::kill(child, SIGKILL);
+    int last = std::atoi(line);
+    while (std::fgets(line, sizeof line, said)) last = std::atoi(line);
+    std::fclose(said);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_GT(last, known);
+    Document document;
+    document.open(session);
+    const int count = document.undo_stack().index();
+    ASSERT_TRUE(count == last || count == last + 1) << "round " << round << ": said " << last << ", found " << count;
+    const auto& observations = document.session().observations;
+    for (int n = std::max(1, count - static_cast<int>(observations.size()) + 1); n <= count; ++n)
+      ASSERT_EQ(observations[static_cast<std::size_t>(n) % observations.size()].reason, "action " + std::to_string(n));
+    known = count;
+    if (document.is_saved()) {  // killed right after a save: closed like this, nothing would be left to recover
+      document.perform(test::numbered_action(document, ++known));
+      ASSERT_FALSE(document.is_saved());
+    }
+    if (round % 10 == 9) {  // the history stays short
+      document.undo_all();
+      document.save();
+      document.close();
+      known = 0;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace handsight::app

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The figures of the real window, driven as a user drives it: start to first picture, selecting in a large session,
+// playing, and how long the window takes to answer while a fit runs. Run it under with_display.sh.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <algorithm>
+
+#include "app/window/pages.h"
+#include "session/session_xml.h"
+#include "simulation/simulated_session.h"
+#include "temporary_folder.h"
+#include "widgets/robot_view.h"
+#include "widgets/theme.h"
+
+namespace handsight::test {
+namespace {
+
+std::filesystem::path make_session(const TemporaryFolder& folder, int observations) {
+  const Session like = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/rigs/justin_head");
+  SimulationOptions options;
+  options.observations = observations;
+  options.follow = observations > 1000;
+  Session s = simulate_session(like, options).session;
+  const auto at = folder.path / std::to_string(observations);
+  std::filesystem::create_directories(at);
+  std::filesystem::copy_file(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "resources/justin.urdf", at / "robot.urdf");
+  s.file = at / "session.xml";
+  s.robot_file = "robot.urdf";
+  s.source.reset();
+  save_session(s);
+  return at;
+}
+
+/// Every view painted, nothing left to do.
+void paint_everything() {
+  for (int i = 0; i < 4; ++i) {
+    QCoreApplication::sendPostedEvents();
+    QCoreApplication::processEvents();
+  }
+}
+
+void say(const char* what, double value, const char* unit, double limit) {
+  std::printf("%-60s %8.1f %s (to be <= %g)\n", what, value, unit, limit);
+}
+
+TEST(Window, StartToFirstPicture) {
+  const TemporaryFolder folder;
+  const auto session = make_session(folder, 100);
+  QElapsedTimer timer;
+  timer.start();
+  Desk desk;
+  desk.window.open(QString::fromStdString(session.string()));
+  paint_everything();
+  say("window made, 100 observations opened and painted", static_cast<double>(timer.elapsed()), "ms", 1000);
+}
+
+TEST(Window, SelectingInTenThousand) {
+  const TemporaryFolder folder;
+  const auto session = make_session(folder, 10000);
+  Desk desk;
+  desk.window.open(QString::fromStdString(session.string()));
+  desk.settle();
+  for (const int workspace : {1, 2}) {
+    desk.window.show_workspace(workspace);
+    paint_everything();
+    std::vector<double> times;
+    for (int i = 0; i < 40; ++i) {
+      QElapsedTimer timer;
+      timer.start();
+      desk.key(Qt::Key_Right);
+      paint_everything();
+      times.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6 - 5);  // less the wait of key() itself
+    }
+    std::sort(times.begin(), times.end());
+    say(workspace == 1 ? "select in 10,000, Calibrate: 95th percentile" : "select in 10,000, Inspect: 95th percentile",
+        times[37], "ms", 100);
+  }
+}
+
+TEST(Window, PlaysThirtyASecond) {
+  const TemporaryFolder folder;
+  const auto session = make_session(folder, 300);
+  Desk desk;
+  desk.window.open(QString::fromStdString(session.string()));
+  CalibratePage calibrate{desk};
+  calibrate.set_fastest();
+  QElapsedTimer timer;
+  timer.start();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  std::printf("%-60s %8.1f /s (to be >= 30)\n", "played without images", 300e3 / static_cast<double>(timer.elapsed()));
+}
+
+TEST(Window, AnswersWhileAFitRuns) {
+  const TemporaryFolder folder;
+  const auto session = make_session(folder, 10000);
+  Desk desk;
+  desk.window.open(QString::fromStdString(session.string()));
+  desk.settle();
+  desk.window.show_workspace(4);
+  desk.document().perform({.sentence = "held the body's shape",
+                           .settings = app::SettingsEdit{desk.document().settings(), {Objective::angle_axis, true}}});
+  double worst = 0;
+  int rounds = 0;
+  QElapsedTimer whole;
+  whole.start();
+  while ((desk.window.bench().jobs.is_busy() || desk.window.bench().refit.is_pending()) && whole.elapsed() < 20000) {
+    QElapsedTimer timer;
+    timer.start();
+    QCoreApplication::processEvents();
+    worst = std::max(worst, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+    ++rounds;
+    QThread::msleep(1);
+  }
+  std::printf("(the fit took %lld ms, %d rounds of events)\n", static_cast<long long>(whole.elapsed()), rounds);
+  say("longest round of events while a fit of 10,000 runs", worst, "ms", 50);
+}
+
+}  // namespace
+}  // namespace handsight::test
+
+int main(int argc, char** argv) {
+  using namespace handsight;
+  testing::InitGoogleTest(&argc, argv);
+  const TemporaryFolder state;
+  ::setenv("XDG_STATE_HOME", state.path.c_str(), 1);
+  widgets::set_surface_format();
+  QApplication application(argc, argv);
+  widgets::apply_theme(application, widgets::ThemeKind::light);
+  return RUN_ALL_TESTS();
+}

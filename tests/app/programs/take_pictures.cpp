@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drives the user's story and keeps a picture of every workspace: take_pictures FOLDER light|dark. The scale is Qt's
+// own (QT_SCALE_FACTOR). pictures.sh runs it for both themes and two scales.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTabWidget>
+
+#include "app/window/pages.h"
+#include "temporary_folder.h"
+#include "widgets/robot_view.h"
+#include "widgets/theme.h"
+
+namespace handsight::test {
+namespace {
+
+QString folder_of_pictures, suffix;
+
+struct Photographer {
+  Desk& desk;
+  void take(const char* name) {
+    desk.settle();
+    QTest::qWait(120);
+    desk.window.grab().save(folder_of_pictures + "/" + name + suffix + ".png");
+  }
+};
+
+TEST(Pictures, OfEveryWorkspace) {
+  Desk desk;
+  desk.window.resize(1440, 900);
+  QTest::qWait(100);
+  Photographer photo{desk};
+  LabelPage label{desk};
+  CalibratePage calibrate{desk};
+  InspectPage inspect{desk};
+  photo.take("start");
+  desk.press_button("sample_hundred_poses");
+  ASSERT_TRUE(label.corners_are_found());
+  photo.take("label_empty");
+  const auto go = [&](int n) { desk.key(Qt::Key_0 + n, Qt::ControlModifier); };
+  go(2);
+  photo.take("calibrate_empty");
+  go(3);
+  photo.take("inspect_empty");
+  go(4);
+  photo.take("explain_empty");
+  go(5);
+  photo.take("export_empty");
+  go(1);
+  for (const Vector2& px : {Vector2(519, 98), Vector2(515, 132), Vector2(576, 113)}) label.click_left(px);
+  photo.take("label");
+  label.use();
+  calibrate.set_fastest();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  photo.take("calibrate");
+  auto* tabs = desk.find<QTabWidget>("calibrate_tabs");
+  const char* names[] = {"", "calibrate_objective", "calibrate_one_marker", "calibrate_own_pose"};
+  for (int i = 1; i < tabs->count(); ++i) {
+    desk.click(tabs->tabBar(), tabs->tabBar()->tabRect(i).center());
+    photo.take(names[i]);
+  }
+  go(3);
+  inspect.sort_worst_first("px");
+  inspect.click_row(0);
+  photo.take("inspect");
+  auto* inspect_tabs = desk.find<QTabWidget>("inspect_tabs");
+  desk.click(inspect_tabs->tabBar(), inspect_tabs->tabBar()->tabRect(1).center());
+  photo.take("inspect_map");
+  go(4);
+  photo.take("explain");
+  go(5);
+  photo.take("export");
+  desk.key(Qt::Key_Question);
+  photo.take("keys");
+}
+
+}  // namespace
+}  // namespace handsight::test
+
+int main(int argc, char** argv) {
+  using namespace handsight;
+  testing::InitGoogleTest(&argc, argv);
+  if (argc < 3) return std::fprintf(stderr, "take_pictures FOLDER light|dark\n"), 2;
+  const TemporaryFolder state;
+  ::setenv("XDG_STATE_HOME", state.path.c_str(), 1);
+  widgets::set_surface_format();
+  QApplication application(argc, argv);
+  const bool dark = std::string(argv[2]) == "dark";
+  widgets::apply_theme(application, dark ? widgets::ThemeKind::dark : widgets::ThemeKind::light);
+  test::folder_of_pictures = argv[1];
+  const char* scale = std::getenv("QT_SCALE_FACTOR");
+  test::suffix = QString("_%1_%2").arg(argv[2], scale ? QString::number(100 * std::atof(scale)) : QString("100"));
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// A user at the window: mouse, keyboard, eyes. What tests do goes through the window system's events.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QElapsedTimer>
+#include <QTest>
+#include <filesystem>
+#include <functional>
+
+#include "frame/main_window.h"
+
+namespace handsight::test {
+
+class Desk {
+ public:
+  Desk() {
+    window.show();
+    (void)QTest::qWaitForWindowExposed(&window);
+    window.activateWindow();  // no window manager does it on a bare X server
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+  }
+
+  template <class Widget>
+  Widget* find(const char* name) const {
+    auto* found = window.findChild<Widget*>(name);
+    EXPECT_NE(found, nullptr) << "no widget is called " << name;
+    return found;
+  }
+
+  /// Presses and releases a mouse button at a place of a widget.
+  void click(QWidget* widget, const QPoint& at, Qt::KeyboardModifiers keys = {},
+             Qt::MouseButton button = Qt::LeftButton) {
+    QWidget* top = widget->window();
+    const QPoint there = widget->mapTo(top, at);
+    QTest::mouseMove(top->windowHandle(), there);
+    QTest::mouseClick(top->windowHandle(), button, keys, there);
+    QTest::qWait(5);
+  }
+  void click(QWidget* widget) { click(widget, widget->rect().center()); }
+  void press_button(const char* name) {
+    auto* button = find<QAbstractButton>(name);
+    ASSERT_TRUE(button->isVisible()) << name << " cannot be seen";
+    ASSERT_TRUE(button->isEnabled()) << name << " cannot be pressed";
+    click(button);
+  }
+  void drag(QWidget* widget, const QPoint& from, const QPoint& to) {
+    QWindow* top = widget->window()->windowHandle();
+    const QPoint a = widget->mapTo(widget->window(), from), b = widget->mapTo(widget->window(), to);
+    QTest::mousePress(top, Qt::LeftButton, {}, a);
+    for (int i = 1; i <= 8; ++i) {
+      QTest::mouseMove(top, a + (b - a) * i / 8);
+      QTest::qWait(2);
+    }
+    QTest::mouseRelease(top, Qt::LeftButton, {}, b);
+    QTest::qWait(5);
+  }
+  void key(int key, Qt::KeyboardModifiers keys = {}) {
+    QTest::keyClick(window.windowHandle(), static_cast<Qt::Key>(key), keys);
+    QTest::qWait(5);
+  }
+  void type_into(QWidget* field, const QString& text) {
+    click(field);
+    QWindow* top = field->window()->windowHandle();
+    QTest::keyClick(top, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(top, Qt::Key_Delete);
+    for (const QChar c : text) QTest::keyClick(top, c.toLatin1());
+    QTest::qWait(5);
+  }
+  bool wait(const std::function<bool()>& until, int milliseconds = 30000) {
+    return QTest::qWaitFor(until, milliseconds);
+  }
+  /// Until nothing runs in the background and the fit belongs to what is shown.
+  bool settle() {
+    return wait([this] {
+      auto& bench = window.bench();
+      return !bench.jobs.is_busy() && !bench.background.is_busy() && !bench.refit.is_pending();
+    });
+  }
+
+  app::Document& document() { return window.bench().document; }
+  app::MainWindow window;
+};
+
+}  // namespace handsight::test

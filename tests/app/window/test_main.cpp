@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tests of the window need a display: run them under with_display.sh. Any warning of Qt fails the test at hand.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <QApplication>
+#include <QMessageBox>
+
+#include "temporary_folder.h"
+#include "widgets/robot_view.h"
+#include "widgets/theme.h"
+
+namespace {
+
+void fail_on_warning(QtMsgType kind, const QMessageLogContext&, const QString& text) {
+  std::fprintf(stderr, "Qt: %s\n", qPrintable(text));
+  if (kind == QtWarningMsg || kind == QtCriticalMsg) ADD_FAILURE() << "Qt warned: " << text.toStdString();
+}
+
+/// Errors are shown in place: no message box ever opens.
+class NoMessageBox : public QObject {
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Show && qobject_cast<QMessageBox*>(watched)) ADD_FAILURE() << "a message box opened";
+    return false;
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
+  const handsight::TemporaryFolder state;  // journals and copies of tests do not meet the user's
+  ::setenv("XDG_STATE_HOME", state.path.c_str(), 1);
+  handsight::widgets::set_surface_format();
+  QApplication application(argc, argv);
+  handsight::widgets::apply_theme(application, handsight::widgets::ThemeKind::light);
+  qInstallMessageHandler(fail_on_warning);
+  NoMessageBox watch;
+  application.installEventFilter(&watch);
+  return RUN_ALL_TESTS();
+}

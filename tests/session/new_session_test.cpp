@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/new_session.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "robot/urdf.h"
+#include "session/session_xml.h"
+#include "temporary_folder.h"
+
+namespace handsight {
+namespace {
+
+class NewSessionTest : public testing::Test {
+ protected:
+  NewSessionTest() {
+    std::filesystem::create_directories(folder.path / "a");
+    std::filesystem::create_directories(folder.path / "b");
+  }
+  void touch(const std::string& name) { std::ofstream(folder.path / name) << "x"; }
+  NewSession parts() {
+    NewSession s;
+    s.folder = folder.path / "made";
+    s.title = "Made";
+    s.urdf = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps/justin.urdf";
+    s.tcp = "right_hand";
+    s.mount = "head_tcp";
+    const Session like = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps");
+    s.rig = *like.stereo;
+    s.joints = like.joints;
+    for (int i = 0; i < 2; ++i) s.positions.push_back(like.observations[static_cast<std::size_t>(i)].position);
+    touch("a/l7.png");
+    touch("b/l7.png");
+    touch("a/l9.png");
+    s.images = find_image_pairs(folder.path / "a", folder.path / "b");
+    return s;
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(NewSessionTest, PairsGoByTheNumberNotByTheOrder) {
+  for (const char* name : {"a/left_2.png", "a/left_10.png", "a/left_3.png", "b/right_03.jpg", "b/right_10.jpg"})
+    touch(name);
+  const auto pairs = find_image_pairs(folder.path / "a", folder.path / "b");
+  ASSERT_EQ(pairs.size(), 3U);
+  EXPECT_EQ(pairs[0].number, 2);
+  EXPECT_TRUE(pairs[0].right.empty()) << "a missing image does not shift the others";
+  EXPECT_EQ(pairs[1].right.filename(), "right_03.jpg");
+  EXPECT_EQ(pairs[2].left.filename(), "left_10.png");
+}
+
+TEST_F(NewSessionTest, OneFolderIsToldApartByNames) {
+  for (const char* name : {"a/000_left.png", "a/000_right.png", "a/001_right.png", "a/001_left.png", "a/readme.txt"})
+    touch(name);
+  const auto pairs = find_image_pairs(folder.path / "a", folder.path / "a");
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[1].left.filename(), "001_left.png");
+  EXPECT_EQ(pairs[1].right.filename(), "001_right.png");
+}
+
+TEST_F(NewSessionTest, TheSameNumberTwiceIsRefused) {
+  touch("a/left_2.png");
+  touch("a/left_02.png");
+  touch("b/right_2.png");
+  EXPECT_THROW(find_image_pairs(folder.path / "a", folder.path / "b"), InputError);
+  EXPECT_THROW(find_image_pairs(folder.path / "b", folder.path / "nowhere"), InputError);
+}
+
+TEST_F(NewSessionTest, IsWrittenWholeWithItsImagesAndRobot) {
+  std::vector<std::string> notes;
+  const Session made = make_session(parts(), &notes);
+  EXPECT_EQ(made.title, "Made");
+  EXPECT_EQ(made.robot_file, "justin.urdf");
+  ASSERT_EQ(made.observations.size(), 2U);
+  EXPECT_EQ(made.observations[0].left_image, "images/left/l7.png") << "twins of two folders are kept apart";
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "made" / made.observations[0].right_image));
+  EXPECT_TRUE(made.observations[1].left_image.empty());
+  EXPECT_TRUE(made.mount.estimate);
+  EXPECT_FALSE(made.mount.known);
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(),
+                          [](const std::string& n) { return n.find("l9.png has no partner") != std::string::npos; }));
+  EXPECT_EQ(made.observations[1].position, parts().positions[1]);
+}
+
+TEST_F(NewSessionTest, WhatDoesNotFitIsRefusedBeforeAnythingIsWritten) {
+  NewSession s = parts();
+  s.positions.pop_back();
+  EXPECT_THROW(make_session(s), InputError);
+  EXPECT_FALSE(std::filesystem::exists(s.folder));
+  s = parts();
+  s.tcp = "third_hand";
+  EXPECT_THROW(make_session(s), InputError);
+  s = parts();
+  s.rig.left.width = 0;
+  EXPECT_THROW(make_session(s), InputError);
+  EXPECT_FALSE(std::filesystem::exists(s.folder));
+  make_session(parts());
+  EXPECT_THROW(make_session(parts()), InputError) << "a session that is there stays";
+}
+
+TEST_F(NewSessionTest, JointsOfATableAreThoseThatItNames) {
+  const Robot robot = read_urdf(parts().urdf);
+  replace_file(folder.path / "q.csv", "# a comment\nright_arm_2, time, \"torso_1\"\n1, 2, 3\n");
+  EXPECT_EQ(joints_of_table(folder.path / "q.csv", robot), (std::vector<std::string>{"right_arm_2", "torso_1"}));
+  replace_file(folder.path / "q.csv", "1, 2, 3\n");
+  EXPECT_EQ(joints_of_table(folder.path / "q.csv", robot), joint_names(robot));
+}
+
+}  // namespace
+}  // namespace handsight

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <qcustomplot.h>
+
+#include <QSignalSpy>
+#include <cmath>
+
+#include "temporary_folder.h"
+#include "widgets/convergence_plot.h"
+#include "widgets/histogram_plot.h"
+#include "widgets/mouse.h"
+#include "widgets/residual_map.h"
+#include "widgets/scatter_plot.h"
+
+namespace handsight::widgets {
+namespace {
+
+using testing::ElementsAre;
+
+QPointF on_screen(const PlotWidget& plot, double x, double y) {
+  return {plot.plot()->xAxis->coordToPixel(x), plot.plot()->yAxis->coordToPixel(y)};
+}
+
+std::vector<ScatterPoint> line_of_points() {
+  std::vector<ScatterPoint> points;
+  for (int i = 0; i < 10; ++i) points.push_back({100 + i, double(i), double(i), 1.0, 2});
+  return points;
+}
+
+TEST(ScatterPlot, ClickSelectsAndARectangleSelectsMany) {
+  ScatterPlot plot;
+  plot.set_points(line_of_points());
+  test::show(plot, {500, 400});
+  QSignalSpy selected(&plot, &ScatterPlot::observation_selected), many(&plot, &ScatterPlot::observations_selected);
+  test::click(plot.plot(), on_screen(plot, 3, 3));
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toLongLong(), 103);
+  const QCPRange before = plot.plot()->xAxis->range();
+  test::drag(plot.plot(), on_screen(plot, 4.5, 7.5), on_screen(plot, 7.5, 4.5), Qt::ShiftModifier);
+  ASSERT_EQ(many.size(), 1);
+  EXPECT_THAT(many[0][0].value<std::vector<qint64>>(), ElementsAre(105, 106, 107));
+  EXPECT_EQ(plot.plot()->xAxis->range(), before);  // brushing does not pan
+  EXPECT_EQ(selected.size(), 1);
+}
+
+TEST(ScatterPlot, WheelZoomsDragPansDoubleClickFits) {
+  ScatterPlot plot;
+  plot.set_points(line_of_points());
+  test::show(plot, {500, 400});
+  const QCPRange fitted = plot.plot()->xAxis->range();
+  test::wheel(plot.plot(), on_screen(plot, 5, 5), 3);
+  EXPECT_LT(plot.plot()->xAxis->range().size(), 0.8 * fitted.size());
+  test::drag(plot.plot(), on_screen(plot, 5, 5), on_screen(plot, 6, 5));
+  EXPECT_LT(plot.plot()->xAxis->range().center(), fitted.center() - 0.3);
+  const QPoint at = on_screen(plot, 5, 5).toPoint();
+  QTest::mouseDClick(plot.plot(), Qt::LeftButton, {}, at);
+  EXPECT_NEAR(plot.plot()->xAxis->range().size(), fitted.size(), 1e-9);
+}
+
+TEST(PlotWidget, SavesPngSvgAndCsvWholeOrSaysWhyNot) {
+  const TemporaryFolder folder;
+  ScatterPlot plot;
+  plot.set_axes("torque", "N m", "residual", "px");
+  plot.set_points(line_of_points());
+  test::show(plot, {400, 300});
+  for (const char* name : {"/a.png", "/a.svg", "/a.csv"}) {
+    const QString path = QString::fromStdString(folder.path.string()) + name;
+    EXPECT_EQ(plot.save(path), "") << name;
+    EXPECT_GT(QFileInfo(path).size(), 100) << name;
+  }
+  EXPECT_FALSE(QImage(QString::fromStdString(folder.path.string()) + "/a.png").isNull());
+  EXPECT_TRUE(plot.csv().startsWith("\"observation id\",\"torque (N m)\",\"residual (px)\"\n100,0,0\n"));
+  EXPECT_FALSE(plot.save("/nowhere/a.csv").isEmpty());
+}
+
+TEST(ConvergencePlot, SettlesWhereItStaysWithinTwoSigma) {
+  ConvergencePlot plot("position", "mm", {"x", "y", "z"});
+  std::vector<ConvergencePlot::Sample> samples;
+  for (int i = 1; i <= 20; ++i) {
+    const double x = i < 8 ? 0.010 : 0.001;  // m; sigma 1 mm
+    samples.push_back({i, i, {x, i * 0.01, 0}, {0.001, 0.001, 0.001}});
+  }
+  plot.set_samples(samples);
+  EXPECT_EQ(plot.settled_at(0), 8);
+  EXPECT_EQ(plot.settled_at(1), 0);  // still moves by ten sigma a step
+  EXPECT_EQ(plot.settled_at(2), 1);
+}
+
+TEST(ConvergencePlot, ClickSelectsTheObservationOfThatCount) {
+  ConvergencePlot plot("position", "mm", {"x", "y", "z"});
+  std::vector<ConvergencePlot::Sample> samples;
+  for (int i = 1; i <= 20; ++i) samples.push_back({i, 100 + i, {0, 0, 0}, {0.001, 0.001, 0.001}});
+  plot.set_samples(samples);
+  test::show(plot, {500, 200});
+  QSignalSpy selected(&plot, &ConvergencePlot::observation_selected);
+  test::click(plot.plot(), on_screen(plot, 12.2, 0));
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toLongLong(), 112);
+}
+
+TEST(HistogramPlot, TheThresholdCanBeDraggedAndNamesWhatIsBeyond) {
+  HistogramPlot plot;
+  std::vector<ObservationCell> cells;
+  for (int i = 0; i < 20; ++i) cells.push_back({i, CellState::used, i < 17 ? 1.0 : 12.0, {}, 12, {}});
+  cells[19].state = CellState::excluded;
+  plot.set_cells(cells);
+  plot.set_noise(0.2, "px");
+  plot.set_threshold(30);
+  test::show(plot, {420, 300});
+  plot.fit();
+  EXPECT_TRUE(plot.beyond_threshold().empty());
+  plot.set_threshold(2);
+  QSignalSpy set(&plot, &HistogramPlot::threshold_set);
+  test::drag(plot.plot(), on_screen(plot, std::log10(2.0), 3), on_screen(plot, std::log10(5.0), 3));
+  ASSERT_EQ(set.size(), 1);
+  EXPECT_NEAR(set[0][0].toDouble(), 5, 0.3);
+  EXPECT_THAT(set[0][1].value<std::vector<qint64>>(), ElementsAre(17, 18));
+}
+
+TEST(ResidualMap, ExaggerationIsARoundNumber) {
+  ResidualMap map;
+  map.set_image_size(640, 480);
+  std::vector<MapPoint> points;
+  for (int i = 0; i < 50; ++i)
+    points.push_back({i, 0, ImageSide::left, Vector2(10 * i, 5 * i), Vector2(0.3, -0.2), 1.5});
+  map.set_points(points);
+  EXPECT_DOUBLE_EQ(map.exaggeration(), 100);  // 640 / 12 / 0.36 = 148
+  test::show(map, {420, 340});
+  QSignalSpy selected(&map, &ResidualMap::observation_selected);
+  test::click(map.plot(), on_screen(map, 200, 100));
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toLongLong(), 20);
+  // v grows downward, and both axes have one scale.
+  EXPECT_GT(on_screen(map, 0, 400).y(), on_screen(map, 0, 100).y());
+  EXPECT_NEAR(on_screen(map, 100, 0).x() - on_screen(map, 0, 0).x(),
+              on_screen(map, 0, 100).y() - on_screen(map, 0, 0).y(), 1.5);
+}
+
+}  // namespace
+}  // namespace handsight::widgets

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/robot_view.h"
+
+#include <gmock/gmock.h>
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QSignalSpy>
+
+#include "widgets/mouse.h"
+#include "widgets/sample_data.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+/// How many of the picture's pixels are neither ground nor nearly so.
+double share_of_marks(const QImage& image) {
+  const QColor ground = colors().panel;
+  int count = 0, all = 0;
+  for (int y = 0; y < image.height(); y += 3) {
+    for (int x = 0; x < image.width(); x += 3, ++all) {
+      const QColor c = image.pixelColor(x, y);
+      if (std::abs(c.red() - ground.red()) + std::abs(c.green() - ground.green()) > 60) ++count;
+    }
+  }
+  return static_cast<double>(count) / all;
+}
+
+class RobotViewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    data_ = test::read_sample("hundred_poses");
+    view_.set_robot(data_.session.robot, folder(data_.session));
+    view_.set_posture(data_.posture(0));
+    view_.set_tcp(data_.root_from_tcp(0));
+    view_.set_cameras(data_.cameras(0));
+  }
+  test::SampleData data_;
+  RobotView view_;
+};
+
+TEST_F(RobotViewTest, ShowsTheRobotInBothThemesAndAfterReparenting) {
+  test::show(view_, {500, 400});
+  QTest::qWait(200);
+  EXPECT_GT(share_of_marks(view_.picture()), 0.02);
+  EXPECT_EQ(view_.picture().pixelColor(3, 3).alpha(), 255);
+  QWidget window;
+  auto* layout = new QHBoxLayout(&window);
+  layout->addWidget(&view_);
+  test::show(window, {600, 500});
+  QTest::qWait(200);
+  EXPECT_GT(share_of_marks(view_.picture()), 0.02);
+  apply_theme(*qApp, ThemeKind::dark);
+  QTest::qWait(200);
+  EXPECT_EQ(view_.picture().pixelColor(3, 60), colors_of(ThemeKind::dark).panel);
+  apply_theme(*qApp, ThemeKind::light);
+  view_.setParent(nullptr);
+}
+
+TEST_F(RobotViewTest, ClickOnAnArrowChoosesItsObservation) {
+  const Vector3 from = data_.root_from_tcp(0).translation + Vector3(0, 0, 0.5);
+  view_.set_arrows(
+      {{17, from, Vector3(0, 0, 0.01), 3.0, 12}, {18, from + Vector3(0, 0.4, 0), Vector3(0, 0, 0.01), 3.0, 12}});
+  view_.set_arrow_magnification(20);
+  test::show(view_, {500, 400});
+  QTest::qWait(200);
+  QSignalSpy selected(&view_, &RobotView::observation_selected), hovered(&view_, &RobotView::observation_hovered);
+  const Vector3 tip = *view_.arrow_tip(17);
+  EXPECT_NEAR((tip - from).norm(), 0.2, 1e-9);
+  const QPointF middle = (*view_.to_screen(from) + *view_.to_screen(tip)) / 2;
+  test::hover(&view_, middle);
+  ASSERT_EQ(hovered.size(), 1);
+  EXPECT_EQ(hovered[0][0].toLongLong(), 17);
+  test::click(&view_, middle);
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toLongLong(), 17);
+}
+
+TEST_F(RobotViewTest, WhereAPointIsSaidToBeItIsDrawn) {
+  const Vector3 at = data_.root_from_tcp(0).translation + Vector3(0.3, 0, 0.6);
+  test::show(view_, {500, 400});
+  QTest::qWait(200);
+  const QImage before = view_.picture();
+  SceneMarker marker{0, at, SceneMarkerRole::measured, 30.0};
+  view_.set_markers({marker});
+  view_.look(StandardView::tcp);
+  view_.look(StandardView::all);
+  QTest::qWait(200);
+  const QImage after = view_.picture();
+  const QPointF where = *view_.to_screen(at) * view_.devicePixelRatioF();
+  int nearest = 1000;
+  for (int y = 0; y < after.height(); ++y)
+    for (int x = 0; x < after.width(); ++x)
+      if (after.pixelColor(x, y).red() < 110 && after.pixelColor(x, y) != before.pixelColor(x, y))
+        nearest = std::min(nearest, static_cast<int>(std::hypot(x - where.x(), y - where.y())));
+  EXPECT_LE(nearest, 3);
+}
+
+TEST_F(RobotViewTest, ClickOnALinkNamesTheJointThatMovesIt) {
+  test::show(view_, {500, 400});
+  view_.look(StandardView::tcp);
+  QTest::qWait(200);
+  QSignalSpy joint(&view_, &RobotView::joint_selected);
+  for (int y = 380; y > 20 && joint.isEmpty(); y -= 20)
+    for (int x = 20; x < 480 && joint.isEmpty(); x += 20) test::click(&view_, QPointF(x, y));
+  ASSERT_FALSE(joint.isEmpty());
+  const int index = find_joint(data_.session.robot, joint[0][0].toString().toStdString());
+  ASSERT_GE(index, 0);
+  EXPECT_TRUE(data_.session.robot.joints[static_cast<std::size_t>(index)].moves());
+}
+
+TEST_F(RobotViewTest, DraggingOrbitsAndNeverRolls) {
+  test::show(view_, {500, 400});
+  const Vector3 low(0, 0, 0), high(0, 0, 1);
+  test::drag(&view_, {250, 200}, {330, 160});
+  const QPointF a = *view_.to_screen(low), b = *view_.to_screen(high);
+  EXPECT_LT(b.y(), a.y());
+  QSignalSpy selected(&view_, &RobotView::observation_selected);
+  test::drag(&view_, {250, 200}, {280, 260});
+  EXPECT_TRUE(selected.isEmpty());
+}
+
+}  // namespace
+}  // namespace handsight::widgets

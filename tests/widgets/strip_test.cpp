@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <QSignalSpy>
+
+#include "widgets/mouse.h"
+#include "widgets/observation_strip.h"
+#include "widgets/sample_data.h"
+#include "widgets/theme.h"
+#include "widgets/three_numbers.h"
+
+namespace handsight::widgets {
+namespace {
+
+TEST(ObservationStrip, ClickSelectsAndArrowsStep) {
+  ObservationStrip strip;
+  strip.set_cells(test::many_cells(100));
+  test::show(strip, {1100, 72});
+  QSignalSpy selected(&strip, &ObservationStrip::observation_selected);
+  test::click(&strip, strip.cell_rect(37).center());
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toLongLong(), 37);
+  strip.setFocus();
+  QTest::keyClick(&strip, Qt::Key_Right);
+  QTest::keyClick(&strip, Qt::Key_Left);
+  QTest::keyClick(&strip, Qt::Key_Left);
+  EXPECT_EQ(strip.selected(), 36);
+  QTest::keyClick(&strip, Qt::Key_End);
+  EXPECT_EQ(strip.selected(), 99);
+}
+
+TEST(ObservationStrip, ShiftAndDragSelectMany) {
+  ObservationStrip strip;
+  strip.set_cells(test::many_cells(100));
+  test::show(strip, {1100, 72});
+  QSignalSpy many(&strip, &ObservationStrip::observations_selected);
+  test::drag(&strip, strip.cell_rect(10).center(), strip.cell_rect(14).center());
+  ASSERT_EQ(many.size(), 1);
+  EXPECT_THAT(many[0][0].value<std::vector<qint64>>(), testing::ElementsAre(10, 11, 12, 13, 14));
+}
+
+// The setter is told by the selection, not by the user: it must not answer, or signals would bounce.
+TEST(ObservationStrip, SettingTheSelectionSaysNothing) {
+  ObservationStrip strip;
+  strip.set_cells(test::many_cells(100));
+  QSignalSpy selected(&strip, &ObservationStrip::observation_selected);
+  strip.set_selected(5);
+  EXPECT_EQ(selected.size(), 0);
+}
+
+TEST(ObservationStrip, OfTenThousandTheWorstShowsAndTheWheelFindsSingleCells) {
+  ObservationStrip strip;
+  auto cells = test::many_cells(10000);
+  for (auto& cell : cells) cell.rms_over_sigma = 0.8;
+  cells[5000].rms_over_sigma = 30;
+  strip.set_cells(cells);
+  test::show(strip, {1200, 72});
+  const QImage image = strip.grab().toImage();
+  const QPoint at = strip.cell_rect(5000).center().toPoint();
+  bool is_shown = false;
+  for (int x = at.x() - 2; x <= at.x() + 2; ++x) is_shown |= image.pixelColor(x, at.y()) == colors().residual[5];
+  EXPECT_TRUE(is_shown);
+  const QPointF middle = strip.cell_rect(5000).center();
+  for (int i = 0; i < 30; ++i) test::wheel(&strip, middle, 1);
+  EXPECT_GT(strip.cell_rect(5000).width(), 10);
+  EXPECT_EQ(strip.cell_at(strip.cell_rect(5001).center()), 5001);
+}
+
+TEST(ThreeNumbers, AClickOnAStepChoosesThatVersion) {
+  ThreeNumbers three;
+  ErrorNumbers n;
+  n.now = 0.24, n.noise = 0.2;
+  n.versions = {{"first", 9.0, 9.1, false, {}}, {"second", 0.2, 0.24, false, {}}};
+  three.set_numbers(n);
+  test::show(three, three.sizeHint());
+  QSignalSpy chosen(&three, &ThreeNumbers::version_selected), read(&three, &ThreeNumbers::read_out);
+  test::hover(&three, three.step_rect(0).center());
+  ASSERT_EQ(read.size(), 1);
+  EXPECT_THAT(read[0][0].toString().toStdString(), testing::HasSubstr("9.1"));
+  test::click(&three, three.step_rect(0).center());
+  ASSERT_EQ(chosen.size(), 1);
+  EXPECT_EQ(chosen[0][0].toInt(), 0);
+}
+
+}  // namespace
+}  // namespace handsight::widgets

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/theme.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "widgets/number_text.h"
+
+namespace handsight::widgets {
+namespace {
+
+double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+
+double luminance(const QColor& c) {
+  return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+  const double high = std::max(luminance(a), luminance(b)), low = std::min(luminance(a), luminance(b));
+  return (high + 0.05) / (low + 0.05);
+}
+
+TEST(Theme, InksCanBeReadOnEveryGround) {
+  for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+    const Colors& c = colors_of(kind);
+    for (const QColor& ground : {c.window, c.panel, c.sunken})
+      for (const QColor& ink : {c.ink1, c.ink2, c.ink3}) EXPECT_GE(contrast(ink, ground), 4.5);
+    EXPECT_GE(contrast(c.good, c.good_tint), 4.5);
+    EXPECT_GE(contrast(c.care, c.care_tint), 4.5);
+    EXPECT_GE(contrast(c.bad, c.bad_tint), 4.5);
+  }
+}
+
+TEST(Theme, ResidualRampGrowsInContrastWithTheGround) {
+  for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+    const Colors& c = colors_of(kind);
+    for (std::size_t i = 1; i < 6; ++i)
+      EXPECT_GT(contrast(c.residual[i], c.panel), contrast(c.residual[i - 1], c.panel)) << i;
+  }
+}
+
+// The figures of the chi-square distribution's 99 % quantile: 9.210, 13.277, 26.217 for 2, 4, 12 degrees of freedom.
+TEST(Theme, NoiseLimitIsThatOfTheChiSquare) {
+  EXPECT_NEAR(noise_limit(2), std::sqrt(9.210 / 2), 1e-3);
+  EXPECT_NEAR(noise_limit(4), std::sqrt(13.277 / 4), 1e-3);
+  EXPECT_NEAR(noise_limit(12), std::sqrt(26.217 / 12), 1e-3);
+}
+
+TEST(Theme, StepsAreAbsolute) {
+  EXPECT_EQ(residual_step(0.5, 12), 0);
+  EXPECT_EQ(residual_step(1.4, 12), 1);
+  EXPECT_EQ(residual_step(1.6, 12), 2);
+  EXPECT_EQ(residual_step(1.6, 2), 1);
+  EXPECT_EQ(residual_step(4, 12), 3);
+  EXPECT_EQ(residual_step(9.9, 12), 4);
+  EXPECT_EQ(residual_step(1e9, 12), 5);
+}
+
+TEST(NumberText, SigmaHasTwoDigitsAndTheValueTheSamePlace) {
+  EXPECT_EQ(with_sigma_text(12.3456, 0.0512), QString("12.346 ± 0.051"));
+  EXPECT_EQ(with_sigma_text(-103.2, 1.6), QString("−103.2 ± 1.6"));
+  EXPECT_EQ(with_sigma_text(1.18e-4, 3e-6), QString("(1.180 ± 0.030)·10⁻⁴"));
+  EXPECT_EQ(with_sigma_text(std::nullopt, 1.0), QString("-"));
+}
+
+TEST(NumberText, NothingUglyIsEverShown) {
+  EXPECT_EQ(fixed_text(-1e-16, 3), QString("0.000"));
+  EXPECT_EQ(fixed_text(std::nan(""), 3), QString("-"));
+  EXPECT_EQ(short_text(0.2399), QString("0.24"));
+  EXPECT_EQ(short_text(9.96), QString("10"));
+  EXPECT_EQ(short_text(45.3), QString("45"));
+  EXPECT_EQ(short_text(-2.5), QString("−2.5"));
+}
+
+}  // namespace
+}  // namespace handsight::widgets

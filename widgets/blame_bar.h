@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Three-way blame: how much of a residual comes from the cameras (C), the marker body (B), the robot (R).
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+namespace handsight::widgets {
+
+/// Shares of the squared residual, 0 to 1, together at most 1.
+struct Blame {
+  double cameras = 0, body = 0, robot = 0;
+};
+
+/// A bar in three colours with the letters and per cents, and a sentence below.
+class BlameBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit BlameBar(QWidget* parent = nullptr);
+  void set_blame(std::optional<Blame> blame);
+  /// In words: what it is, what would make it right. Wraps.
+  void set_sentence(const QString& sentence);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::optional<Blame> blame_;
+  QString sentence_;
+};
+
+}  // namespace handsight::widgets

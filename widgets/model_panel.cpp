@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model_panel.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/number_text.h"
+#include "widgets/paint_tools.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+/// One parameter: name, value with sigma and unit, and the bar against what is plausible.
+class ParameterRow : public QWidget {
+ public:
+  ParameterRow(ModelParameter parameter, bool is_candidate, bool is_selected, QWidget* parent)
+      : QWidget(parent), parameter_(std::move(parameter)), is_candidate_(is_candidate), is_selected_(is_selected) {
+    setFixedHeight(bar_top() + (parameter_.plausible ? 10 : 2));
+    setToolTip(QStringLiteral("%1 %2%3").arg(name(), value(), plausible()));
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Colors& c = colors();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (is_selected_) painter.fillRect(rect(), c.selected_row);
+    const bool is_long = !parameter_.of.isEmpty();
+    const QRectF line(0, is_long ? 18 : 0, width(), 20);
+    painter.setFont(number_font(TextRole::small));
+    const double wide = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value()) + 2, line.width() * 0.72);
+    painter.setPen(is_candidate_ ? c.candidate : c.ink1);
+    draw_text(painter, line.adjusted(line.width() - wide, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, value());
+    painter.setFont(text_font(TextRole::small));
+    painter.setPen(c.ink2);
+    if (is_long) {
+      draw_text(painter, QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter, parameter_.of);
+      draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, parameter_.name);
+    } else {
+      draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, name());
+    }
+    if (parameter_.plausible && *parameter_.plausible > 0) paint_bar(painter, QRectF(0, bar_top() + 2, width(), 6));
+  }
+
+ private:
+  void paint_bar(QPainter& painter, const QRectF& bar) const {
+    const Colors& c = colors();
+    constexpr double most = 3;  // plausible deviations to each side
+    painter.fillRect(bar, c.sunken);
+    const auto x_of = [&](double deviations) {
+      return bar.center().x() + bar.width() / 2 * std::clamp(deviations / most, -1.0, 1.0);
+    };
+    painter.fillRect(QRectF(x_of(-1), bar.top(), x_of(1) - x_of(-1), bar.height()), c.hairline);
+    painter.setPen(QPen(c.control_edge, 1));
+    painter.drawLine(QPointF(bar.center().x(), bar.top() - 1), QPointF(bar.center().x(), bar.bottom() + 1));
+    if (!parameter_.value) return;
+    const double value = *parameter_.value / *parameter_.plausible;
+    const bool is_beyond = std::abs(value) > most;
+    const QColor ink = is_candidate_ ? c.candidate : is_beyond ? c.bad : c.ink1;
+    if (parameter_.sigma) {
+      const double sigma = *parameter_.sigma / *parameter_.plausible;
+      painter.setPen(QPen(ink, 1));
+      painter.drawLine(QPointF(x_of(value - sigma), bar.center().y()), QPointF(x_of(value + sigma), bar.center().y()));
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    painter.drawRect(QRectF(x_of(value) - 1.5, bar.top() - 1, 3, bar.height() + 2));
+  }
+  /// A joint's name takes a line of its own above the parameter's.
+  int bar_top() const { return parameter_.of.isEmpty() ? 22 : 40; }
+  QString name() const {
+    return parameter_.of.isEmpty() ? parameter_.name : parameter_.of + QStringLiteral("  ") + parameter_.name;
+  }
+  QString value() const {
+    const QString text = with_sigma_text(parameter_.value, parameter_.sigma);
+    return parameter_.unit.isEmpty() || !parameter_.value ? text : text + QChar(0x00A0) + parameter_.unit;
+  }
+  QString plausible() const {
+    if (!parameter_.plausible) return {};
+    return QStringLiteral(", plausible within about ± ") + with_unit_text(parameter_.plausible, parameter_.unit);
+  }
+
+  ModelParameter parameter_;
+  bool is_candidate_, is_selected_;
+};
+
+}  // namespace
+
+ModelPanel::ModelPanel(QWidget* parent) : QFrame(parent), empty_text_(QStringLiteral("No model yet.")) {
+  setFrameShape(QFrame::NoFrame);
+  setAutoFillBackground(true);
+  setBackgroundRole(QPalette::Base);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGap, 6, 0, 0);
+  layout->setSpacing(4);
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(0, 0, 4, 0);
+  title_ = new QLabel(QStringLiteral("Model"), this);
+  title_->setFont(text_font(TextRole::title));
+  headline_ = new QLabel(this);
+  headline_->setFont(number_font(TextRole::body));
+  fold_ = new QToolButton(this);
+  fold_->setAutoRaise(true);
+  fold_->setFixedSize(28, 28);
+  fold_->setAccessibleName(QStringLiteral("Fold the model panel"));
+  head->addWidget(title_);
+  head->addStretch(1);
+  head->addWidget(headline_);
+  head->addWidget(fold_);
+  layout->addLayout(head);
+  scroll_ = new QScrollArea(this);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  content_ = new QWidget(scroll_);
+  content_->setBackgroundRole(QPalette::Base);
+  content_->setAutoFillBackground(true);
+  list_ = new QVBoxLayout(content_);
+  list_->setContentsMargins(0, 0, kGap, kGap);
+  list_->setSpacing(kGap);
+  scroll_->setWidget(content_);
+  layout->addWidget(scroll_, 1);
+  layout->addStretch(0);
+  connect(fold_, &QToolButton::clicked, this, [this] {
+    set_folded(!is_folded_);
+    emit folded_changed(is_folded_);
+  });
+  is_folded_ = true;
+  set_folded(false);
+  rebuild();
+}
+
+void ModelPanel::set_effects(std::vector<ModelEffect> effects) {
+  effects_ = std::move(effects);
+  rebuild();
+}
+
+void ModelPanel::set_headline(const QString& text) {
+  headline_text_ = text;
+  refresh_texts();
+}
+
+void ModelPanel::set_empty_text(const QString& text) {
+  empty_text_ = text;
+  if (effects_.empty()) rebuild();
+}
+
+void ModelPanel::set_busy(bool busy) {
+  is_busy_ = busy;
+  refresh_texts();
+}
+
+void ModelPanel::set_folded(bool folded) {
+  if (folded == is_folded_) return;
+  is_folded_ = folded;
+  setFixedWidth(folded ? 36 : 288);
+  layout()->setContentsMargins(folded ? 4 : kGap, 6, 0, 0);
+  title_->setVisible(!folded);
+  headline_->setVisible(!folded);
+  scroll_->setVisible(!folded);
+  static_cast<QVBoxLayout*>(layout())->setStretch(2, folded ? 1 : 0);
+  fold_->setArrowType(folded ? Qt::LeftArrow : Qt::RightArrow);
+  fold_->setToolTip(folded ? QStringLiteral("Show the model (M)") : QStringLiteral("Fold the model away (M)"));
+}
+
+void ModelPanel::set_selected_joint(const QString& joint) {
+  if (joint == selected_joint_) return;
+  selected_joint_ = joint;
+  rebuild();
+}
+
+void ModelPanel::refresh_texts() { headline_->setText(is_busy_ ? QStringLiteral("fitting ...") : headline_text_); }
+
+QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
+  const Colors& c = colors();
+  auto* box = new QWidget(content_);
+  box->setProperty("effect", effect.id);
+  box->installEventFilter(this);
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  QPalette tinted = palette();
+  if (effect.is_candidate) {
+    tinted.setColor(QPalette::WindowText, c.candidate);
+    tinted.setColor(QPalette::ButtonText, c.candidate);
+  }
+  if (effect.is_permanent) {
+    auto* title = new QLabel(effect.title, box);
+    QFont font = text_font(TextRole::body);
+    font.setWeight(QFont::DemiBold);
+    title->setFont(font);
+    title->setPalette(tinted);
+    title->setForegroundRole(QPalette::WindowText);
+    title->setWordWrap(true);
+    title->setToolTip(effect.help);
+    layout->addWidget(title);
+  } else {
+    auto* check = new QCheckBox(effect.title, box);
+    check->setObjectName(QStringLiteral("effect_") + effect.id);
+    check->setChecked(effect.is_in_model);
+    check->setEnabled(effect.can_change);
+    check->setToolTip(effect.help);
+    check->setMinimumHeight(kRowHeight);
+    check->setPalette(tinted);
+    connect(check, &QCheckBox::clicked, this, [this, id = effect.id](bool on) { emit effect_toggled(id, on); });
+    layout->addWidget(check);
+  }
+  for (const ModelParameter& parameter : effect.parameters) {
+    const bool is_selected = !parameter.of.isEmpty() && parameter.of == selected_joint_;
+    auto* row = new ParameterRow(parameter, effect.is_candidate, is_selected, box);
+    row->setProperty("joint", parameter.of);
+    row->installEventFilter(this);
+    if (!parameter.of.isEmpty()) row->setCursor(Qt::PointingHandCursor);
+    layout->addWidget(row);
+  }
+  if (!effect.note.isEmpty()) {
+    auto* note = new QLabel(effect.note, box);
+    note->setWordWrap(true);
+    note->setFont(text_font(TextRole::small));
+    QPalette inks = palette();
+    inks.setColor(QPalette::WindowText, effect.note_is_warning ? c.care : c.ink2);
+    note->setPalette(inks);
+    note->setForegroundRole(QPalette::WindowText);
+    layout->addWidget(note);
+  }
+  return box;
+}
+
+void ModelPanel::rebuild() {
+  while (QLayoutItem* item = list_->takeAt(0)) {
+    if (item->widget()) {
+      // A check box's own click may be what led here: it must outlive its signal.
+      item->widget()->hide();
+      item->widget()->deleteLater();
+    }
+    delete item;
+  }
+  for (const ModelEffect& effect : effects_) list_->addWidget(make_effect(effect));
+  if (effects_.empty()) {
+    auto* empty = new QLabel(empty_text_, content_);
+    empty->setWordWrap(true);
+    list_->addWidget(empty);
+  }
+  list_->addStretch(1);
+  refresh_texts();
+}
+
+bool ModelPanel::eventFilter(QObject* watched, QEvent* event) {
+  const QString id = watched->property("effect").toString();
+  const QString joint = watched->property("joint").toString();
+  if (!id.isEmpty() && event->type() == QEvent::Enter) emit effect_hovered(id);
+  if (!id.isEmpty() && event->type() == QEvent::Leave) emit effect_hovered({});
+  if (event->type() == QEvent::MouseButtonRelease) {
+    if (!joint.isEmpty()) {
+      emit joint_selected(joint);
+      return true;
+    }
+    if (!id.isEmpty()) emit effect_chosen(id);
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+void ModelPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && list_) rebuild();
+  QFrame::changeEvent(event);
+}
+
+}  // namespace handsight::widgets

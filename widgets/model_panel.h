@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model panel: the effects in the model with a check box each, their parameters against what is plausible.
+#pragma once
+
+#include <QFrame>
+#include <optional>
+#include <vector>
+
+class QLabel;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace handsight::widgets {
+
+struct ModelParameter {
+  QString of;  // joint, marker or camera that it belongs to; may be empty
+  QString name;
+  std::optional<double> value, sigma;  // in `unit`
+  QString unit;
+  std::optional<double> plausible;  // one standard deviation of what is plausible; absent: no bar
+};
+
+struct ModelEffect {
+  QString id;     // what signals say; unique in the panel
+  QString title;  // "TCP->Body", "Camera mount", "Joint elasticity"
+  QString help;   // tool tip: cause, where it shows
+  bool is_in_model = false;
+  bool is_permanent = false;  // no check box: always part of the model
+  bool can_change = true;     // false: the check box is disabled, `note` says why
+  bool is_candidate = false;  // being tried: purple
+  QString note;               // a sentence: "implausible ...", "cannot be seen on these poses"
+  bool note_is_warning = false;
+  std::vector<ModelParameter> parameters;
+};
+
+/// 288 px wide, folds to 36. Parameters show as name, value and sigma in the unit, and a bar: the value between minus
+/// and plus three plausible deviations with its own sigma as a whisker.
+class ModelPanel : public QFrame {
+  Q_OBJECT
+ public:
+  explicit ModelPanel(QWidget* parent = nullptr);
+  void set_effects(std::vector<ModelEffect> effects);
+  void set_headline(const QString& text);    // beside the title: "9.1 px"
+  void set_empty_text(const QString& text);  // where there are no effects
+  void set_busy(bool busy);                  // a refit runs: says so, boxes stay usable
+  void set_folded(bool folded);
+  void set_selected_joint(const QString& joint);
+  bool is_folded() const { return is_folded_; }
+
+ signals:
+  void effect_toggled(const QString& id, bool in_model);
+  void effect_chosen(const QString& id);      // its title was clicked
+  void effect_hovered(const QString& id);     // empty: left
+  void joint_selected(const QString& joint);  // the `of` of a parameter was clicked
+  void folded_changed(bool folded);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void rebuild();
+  void refresh_texts();
+  QWidget* make_effect(const ModelEffect& effect);
+
+  std::vector<ModelEffect> effects_;
+  QString headline_text_, empty_text_, selected_joint_;
+  bool is_folded_ = false, is_busy_ = false;
+  QLabel *title_, *headline_;
+  QToolButton* fold_;
+  QScrollArea* scroll_;
+  QWidget* content_;
+  QVBoxLayout* list_ = nullptr;
+};
+
+}  // namespace handsight::widgets

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The read-out line: what is selected as crumbs, what is under the pointer, and the last thing that was done.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QLabel;
+class QTimer;
+class QToolButton;
+
+namespace handsight::widgets {
+
+/// 24 px high. "Selected: obs 37 > marker 2 > left 6.4 px" | "Pointer: obs 41 ...". A message takes the pointer's slot
+/// for a few seconds and stays until the pointer says something.
+class ReadOutLine : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ReadOutLine(QWidget* parent = nullptr);
+  void set_crumbs(const QStringList& crumbs);  // outermost first; empty: "Nothing selected"
+  void set_pointer(const QString& text);       // empty: nothing under the pointer
+  void show_message(const QString& sentence, const QString& action = {});
+  QString pointer_text() const;
+  QSize sizeHint() const override;
+
+ signals:
+  void crumb_clicked(int index);
+  void action_clicked();  // the button of the message, "Undo" for instance
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void rebuild();
+  void show_right();
+
+  QStringList crumbs_;
+  QString pointer_, message_;
+  QWidget* left_;
+  QLabel* right_;
+  QToolButton* action_;
+  QTimer* timer_;
+};
+
+}  // namespace handsight::widgets

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Residuals over the image plane, through three lenses.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "geometry/rigid.h"
+#include "widgets/cells.h"
+#include "widgets/plot_widget.h"
+
+namespace handsight::widgets {
+
+struct MapPoint {
+  ObservationId observation = kNoObservation;
+  int marker = 0;
+  ImageSide side = ImageSide::left;
+  Vector2 position{0, 0};  // px
+  Vector2 residual{0, 0};  // px, measured - predicted
+  std::optional<double> rms_over_sigma;
+};
+
+/// size: discs coloured by the residual scale; arrows: exaggerated 1-2-5 with a scale bar in px; direction: cyclic
+/// colour, a cluster of one colour is a bias.
+enum class MapLens { size, arrows, direction };
+
+/// The whole image of one or both cameras, v down, with the mean residual per region and how many points it has, so
+/// that empty corners show.
+class ResidualMap : public PlotWidget {
+  Q_OBJECT
+ public:
+  explicit ResidualMap(QWidget* parent = nullptr);
+  void set_image_size(int width, int height);
+  void set_points(std::vector<MapPoint> points);
+  void set_side(std::optional<ImageSide> side);  // nothing: both
+  void set_lens(MapLens lens);
+  MapLens lens() const { return lens_; }
+  void set_regions(bool shown);
+  void set_selected(ObservationId id);
+  void set_hovered(ObservationId id);
+  double exaggeration() const;  // of the arrows: 1, 2, 5, 10, ...
+  void fit() override;
+
+ signals:
+  void observation_selected(qint64 id);
+  void observation_hovered(qint64 id);
+  void observations_selected(const std::vector<qint64>& ids);  // a rectangle, with Shift
+  void lens_changed(handsight::widgets::MapLens lens);
+
+ protected:
+  void restyle() override;
+  std::vector<PlotColumn> columns() const override;
+  QString text_at(const QPointF& position) override;
+  void clicked_at(const QPointF& position, Qt::KeyboardModifiers modifiers) override;
+  void brushed(const QRectF& in_plot) override;
+  bool is_empty() const override { return points_.empty(); }
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Layers;
+  void fill();
+  void fill_arrows();
+  void fill_regions();
+  void ring();
+  bool is_shown(const MapPoint& point) const { return !side_ || point.side == *side_; }
+  const MapPoint* point_at(const QPointF& position) const;
+
+  std::vector<MapPoint> points_;
+  int width_ = 640, height_ = 480;
+  std::optional<ImageSide> side_;
+  MapLens lens_ = MapLens::arrows;
+  bool has_regions_ = true;
+  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  std::shared_ptr<Layers> layers_;
+};
+
+}  // namespace handsight::widgets

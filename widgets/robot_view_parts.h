@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a RobotView holds. Internal to robot_view*.cpp.
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <array>
+#include <functional>
+
+#include "widgets/robot_view.h"
+#include "widgets/scene/gl_window.h"
+#include "widgets/scene/marks.h"
+#include "widgets/scene/orbit.h"
+#include "widgets/scene/robot_actors.h"
+
+class QToolButton;
+
+namespace handsight::widgets {
+
+/// Names and numbers, painted by Qt over the 3D picture.
+class SceneLabels : public QWidget {
+ public:
+  explicit SceneLabels(RobotView* view, std::function<void(QPainter&)> paint);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::function<void(QPainter&)> paint_;
+};
+
+struct RobotView::Parts {
+  explicit Parts(RobotView& view) : gl(view) {}
+
+  GlWindow gl;
+  vtkNew<vtkRenderer> renderer;
+  Orbit orbit;
+  SceneLabels* labels = nullptr;
+  QWidget* buttons = nullptr;
+
+  Robot robot;
+  std::filesystem::path mesh_folder;
+  std::vector<Rigid> posture;
+  std::optional<std::vector<Rigid>> bent;
+  double ghost_times = 20, arrow_times = 20;
+  std::vector<SceneCamera> cameras;
+  std::optional<Rigid> tcp, tcp_est;
+  std::vector<SceneMarker> markers;
+  std::vector<SceneArrow> arrows;
+  std::optional<SceneEllipsoid> ellipsoid;
+  ObservationId selected = kNoObservation, hovered = kNoObservation;
+  QString selected_joint, empty_text;
+
+  RobotActors links, ghost;
+  ActorGroup floor, camera_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
+  // What has to be made anew before the next picture: actors may only go while the context is current.
+  bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, arrows_changed = true,
+       rings_changed = true, theme_changed = true;
+  bool wants_fit = true;
+
+  // What the pointer does.
+  Qt::MouseButton button = Qt::NoButton;
+  QPointF pressed_at, last_at;
+  bool has_moved = false;
+
+  void make_ready();
+  void make_robot();
+  void place_robot();
+  void make_marks();
+  void make_arrows();
+  void set_colors();
+  bool has_robot() const { return !robot.links.empty(); }
+  const SceneArrow* arrow_of(ObservationId id) const;
+  /// Middle and radius of a ball round robot and arrows.
+  std::pair<Vector3, double> extent() const;
+  void look(StandardView view);
+  std::optional<QPointF> to_screen(const Vector3& in_root, const QSizeF& size) const;
+  /// The observation whose arrow is under a position; kNoObservation where there is none.
+  ObservationId arrow_at(const QPointF& position, const QSizeF& size) const;
+  /// The link under a position (device px, origin below); -1.
+  int link_at(double x, double y);
+};
+
+}  // namespace handsight::widgets

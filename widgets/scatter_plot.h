@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A residual against what it may follow: points, trend with its band, a candidate's prediction, rectangle selection.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "widgets/cells.h"
+#include "widgets/plot_widget.h"
+
+namespace handsight::widgets {
+
+struct ScatterPoint {
+  ObservationId observation = kNoObservation;
+  double x = 0, y = 0;
+  std::optional<double> rms_over_sigma;  // colours it; absent: neutral
+  int coordinates = 12;
+};
+
+/// x ascending; `low` and `high` bound the band, equal to y where there is none.
+struct TrendPoint {
+  double x = 0, y = 0, low = 0, high = 0;
+};
+
+class ScatterPlot : public PlotWidget {
+  Q_OBJECT
+ public:
+  explicit ScatterPlot(QWidget* parent = nullptr);
+  void set_axes(const QString& x_quantity, const QString& x_unit, const QString& y_quantity, const QString& y_unit);
+  void set_points(std::vector<ScatterPoint> points);
+  void set_trend(std::vector<TrendPoint> trend);
+  void set_candidate(std::vector<TrendPoint> prediction);  // purple, dashed
+  /// Half the height that noise alone takes; the y axis never shows less than three of it.
+  void set_noise_band(std::optional<double> sigma);
+  void set_selected(ObservationId id);
+  void set_hovered(ObservationId id);
+  void set_highlighted(std::vector<ObservationId> ids);
+  void set_brushing(bool brushing);  // dragging selects instead of panning; Shift does so always
+  void fit() override;
+
+ signals:
+  void observation_selected(qint64 id);
+  void observation_hovered(qint64 id);
+  void observations_selected(const std::vector<qint64>& ids);
+
+ protected:
+  void restyle() override;
+  std::vector<PlotColumn> columns() const override;
+  QString text_at(const QPointF& position) override;
+  void clicked_at(const QPointF& position, Qt::KeyboardModifiers modifiers) override;
+  void brushed(const QRectF& in_plot) override;
+  bool is_empty() const override { return points_.empty(); }
+
+ private:
+  struct Layers;
+  void fill();
+  void ring();
+  const ScatterPoint* point_at(const QPointF& position) const;
+
+  std::vector<ScatterPoint> points_;
+  std::vector<TrendPoint> trend_, candidate_;
+  std::optional<double> noise_;
+  std::vector<ObservationId> highlighted_;
+  QString x_quantity_, x_unit_, y_quantity_, y_unit_;
+  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  std::shared_ptr<Layers> layers_;
+};
+
+}  // namespace handsight::widgets

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The eye of the 3D view: it looks at a point from a direction, z up; it never rolls.
+#pragma once
+
+#include <vtkCamera.h>
+
+#include "geometry/rigid.h"
+
+namespace handsight::widgets {
+
+struct Orbit {
+  Vector3 target{0, 0, 0.5};  // m, root frame
+  double azimuth = 0.7;       // rad, of the eye as seen from the target, from x to y
+  double elevation = 0.35;    // rad, above the horizon
+  double distance = 3.5;      // m
+
+  static constexpr double view_angle = 30;  // deg, vertical
+
+  void turn(double by_azimuth, double by_elevation);
+  /// Moves the target so that what lies at its depth follows the pointer; px of a view `height` px high.
+  void pan(double right_px, double down_px, double height_px);
+  void zoom(double factor);
+  /// Far enough away to see a ball round a point.
+  void see(const Vector3& center, double radius);
+  /// From the eye to the target.
+  Vector3 direction() const;
+  Vector3 eye() const;
+  void apply(vtkCamera& camera) const;
+};
+
+}  // namespace handsight::widgets

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/robot_actors.h"
+
+#include <vtkAppendPolyData.h>
+#include <vtkCubeSource.h>
+#include <vtkCylinderSource.h>
+#include <vtkOBJReader.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSTLReader.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace handsight::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+const QColor kPlain(0xB4, 0xB9, 0xBF);
+
+/// Where a mesh of a URDF may lie: as written, without "package://", without the package's name, by its name alone.
+std::optional<fs::path> find_mesh(const std::string& written, const fs::path& folder) {
+  std::string name = written;
+  for (const char* scheme : {"package://", "file://"})
+    if (name.rfind(scheme, 0) == 0) name.erase(0, std::string(scheme).size());
+  const fs::path path(name);
+  fs::path without_package;
+  for (auto part = path.begin(); part != path.end(); ++part)
+    if (part != path.begin()) without_package /= *part;
+  std::error_code ignored;
+  for (const fs::path& candidate : {path, folder / path, folder / without_package, folder / path.filename()})
+    if (fs::is_regular_file(candidate, ignored)) return candidate;
+  return std::nullopt;
+}
+
+vtkSmartPointer<vtkPolyData> read_mesh(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  vtkSmartPointer<vtkAbstractPolyDataReader> reader;
+  if (ending == ".stl") reader = vtkSmartPointer<vtkSTLReader>::New();
+  if (ending == ".obj") reader = vtkSmartPointer<vtkOBJReader>::New();
+  if (!reader) return nullptr;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput()->GetNumberOfCells() > 0 ? reader->GetOutput() : nullptr;
+}
+
+vtkSmartPointer<vtkPolyData> transformed(vtkAlgorithm& source, vtkTransform& transform) {
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputConnection(source.GetOutputPort());
+  filter->SetTransform(&transform);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const fs::path& folder, std::vector<QString>& notes) {
+  vtkNew<vtkTransform> transform;
+  switch (shape.kind) {
+    case ShapeKind::box: {
+      vtkNew<vtkCubeSource> cube;
+      cube->SetXLength(shape.size.x());
+      cube->SetYLength(shape.size.y());
+      cube->SetZLength(shape.size.z());
+      cube->Update();
+      return cube->GetOutput();
+    }
+    case ShapeKind::cylinder: {
+      vtkNew<vtkCylinderSource> cylinder;
+      cylinder->SetRadius(shape.size.x());
+      cylinder->SetHeight(shape.size.y());
+      cylinder->SetResolution(28);
+      transform->RotateX(90);  // VTK's cylinder stands along y
+      return transformed(*cylinder, *transform);
+    }
+    case ShapeKind::sphere:
+      return ball(Vector3::Zero(), shape.size.x());
+    case ShapeKind::mesh:
+      break;
+  }
+  const auto file = find_mesh(shape.mesh_file, folder);
+  const auto mesh = file ? read_mesh(*file) : nullptr;
+  if (!mesh) {
+    notes.push_back(file ? QStringLiteral("The mesh %1 cannot be shown: STL and OBJ files with triangles can.")
+                               .arg(QString::fromStdString(shape.mesh_file))
+                         : QStringLiteral("The mesh %1 is not there. The link is drawn without it.")
+                               .arg(QString::fromStdString(shape.mesh_file)));
+    return nullptr;
+  }
+  transform->Scale(shape.size.x(), shape.size.y(), shape.size.z());
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetTransform(transform);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// Limbs from a link's origin to the joints that it carries.
+vtkSmartPointer<vtkPolyData> limbs(const Robot& robot, int link) {
+  vtkNew<vtkAppendPolyData> all;
+  bool has_any = false;
+  for (const Joint& joint : robot.joints) {
+    if (joint.parent_link != link) continue;
+    const Vector3 end = (joint.parent_from_joint * joint.joint_from_child).translation;
+    const double length = end.norm();
+    if (length < 0.01) continue;
+    const double radius = std::clamp(0.12 * length, 0.008, 0.05);
+    all->AddInputData(rod(Vector3::Zero(), end, radius));
+    all->AddInputData(ball(end, 1.25 * radius));
+    has_any = true;
+  }
+  if (!has_any) return nullptr;
+  all->Update();
+  return all->GetOutput();
+}
+
+}  // namespace
+
+RobotActors make_robot_actors(const Robot& robot, const fs::path& mesh_folder) {
+  RobotActors actors;
+  for (int link = 0; link < static_cast<int>(robot.links.size()); ++link) {
+    bool has_shape = false;
+    for (const Shape& shape : robot.links[static_cast<std::size_t>(link)].shapes) {
+      const auto surface = shape_surface(shape, mesh_folder, actors.notes);
+      if (!surface) continue;
+      const QColor color = shape.color ? QColor::fromRgbF(static_cast<float>(std::clamp((*shape.color)[0], 0.0, 1.0)),
+                                                          static_cast<float>(std::clamp((*shape.color)[1], 0.0, 1.0)),
+                                                          static_cast<float>(std::clamp((*shape.color)[2], 0.0, 1.0)))
+                                       : kPlain;
+      actors.parts.push_back({link, shape.link_from_shape, color, make_actor(surface, color)});
+      has_shape = true;
+    }
+    if (has_shape) continue;
+    if (const auto surface = limbs(robot, link))
+      actors.parts.push_back({link, Rigid{}, kPlain, make_actor(surface, kPlain)});
+  }
+  return actors;
+}
+
+RobotActors make_ghost_actors(const RobotActors& robot, const QColor& color) {
+  RobotActors ghost;
+  for (const LinkActor& part : robot.parts) {
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(part.actor->GetMapper());
+    ghost.parts.push_back({part.link, part.link_from_shape, color, make_actor(mapper->GetInput(), color, 0.32)});
+    ghost.parts.back().actor->PickableOff();
+  }
+  return ghost;
+}
+
+void add_to(vtkRenderer& renderer, const RobotActors& actors) {
+  for (const LinkActor& part : actors.parts) renderer.AddActor(part.actor);
+}
+
+void remove_from(vtkRenderer& renderer, const RobotActors& actors) {
+  for (const LinkActor& part : actors.parts) renderer.RemoveActor(part.actor);
+}
+
+void set_visible(const RobotActors& actors, bool visible) {
+  for (const LinkActor& part : actors.parts) part.actor->SetVisibility(visible);
+}
+
+void place_links(const RobotActors& actors, const std::vector<Rigid>& root_from_link) {
+  for (const LinkActor& part : actors.parts) {
+    if (static_cast<std::size_t>(part.link) >= root_from_link.size()) continue;
+    part.actor->SetUserMatrix(vtk_matrix(root_from_link[static_cast<std::size_t>(part.link)] * part.link_from_shape));
+  }
+}
+
+std::vector<Rigid> magnified(const std::vector<Rigid>& posture, const std::vector<Rigid>& bent, double times) {
+  std::vector<Rigid> result;
+  for (std::size_t i = 0; i < std::min(posture.size(), bent.size()); ++i) {
+    const Vector3 turn = vector_from_rotation(bent[i].rotation * posture[i].rotation.transpose());
+    result.push_back({rotation_from_vector<double>(times * turn) * posture[i].rotation,
+                      posture[i].translation + times * (bent[i].translation - posture[i].translation)});
+  }
+  return result;
+}
+
+}  // namespace handsight::widgets

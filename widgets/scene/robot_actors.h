@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A robot's links as actors, by their visuals or as plausible limbs.
+#pragma once
+
+#include <vtkRenderer.h>
+
+#include <QString>
+#include <filesystem>
+#include <vector>
+
+#include "robot/robot.h"
+#include "widgets/scene/vtk_tools.h"
+
+namespace handsight::widgets {
+
+struct LinkActor {
+  int link = 0;
+  Rigid link_from_shape;
+  QColor color;
+  vtkSmartPointer<vtkActor> actor;
+};
+
+struct RobotActors {
+  std::vector<LinkActor> parts;
+  std::vector<QString> notes;  // meshes that could not be shown, a sentence each
+};
+
+/// Shapes of every link; a link without any gets limbs from its frame to those of the joints that it carries.
+RobotActors make_robot_actors(const Robot& robot, const std::filesystem::path& mesh_folder);
+
+/// The same surfaces again, all in one translucent colour.
+RobotActors make_ghost_actors(const RobotActors& robot, const QColor& color);
+
+void add_to(vtkRenderer& renderer, const RobotActors& actors);
+void remove_from(vtkRenderer& renderer, const RobotActors& actors);
+void set_visible(const RobotActors& actors, bool visible);
+
+/// One motion per link of the robot.
+void place_links(const RobotActors& actors, const std::vector<Rigid>& root_from_link);
+
+/// posture + times * (bent - posture), link by link.
+std::vector<Rigid> magnified(const std::vector<Rigid>& posture, const std::vector<Rigid>& bent, double times);
+
+}  // namespace handsight::widgets

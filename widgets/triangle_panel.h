@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The panel of the Label workspace: the triangulated triangle, its sides with sigma, and whether it will do.
+#pragma once
+
+#include <QFrame>
+#include <optional>
+#include <vector>
+
+#include "geometry/rigid.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace handsight::widgets {
+
+class TriangleSketch;
+
+/// One marker as it stands: where it is in each image and in space.
+struct TriangleMarker {
+  int number = 0;
+  bool has_left = false, has_right = false;
+  std::optional<Vector3> in_left_camera;  // m; absent: not triangulated
+  std::optional<double> depth_sigma_m;
+  std::optional<double> epipolar_distance;  // px
+};
+
+struct TriangleSide {
+  int from = 0, to = 0;
+  double length_mm = 0;
+  std::optional<double> sigma_mm;
+};
+
+/// How good the triangle is, in words.
+enum class TriangleVerdict { waiting, good, care, bad };
+
+struct TriangleState {
+  std::vector<TriangleMarker> markers;
+  std::vector<TriangleSide> sides;
+  TriangleVerdict verdict = TriangleVerdict::waiting;
+  QString sentence;         // what is next, or why it will not do
+  bool can_use = false;     // the main button
+  bool can_discard = true;  // the other one
+  int selected_marker = -1;
+};
+
+/// A corner of the right image that may be the partner of the selected marker.
+struct TriangleCandidate {
+  int index = 0;        // what signals say
+  double distance = 0;  // px from the epipolar line
+  std::optional<double> depth_m;
+  QString sides;  // how the sides would come out: "fits", "+4 mm"
+  bool is_taken = false;
+};
+
+class TrianglePanel : public QFrame {
+  Q_OBJECT
+ public:
+  explicit TrianglePanel(QWidget* parent = nullptr);
+  void set_state(TriangleState state);
+  void set_candidates(int marker, std::vector<TriangleCandidate> candidates);
+  const TriangleState& state() const { return state_; }
+
+ signals:
+  void use_requested();      // "Use it"
+  void discard_requested();  // "Next observation"
+  void marker_selected(int number);
+  void marker_removed(int number);
+  void marker_renumbered(int number, int to);
+  void candidate_hovered(int index);  // -1: none
+  void candidate_chosen(int index);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void refresh();
+  void refresh_markers();
+  void refresh_candidates();
+  void show_marker_menu(const QPoint& position);
+
+  TriangleState state_;
+  std::vector<TriangleCandidate> candidates_;
+  int candidates_of_ = -1;
+  TriangleSketch* sketch_;
+  QTableWidget *markers_, *candidate_table_;
+  QLabel *title_, *sides_, *sentence_, *candidates_title_;
+  QPushButton *use_ = nullptr, *discard_ = nullptr;
+  bool is_filling_ = false;
+};
+
+}  // namespace handsight::widgets

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/triangle_sketch.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/number_text.h"
+#include "widgets/paint_tools.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+
+TriangleSketch::TriangleSketch(QWidget* parent) : QWidget(parent) { setMinimumHeight(130); }
+
+void TriangleSketch::set_state(const TriangleState& state) {
+  state_ = state;
+  update();
+}
+
+std::optional<QPointF> TriangleSketch::place(int number) const {
+  // Seen along the camera's axis, at the mean depth: x right, y down.
+  Vector2 low(1e300, 1e300), high(-1e300, -1e300);
+  std::optional<Vector2> here;
+  for (const TriangleMarker& marker : state_.markers) {
+    if (!marker.in_left_camera) continue;
+    const Vector2 at = marker.in_left_camera->head<2>();
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+    if (marker.number == number) here = at;
+  }
+  if (!here) return std::nullopt;
+  const QRectF room = QRectF(rect()).adjusted(40, 24, -40, -24);
+  const Vector2 size = (high - low).cwiseMax(1e-6);
+  const double scale = std::min(room.width() / size.x(), room.height() / size.y());
+  const Vector2 from_middle = (*here - (low + high) / 2) * scale;
+  return room.center() + QPointF(from_middle.x(), from_middle.y());
+}
+
+void TriangleSketch::paintEvent(QPaintEvent*) {
+  const Colors& c = colors();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), c.sunken);
+  const bool is_empty = std::none_of(state_.markers.begin(), state_.markers.end(),
+                                     [](const TriangleMarker& m) { return m.in_left_camera.has_value(); });
+  if (is_empty) {
+    draw_sentence(painter, rect(), QStringLiteral("The triangle appears here."));
+    return;
+  }
+  painter.setFont(number_font(TextRole::small));
+  for (const TriangleSide& side : state_.sides) {
+    const auto from = place(side.from), to = place(side.to);
+    if (!from || !to) continue;
+    painter.setPen(QPen(c.ink2, 1.5));
+    painter.drawLine(*from, *to);
+    const QString text = fixed_text(side.length_mm, 1);
+    const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text);
+    draw_plate(painter, (*from + *to) / 2 - QPointF(wide / 2 + 3, 0), text, c.ink1, c.sunken);
+  }
+  for (const TriangleMarker& marker : state_.markers) {
+    const auto at = place(marker.number);
+    if (!at) continue;
+    painter.setPen(QPen(marker.number == state_.selected_marker ? c.accent : c.ink1, 2));
+    painter.setBrush(c.panel);
+    painter.drawEllipse(*at, 9, 9);
+    painter.setPen(c.ink1);
+    painter.drawText(QRectF(*at - QPointF(9, 9), QSizeF(18, 18)), Qt::AlignCenter, QString::number(marker.number));
+  }
+}
+
+void TriangleSketch::mousePressEvent(QMouseEvent* event) {
+  for (const TriangleMarker& marker : state_.markers) {
+    const auto at = place(marker.number);
+    if (!at) continue;
+    const QPointF d = *at - event->position();
+    if (std::hypot(d.x(), d.y()) < 14) return emit marker_selected(marker.number);
+  }
+}
+
+}  // namespace handsight::widgets
