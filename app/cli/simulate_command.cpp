@@ -10,7 +10,7 @@ namespace {
 
 struct Options {
   std::string robot, like, out, images = "none";
-  std::vector<std::string> effects, disturbances;
+  std::vector<std::string> effects, curves, disturbances;
   double noise = -1;
   bool undeclared = false;
   SimulationOptions simulation;
@@ -31,6 +31,8 @@ int images_wanted(const std::string& text, int observations) {
   throw InputError(fmt::format("--images \"{}\": write all, none, or a number of observations.", text));
 }
 
+std::string effects_text(std::size_t count) { return fmt::format("{} effect{}", count, count == 1 ? "" : "s"); }
+
 int run(const Options& o) {
   Session like = open_session(o.like);
   SimulationOptions options = o.simulation;
@@ -42,6 +44,7 @@ int run(const Options& o) {
   if (o.noise >= 0) options.noise = o.noise;
   if (!o.shift.empty()) options.shift_in_sensor = Vector3(o.shift[0], o.shift[1], o.shift[2]);
   for (const std::string& effect : o.effects) add_effect_value(effect, like.robot, options.effects);
+  for (const std::string& curve : o.curves) options.curves.push_back(parse_curve(curve, like.robot));
   for (const std::string& d : o.disturbances) options.disturbances.push_back(parse_disturbance(d, like.robot));
   ImageOptions image = o.image;
   image.observations = images_wanted(o.images, options.observations);
@@ -51,9 +54,9 @@ int run(const Options& o) {
   Progress progress("rendering", static_cast<std::size_t>(image.observations));
   const WrittenSession written = write_simulated(simulated, options, robot_file, image, o.out,
                                                  [&](int done) { progress.at(static_cast<std::size_t>(done)); });
-  o.output.line(fmt::format("{}: {} observations, {} with images, label noise {:.3g} {}, {} effect{} hidden", o.out,
+  o.output.line(fmt::format("{}: {} observations, {} with images, label noise {:.3g} {}, {} hidden", o.out,
                             options.observations, written.with_images, simulated.noise, like.is_tracker() ? "m" : "px",
-                            options.effects.size(), options.effects.size() == 1 ? "" : "s"));
+                            effects_text(options.effects.size() + options.curves.size())));
   if (!written.label_hint.empty()) o.output.line("Label the first observation with:\n  " + written.label_hint);
   o.output.json({{"out", o.out},
                  {"observations", options.observations},
@@ -72,6 +75,14 @@ Command add_simulate(CLI::App& app) {
       ->required();
   command->add_option("--out", o->out, "Folder to make; it must not hold a session already")->required();
   command->add_option("--effect", o->effects, "What is hidden in it: id:joint.parameter=value");
+  command->add_option("--curve", o->curves,
+                      "A deviation of a joint's angle that no effect describes: \"JOINT: SIZE*sin(ORDERq)\", or cos");
+  command
+      ->add_option("--wrong-corners", o->simulation.wrong_corners,
+                   "Share of the image points displaced by N(0, 8 px) in u and in v")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--unseen", o->simulation.unseen, "Share of the markers that are missing")
+      ->check(CLI::Range(0.0, 1.0));
   command->add_option("--observations", o->simulation.observations, "How many")->check(CLI::Range(1, 100000));
   command->add_option("--seed", o->simulation.seed, "Every random thing follows from it");
   command->add_option("--title", o->simulation.title, "Title of the session");

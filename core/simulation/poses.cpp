@@ -53,7 +53,7 @@ double PoseSampler::violation(const Eigen::VectorXd& position) const {
   if (!chain_.stereo) return 0;
   const Circumstances c = circumstances_at(chain_, position);
   const Rigid left_from_tcp =
-      sensor_from_tcp(observed_ends(c, moved_sites(c, options_.effects)).ends, mount_from_sensor_);
+      sensor_from_tcp(observed_ends(c, moved_sites(c, options_.effects, options_.curves)).ends, mount_from_sensor_);
   double total = 0;
   for (const Vector3& marker : body_.markers_in_tcp) {
     const Vector3 x = left_from_tcp * marker;

@@ -13,7 +13,14 @@ namespace handsight {
 namespace {
 
 /// The streams of random numbers, one a purpose, so that one more observation changes nothing before it.
-enum Purpose : std::uint64_t { body_stream = 1, pose_stream = 2, time_stream = 3, noise_stream = 100 };
+enum Purpose : std::uint64_t {
+  body_stream = 1,
+  pose_stream = 2,
+  time_stream = 3,
+  noise_stream = 100,
+  wrong_stream = 1 << 20,
+  unseen_stream = 1 << 21
+};
 
 /// Markers on a slightly bent plane, spread round its middle; a longest side of about `size`, no two too near.
 ShownBody random_body(int count, double size, Random random) {
@@ -37,6 +44,7 @@ ShownBody random_body(int count, double size, Random random) {
 struct World {
   const Chain& chain;
   const std::vector<EffectTerm>& effects;
+  const std::vector<Curve>& curves;
   Rigid mount_from_sensor;
 };
 
@@ -45,14 +53,14 @@ struct Ends {
 };
 
 Ends ends_at(const World& world, const Circumstances& c) {
-  const ObservedEnds seen = observed_ends(c, moved_sites(c, world.effects));
+  const ObservedEnds seen = observed_ends(c, moved_sites(c, world.effects, world.curves));
   return {seen.ends.root_from_tcp, seen.ends.root_from_mount * world.mount_from_sensor * seen.mount_motion};
 }
 
 /// Where the markers are in this observation, with the body's and the markers' own slips.
 std::vector<Vector3> markers_at(const World& world, const Circumstances& c,
                                 const std::vector<Vector3>& markers_in_tcp) {
-  const Sites sites = moved_sites(c, world.effects);
+  const Sites sites = moved_sites(c, world.effects, world.curves);
   const std::vector<std::optional<Vector3>> known(markers_in_tcp.begin(), markers_in_tcp.end());
   const Rigid tcp_from_body = body_frame(choose_sides(known), markers_in_tcp).tcp_from_body;
   const Rigid body_from_tcp = inverse(tcp_from_body), slipped = tcp_from_body * small_motion<double>(sites.body);
@@ -90,6 +98,23 @@ std::vector<Sighting> sightings_of(const SimulatedSession& s, std::size_t k, con
     if (sighting.left || sighting.right) all.push_back(sighting);
   }
   return all;
+}
+
+/// Some markers taken out, some of the other image points put where the detector took another corner for the marker's.
+void spoil_sightings(const SimulationOptions& options, std::size_t k, SimulatedSession& s) {
+  Observation& o = s.session.observations[k];
+  const Random root(options.seed);
+  Random unseen = root.child(unseen_stream + k), wrong = root.child(wrong_stream + k);
+  std::erase_if(o.sightings, [&](const Sighting&) { return unseen.uniform() < options.unseen; });
+  for (Sighting& sighting : o.sightings)
+    for (std::optional<Vector2>* point : {&sighting.left, &sighting.right}) {
+      const bool spoilt = wrong.uniform() < options.wrong_corners;
+      const double u = wrong.gaussian(), v = wrong.gaussian();
+      if (!spoilt || !*point) continue;
+      const Vector2 off = wrong_corner_size * Vector2(u, v);
+      **point += off;
+      s.wrong_corners.push_back({o.id, sighting.marker, point == &sighting.left, off});
+    }
 }
 
 /// Changes what was measured or where things were in observation `k`.
@@ -144,7 +169,7 @@ void add_observations(const Session& like, const SimulationOptions& options, con
 
 SimulatedSession simulate_session(const Session& like, const SimulationOptions& options) {
   const Chain chain = chain_of(like);
-  const World world{chain, options.effects, like.mount.mount_from_sensor};
+  const World world{chain, options.effects, options.curves, like.mount.mount_from_sensor};
   SimulatedSession s;
   s.session = like;
   s.session.source.reset();
@@ -154,6 +179,8 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
   s.effects = options.effects;
   s.mount_from_sensor = like.mount.mount_from_sensor;
   const bool tracker = like.is_tracker();
+  if (tracker && options.wrong_corners > 0)
+    throw InputError("A tracker session has no image points; leave --wrong-corners out.");
   s.noise = options.noise ? *options.noise : tracker ? like.sigma_point.value_or(2e-4) : like.sigma_pixel.value_or(0.2);
   (tracker ? s.session.sigma_point : s.session.sigma_pixel) =
       options.declare_noise && s.noise > 0 ? std::optional(s.noise) : std::nullopt;
@@ -174,8 +201,10 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
     disturb(d, world, s, static_cast<std::size_t>(d.id));
   }
   const Random root(options.seed);
-  for (std::size_t k = 0; k < s.session.observations.size(); ++k)
+  for (std::size_t k = 0; k < s.session.observations.size(); ++k) {
     s.session.observations[k].sightings = sightings_of(s, k, options.shift_in_sensor, root.child(noise_stream + k));
+    spoil_sightings(options, k, s);
+  }
   return s;
 }
 

@@ -7,6 +7,7 @@
 
 #include "effects/effect.h"
 #include "session/session.h"
+#include "simulation/curve.h"
 #include "simulation/random.h"
 
 namespace handsight {
@@ -35,10 +36,23 @@ struct SimulationOptions {
   double nearest = 0.30, farthest = 1.60;  // m from the left camera, of the marker body
   double most_turned = 0.9;                // rad: between a marker's normal and the direction to the camera
   std::vector<EffectTerm> effects;         // the hidden truth
+  std::vector<Curve> curves;               // and what no effect describes
   std::vector<Disturbance> disturbances;
-  double body_size = 0.06;  // m: the longest side of the marker body, about
-  bool follow = false;      // neighbouring observations are neighbours in posture, as a guided arm's are
+  double wrong_corners = 0;  // share of the image points that are off by wrong_corner_size in u and in v, 0 to 1
+  double unseen = 0;         // share of the markers that neither camera saw, 0 to 1
+  double body_size = 0.06;   // m: the longest side of the marker body, about
+  bool follow = false;       // neighbouring observations are neighbours in posture, as a guided arm's are
   Vector3 shift_in_sensor = Vector3::Zero();  // m: every marker is measured off by this (thesis 5.2)
+};
+
+constexpr double wrong_corner_size = 8;  // px, one standard deviation
+
+/// An image point that is a wrong corner.
+struct WrongCorner {
+  std::int64_t id = 0;  // of the observation
+  int marker = 0;
+  bool left = true;
+  Vector2 off = Vector2::Zero();  // px
 };
 
 /// What was simulated.
@@ -50,6 +64,7 @@ struct SimulatedSession {
   std::optional<StereoRig> true_rig;         // with the effects on rig and cameras
   std::vector<EffectTerm> effects;
   double noise = 0;
+  std::vector<WrongCorner> wrong_corners;
   /// Per observation, for rendering: where things truly were. The right image may have been taken later.
   std::vector<Rigid> root_from_tcp, root_from_sensor, right_root_from_tcp, right_root_from_sensor;
   std::vector<std::vector<Vector3>> markers;  // m, TCP frame, in this observation

@@ -45,6 +45,24 @@ void add_effects(tinyxml2::XMLElement& parent, const SimulatedSession& simulated
   }
 }
 
+void add_curves(tinyxml2::XMLElement& parent, const SimulatedSession& simulated, const SimulationOptions& options) {
+  for (const Curve& curve : options.curves) {
+    tinyxml2::XMLElement* element = parent.InsertNewChildElement("curve");
+    element->SetAttribute("of", simulated.session.robot.joints[static_cast<std::size_t>(curve.joint)].name.c_str());
+    element->SetAttribute("deviation", curve_formula(curve).c_str());
+  }
+}
+
+void add_wrong_corners(tinyxml2::XMLElement& parent, const SimulatedSession& simulated) {
+  for (const WrongCorner& wrong : simulated.wrong_corners) {
+    tinyxml2::XMLElement* element = parent.InsertNewChildElement("wrong_corner");
+    element->SetAttribute("observation", wrong.id);
+    element->SetAttribute("marker", wrong.marker);
+    element->SetAttribute("seen_by", wrong.left ? "left" : "right");
+    element->SetAttribute("off", format_numbers(std::vector<double>{wrong.off.x(), wrong.off.y()}).c_str());
+  }
+}
+
 const char* kind_name(Disturbance::Kind kind) {
   switch (kind) {
     case Disturbance::Kind::joint:
@@ -81,6 +99,8 @@ void write_truth(const SimulatedSession& simulated, const SimulationOptions& opt
   if (!options.shift_in_sensor.isZero())
     root->InsertNewChildElement("shift_in_sensor")->SetAttribute("xyz", three(options.shift_in_sensor).c_str());
   add_effects(*root, simulated);
+  add_curves(*root, simulated, options);
+  add_wrong_corners(*root, simulated);
   for (const Disturbance& d : options.disturbances) {
     tinyxml2::XMLElement* element = root->InsertNewChildElement("disturbance");
     element->SetAttribute("observation", static_cast<std::int64_t>(d.id));

@@ -129,5 +129,67 @@ TEST(Random, StreamsAreIndependentAndRight) {
   EXPECT_NEAR(cross / count, 0, 4 / std::sqrt(count));
 }
 
+TEST(Simulate, ACurveIsAddedToItsJointAndReadBack) {
+  const Session like = fixture::stand_session();
+  const Curve curve = parse_curve(" a3 : 0.0015 * sin(3q)", like.robot);
+  EXPECT_EQ(curve.joint, find_joint(like.robot, "a3"));
+  EXPECT_EQ(curve_formula(curve), "0.0015*sin(3q)");
+  EXPECT_EQ(curve_formula(parse_curve("a3: -2e-3*cos(q)", like.robot)), "-0.002*cos(1q)");
+  SimulationOptions options;
+  options.observations = 8;
+  options.noise = 0;
+  options.curves = {curve};
+  const SimulatedSession s = simulate_session(like, options);
+  const Chain chain = chain_of(s.session);
+  for (std::size_t k = 0; k < 8; ++k) {
+    Eigen::VectorXd position = s.session.observations[k].position;
+    position[2] += 0.0015 * std::sin(3 * position[2]);
+    const Rigid bent = chain_ends(chain, position).root_from_tcp;
+    EXPECT_LT((bent.translation - s.root_from_tcp[k].translation).norm(), 1e-12);
+  }
+}
+
+TEST(Simulate, ACurveThatIsNotUnderstoodIsRefused) {
+  const Robot robot = fixture::stand_session().robot;
+  for (const char* text : {"a3", "a3: 0.001", "a3: x*sin(3q)", "a3: 0.001*tan(3q)", "a3: 0.001*sin(3q", "a3: *sin(q)",
+                           "a3: 0.001*sin(3 4q)", "wrist: 0.001*sin(3q)"})
+    EXPECT_THROW(parse_curve(text, robot), InputError) << text;
+}
+
+TEST(Simulate, WrongCornersAreThatShareAndOfThatSize) {
+  SimulationOptions options;
+  options.observations = 200;
+  const SimulatedSession clean = simulate_session(fixture::stand_session(), options);
+  options.wrong_corners = 0.1;
+  const SimulatedSession s = simulate_session(fixture::stand_session(), options);
+  double squares = 0;
+  std::size_t changed = 0;
+  for (std::size_t k = 0; k < 200; ++k)
+    for (std::size_t m = 0; m < 3; ++m) {
+      const Sighting &before = clean.session.observations[k].sightings[m],
+                     &after = s.session.observations[k].sightings[m];
+      changed += (*before.left != *after.left) + (*before.right != *after.right);
+      squares += (*before.left - *after.left).squaredNorm() + (*before.right - *after.right).squaredNorm();
+    }
+  EXPECT_EQ(changed, s.wrong_corners.size());
+  EXPECT_NEAR(static_cast<double>(changed), 120, 42);  // of 1200 points, 4 sigma
+  EXPECT_NEAR(std::sqrt(squares / (2.0 * static_cast<double>(changed))), wrong_corner_size, 1.5);
+}
+
+TEST(Simulate, UnseenMarkersAreThatShareAndTheOthersStay) {
+  SimulationOptions options;
+  options.observations = 200;
+  const SimulatedSession all = simulate_session(fixture::stand_session(), options);
+  options.unseen = 0.2;
+  const SimulatedSession s = simulate_session(fixture::stand_session(), options);
+  std::size_t seen = 0;
+  for (std::size_t k = 0; k < 200; ++k)
+    for (const Sighting& sighting : s.session.observations[k].sightings) {
+      ++seen;
+      EXPECT_EQ(*sighting.left, *all.session.observations[k].sightings[static_cast<std::size_t>(sighting.marker)].left);
+    }
+  EXPECT_NEAR(static_cast<double>(seen), 480, 40);  // of 600 markers, 4 sigma
+}
+
 }  // namespace
 }  // namespace handsight
