@@ -81,7 +81,9 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   out.line();
   out.line(fmt::format("Error     {} held out; noise {}{}", error_text(d.report.held_out),
                        error_or_unknown(d.noise, tracker),
-                       d.scatter > 0 ? fmt::format("; joints repeat to about {:.2g} mrad", 1e3 * d.scatter) : ""));
+                       d.verdict == Verdict::adequate && d.scatter > 0
+                           ? fmt::format("; joints repeat to about {:.2g} mrad", 1e3 * d.scatter)
+                           : ""));
   if (!d.model.wrong.empty()) out.line(fmt::format("Left out  {} wrong points", d.model.wrong.size()));
   out.line();
   out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  where", "Candidate", "ln BF", "held out", "explained"));

@@ -136,8 +136,12 @@ std::vector<Pattern> find_patterns(const std::vector<ResidualSeries>& series, co
   }
   const auto looked_at = static_cast<double>(patterns.size());
   for (Pattern& p : patterns) p.p_value = std::min(1.0, p.p_value * looked_at);
+  // Those that are no chance by how much they explain, the others by how likely chance is.
+  constexpr double no_chance = 1e-3;
   std::stable_sort(patterns.begin(), patterns.end(), [](const Pattern& a, const Pattern& b) {
-    return std::pair(a.p_value, -a.strength) < std::pair(b.p_value, -b.strength);
+    const bool first = a.p_value < no_chance, second = b.p_value < no_chance;
+    if (first != second) return first;
+    return first ? a.strength > b.strength : a.p_value < b.p_value;
   });
   return patterns;
 }

@@ -25,7 +25,7 @@ struct Pattern {
 /// Motions along the axes of TCP, root and image (18), and per-joint equivalent errors.
 std::vector<ResidualSeries> residual_series(const Problem& problem, const LinearModel& model);
 
-/// All pairs, most structured first: by p-value, then strength.
+/// All pairs, most structured first: those with p below 1e-3 by strength, then the others by p-value.
 std::vector<Pattern> find_patterns(const std::vector<ResidualSeries>& series, const std::vector<Variable>& variables);
 
 }  // namespace handsight

@@ -64,6 +64,18 @@ class EffectRanker {
     return r;
   }
 
+  /// The numbers of the best choice, without scatter: what adding it would do to the plain residuals.
+  void measure(RankedEffect& r) const {
+    Score whole;
+    if (r.units.size() == 1) {
+      whole = score(w_, c_.units[r.units[0]].first, c_.units[r.units[0]].count);
+    } else {
+      const Eigen::Index first = c_.units.front().first;
+      whole = part_of(score(w_, first, c_.units.back().first + c_.units.back().count - first), columns_of(c_, r.units));
+    }
+    finish(whole, r);
+  }
+
  private:
   void finish(const Score& s, RankedEffect& r) const {
     r.estimate = linear_estimate(s, w_, noise_);
@@ -243,6 +255,8 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
     ranking.localisers.push_back({localisers[best][l], factor, ranking.scatters[best]});
   }
   search_places_of_the_best(model, noise, ranking);
+  const WhitenedModel plain = whiten(model, 0, noise);
+  for (RankedEffect& r : ranking.effects) EffectRanker(plain, noise, *r.candidate).measure(r);
   const auto better = [](const auto& a, const auto& b) { return a.ln_bayes_factor > b.ln_bayes_factor; };
   std::stable_sort(ranking.effects.begin(), ranking.effects.end(), better);
   std::stable_sort(ranking.localisers.begin(), ranking.localisers.end(), better);
