@@ -71,12 +71,19 @@ void print(const Options& o, const Session& session, const Plan& p) {
       "Check every pose for collisions before driving there: only joint limits and the cameras' view are known.");
 }
 
+/// Translation, and the rotation where markers show all of it.
+Json sigma_json(const Vector6& sigma, bool rotation_is_observed) {
+  Json list = numbers(sigma);
+  for (std::size_t i = 3; i < 6 && !rotation_is_observed; ++i) list[i] = nullptr;
+  return list;
+}
+
 Json plan_json(const Session& session, const Plan& p) {
   Json result;
   result["count"] = p.poses.size();
   result["pool"] = p.pool;
   result[session.is_tracker() ? "noise_m" : "noise_pixel"] = number(p.noise);
-  result["sigma_before"] = numbers(p.sigma_before);
+  result["sigma_before"] = sigma_json(p.sigma_before, p.rotation_is_observed);
   result["ln_bayes_factor_before"] = number(p.ln_bayes_factor_before);
   result["tells_apart"] = p.ln_bayes_factor_before ? Json(p.tells_apart) : Json(nullptr);
   Json poses = Json::array();
@@ -84,7 +91,7 @@ Json plan_json(const Session& session, const Plan& p) {
     Json one{{"position", numbers(pose.position)},
              {"joints", session.joints},
              {"expected_gain", number(pose.gain)},
-             {"sigma", numbers(pose.sigma)}};
+             {"sigma", sigma_json(pose.sigma, p.rotation_is_observed)}};
     if (pose.ln_bayes_factor) one["expected_ln_bayes_factor"] = numbers(*pose.ln_bayes_factor);
     poses.push_back(one);
   }

@@ -119,7 +119,8 @@ Eigen::MatrixXd ExpectedPoses::whitened(const ExpectedRows& rows) const {
 }
 
 Vector6 ExpectedPoses::sigma_of_body() const {
-  const BodyFrame frame = body_frame(fit_.sides, estimate(fit_).markers_in_tcp, fit_.tcp_from_body.rotation);
+  BodyFrame frame = body_frame(fit_.sides, estimate(fit_).markers_in_tcp, fit_.tcp_from_body.rotation);
+  frame.unobserved.resize(6, 0);
   const Eigen::Index markers = fit_.problem.mount_column();
   const Eigen::MatrixXd all =
       llt_.solve(Eigen::MatrixXd::Identity(information_.rows(), information_.cols()).leftCols(markers));

@@ -30,7 +30,8 @@ class ExpectedPoses {
   Eigen::MatrixXd whitened(const ExpectedRows& rows) const;
   const Eigen::LLT<Eigen::MatrixXd>& information() const { return llt_; }
 
-  /// sigma of tcp_from_body (m, rad) by the information so far.
+  /// sigma of tcp_from_body (m, rad) by the information so far; rotations that one or two markers cannot show are left
+  /// out.
   Vector6 sigma_of_body() const;
 
   /// Do the effects of the model depend on where a pose is approached from, or on how fast it is passed?

@@ -12,7 +12,7 @@ namespace handsight {
 namespace {
 
 constexpr double metres_per_radian = 0.3;      // a sliding joint's way beside a turning one's
-constexpr double least_distance_rad = 0.17;    // in joint space, from what was taken and from each other
+constexpr double least_distance_rad = 0.15;    // a joint, in the mean square: from what was taken, from each other
 constexpr double least_distance_share = 0.05;  // ... but no more than this share of what the joints allow
 constexpr double ln_20 = 2.995732273553991;
 constexpr double no_difference = 0.01;     // nats a pose: less is no more than rounding and priors
@@ -49,7 +49,7 @@ class Planner {
     look_at_pool();
     keep([&](std::size_t i) { return is_shown(i); });
     plan.pool = pool_.size();
-    plan.sigma_before = models_[0].sigma_of_body();
+    plan.sigma_before = sigma_of_body();
     for (int step = 0; step < options_.count; ++step)
       if (!add_best(step, plan)) break;
     judge_the_rivals(plan);
@@ -127,6 +127,12 @@ class Planner {
 
   const ExpectedRows& rows(std::size_t model, std::size_t i) const { return models_[model].rows(rows_[i]); }
 
+  /// Of the model; where one of two effects is true, as the one that knows less says.
+  Vector6 sigma_of_body() const {
+    if (!options_.between) return models_[0].sigma_of_body();
+    return models_[1].sigma_of_body().cwiseMax(models_[2].sigma_of_body());
+  }
+
   template <class Wanted>
   void keep(const Wanted& wanted) {
     std::size_t next = 0;
@@ -151,7 +157,8 @@ class Planner {
   }
 
   double least_distance() const {
-    return std::min(least_distance_rad, least_distance_share * distance(judge_->lower(), judge_->upper()));
+    const double all_joints = least_distance_rad * std::sqrt(static_cast<double>(judge_->lower().size()));
+    return std::min(all_joints, least_distance_share * distance(judge_->lower(), judge_->upper()));
   }
 
   /// Poses too near to this one leave the pool.
@@ -205,7 +212,7 @@ class Planner {
       suspicions_[1].measure(models_[2].rows(taken), models_[1].rows(taken));
     }
     for (ExpectedPoses& m : models_) m.measure(m.rows(taken));
-    pose.sigma = models_[0].sigma_of_body();
+    pose.sigma = sigma_of_body();
     before_ = pose.position;
     if (step == 0) prune(worths);
     keep_away_from(pose.position);
