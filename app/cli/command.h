@@ -64,6 +64,7 @@ Command add_fit(CLI::App& app);
 Command add_diagnose(CLI::App& app);
 Command add_improve(CLI::App& app);
 Command add_predict(CLI::App& app);
+Command add_plan(CLI::App& app);
 Command add_effective_mass(CLI::App& app);
 Command add_simulate(CLI::App& app);
 Command add_effects(CLI::App& app);

@@ -8,13 +8,6 @@ namespace {
 
 using namespace handsight;
 
-/// Commands that the contract names and that do not exist yet: listed, and wrong usage until they do.
-CLI::App* add_later(CLI::App& app, const char* name, const char* what) {
-  CLI::App* command = app.add_subcommand(name, std::string(what) + " (does not exist yet)");
-  command->allow_extras();
-  return command;
-}
-
 int run(int argc, char** argv) {
   CLI::App app("Find out where a robot's hand really is, and why it is not where the model says.", "handsight-cli");
   app.set_version_flag("--version", "handsight " HANDSIGHT_VERSION);
@@ -23,18 +16,12 @@ int run(int argc, char** argv) {
       cli::add_check(app),    cli::add_detect(app),  cli::add_label(app),
       cli::add_online(app),   cli::add_fit(app),     cli::add_diagnose(app),
       cli::add_improve(app),  cli::add_predict(app), cli::add_effective_mass(app),
-      cli::add_simulate(app), cli::add_effects(app)};
-  const std::vector<CLI::App*> later = {
-      add_later(app, "plan", "Next poses: for precision, or to tell two effects apart")};
+      cli::add_simulate(app), cli::add_effects(app), cli::add_plan(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? cli::done : cli::wrong_input;
   }
-  for (const CLI::App* command : later)
-    if (command->parsed())
-      throw InputError("The command \"" + command->get_name() +
-                       "\" does not exist yet; handsight-cli --help lists those that do.");
   for (const cli::Command& command : commands)
     if (command.app->parsed()) return command.run();
   return cli::wrong_input;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/expected_poses.h"
+
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+/// What is known before any measurement, so that what nothing determines has a size too.
+constexpr double marker_sigma_m = 0.3, mount_sigma_m = 0.3, mount_sigma_rad = 1.0;
+
+/// Does a change of every observation's circumstances change what the terms do?
+template <class Change>
+bool depends_on(const Fit& fit, const Change& change) {
+  const Chain& chain = fit.problem.source->chain;
+  Circumstances plain = circumstances_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
+  Circumstances changed = plain;
+  change(changed);
+  for (EffectTerm term : fit.problem.terms) {
+    const Effect& effect = *find_effect(term.id);
+    for (std::size_t p = 0; p < term.values.size(); ++p)
+      if (!effect.parameters[p].is_choice) term.values[p] = 1;
+    const Sites a = moved_sites(plain, {term}), b = moved_sites(changed, {term});
+    for (std::size_t j = 0; j < std::max(a.robot.joints.size(), b.robot.joints.size()); ++j) {
+      const double before = j < a.robot.joints.size() ? a.robot.joints[j].angle : 0;
+      const double after = j < b.robot.joints.size() ? b.robot.joints[j].angle : 0;
+      if (before != after) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+ExpectedPoses::ExpectedPoses(const Fit& fit, double noise) : fit_(fit), noise_(noise) {
+  Problem problem = fit.problem;
+  problem.noise = noise;
+  information_ = normal_equations(problem, estimate(fit)).information / (noise * noise);
+  information_.diagonal().head(problem.mount_column()).array() += 1 / (marker_sigma_m * marker_sigma_m);
+  if (problem.mount_is_estimated) {
+    information_.diagonal().segment<3>(problem.mount_column()).array() += 1 / (mount_sigma_m * mount_sigma_m);
+    information_.diagonal().segment<3>(problem.mount_column() + 3).array() += 1 / (mount_sigma_rad * mount_sigma_rad);
+  }
+  llt_.compute(information_);
+}
+
+void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Eigen::VectorXd& before,
+                            const PoseJudge& judge) {
+  auto source = std::make_shared<ProblemSource>();
+  source->chain = fit_.problem.source->chain;
+  const Circumstances from = circumstances_at(source->chain, before);
+  for (const Eigen::VectorXd& pose : poses) {
+    Circumstances c = circumstances_at(source->chain, pose);
+    c.approach = (c.sensor - from.sensor).cwiseSign();
+    source->circumstances.push_back(std::move(c));
+  }
+  Problem problem = fit_.problem;
+  problem.source = source;
+  problem.observations.clear();
+  std::vector<Sighting> sightings;
+  for (int m = 0; m < problem.marker_count; ++m) {
+    if (!problem.marker_is_seen[static_cast<std::size_t>(m)]) continue;
+    Sighting s{m, {}, {}, {}, MarkedBy::import};
+    if (problem.rig) {
+      s.left = s.right = Vector2::Zero();
+    } else {
+      s.point = Vector3::Zero();
+    }
+    sightings.push_back(s);
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    ProblemObservation& o = problem.observations.emplace_back();
+    o.index = static_cast<int>(i);
+    o.sightings = sightings;
+  }
+  place_observations(problem);
+  rows_.clear();
+  for (const ProblemObservation& o : problem.observations) rows_.push_back(rows_at(problem, o, judge));
+}
+
+ExpectedRows ExpectedPoses::rows_at(const Problem& problem, const ProblemObservation& o, const PoseJudge& judge) const {
+  const Unknowns& u = estimate(fit_);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(problem, o, u);
+  const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
+  ExpectedRows rows;
+  rows.is_shown = o.springs_hold && judge.is_shown(sensor_from_tcp);
+  Eigen::Index count = 0, row = 0;
+  for (const Sighting& s : o.sightings) count += row_count(s);
+  rows.by_columns.setZero(count, problem.columns());
+  rows.predicted.resize(count);
+  for (const Sighting& s : o.sightings) {
+    const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
+    const SightingResidual r = sighting_residual(problem.rig_or_null(), s, x);
+    const Eigen::Matrix<double, 4, 3> by_marker = r.by_point * sensor_from_tcp.rotation;
+    Eigen::Matrix<double, 4, 6> by_motion;
+    by_motion << r.by_point, -r.by_point * cross_matrix(x);
+    rows.by_columns.block(row, 3 * s.marker, r.rows, 3) = by_marker.topRows(r.rows);
+    rows.by_columns.block(row, problem.mount_column(), r.rows, motion.cols()).noalias() =
+        by_motion.topRows(r.rows) * motion;
+    if (direct)
+      rows.by_columns.block(row, problem.effect_column(), r.rows, problem.effect_count()) +=
+          direct_by_effects(problem, o, s, r, x, sensor_from_tcp.rotation);
+    rows.predicted.segment(row, r.rows) = -r.error.head(r.rows);  // against a measurement of zero
+    row += r.rows;
+  }
+  rows.by_columns /= noise_;
+  rows.predicted /= noise_;
+  return rows;
+}
+
+void ExpectedPoses::measure(const ExpectedRows& rows) {
+  information_.noalias() += rows.by_columns.transpose() * rows.by_columns;
+  llt_.compute(information_);
+}
+
+Eigen::MatrixXd ExpectedPoses::whitened(const ExpectedRows& rows) const {
+  return llt_.matrixL().solve(rows.by_columns.transpose());
+}
+
+Vector6 ExpectedPoses::sigma_of_body() const {
+  BodyFrame frame = body_frame(fit_.sides, estimate(fit_).markers_in_tcp, fit_.tcp_from_body.rotation);
+  frame.unobserved.resize(6, 0);
+  const Eigen::Index markers = fit_.problem.mount_column();
+  const Eigen::MatrixXd all =
+      llt_.solve(Eigen::MatrixXd::Identity(information_.rows(), information_.cols()).leftCols(markers));
+  return body_covariance(frame, all.topRows(markers)).diagonal().cwiseMax(0).cwiseSqrt();
+}
+
+bool ExpectedPoses::depends_on_approach() const {
+  return depends_on(fit_, [](Circumstances& c) { c.approach.setOnes(); });
+}
+
+bool ExpectedPoses::depends_on_velocity() const {
+  return depends_on(fit_, [](Circumstances& c) { c.velocity.setOnes(); });
+}
+
+}  // namespace handsight

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a fitted model expects to see in poses that were not measured yet, and what measuring them would teach it.
+#pragma once
+
+#include "diagnosis/pose_pool.h"
+
+namespace handsight {
+
+/// The coordinates of one pose, all in units of the noise.
+struct ExpectedRows {
+  Eigen::MatrixXd by_columns;  // rows x the problem's columns
+  Eigen::VectorXd predicted;   // rows
+  bool is_shown = true;        // as the model places it, springs included
+};
+
+/// A model linearised where its fit stands, with the information that it has so far.
+class ExpectedPoses {
+ public:
+  /// `noise` of one coordinate, px or m.
+  ExpectedPoses(const Fit& fit, double noise);
+
+  /// Linearises these poses, each as if it was approached from `before`, at rest, after all that was measured.
+  void look_at(const std::vector<Eigen::VectorXd>& poses, const Eigen::VectorXd& before, const PoseJudge& judge);
+  const ExpectedRows& rows(std::size_t pose) const { return rows_[pose]; }
+
+  /// Takes the measurement of a pose into the information.
+  void measure(const ExpectedRows& rows);
+
+  /// L^-1 B^T with L L^T the information: columns are the pose's rows, in which its own information is S = W^T W.
+  Eigen::MatrixXd whitened(const ExpectedRows& rows) const;
+  const Eigen::LLT<Eigen::MatrixXd>& information() const { return llt_; }
+
+  /// sigma of tcp_from_body (m, rad) by the information so far; rotations that one or two markers cannot show are left
+  /// out.
+  Vector6 sigma_of_body() const;
+
+  /// Do the effects of the model depend on where a pose is approached from, or on how fast it is passed?
+  bool depends_on_approach() const;
+  bool depends_on_velocity() const;
+
+ private:
+  ExpectedRows rows_at(const Problem& problem, const ProblemObservation& o, const PoseJudge& judge) const;
+
+  const Fit& fit_;
+  double noise_;
+  Eigen::MatrixXd information_;
+  Eigen::LLT<Eigen::MatrixXd> llt_;
+  std::vector<ExpectedRows> rows_;
+};
+
+}  // namespace handsight
