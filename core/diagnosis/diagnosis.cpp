@@ -18,6 +18,7 @@ constexpr double ln_20 = 2.995732273553991;  // odds beyond which a rival is out
 constexpr double same_term = 0.98;           // overlap of two effects' signals on these poses
 constexpr double significant_pattern = 1e-3;
 constexpr int most_orders = 24;
+constexpr double ln_of_idle = 4;   // what places that show little alone must bring together to stay
 constexpr double least_seen = 30;  // chi-squared of a plausible size that poses must show
 
 /// What is known of the noise, and the noise itself for weighing.
@@ -261,6 +262,10 @@ class Work {
       c.sigmas.push_back(r.fit.effects[t].sigmas);
     }
     c.where = places_of(c.terms, session_);
+    const double gained = (d_.model.fit.solution.normal.data_cost() - r.fit.solution.normal.data_cost()) /
+                          (weighing_.noise * weighing_.noise);
+    c.predicted_held_out =
+        predicted_held_out(d_.model.fit, weighing_.noise, gained, r.fit.unknowns - d_.model.fit.unknowns);
     c.plausible = is_plausible(c.terms);
     c.ln_bayes_factor = r.ln_bayes_factor + ranked->ln_bayes_factor - ranked->ln_best;
     if (const auto left = lack_of_fit(r.fit); left && d_.excess && *d_.excess > 60 && d_.lack_of_fit_p < 1e-3)
@@ -287,7 +292,7 @@ class Work {
     }
     if (kept.empty() || kept.size() == r.added) return;
     Refit fewer = refit_with(d_.model, d_.model_options, kept, weighing_.noise, weighing_.knowledge);
-    if (fewer.fit.converged() && fewer.ln_bayes_factor > r.ln_bayes_factor - 2) r = std::move(fewer);
+    if (fewer.fit.converged() && fewer.ln_bayes_factor > r.ln_bayes_factor - ln_of_idle) r = std::move(fewer);
   }
 
   /// Which effects are nearly the same term on these poses, or too near in evidence.

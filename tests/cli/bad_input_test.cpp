@@ -205,11 +205,16 @@ TEST_F(BadInput, WrongUsageOfTheOptions) {
   EXPECT_EQ(run_cli(folder.path, {"--help"}).exit_code, 0);
 }
 
-TEST_F(BadInput, CommandsThatDoNotExistYetAreListedAndRefuse) {
+TEST_F(BadInput, EveryCommandIsListedAndRefusesWhatIsNoSession) {
   const auto help = run_cli(folder.path, {"--help"});
-  for (const std::string command : {"diagnose", "improve", "plan"}) {
+  for (const std::string command : {"check", "fit", "diagnose", "improve", "plan"}) {
     EXPECT_NE(help.output.find(command), std::string::npos) << command;
-    EXPECT_EQ(run_cli(folder.path, {command, (folder.path / "session").string()}).exit_code, 2);
+    EXPECT_EQ(run_cli(folder.path, {command, (folder.path / "no_such_session").string()}).exit_code, 2) << command;
+  }
+  for (const std::string command : {"fit", "diagnose", "improve"}) {
+    const auto refused = run_cli(folder.path, {command, (folder.path / "session").string(), "--effects", "no_such_effect"});
+    EXPECT_EQ(refused.exit_code, 2) << command;
+    EXPECT_NE(refused.errors.find("not in the catalogue"), std::string::npos) << refused.errors;
   }
 }
 

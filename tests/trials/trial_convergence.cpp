@@ -19,14 +19,14 @@ constexpr int first_tested = 10, last_tested = 90;
 constexpr double least_share = 0.93, most_share = 0.97;
 
 /// The estimate after each observation, index n - 1.
-struct Curve {
+struct OnlineCurve {
   std::vector<OnlineStep> steps;
   std::vector<Matrix6> by_noise;  // the covariance that the noise alone gives
   int rejected = 0;
 };
 
 /// Justin's right hand as in sample_sessions/hundred_poses, without its bad poses.
-Curve calibrate(const Session& like, std::uint64_t seed, double sag) {
+OnlineCurve calibrate(const Session& like, std::uint64_t seed, double sag) {
   SimulationOptions options;
   options.follow = true;
   options.seed = seed;
@@ -35,7 +35,7 @@ Curve calibrate(const Session& like, std::uint64_t seed, double sag) {
     if (sag > 0) options.effects.push_back({"joint_elasticity", find_joint(like.robot, joint), {sag}});
   const SimulatedSession s = simulate_session(like, options);
   OnlineCalibration online(s.session);
-  Curve curve;
+  OnlineCurve curve;
   for (const Observation& o : s.session.observations) {
     OnlineStep step = online.add(o, nullptr);
     if (!step.accepted) {
@@ -53,13 +53,13 @@ Curve calibrate(const Session& like, std::uint64_t seed, double sag) {
 }
 
 /// xi from the final estimate to the one after n observations.
-Vector6 from_final(const Curve& curve, int n) {
+Vector6 from_final(const OnlineCurve& curve, int n) {
   return small_motion_between(curve.steps.back().tcp_from_body,
                               curve.steps[static_cast<std::size_t>(n - 1)].tcp_from_body);
 }
 
 /// An efficient estimate of part of the data differs from that of all by the difference of the covariances.
-bool passes(const Curve& curve, int n) {
+bool passes(const OnlineCurve& curve, int n) {
   static const double limit = boost::math::quantile(boost::math::chi_squared(6), 0.95);
   const Matrix6 covariance = curve.steps[static_cast<std::size_t>(n - 1)].covariance - curve.steps.back().covariance;
   const Vector6 xi = from_final(curve, n);
@@ -72,9 +72,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void count_rejected_and_scatter(const std::vector<Curve>& curves) {
+void count_rejected_and_scatter(const std::vector<OnlineCurve>& curves) {
   int rejected = 0, scatter = 0, steps = 0;
-  for (const Curve& c : curves) {
+  for (const OnlineCurve& c : curves) {
     rejected += c.rejected;
     for (std::size_t k = first_tested - 1; k < c.steps.size(); ++k) {
       ++steps;
@@ -87,14 +87,14 @@ void count_rejected_and_scatter(const std::vector<Curve>& curves) {
 
 /// Steps whose covariance, or whose final one, is by scatter are shares of another statistic: counted, not
 /// tested.
-bool print_shares(const std::vector<Curve>& curves) {
+bool print_shares(const std::vector<OnlineCurve>& curves) {
   long tested = 0, passed = 0, left_out = 0;
   const Session like = read_session(HANDSIGHT_SOURCE_DIR "/sample_sessions/rigs/justin_head");
   bool met = true;
   std::string per_n;
   for (int n = first_tested; n <= last_tested; ++n) {
     int tested_n = 0, passed_n = 0;
-    for (const Curve& c : curves) {
+    for (const OnlineCurve& c : curves) {
       if (static_cast<int>(c.steps.size()) <= n) continue;
       if (c.steps[static_cast<std::size_t>(n - 1)].covariance_is_scatter || c.steps.back().covariance_is_scatter) {
         ++left_out;
@@ -118,14 +118,14 @@ bool print_shares(const std::vector<Curve>& curves) {
 }
 
 /// The first n from which the parameter stays within twice `sigma` of its final value.
-int settled(const Curve& curve, int parameter, double sigma) {
+int settled(const OnlineCurve& curve, int parameter, double sigma) {
   int n = static_cast<int>(curve.steps.size());
   while (n > 1 && std::abs(from_final(curve, n - 1)[parameter]) <= 2 * sigma) --n;
   return n;
 }
 
 /// Medians over the seeds, parameter by parameter.
-void print_behaviour(const std::vector<Curve>& curves) {
+void print_behaviour(const std::vector<OnlineCurve>& curves) {
   fmt::print("medians over the seeds; wander: the largest distance from the final value after n = 45\n");
   fmt::print(
       "        noise sigma at 100   reported/noise sigma   wander/noise sigma   wander/reported sigma   "
@@ -133,7 +133,7 @@ void print_behaviour(const std::vector<Curve>& curves) {
   const char* names[] = {"x", "y", "z", "rx", "ry", "rz"};
   for (int i = 0; i < 6; ++i) {
     std::vector<double> noise_sigma, ratio, by_noise, by_reported, settled_noise, settled_reported;
-    for (const Curve& c : curves) {
+    for (const OnlineCurve& c : curves) {
       const double noise = std::sqrt(c.by_noise.back()(i, i));
       const double reported = std::sqrt(c.steps.back().covariance(i, i));
       double wander = 0;
@@ -163,7 +163,7 @@ int main(int argc, char** argv) {
   const Session like = read_session(HANDSIGHT_SOURCE_DIR "/sample_sessions/rigs/justin_head");
   bool met = true;
   for (const double sag : {0.0, hidden}) {
-    std::vector<Curve> curves;
+    std::vector<OnlineCurve> curves;
     for (int seed = 1; seed <= seeds; ++seed) curves.push_back(calibrate(like, static_cast<std::uint64_t>(seed), sag));
     fmt::print("\n{} seeds, {} observations each, {}\n", seeds, observations,
                sag > 0 ? fmt::format("hidden sag of {:.0e} rad/(N m) at the arm's first four joints", sag)
