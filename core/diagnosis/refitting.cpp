@@ -50,7 +50,7 @@ Refit refit_with(const CleanFit& model, const FitOptions& model_options, const s
   r.options = model_options;
   r.options.start = estimate(model.fit);
   r.options.estimated.insert(r.options.estimated.end(), added.begin(), added.end());
-  r.options.smallest_step = 1e-8;
+  r.options.smallest_step = 1e-7;
   r.options.most_iterations = 40;
   r.added = added.size();
   r.fit = fit(model.session, r.options);

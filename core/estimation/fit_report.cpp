@@ -68,10 +68,29 @@ Problem part_of(const Problem& whole, const std::vector<char>& in_part) {
   return part;
 }
 
-ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& options, std::size_t session_size) {
+/// The fit's own answer on a part of its observations. With effects one Gauss-Newton step from the whole fit's answer
+/// is enough, as long as it is small against what is plausible; else, and without effects, a full fit.
+Unknowns part_estimate(const Fit& fit, const FitOptions& options, const std::vector<char>& trains) {
+  const bool is_plain = fit.objective == Objective::image && !fit.fixed_markers && options.loss == Loss::none;
+  if (is_plain && fit.problem.effect_count() > 0) {
+    std::vector<int> places;
+    for (std::size_t i = 0; i < fit.problem.observations.size(); ++i)
+      if (trains[static_cast<std::size_t>(fit.problem.observations[i].index)]) places.push_back(static_cast<int>(i));
+    const NormalEquations normal = normal_equations(fit.problem, estimate(fit), places);
+    const Eigen::VectorXd step = pseudo_inverse(normal.information) * normal.gradient;
+    bool is_small = step.head(fit.problem.effect_column()).cwiseAbs().maxCoeff() < 2e-3;
+    for (Eigen::Index i = 0; i < fit.problem.effect_count(); ++i)
+      is_small = is_small && std::abs(step[fit.problem.effect_column() + i]) <
+                                 0.5 * fit.problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    if (is_small) return moved(fit.problem, estimate(fit), step);
+  }
   FitOptions fold_options = options;
   // Effects are followed to a ten-thousandth of their plausible size: far below what a fold shows of them.
   if (fit.problem.effect_count() > 0) fold_options.smallest_step = std::max(options.smallest_step, 1e-7);
+  return refit(fit, fold_options, part_of(fit.problem, trains), fit.noise.value_or(1));
+}
+
+ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& options, std::size_t session_size) {
   std::vector<Residuals> all;
   for (int fold = 0; fold < 5; ++fold) {
     std::vector<char> trains(session_size, 0);
@@ -82,10 +101,14 @@ ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& o
       (held ? holds_out : has_training) = true;
     }
     if (!holds_out || !has_training) continue;
-    const Unknowns unknowns = refit(fit, fold_options, part_of(fit.problem, trains), fit.noise.value_or(1));
+    const Unknowns unknowns = part_estimate(fit, options, trains);
     for (char& train : trains) train = !train;
     Problem held = part_of(images, trains);
-    if (held.effect_count() > 0) set_effects(held, unknowns.effects);
+    if (held.effect_count() > 0) {
+      set_effect_values(held, unknowns.effects);
+      hold_effects(held);  // residuals need no derivatives
+      place_observations(held);
+    }
     for (const ProblemObservation& o : held.observations) all.push_back(residuals_of(held, o, unknowns));
   }
   return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());

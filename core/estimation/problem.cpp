@@ -54,11 +54,15 @@ Eigen::VectorXd effect_values(const Problem& problem) {
   return values;
 }
 
-void set_effects(Problem& problem, const Eigen::VectorXd& values) {
+void set_effect_values(Problem& problem, const Eigen::VectorXd& values) {
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
     problem.terms[c.term].values[c.parameter] = values[i];
   }
+}
+
+void set_effects(Problem& problem, const Eigen::VectorXd& values) {
+  set_effect_values(problem, values);
   place_observations(problem);
 }
 

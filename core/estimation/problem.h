@@ -90,6 +90,9 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
 /// The values of the problem's effect columns.
 Eigen::VectorXd effect_values(const Problem& problem);
 
+/// Gives the effects these values, without moving the observations there.
+void set_effect_values(Problem& problem, const Eigen::VectorXd& values);
+
 /// Moves all observations to where the effects have these values (and finds the derivatives there).
 void set_effects(Problem& problem, const Eigen::VectorXd& values);
 
