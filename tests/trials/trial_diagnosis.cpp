@@ -282,16 +282,18 @@ Outside outside_session(const Session& like, const SimulatedSession& s, const st
   for (int k = 0; k < 6; ++k) v[k] = normal(random) * (k < 3 ? 1e-3 : 2e-3);
   const double size = 1e-3 * (1 + std::abs(normal(random)));
   if (kind == "sine3" || kind == "coupling" || kind == "cubic") {
+    const auto torque_at = [&](const Observation& o) {
+      const Posture p = solve_posture(chain.robot, joint_values(chain.robot, chain.joints, o.position), chain.gravity);
+      return p.torque[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
+    };
+    double squares = 0;
+    for (const Observation& o : out.session.observations) squares += std::pow(torque_at(o), 2);
+    const double usual = std::sqrt(squares / static_cast<double>(out.session.observations.size()));
     for (Observation& o : out.session.observations) {
       const double q = o.position[j];
       if (kind == "sine3") o.position[j] -= size * std::sin(3 * q + 0.7);
       if (kind == "coupling") o.position[j] -= 2 * size * o.position[other];
-      if (kind == "cubic") {
-        const Eigen::VectorXd all = joint_values(chain.robot, chain.joints, o.position);
-        const Posture p = solve_posture(chain.robot, all, chain.gravity);
-        const double torque = p.torque[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
-        o.position[j] -= size * std::pow(torque / 8, 3);
-      }
+      if (kind == "cubic" && usual > 0.5) o.position[j] -= size * std::pow(torque_at(o) / usual, 3);
     }
     out.variable =
         kind == "cubic" ? "gravity torque at " + name(j) : "angle of " + name(kind == "coupling" ? other : j);
