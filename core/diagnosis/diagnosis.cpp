@@ -56,15 +56,14 @@ std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
 std::vector<std::vector<double>> sigmas_of(const RankedEffect& r) {
   std::vector<std::vector<double>> sigmas;
   Eigen::Index i = 0;
-  for (const std::size_t u : r.units) {
-    const Effect& effect = *r.candidate->effect;
+  const Effect& effect = *r.candidate->effect;
+  for (std::size_t unit = 0; unit < r.units.size(); ++unit) {
     sigmas.emplace_back(effect.parameters.size(), 0.0);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) {
         sigmas.back()[p] = std::sqrt(std::max(r.estimate.covariance(i, i), 0.0)) * effect.parameters[p].sigma;
         ++i;
       }
-    (void)u;
   }
   return sigmas;
 }
@@ -355,7 +354,7 @@ class Work {
     const auto after = lack_after_.find(best.id);
     if (after == lack_after_.end() || !after->second || !best.explained) return false;
     if (after->second->p >= 1e-3 || *best.explained >= 0.5) return false;
-    return !further_effect_passes(fits_.at(best.id), d_.model, d_.threshold);
+    return !further_effect_passes(fits_.at(best.id), d_.threshold);
   }
 
   void judge_what_is_left(bool knows_noise) {

@@ -9,7 +9,7 @@
 namespace handsight {
 namespace {
 
-constexpr std::array<double, 4> scales{0.1, 0.3, 1, 3};
+constexpr auto& scales = plausible_scales;
 
 double ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt) {
   return 2 * llt.matrixLLT().diagonal().array().log().sum();

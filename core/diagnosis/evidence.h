@@ -3,11 +3,15 @@
 // the joints repeat (docs/method.md, "Ranking what is missing").
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "diagnosis/linear_model.h"
 
 namespace handsight {
+
+/// Effects may be as large as plausible, or by these factors smaller and larger.
+inline constexpr std::array<double, 4> plausible_scales{0.1, 0.3, 1, 3};
 
 /// How the logarithm of a Bayes factor follows from squares: sigma known, or profiled out over `degrees` of freedom.
 struct NoiseKnowledge {

@@ -8,7 +8,7 @@
 namespace handsight {
 namespace {
 
-constexpr std::array<double, 4> scales{0.1, 0.3, 1, 3};
+constexpr auto& scales = plausible_scales;
 
 /// The model with the plausible sizes of the columns from `first` on times `scale`.
 void set_scale(LinearModel& model, const LinearModel& plain, Eigen::Index first, double scale) {
@@ -101,7 +101,7 @@ std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::ve
   return settled;
 }
 
-bool further_effect_passes(const Refit& refit, const CleanFit&, double threshold) {
+bool further_effect_passes(const Refit& refit, double threshold) {
   const Fit& f = refit.fit;
   const double noise = f.noise_estimate ? f.noise_estimate->sigma : f.noise.value_or(f.residual_rms);
   const NoiseKnowledge knowledge{f.noise.has_value(), static_cast<double>(std::max(f.rows - f.unknowns, 1))};

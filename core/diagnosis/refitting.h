@@ -31,7 +31,7 @@ std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::ve
                                             const NoiseKnowledge& knowledge);
 
 /// Does any further named effect of the catalogue pass the threshold once these are in the model?
-bool further_effect_passes(const Refit& refit, const CleanFit& model, double threshold);
+bool further_effect_passes(const Refit& refit, double threshold);
 
 /// The share of what `a` does to the measurements (at its estimate) that `b` can imitate with plausible numbers.
 double imitated_share(const WhitenedModel& w, const RankedEffect& a, const RankedEffect& b);
