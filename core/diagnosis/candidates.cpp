@@ -82,6 +82,22 @@ Candidates all_candidates(const Problem& model, int most_orders) {
   return candidates;
 }
 
+Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& terms) {
+  Candidates candidates;
+  candidates.problem = model;
+  candidates.base_effects = model.effect_count();
+  for (const EffectTerm& term : terms) {
+    const Effect& effect = *find_effect(term.id);
+    EffectTerm at = term;
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice) at.values[p] = 0;
+    candidates.effects.push_back({&effect, {}});
+    add_unit(effect, at, candidates.effects.back(), candidates.problem, candidates.base_effects);
+  }
+  place_observations(candidates.problem);
+  return candidates;
+}
+
 Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders) {
   Candidates candidates;
   candidates.problem = model;

@@ -26,7 +26,10 @@ struct Candidates {
 
 /// All units that are not in the model yet, in the order of the catalogue. Observations at which something may have
 /// slipped are thinned to `most_orders`, evenly.
-Candidates all_candidates(const Problem& model, int most_orders);
+Candidates all_candidates(const Problem& model, int most_orders = 24);
+
+/// These terms alone, each a unit of its own; their choices count, their numbers do not.
+Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& terms);
 
 /// The units of one effect and place alone, at these orders.
 Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders);

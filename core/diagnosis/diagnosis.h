@@ -20,7 +20,10 @@ struct DiagnosisOptions {
   std::optional<double> threshold;    // ln of the Bayes factor that counts; absent: simulated on these poses
   std::optional<Unknowns> start;      // of a fit of nearly the same model
   std::optional<CleanFit> fitted;     // the model as it is already fitted (of these effects); saves a fit
-  /// Called between steps with the share of the work done; returning false stops (the result is then empty).
+  /// Every iteration of the model's own fits: cost and unknowns; returning false stops.
+  std::function<bool(int iteration, double cost, const Unknowns&)> on_iteration;
+  /// Called between steps, and at every iteration of the candidates' fits, with the share of the work done; returning
+  /// false stops (the result is then empty).
   std::function<bool(double done)> on_progress;
 };
 

@@ -11,140 +11,138 @@ namespace {
 /// The number by which models are compared: px, or m with a tracker.
 double held_out(const ErrorSummary& e) { return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0); }
 
-/// A model and what was said of it.
-struct State {
-  std::vector<EffectTerm> estimated;
-  std::vector<ImprovementStep> steps;
-  Diagnosis diagnosis;
-};
+Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
+                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start) {
+  DiagnosisOptions o;
+  o.effects = options.effects;
+  o.estimated = estimated;
+  o.start = start;
+  o.on_progress = options.on_progress;
+  o.on_iteration = options.on_iteration;
+  return diagnose(session, o);
+}
 
-class Improver {
- public:
-  Improver(const Session& session, const ImprovementOptions& options) : session_(session), options_(options) {}
+/// Takes the terms from `first` to `last` out of the estimated ones where they are not worth their parameters.
+bool drop(const Session& session, const ImprovementOptions& options, std::size_t first, std::size_t last,
+          ModelChange& change) {
+  const Diagnosis& d = *change.model;
+  const Fit& with = d.model.fit;
+  const auto begin = d.model_options.estimated.begin();
+  const std::vector<EffectTerm> dropped(begin + static_cast<std::ptrdiff_t>(first),
+                                        begin + static_cast<std::ptrdiff_t>(last));
+  FitOptions o = d.model_options;
+  o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
+                    o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
+  const Fit without = fit(d.model.session, o);
+  const Weighing by = weighing(with);
+  const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
+                        fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
+  if (gained >= d.threshold) return false;
+  Diagnosis next = diagnosed_from(session, options, o.estimated, estimate(without));
+  change.stopped = next.stopped;
+  if (next.stopped || held_out(next.report.held_out) > 1.001 * held_out(d.report.held_out)) return false;
+  change.steps.push_back(step_of(next));
+  change.steps.back().removed = dropped.front().id;
+  change.steps.back().where = places_of(dropped, session);
+  change.steps.back().terms = dropped;
+  change.model = std::move(next);
+  return true;
+}
 
-  Improvement run() {
-    State state;
-    state.estimated = options_.estimated;
-    state.diagnosis = diagnosed(state.estimated);
-    state.steps.push_back(step_of(state.diagnosis));
-    State settled = state;  // the last model that no unnamed curve outdoes
-    while (!stopped_ && static_cast<int>(state.steps.size()) <= options_.most_steps) {
-      if (options_.on_step && !options_.on_step(state.steps.back())) {
-        stopped_ = true;
-        break;
-      }
-      std::optional<State> next = one_more(state);
-      if (!next) break;
-      state = std::move(*next);
-      drop_what_is_no_longer_needed(state);
-      if (!is_outdone(state.diagnosis)) settled = state;
-    }
-    // Names that leave an unnamed curve on top have not explained anything.
-    if (is_outdone(state.diagnosis)) {
-      for (std::size_t i = settled.steps.size(); i < state.steps.size(); ++i)
-        refused_.push_back({state.steps[i].added, state.steps[i].where,
-                            "with it an unnamed curve still explains more than anything that has a name"});
-      state = std::move(settled);
-    }
-    return {std::move(state.steps), std::move(refused_), std::move(state.diagnosis), stopped_};
+/// Everything added before the last step must still be worth its parameters.
+void drop_what_is_no_longer_needed(const Session& session, const ImprovementOptions& options, ModelChange& change) {
+  for (std::size_t first = options.estimated.size(); !change.stopped;) {
+    const std::vector<EffectTerm>& terms = change.model->model_options.estimated;
+    if (first >= terms.size()) return;
+    std::size_t last = first + 1;  // the terms of one effect that stand together
+    while (last < terms.size() && terms[last].id == terms[first].id) ++last;
+    if (last == terms.size() || !drop(session, options, first, last, change)) first = last;
   }
-
- private:
-  Diagnosis diagnosed(const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start = {}) {
-    DiagnosisOptions o;
-    o.effects = options_.effects;
-    o.estimated = estimated;
-    o.start = start;
-    o.on_progress = options_.on_progress;
-    Diagnosis d = diagnose(session_, o);
-    stopped_ = stopped_ || d.stopped;
-    return d;
-  }
-
-  static ImprovementStep step_of(const Diagnosis& d) {
-    ImprovementStep s;
-    s.fitted = d.report.fitted;
-    s.held_out = d.report.held_out;
-    s.noise = d.noise;
-    return s;
-  }
-
-  /// Does an unnamed curve pass and lead?
-  static bool is_outdone(const Diagnosis& d) {
-    return !d.candidates.empty() && d.candidates.front().unnamed && d.candidates.front().ln_bayes_factor >= d.threshold;
-  }
-
-  std::optional<State> one_more(const State& state) {
-    const Diagnosis& d = state.diagnosis;
-    if (d.verdict == Verdict::too_few_observations || d.verdict == Verdict::adequate) return std::nullopt;
-    for (const DiagnosisCandidate& c : d.candidates) {
-      if (c.unnamed) continue;
-      if (c.ln_bayes_factor < d.threshold || stopped_) return std::nullopt;
-      State next = state;
-      next.estimated = d.model_options.estimated;
-      next.estimated.insert(next.estimated.end(), c.terms.begin(), c.terms.end());
-      next.diagnosis = diagnosed(next.estimated, estimate(d.model.fit));
-      if (stopped_) return std::nullopt;
-      next.estimated = next.diagnosis.model_options.estimated;
-      if (held_out(next.diagnosis.report.held_out) < held_out(d.report.held_out)) {
-        next.steps.push_back(step_of(next.diagnosis));
-        next.steps.back().added = c.id;
-        next.steps.back().where = c.where;
-        next.steps.back().terms = c.terms;
-        return next;
-      }
-      refused_.push_back({c.id, c.where, "the held-out error does not fall"});
-    }
-    return std::nullopt;
-  }
-
-  /// Everything added before the last step must still be worth its parameters.
-  void drop_what_is_no_longer_needed(State& state) {
-    const std::size_t given = options_.estimated.size();
-    for (std::size_t first = given; first < state.estimated.size() && !stopped_;) {
-      std::size_t last = first + 1;  // the terms of one effect that stand together
-      while (last < state.estimated.size() && state.estimated[last].id == state.estimated[first].id) ++last;
-      if (last == state.estimated.size() || !drop(state, first, last)) first = last;
-    }
-  }
-
-  bool drop(State& state, std::size_t first, std::size_t last) {
-    const Diagnosis& d = state.diagnosis;
-    const Fit& with = d.model.fit;
-    std::vector<EffectTerm> rest = state.estimated;
-    const std::vector<EffectTerm> dropped(rest.begin() + static_cast<std::ptrdiff_t>(first),
-                                          rest.begin() + static_cast<std::ptrdiff_t>(last));
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(first), rest.begin() + static_cast<std::ptrdiff_t>(last));
-    FitOptions o = d.model_options;
-    o.estimated = rest;
-    const Fit without = fit(d.model.session, o);
-    const double noise = with.noise_estimate ? with.noise_estimate->sigma : with.noise.value_or(with.residual_rms);
-    const NoiseKnowledge knowledge{with.noise.has_value(), static_cast<double>(std::max(with.rows - with.unknowns, 1))};
-    const double gained = fit_evidence(with, with.problem.effect_count(), noise, knowledge).ln_evidence -
-                          fit_evidence(without, without.problem.effect_count(), noise, knowledge).ln_evidence;
-    if (gained >= d.threshold) return false;
-    State next = state;
-    next.diagnosis = diagnosed(rest, estimate(without));
-    if (stopped_ || held_out(next.diagnosis.report.held_out) > 1.001 * held_out(d.report.held_out)) return false;
-    next.estimated = next.diagnosis.model_options.estimated;
-    next.steps.push_back(step_of(next.diagnosis));
-    next.steps.back().removed = dropped.front().id;
-    next.steps.back().where = places_of(dropped, session_);
-    next.steps.back().terms = dropped;
-    state = std::move(next);
-    return true;
-  }
-
-  const Session& session_;
-  const ImprovementOptions& options_;
-  std::vector<RefusedStep> refused_;
-  bool stopped_ = false;
-};
+}
 
 }  // namespace
 
+ImprovementStep step_of(const Diagnosis& model) {
+  ImprovementStep s;
+  s.fitted = model.report.fitted;
+  s.held_out = model.report.held_out;
+  s.noise = model.noise;
+  return s;
+}
+
+bool is_outdone(const Diagnosis& d) {
+  return !d.candidates.empty() && d.candidates.front().unnamed && d.candidates.front().ln_bayes_factor >= d.threshold;
+}
+
+Diagnosis diagnosed(const Session& session, const ImprovementOptions& options) {
+  return diagnosed_from(session, options, options.estimated, {});
+}
+
+ModelChange add_candidate(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
+                          const DiagnosisCandidate& candidate) {
+  ModelChange change;
+  std::vector<EffectTerm> estimated = model.model_options.estimated;
+  estimated.insert(estimated.end(), candidate.terms.begin(), candidate.terms.end());
+  Diagnosis next = diagnosed_from(session, options, estimated, estimate(model.model.fit));
+  change.stopped = next.stopped;
+  if (next.stopped) return change;
+  if (held_out(next.report.held_out) >= held_out(model.report.held_out)) {
+    change.refused.push_back({candidate.id, candidate.where, "the held-out error does not fall"});
+    return change;
+  }
+  change.steps.push_back(step_of(next));
+  change.steps.back().added = candidate.id;
+  change.steps.back().where = candidate.where;
+  change.steps.back().terms = candidate.terms;
+  change.model = std::move(next);
+  drop_what_is_no_longer_needed(session, options, change);
+  if (change.stopped) change.model.reset();
+  return change;
+}
+
+ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
+  ModelChange all;
+  if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return all;
+  for (const DiagnosisCandidate& c : model.candidates) {
+    if (c.unnamed) continue;
+    if (c.ln_bayes_factor < model.threshold) break;
+    ModelChange one = add_candidate(session, options, model, c);
+    all.refused.insert(all.refused.end(), one.refused.begin(), one.refused.end());
+    all.model = std::move(one.model);
+    all.steps = std::move(one.steps);
+    all.stopped = one.stopped;
+    if (all.stopped || all.model) break;
+  }
+  return all;
+}
+
 Improvement improve(const Session& session, const ImprovementOptions& options) {
-  return Improver(session, options).run();
+  Improvement m;
+  m.last = diagnosed(session, options);
+  m.steps = {step_of(m.last)};
+  m.stopped = m.last.stopped;
+  Improvement settled = m;  // the last model that no unnamed curve outdoes
+  while (!m.stopped && static_cast<int>(m.steps.size()) <= options.most_steps) {
+    if (options.on_step && !options.on_step(m.steps.back())) {
+      m.stopped = true;
+      break;
+    }
+    ModelChange change = add_best(session, options, m.last);
+    m.refused.insert(m.refused.end(), change.refused.begin(), change.refused.end());
+    m.stopped = change.stopped;
+    if (!change.model) break;
+    m.steps.insert(m.steps.end(), change.steps.begin(), change.steps.end());
+    m.last = std::move(*change.model);
+    if (!is_outdone(m.last)) settled = m;
+  }
+  if (!is_outdone(m.last) || m.stopped) return m;
+  // Names that leave an unnamed curve on top have not explained anything.
+  for (std::size_t i = settled.steps.size(); i < m.steps.size(); ++i)
+    m.refused.push_back({m.steps[i].added, m.steps[i].where,
+                         "with it an unnamed curve still explains more than anything that has a name"});
+  m.steps = std::move(settled.steps);
+  m.last = std::move(settled.last);
+  return m;
 }
 
 }  // namespace handsight

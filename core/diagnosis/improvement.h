@@ -29,10 +29,32 @@ struct ImprovementOptions {
   int most_steps = 16;
   /// After every diagnosis and before every change; returning false stops with what there is.
   std::function<bool(const ImprovementStep& latest)> on_step;
-  std::function<bool(double done)> on_progress;  // within a diagnosis
-  /// Every iteration of every fit: cost and unknowns; returning false stops.
+  std::function<bool(double done)> on_progress;  // as in DiagnosisOptions
   std::function<bool(int iteration, double cost, const Unknowns&)> on_iteration;
 };
+
+/// What a change of a model comes to.
+struct ModelChange {
+  std::optional<Diagnosis> model;      // afterwards; none where nothing was taken, or it was stopped
+  std::vector<ImprovementStep> steps;  // the addition, then what it made superfluous
+  std::vector<RefusedStep> refused;
+  bool stopped = false;
+};
+
+/// The model as it stands (ImprovementOptions::effects and estimated) and what is said of it.
+Diagnosis diagnosed(const Session& session, const ImprovementOptions& options);
+/// The first step of an improvement: nothing added.
+ImprovementStep step_of(const Diagnosis& model);
+
+/// Adds one candidate of model.candidates: fitted in full, diagnosed again, taken where the held-out error falls; then
+/// whatever was added before and is no longer worth its parameters is taken out.
+ModelChange add_candidate(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
+                          const DiagnosisCandidate& candidate);
+/// The first of the named candidates that pass the threshold and are not refused.
+ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
+
+/// An unnamed curve passes and leads: the names that were added so far have not explained what is missing.
+bool is_outdone(const Diagnosis& model);
 
 struct Improvement {
   std::vector<ImprovementStep> steps;
@@ -41,6 +63,7 @@ struct Improvement {
   bool stopped = false;
 };
 
+/// add_best until nothing is left to add; names that leave the model outdone are taken back.
 Improvement improve(const Session& session, const ImprovementOptions& options = {});
 
 }  // namespace handsight

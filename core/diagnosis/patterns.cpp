@@ -14,22 +14,21 @@ namespace {
 constexpr int most_neighbours = 12;
 
 void add_axes(const std::string& frame, const std::vector<Matrix6>& frame_from_sensor, const LinearModel& model,
-              std::vector<ResidualSeries>& list) {
+              std::vector<ResidualAxis>& list) {
   const char* axes[] = {"x", "y", "z"};
-  const auto count = static_cast<Eigen::Index>(model.observations.size());
-  Eigen::MatrixXd values(count, 6), sigmas(count, 6);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const LinearObservation& o = model.observations[static_cast<std::size_t>(i)];
-    // The shortest motion that explains the external residual; with six rows the only one.
-    const Eigen::MatrixXd inverse = o.by_body.completeOrthogonalDecomposition().pseudoInverse();
-    const Eigen::MatrixXd in_frame = frame_from_sensor[static_cast<std::size_t>(i)] * inverse;
-    values.row(i) = (in_frame * model.external_error.segment(o.first, o.count)).transpose();
-    sigmas.row(i) = in_frame.rowwise().norm().transpose();
-  }
+  const std::size_t first = list.size();
   for (int k = 0; k < 6; ++k)
     list.push_back({k < 3 ? fmt::format("shift along {} of the {}", axes[k], frame)
                           : fmt::format("turn about {} of the {}", axes[k - 3], frame),
-                    k < 3 ? "m" : "rad", -1, values.col(k), sigmas.col(k)});
+                    k < 3 ? "m" : "rad",
+                    -1,
+                    {}});
+  for (std::size_t i = 0; i < model.observations.size(); ++i) {
+    // The shortest motion that explains the external residual; with six rows the only one.
+    const Eigen::MatrixXd inverse = model.observations[i].by_body.completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::MatrixXd in_frame = frame_from_sensor[i] * inverse;
+    for (int k = 0; k < 6; ++k) list[first + static_cast<std::size_t>(k)].weights.push_back(in_frame.row(k));
+  }
 }
 
 /// Turns a motion about the sensor's origin into one about the TCP's, in axes turned by `rotation`.
@@ -37,24 +36,22 @@ Matrix6 about_tcp(const LinearObservation& o, const Matrix3& axes_from_sensor) {
   return adjoint(Rigid{axes_from_sensor, -(axes_from_sensor * o.sensor_from_tcp.translation)});
 }
 
-void add_joints(const Problem& problem, const LinearModel& model, std::vector<ResidualSeries>& list) {
+void add_joints(const Problem& problem, const LinearModel& model, std::vector<ResidualAxis>& list) {
+  constexpr double least_information = 1e-6;
   const Chain& chain = problem.source->chain;
-  const auto count = static_cast<Eigen::Index>(model.observations.size());
   for (std::size_t j = 0; j < chain.joints.size(); ++j) {
     const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[j])];
-    ResidualSeries series{"error of " + joint.name, joint.kind == JointKind::prismatic ? "m" : "rad", chain.joints[j],
-                          Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
+    ResidualAxis axis{"error of " + joint.name, joint.kind == JointKind::prismatic ? "m" : "rad", chain.joints[j], {}};
     bool moves = false;
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const LinearObservation& o = model.observations[static_cast<std::size_t>(i)];
+    for (const LinearObservation& o : model.observations) {
       const Eigen::VectorXd column = o.by_joints.col(static_cast<Eigen::Index>(j));
       const double information = column.squaredNorm();
-      if (information <= 1e-6) continue;
-      moves = true;
-      series.values[i] = column.dot(model.external_error.segment(o.first, o.count)) / information;
-      series.sigmas[i] = 1 / std::sqrt(information);
+      moves = moves || information > least_information;
+      axis.weights.push_back(information > least_information
+                                 ? Eigen::RowVectorXd(column.transpose() / information)
+                                 : Eigen::RowVectorXd(Eigen::RowVectorXd::Zero(column.size())));
     }
-    if (moves) list.push_back(std::move(series));
+    if (moves) list.push_back(std::move(axis));
   }
 }
 
@@ -102,8 +99,8 @@ Structure two_sides(const Eigen::VectorXd& y, const Eigen::VectorXd& sign) {
 
 }  // namespace
 
-std::vector<ResidualSeries> residual_series(const Problem& problem, const LinearModel& model) {
-  std::vector<ResidualSeries> list;
+std::vector<ResidualAxis> residual_axes(const Problem& problem, const LinearModel& model) {
+  std::vector<ResidualAxis> list;
   std::vector<Matrix6> tcp, root, image;
   for (std::size_t i = 0; i < model.observations.size(); ++i) {
     const LinearObservation& o = model.observations[i];
@@ -116,6 +113,27 @@ std::vector<ResidualSeries> residual_series(const Problem& problem, const Linear
   add_axes("base", root, model, list);
   add_axes(problem.rig ? "camera" : "tracker", image, model, list);
   add_joints(problem, model, list);
+  return list;
+}
+
+Eigen::VectorXd seen_along(const ResidualAxis& axis, const LinearModel& model, const Eigen::VectorXd& error) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(axis.weights.size()));
+  for (std::size_t i = 0; i < axis.weights.size(); ++i) {
+    const LinearObservation& o = model.observations[i];
+    values[static_cast<Eigen::Index>(i)] = axis.weights[i].dot(error.segment(o.first, o.count));
+  }
+  return values;
+}
+
+std::vector<ResidualSeries> residual_series(const Problem& problem, const LinearModel& model) {
+  std::vector<ResidualSeries> list;
+  for (const ResidualAxis& axis : residual_axes(problem, model)) {
+    ResidualSeries series{axis.name, axis.unit, axis.joint, seen_along(axis, model, model.external_error), {}};
+    series.sigmas.resize(series.values.size());
+    for (std::size_t i = 0; i < axis.weights.size(); ++i)
+      series.sigmas[static_cast<Eigen::Index>(i)] = axis.weights[i].norm();
+    list.push_back(std::move(series));
+  }
   return list;
 }
 

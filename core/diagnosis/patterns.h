@@ -22,7 +22,19 @@ struct Pattern {
   double p_value = 1;   // under sign flips of whole observations, times the number of pairs looked at
 };
 
+/// How a residual quantity follows from the external rows of the observations.
+struct ResidualAxis {
+  std::string name;
+  std::string unit;
+  int joint = -1;
+  std::vector<Eigen::RowVectorXd> weights;  // per observation, by its external rows; zero where it shows nothing
+};
+
 /// Motions along the axes of TCP, root and image (18), and per-joint equivalent errors.
+std::vector<ResidualAxis> residual_axes(const Problem& problem, const LinearModel& model);
+/// The quantity in external rows `error` (of all observations, in units of the noise).
+Eigen::VectorXd seen_along(const ResidualAxis& axis, const LinearModel& model, const Eigen::VectorXd& error);
+/// All of them in the model's own residuals.
 std::vector<ResidualSeries> residual_series(const Problem& problem, const LinearModel& model);
 
 /// All pairs, most structured first: those with p below 1e-3 by strength, then the others by p-value.

@@ -232,11 +232,10 @@ class Planner {
 
   void judge_the_rivals(Plan& plan) const {
     if (!options_.between || plan.poses.empty()) return;
-    const NoiseKnowledge knowledge{base_.noise.has_value(),
-                                   static_cast<double>(std::max(base_.rows - base_.unknowns, 1))};
+    const Weighing by{weighing(base_).knowledge, noise_};
     const Eigen::Index model_columns = base_.problem.effect_count();
-    plan.ln_bayes_factor_before = fit_evidence(first_, model_columns, noise_, knowledge).ln_evidence -
-                                  fit_evidence(second_, model_columns, noise_, knowledge).ln_evidence;
+    plan.ln_bayes_factor_before =
+        fit_evidence(first_, model_columns, by).ln_evidence - fit_evidence(second_, model_columns, by).ln_evidence;
     const RivalEffects& r = *options_.between;
     const double total = total_.mean();
     plan.tells_apart = total >= no_difference * static_cast<double>(plan.poses.size());

@@ -24,9 +24,9 @@ void set_scale(LinearModel& model, const LinearModel& plain, Eigen::Index first,
 
 }  // namespace
 
-FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, double noise, const NoiseKnowledge& knowledge) {
+FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing) {
   const Problem problem = with_motions(fit.problem);
-  const LinearModel plain = linear_model(problem, estimate(fit), problem.effect_count(), noise);
+  const LinearModel plain = linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
   LinearModel scaled = plain;
   const Eigen::Index first = problem.effect_column() + first_new;
   const auto added = static_cast<double>(problem.effect_count() - first_new);
@@ -35,7 +35,7 @@ FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, double noise, c
     std::vector<double> values;
     for (const double scale : scales) {
       set_scale(scaled, plain, first, scale);
-      values.push_back(whiten(scaled, scatter, knowledge).ln_evidence - added * std::log(scale));
+      values.push_back(whiten(scaled, scatter, weighing.knowledge).ln_evidence - added * std::log(scale));
       if (added == 0) break;
     }
     const double value = ln_mean_exp(values);
@@ -45,7 +45,7 @@ FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, double noise, c
 }
 
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
-                 double noise, const NoiseKnowledge& knowledge) {
+                 const Weighing& weighing) {
   Refit r;
   r.options = model_options;
   r.options.start = estimate(model.fit);
@@ -58,13 +58,14 @@ Refit refit_with(const CleanFit& model, const FitOptions& model_options, const s
     r.options.estimated[t] = r.fit.effects[r.options.effects.size() + t].term;
   r.options.start = estimate(r.fit);
   const Eigen::Index before = model.fit.problem.effect_count();
-  r.ln_bayes_factor = fit_evidence(r.fit, before, noise, knowledge).ln_evidence -
-                      fit_evidence(model.fit, before, noise, knowledge).ln_evidence;
+  r.ln_bayes_factor =
+      fit_evidence(r.fit, before, weighing).ln_evidence - fit_evidence(model.fit, before, weighing).ln_evidence;
   return r;
 }
 
-std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms, double noise,
-                                            const NoiseKnowledge& knowledge) {
+std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
+                                            const Weighing& weighing) {
+  const NoiseKnowledge& knowledge = weighing.knowledge;
   std::vector<EffectTerm> settled = terms;
   const Problem& problem = model.fit.problem;
   for (EffectTerm& term : settled) {
@@ -83,7 +84,7 @@ std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::ve
     if (from > to) continue;
     const Candidates near =
         candidates_at_orders(problem, term, std::vector<double>(orders.begin() + from, orders.begin() + to + 1));
-    const LinearModel linear = linear_model(near.problem, estimate(model.fit), near.base_effects, noise);
+    const LinearModel linear = linear_model(near.problem, estimate(model.fit), near.base_effects, weighing.noise);
     const WhitenedModel w = whiten(linear, 0, knowledge);
     double best = -1e300;
     for (const CandidateUnit& unit : near.effects.front().units) {
@@ -103,11 +104,10 @@ std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::ve
 
 bool further_effect_passes(const Refit& refit, double threshold) {
   const Fit& f = refit.fit;
-  const double noise = f.noise_estimate ? f.noise_estimate->sigma : f.noise.value_or(f.residual_rms);
-  const NoiseKnowledge knowledge{f.noise.has_value(), static_cast<double>(std::max(f.rows - f.unknowns, 1))};
-  const Candidates candidates = all_candidates(f.problem, 24);
-  const LinearModel model = linear_model(candidates.problem, estimate(f), candidates.base_effects, noise);
-  const Ranking ranking = rank(model, knowledge, candidates, {});
+  const Weighing w = weighing(f);
+  const Candidates candidates = all_candidates(f.problem);
+  const LinearModel model = linear_model(candidates.problem, estimate(f), candidates.base_effects, w.noise);
+  const Ranking ranking = rank(model, w.knowledge, candidates, {});
   return !ranking.effects.empty() && ranking.effects.front().ln_bayes_factor >= threshold;
 }
 
@@ -164,21 +164,20 @@ std::vector<EffectTerm> best_choices(const Session& session, const std::vector<E
       continue;
     if (!model) model = clean_fit(session, {});
     const Fit& f = model->fit;
-    const double noise = f.noise.value_or(std::max(f.residual_rms, 1e-12));
-    const NoiseKnowledge knowledge{f.noise.has_value(), static_cast<double>(std::max(f.rows - f.unknowns, 1))};
-    const Candidates all = all_candidates(f.problem, 24);
-    const LinearModel linear = linear_model(all.problem, estimate(f), all.base_effects, noise);
-    const WhitenedModel w = whiten(linear, 0, knowledge);
+    const Weighing by = weighing(f);
+    const Candidates all = all_candidates(f.problem);
+    const LinearModel linear = linear_model(all.problem, estimate(f), all.base_effects, by.noise);
+    const WhitenedModel w = whiten(linear, 0, by.knowledge);
     double best = -1e300;
     for (const CandidateEffect& c : all.effects)
       for (const CandidateUnit& unit : c.units) {
         if (c.effect != &effect || unit.term.joint != term.joint) continue;
-        const double factor = ln_bayes_factor(score(w, unit.first, unit.count), w, knowledge);
+        const double factor = ln_bayes_factor(score(w, unit.first, unit.count), w, by.knowledge);
         if (factor <= best) continue;
         best = factor;
         term.values = unit.term.values;
       }
-    term = with_settled_orders(*model, {term}, noise, knowledge).front();
+    term = with_settled_orders(*model, {term}, by).front();
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) term.values[p] = 0;
   }

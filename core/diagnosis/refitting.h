@@ -4,6 +4,7 @@
 
 #include "diagnosis/ranking.h"
 #include "diagnosis/snooping.h"
+#include "diagnosis/weighing.h"
 
 namespace handsight {
 
@@ -14,9 +15,9 @@ struct Refit {
   double ln_bayes_factor = 0;  // against the model without them, at the minimum, repeatability profiled out
 };
 
-/// Adds terms to a model and fits everything from there, on the same points. `noise` weighs the rows.
+/// Adds terms to a model and fits everything from there, on the same points.
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
-                 double noise, const NoiseKnowledge& knowledge);
+                 const Weighing& weighing);
 
 /// ln of the evidence of a fit, up to a constant that all fits of the same points share; the effects from `first_new`
 /// (an effect column) on with a mixture of plausible sizes. The best over the repeatabilities, which is given too.
@@ -24,11 +25,11 @@ struct FitEvidence {
   double ln_evidence = 0;
   double scatter = 0;
 };
-FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, double noise, const NoiseKnowledge& knowledge);
+FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing);
 
 /// Where a term has an observation from which on it acts, the one among the neighbours of its own that suits best.
-std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms, double noise,
-                                            const NoiseKnowledge& knowledge);
+std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
+                                            const Weighing& weighing);
 
 /// Does any further named effect of the catalogue pass the threshold once these are in the model?
 bool further_effect_passes(const Refit& refit, double threshold);

@@ -161,7 +161,7 @@ CleanFit clean_fit(const Session& session, const FitOptions& options) {
   CleanFit clean{session, fit(session, options), {}};
   const auto most = static_cast<std::size_t>(most_dropped * static_cast<double>(point_count(session)));
   constexpr int most_rounds = 8;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_rounds && !clean.fit.solution.stopped; ++round) {
     std::vector<WrongPoint> wrong = wrong_points(clean.session, clean.fit);
     if (wrong.empty() || clean.wrong.size() + wrong.size() > most) break;
     for (const WrongPoint& w : wrong) drop(clean.session, w);

@@ -49,8 +49,8 @@ double ln_bayes_factor(const Session& session, const std::vector<EffectTerm>& fi
   a.estimated = first;
   b.estimated = second;
   const double noise = session.is_tracker() ? *session.sigma_point : *session.sigma_pixel;
-  return fit_evidence(fit(session, a), 0, noise, {}).ln_evidence -
-         fit_evidence(fit(session, b), 0, noise, {}).ln_evidence;
+  return fit_evidence(fit(session, a), 0, Weighing{{}, noise}).ln_evidence -
+         fit_evidence(fit(session, b), 0, Weighing{{}, noise}).ln_evidence;
 }
 
 TEST(Planning, PlannedPosesTellEffectsApartBetterThanRandomOnes) {

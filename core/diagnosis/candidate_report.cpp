@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/candidate_report.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+constexpr double least_excess = 60;  // chi-squared beyond the noise below which a share of it says nothing
+
+std::vector<std::vector<double>> sigmas_of(const RankedEffect& r) {
+  std::vector<std::vector<double>> sigmas;
+  Eigen::Index i = 0;
+  const Effect& effect = *r.candidate->effect;
+  for (std::size_t unit = 0; unit < r.units.size(); ++unit) {
+    sigmas.emplace_back(effect.parameters.size(), 0.0);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice) {
+        sigmas.back()[p] = std::sqrt(std::max(r.estimate.covariance(i, i), 0.0)) * effect.parameters[p].sigma;
+        ++i;
+      }
+  }
+  return sigmas;
+}
+
+/// Every number within three of its plausible sizes.
+bool is_plausible(const std::vector<EffectTerm>& terms) {
+  for (const EffectTerm& term : terms) {
+    const Effect& effect = *find_effect(term.id);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * effect.parameters[p].sigma) return false;
+  }
+  return true;
+}
+
+double p_of(double squares, int parameters) {
+  if (!(squares > 0) || parameters <= 0) return 1;
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(parameters), squares));
+}
+
+/// rms that is left once chi-squared falls by `gained`, at poses not fitted.
+std::optional<double> predicted_held_out(const Fit& f, double noise, double gained, int parameters) {
+  if (f.rows <= f.unknowns + parameters) return std::nullopt;
+  const double squares =
+      std::max(f.solution.normal.data_cost() - gained * noise * noise, 0.0) / (f.rows - f.unknowns - parameters);
+  return std::sqrt(squares * (1 + static_cast<double>(f.unknowns + parameters) / f.rows));
+}
+
+bool fails_by_much(const Diagnosis& d) {
+  return d.excess && *d.excess > least_excess && d.lack_of_fit_p && *d.lack_of_fit_p < 1e-3;
+}
+
+}  // namespace
+
+std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
+  std::vector<EffectTerm> terms;
+  Eigen::Index i = 0;
+  for (const std::size_t u : r.units) {
+    EffectTerm term = r.candidate->units[u].term;
+    const Effect& effect = *r.candidate->effect;
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice) term.values[p] = r.estimate.value[i++] * effect.parameters[p].sigma;
+    terms.push_back(term);
+  }
+  return terms;
+}
+
+DiagnosisCandidate candidate_of(const RankedEffect& r, const Diagnosis& d, const Weighing& weighing,
+                                const Session& session) {
+  DiagnosisCandidate c;
+  c.id = r.candidate->effect->id;
+  c.terms = terms_with_values(r);
+  c.sigmas = sigmas_of(r);
+  c.where = places_of(c.terms, session);
+  c.ln_bayes_factor = r.ln_bayes_factor;
+  c.p_value = p_of(r.gained_squares, r.parameters);
+  c.scatter = r.scatter;
+  c.visibility = r.visibility;
+  c.plausible = is_plausible(c.terms);
+  c.predicted_held_out = predicted_held_out(d.model.fit, weighing.noise, r.gained_squares, r.parameters);
+  if (fails_by_much(d)) c.explained = std::clamp((r.gained_squares - r.parameters) / *d.excess, 0.0, 1.0);
+  return c;
+}
+
+DiagnosisCandidate candidate_of(const RankedLocaliser& l, const Session& session) {
+  DiagnosisCandidate c;
+  c.unnamed = l;
+  c.ln_bayes_factor = l.ln_bayes_factor;
+  c.scatter = l.scatter;
+  if (l.localiser.variable->joint >= 0)
+    c.where = {session.robot.joints[static_cast<std::size_t>(l.localiser.variable->joint)].name};
+  return c;
+}
+
+void take_refit(const Refit& r, const RankedEffect& ranked, const Diagnosis& d, const Weighing& weighing,
+                const Session& session, DiagnosisCandidate& c) {
+  c.refitted = true;
+  c.terms.clear();
+  c.sigmas.clear();
+  for (std::size_t t = r.fit.effects.size() - r.added; t < r.fit.effects.size(); ++t) {
+    c.terms.push_back(r.fit.effects[t].term);
+    c.sigmas.push_back(r.fit.effects[t].sigmas);
+  }
+  c.where = places_of(c.terms, session);
+  const Fit& before = d.model.fit;
+  const double gained =
+      (before.solution.normal.data_cost() - r.fit.solution.normal.data_cost()) / (weighing.noise * weighing.noise);
+  c.predicted_held_out = predicted_held_out(before, weighing.noise, gained, r.fit.unknowns - before.unknowns);
+  c.plausible = is_plausible(c.terms);
+  c.ln_bayes_factor = r.ln_bayes_factor + ranked.ln_bayes_factor - ranked.ln_best;
+  if (const auto left = lack_of_fit(r.fit); left && fails_by_much(d))
+    c.explained = std::clamp(1 - left->excess() / *d.excess, 0.0, 1.0);
+}
+
+}  // namespace handsight

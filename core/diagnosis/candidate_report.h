@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a diagnosis says of one candidate, from its place in the ranking and from its full fit.
+#pragma once
+
+#include <string>
+
+#include "diagnosis/diagnosis.h"
+#include "diagnosis/refitting.h"
+
+namespace handsight {
+
+/// A ranked effect at its linear estimate.
+std::vector<EffectTerm> terms_with_values(const RankedEffect& ranked);
+
+DiagnosisCandidate candidate_of(const RankedEffect& ranked, const Diagnosis& model, const Weighing& weighing,
+                                const Session& session);
+DiagnosisCandidate candidate_of(const RankedLocaliser& ranked, const Session& session);
+
+/// The numbers of the full fit in place of the linear ones. `ranked` is the candidate's own.
+void take_refit(const Refit& refit, const RankedEffect& ranked, const Diagnosis& model, const Weighing& weighing,
+                const Session& session, DiagnosisCandidate& candidate);
+
+}  // namespace handsight

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/clean_model.h"
+
+#include "diagnosis/candidate_report.h"
+#include "diagnosis/refitting.h"
+
+namespace handsight {
+namespace {
+
+constexpr std::size_t fewest_wrong = 4;
+constexpr std::size_t most_tried = 3;
+constexpr double clearly = 10;  // ln of a Bayes factor
+
+/// The points without which an effect that makes most of the wrong ones right leaves the session; nothing where none
+/// does.
+std::optional<CleanFit> with_an_explanation(const Session& session, const FitOptions& options, const CleanFit& clean) {
+  const CleanFit whole{session, fit(session, options), {}};
+  if (whole.fit.solution.stopped) return std::nullopt;
+  const Weighing by = weighing(clean.fit);
+  const Candidates candidates = all_candidates(whole.fit.problem);
+  const LinearModel linear = linear_model(candidates.problem, estimate(whole.fit), candidates.base_effects, by.noise);
+  const Ranking ranking = rank(linear, by.knowledge, candidates, {});
+  for (std::size_t i = 0; i < std::min(most_tried, ranking.effects.size()); ++i) {
+    if (ranking.effects[i].ln_bayes_factor < clearly) return std::nullopt;
+    FitOptions with = options;
+    const std::vector<EffectTerm> terms = with_settled_orders(whole, terms_with_values(ranking.effects[i]), by);
+    with.estimated.insert(with.estimated.end(), terms.begin(), terms.end());
+    CleanFit alternative = clean_fit(session, with);
+    if (2 * alternative.wrong.size() <= clean.wrong.size()) return alternative;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+CleanFit clean_model(const Session& session, const FitOptions& options) {
+  CleanFit clean = clean_fit(session, options);
+  if (clean.wrong.size() < fewest_wrong || clean.fit.solution.stopped) return clean;
+  auto explained = with_an_explanation(session, options, clean);
+  if (!explained) return clean;
+  clean.session = std::move(explained->session);
+  clean.wrong = std::move(explained->wrong);
+  clean.fit = fit(clean.session, options);
+  return clean;
+}
+
+}  // namespace handsight

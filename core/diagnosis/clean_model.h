@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model as it stands, fitted without the points that are wrong whatever may be missing in it.
+#pragma once
+
+#include "diagnosis/snooping.h"
+
+namespace handsight {
+
+/// As clean_fit, but points that an effect of the catalogue would make right (of single markers, of the cameras) stay
+/// in. What diagnose() and improve() fit.
+CleanFit clean_model(const Session& session, const FitOptions& options);
+
+}  // namespace handsight

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/judging.h"
+
+#include <algorithm>
+
+#include "diagnosis/explanation.h"
+
+namespace handsight {
+namespace {
+
+constexpr double surely = 1e-3;  // p-value of a lack of fit
+constexpr double half = 0.5;     // of what the model misses
+
+void put_variable_first(const Variable& variable, Diagnosis& d) {
+  std::stable_partition(d.patterns.begin(), d.patterns.end(), [&](const DiagnosisPattern& p) {
+    return p.against.kind == variable.kind && p.against.joint == variable.joint;
+  });
+}
+
+/// After the best named effect the model still fails, by more than half, and no further named effect would help.
+bool explains_too_little(const DiagnosisCandidate& best, const std::map<std::string, Refit>& refits, double threshold) {
+  const auto refit = refits.find(best.id);
+  if (refit == refits.end() || !best.explained || *best.explained >= half) return false;
+  const auto left = lack_of_fit(refit->second.fit);
+  return left && left->p < surely && !further_effect_passes(refit->second, threshold);
+}
+
+void judge_what_is_left(bool knows_noise, Diagnosis& d) {
+  if (!knows_noise) {
+    d.verdict = Verdict::unexplained;
+    d.reason = unknown_noise_text(d);
+    return;
+  }
+  const bool fails = d.lack_of_fit_p && *d.lack_of_fit_p < surely;
+  if (fails && !d.patterns.empty() && d.patterns.front().p_value < 1e-4 && d.patterns.front().strength > 0.2) {
+    d.verdict = Verdict::unexplained;
+    d.reason = follows_pattern_text(d.patterns.front());
+    return;
+  }
+  d.verdict = Verdict::adequate;
+  d.reason = adequate_text(d, fails);
+}
+
+}  // namespace
+
+void judge(const Session& session, bool knows_noise, const std::map<std::string, Refit>& refits, Diagnosis& d) {
+  const auto first = [&](bool is_unnamed) {
+    const auto found = std::find_if(d.candidates.begin(), d.candidates.end(),
+                                    [&](const DiagnosisCandidate& c) { return c.unnamed.has_value() == is_unnamed; });
+    return found == d.candidates.end() ? nullptr : &*found;
+  };
+  const DiagnosisCandidate *best = first(false), *unnamed = first(true);
+  const bool unnamed_passes = unnamed && unnamed->ln_bayes_factor >= d.threshold;
+  if (unnamed_passes && (!best || unnamed->ln_bayes_factor > best->ln_bayes_factor)) {
+    d.verdict = Verdict::unexplained;
+    d.reason = follows_unnamed_text(*unnamed, session);
+    put_variable_first(*unnamed->unnamed->localiser.variable, d);
+    return;
+  }
+  if (!best || best->ln_bayes_factor < d.threshold) return judge_what_is_left(knows_noise, d);
+  if (explains_too_little(*best, refits, d.threshold)) {
+    d.verdict = Verdict::unexplained;
+    d.reason = too_little_text(*best, d);
+    return;
+  }
+  const bool rival = std::any_of(d.candidates.begin(), d.candidates.end(), [&](const DiagnosisCandidate& c) {
+    return !c.unnamed && &c != best && c.ln_bayes_factor > best->ln_bayes_factor - ln_20;
+  });
+  d.verdict = rival ? Verdict::ambiguous : Verdict::missing_effect;
+  d.reason = missing_text(*best, rival, d);
+}
+
+}  // namespace handsight

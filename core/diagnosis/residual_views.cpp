@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/residual_views.h"
+
+#include <algorithm>
+#include <random>
+
+#include "diagnosis/candidates.h"
+
+namespace handsight {
+namespace {
+
+/// Calls `see(sighting, x in the sensor's frame, residual)` for everything that an observation shows.
+template <class See>
+void each_sighting(const Problem& problem, const ProblemObservation& o, const Unknowns& u, const Rigid& sensor_from_tcp,
+                   const See& see) {
+  for (const Sighting& s : o.sightings) {
+    const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
+    see(s, x, sighting_residual(problem.rig_or_null(), s, x));
+  }
+}
+
+void add_corners(const Sighting& s, int place, const Eigen::Vector4d& error, std::vector<CornerResidual>& corners) {
+  if (s.point) corners.push_back({place, s.marker, SeenBy::tracker, error.head<2>()});
+  Eigen::Index row = 0;
+  if (s.left) {
+    corners.push_back({place, s.marker, SeenBy::left, error.segment<2>(row)});
+    row += 2;
+  }
+  if (s.right) corners.push_back({place, s.marker, SeenBy::right, error.segment<2>(row)});
+}
+
+/// How the rows of one sighting follow from all columns of the problem.
+Eigen::MatrixXd by_columns(const Problem& p, const ProblemObservation& o, const Sighting& s, const Vector3& x,
+                           const SightingResidual& r, const Matrix3& sensor_from_tcp,
+                           const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion) {
+  Eigen::MatrixXd j = Eigen::MatrixXd::Zero(r.rows, p.columns());
+  Eigen::Matrix<double, 4, 6> by_body;
+  by_body << r.by_point, -r.by_point * cross_matrix(x);
+  j.middleCols(3 * s.marker, 3) = (r.by_point * sensor_from_tcp).topRows(r.rows);
+  j.rightCols(motion.cols()) += by_body.topRows(r.rows) * motion;
+  if (p.effect_count() > 0)
+    j.rightCols(p.effect_count()) += direct_by_effects(p, o, s, r, x, sensor_from_tcp).leftCols(p.effect_count());
+  return j;
+}
+
+/// Changes of all corners by steps of the problem's columns (columns x steps): (2 corners) x steps.
+Eigen::MatrixXd corner_changes(const Problem& p, const Unknowns& u, const Eigen::MatrixXd& steps, std::size_t corners) {
+  Eigen::MatrixXd changes(static_cast<Eigen::Index>(2 * corners), steps.cols());
+  Eigen::Index next = 0;
+  for (const ProblemObservation& o : p.observations) {
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(p, o, u);
+    each_sighting(p, o, u, sensor_from_tcp, [&](const Sighting& s, const Vector3& x, const SightingResidual& r) {
+      const Eigen::MatrixXd change = by_columns(p, o, s, x, r, sensor_from_tcp.rotation, motion) * steps;
+      const Eigen::Index rows = s.point ? 2 : r.rows;
+      changes.middleRows(next, rows) = change.topRows(rows);
+      next += rows;
+    });
+  }
+  return changes.topRows(next);
+}
+
+}  // namespace
+
+std::vector<CornerResidual> corner_residuals(const Problem& problem, const Unknowns& unknowns) {
+  std::vector<CornerResidual> corners;
+  const Eigen::VectorXd change =
+      problem.effect_count() > 0 ? Eigen::VectorXd(unknowns.effects - effect_values(problem)) : Eigen::VectorXd();
+  for (std::size_t i = 0; i < problem.observations.size(); ++i) {
+    const ProblemObservation& o = problem.observations[i];
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+    Eigen::Matrix<double, 6, Eigen::Dynamic> motion;
+    if (change.size() > 0 && !change.isZero(0)) motion = motion_by_columns(problem, o, unknowns);
+    each_sighting(
+        problem, o, unknowns, sensor_from_tcp, [&](const Sighting& s, const Vector3& x, const SightingResidual& r) {
+          Eigen::Vector4d error = Eigen::Vector4d::Zero();
+          error.head(r.rows) = r.error.head(r.rows);
+          if (motion.cols() > 0)
+            error.head(r.rows) -=
+                by_columns(problem, o, s, x, r, sensor_from_tcp.rotation, motion).rightCols(change.size()) * change;
+          add_corners(s, static_cast<int>(i), error, corners);
+        });
+  }
+  return corners;
+}
+
+ResidualViews residual_views(const Fit& model) {
+  ResidualViews v;
+  v.problem = with_motions(model.problem);
+  v.unknowns = estimate(model);
+  v.weighing = weighing(model);
+  v.model = linear_model(v.problem, v.unknowns, v.problem.effect_count(), v.weighing.noise);
+  v.variables = variables_of(v.problem, v.unknowns);
+  v.axes = residual_axes(v.problem, v.model);
+  v.series = residual_series(v.problem, v.model);
+  v.corners = corner_residuals(v.problem, v.unknowns);
+  v.degrees = std::max(model.rows - model.unknowns, 1);
+  return v;
+}
+
+std::vector<Eigen::VectorXd> noise_alone(const ResidualViews& views, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd rows(views.model.external.rows());
+  for (double& x : rows) x = normal(random);
+  // What the model's own parameters would take up of it does not show.
+  const WhitenedModel w = whiten(views.model, 0, views.weighing.knowledge);
+  const auto by_base = w.external.leftCols(views.model.base);
+  rows -= by_base * w.base.solve(by_base.transpose() * rows);
+  std::vector<Eigen::VectorXd> list;
+  for (const ResidualAxis& axis : views.axes) list.push_back(seen_along(axis, views.model, rows));
+  return list;
+}
+
+EffectView effect_view(const ResidualViews& views, const std::vector<EffectTerm>& terms) {
+  const Candidates candidates = candidates_of(views.problem, terms);
+  const Problem& problem = candidates.problem;
+  const LinearModel model = linear_model(problem, views.unknowns, candidates.base_effects, views.weighing.noise);
+  const WhitenedModel w = whiten(model, 0, views.weighing.knowledge);
+  const Eigen::Index count = model.candidates();
+
+  EffectView view;
+  view.terms = terms;
+  Eigen::VectorXd plausible(count);
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const EffectColumn& column = problem.columns_of_effects[static_cast<std::size_t>(candidates.base_effects + c)];
+    plausible[c] = column.sigma;
+    view.numbers.push_back({column.term - (problem.terms.size() - terms.size()), column.parameter, column.sigma});
+  }
+  const Eigen::VectorXd per_unit = plausible.cwiseInverse();
+  const Eigen::MatrixXd taken_up = w.base.matrixU().solve(w.shared);  // base x candidates
+  const Eigen::MatrixXd rows =
+      (w.external.rightCols(count) - w.external.leftCols(model.base) * taken_up) * per_unit.asDiagonal();
+  for (const ResidualAxis& axis : views.axes) {
+    Eigen::MatrixXd series(static_cast<Eigen::Index>(model.observations.size()), count);
+    for (Eigen::Index c = 0; c < count; ++c) series.col(c) = seen_along(axis, model, rows.col(c));
+    view.series.push_back(std::move(series));
+  }
+
+  Eigen::MatrixXd steps(problem.columns(), count);
+  steps.topRows(model.base) = -taken_up * per_unit.asDiagonal();
+  for (Eigen::Index c = 0; c < candidates.base_effects; ++c)
+    steps.row(problem.effect_column() + c) *= problem.columns_of_effects[static_cast<std::size_t>(c)].sigma;
+  steps.bottomRows(count).setIdentity();
+  view.corners = corner_changes(problem, views.unknowns, steps, views.corners.size());
+
+  const Score s = score(w, 0, count);
+  const LinearEstimate e = linear_estimate(s, w, views.weighing.knowledge);
+  view.best = e.value.cwiseProduct(plausible);
+  view.best_sigma = e.covariance.diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(plausible);
+  view.information = per_unit.asDiagonal() * s.information * per_unit.asDiagonal();
+  view.gradient = per_unit.cwiseProduct(s.gradient);
+  view.squares = w.residual_squares;
+  return view;
+}
+
+Eigen::VectorXd numbers_of(const EffectView& view, const std::vector<EffectTerm>& terms) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(view.numbers.size()));
+  for (std::size_t i = 0; i < view.numbers.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = terms[view.numbers[i].term].values[view.numbers[i].parameter];
+  return values;
+}
+
+double rms_left(const ResidualViews& views, const EffectView& view, const Eigen::VectorXd& numbers) {
+  const double squares = view.squares - 2 * view.gradient.dot(numbers) + numbers.dot(view.information * numbers);
+  return views.weighing.noise * std::sqrt(std::max(squares, 0.0) / views.degrees);
+}
+
+}  // namespace handsight

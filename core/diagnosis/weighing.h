@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of the noise of a fit's rows, and the noise that weighs them.
+#pragma once
+
+#include "diagnosis/evidence.h"
+#include "estimation/fit.h"
+
+namespace handsight {
+
+/// `noise` of one coordinate (px or m): the robot-free estimate where it is sure (30 degrees of freedom), else what the
+/// session declares. Where neither is known the residuals stand in for it, and `knowledge` says so.
+struct Weighing {
+  NoiseKnowledge knowledge;
+  double noise = 1;
+};
+
+Weighing weighing(const Fit& fit);
+
+}  // namespace handsight
