@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "widgets/explain/dot_stamp.h"
 #include "widgets/scatter_plot.h"
 
 namespace handsight::widgets {
@@ -52,7 +53,8 @@ class PatternPage : public QWidget {
 
  signals:
   void plot_selected(int place);
-  void observation_hovered(qint64 id);  // -1: none
+  void observation_selected(qint64 id);  // a click on a point of the plot that is selected
+  void observation_hovered(qint64 id);   // -1: none
   void observations_selected(const std::vector<qint64>& ids);
   void read_out(const QString& text);
 
@@ -63,7 +65,6 @@ class PatternPage : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void changeEvent(QEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
@@ -75,10 +76,10 @@ class PatternPage : public QWidget {
   int place_at(const QPointF& position) const;
   const ScatterPoint* point_at(int place, const QPointF& position) const;
   QString text_of(int place, const ScatterPoint* point) const;
-  void paint_plot(QPainter& painter, int place) const;
+  void paint_ground(QPainter& painter, int place) const;
   void paint_head(QPainter& painter, int place) const;
   void paint_curves(QPainter& painter, int place) const;
-  void paint_points(QPainter& painter, int place) const;
+  void paint_points(QImage& image, int place, const std::vector<DotStamp>& stamps, const DotStamp& plain) const;
   void paint_rings(QPainter& painter, int place) const;
 
   std::vector<PatternPlot> plots_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "widgets/cells.h"
+#include "widgets/explain/dot_stamp.h"
 
 namespace handsight::widgets {
 
@@ -61,7 +62,6 @@ class ResidualCloud : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void changeEvent(QEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
@@ -69,12 +69,14 @@ class ResidualCloud : public QWidget {
     std::vector<CloudPoint> points;
     QString title;
   };
+  void move(double share);
   double radius(double px) const;  // px of a residual -> 0 (middle) to 1 (rim)
   const std::vector<CloudPoint>& shown(int pane) const;
   const CloudPoint* point_at(const QPointF& position) const;
   void paint_pane(QPainter& painter, int index) const;
   void paint_rings(QPainter& painter, const QRectF& area) const;
-  void paint_points(QImage& image, const std::vector<CloudPoint>& points) const;
+  void paint_ring_names(QPainter& painter, const QRectF& area) const;
+  void paint_points(QImage& image, int pane) const;
   void paint_marked(QPainter& painter, int index) const;
 
   Cloud before_, after_;

@@ -11,6 +11,8 @@
 
 namespace handsight::widgets {
 
+struct StaircaseScene;
+
 struct StaircaseState {
   std::vector<VersionStep> versions;  // oldest first
   std::optional<double> noise;        // the floor
@@ -49,18 +51,12 @@ class Staircase : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  struct Scale;
-  Scale scale() const;
+  StaircaseScene scene() const;
   QRectF area() const;
   int current() const;
   int step_at(const QPointF& position) const;
   QString step_text(int version) const;
   void mark(int version, bool as_b);
-  void paint_axis(QPainter& painter, const Scale& scale) const;
-  void paint_slots(QPainter& painter) const;
-  void paint_lines(QPainter& painter, const Scale& scale) const;
-  void paint_preview(QPainter& painter, const Scale& scale) const;
-  std::optional<double> moving(std::optional<double> value, std::optional<double> before, int version) const;
 
   StaircaseState state_;
   QString empty_text_;
