@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "diagnosis/clean_model.h"
 #include "estimation/export.h"
 
 namespace handsight::app {
@@ -94,7 +95,7 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
   version->options = options_of(settings);
   try {
     check_places(session, settings);
-    CleanFit clean = settings.leaves_out_wrong_points ? clean_fit(session, version->options)
+    CleanFit clean = settings.leaves_out_wrong_points ? clean_model(session, version->options)
                                                       : CleanFit{session, fit(session, version->options), {}};
     version->wrong_points = clean.wrong;
     version->options.estimated = with_values_of(clean.fit, settings).estimated;

@@ -184,11 +184,17 @@ void MainWindow::connect_strip() {
     refresh_rail();
     refresh_crumbs();
     const ModelVersionPointer model = bench_.document.shown_model();
-    panel_->set_effects(model_effects(bench_.document));
+    refresh_panel();
     panel_->set_empty_text(model && !model->refusal.isEmpty() ? model->refusal : tr("Not yet fitted."));
   });
   connect(&d, &Document::saved_changed, this, &MainWindow::refresh_rail);
+  connect(&d, &Document::settings_changed, this, &MainWindow::refresh_panel);
+  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, &MainWindow::refresh_panel);
+  connect(&bench_, &Workbench::tried, this, &MainWindow::refresh_strip);
   connect(&bench_.jobs, &Jobs::changed, this, [this] { panel_->set_busy(bench_.jobs.is_busy("fit")); });
+  connect(panel_, &widgets::ModelPanel::effect_toggled, &editor_, &ModelEditor::tick);
+  connect(panel_, &widgets::ModelPanel::effect_held, &editor_, &ModelEditor::hold);
+  connect(panel_, &widgets::ModelPanel::value_typed, &editor_, &ModelEditor::type);
   connect(strip_, &widgets::ObservationStrip::observation_selected, this,
           [this](qint64 id) { bench_.selection.select_observation(id); });
   connect(strip_, &widgets::ObservationStrip::observations_selected, this, [this](const std::vector<qint64>& ids) {
@@ -210,8 +216,9 @@ void MainWindow::connect_strip() {
 void MainWindow::connect_read_out() {
   connect(&bench_.document, &Document::noticed, this,
           [this](const QString& sentence) { read_out_->show_message(sentence); });
-  connect(&bench_.jobs, &Jobs::stopped, this,
-          [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
+  for (Jobs* jobs : {&bench_.jobs, &bench_.explaining})
+    connect(jobs, &Jobs::stopped, this,
+            [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
   connect(&bench_, &Workbench::pointed_at, read_out_, &widgets::ReadOutLine::set_pointer);
   connect(header_->numbers(), &widgets::ThreeNumbers::read_out, read_out_, &widgets::ReadOutLine::set_pointer);
   connect(&bench_.selection, &Selection::hover_changed, this, [this] {
@@ -319,6 +326,10 @@ void MainWindow::fit_panel_to_workspace() {
   const bool by_user = panel_folded_by_user_;
   panel_->set_folded(by_user || wanted == Workspace::Panel::folded);
   panel_folded_by_user_ = by_user;
+}
+
+void MainWindow::refresh_panel() {
+  if (bench_.document.is_open()) panel_->set_effects(model_effects(bench_.document, bench_.diagnosing.diagnosis().get()));
 }
 
 void MainWindow::refresh_strip() {
