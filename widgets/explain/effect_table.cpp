@@ -44,7 +44,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
-  const int widths[] = {156, 190, 96};
+  const int widths[] = {150, 212, 96};
   for (int i = 0; i < 3; ++i) view_->setColumnWidth(i, widths[i]);
   header.setSectionResizeMode(3, QHeaderView::Stretch);
   layout->addWidget(view_, 1);
