@@ -56,7 +56,6 @@ class VersionList : public QWidget {
   QLabel *comparison_, *empty_;
   QPushButton* take_back_;
   int hovered_ = -1;
-  bool is_filling_ = false;
 };
 
 }  // namespace handsight::widgets

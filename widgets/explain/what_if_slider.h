@@ -70,36 +70,4 @@ class WhatIfSlider : public QWidget {
   bool is_filling_ = false;
 };
 
-/// The track alone. Internal to what_if_slider.cpp and its tests.
-class WhatIfTrack : public QWidget {
-  Q_OBJECT
- public:
-  explicit WhatIfTrack(QWidget* parent = nullptr);
-  void set_parameter(const WhatIfParameter& parameter);
-  void set_value(double value);
-  double reach() const;  // the largest size that it can show
-  double x_of(double value) const;
-  QSize sizeHint() const override { return {320, 56}; }
-  QSize minimumSizeHint() const override { return {180, 56}; }
-
- signals:
-  void moved(double value);
-  void released(double value);
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
-  void mouseDoubleClickEvent(QMouseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
-
- private:
-  double value_at(double x) const;
-  void move_to(double value, bool is_final);
-  WhatIfParameter parameter_;
-  bool is_dragging_ = false;
-};
-
 }  // namespace handsight::widgets
