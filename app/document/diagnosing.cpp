@@ -39,8 +39,7 @@ CandidateCheck check_of_candidate(const Diagnosis& d, const DiagnosisCandidate& 
     const double distance = (after.translation - before.translation).norm();
     if (distance <= check.distance) continue;
     check.distance = distance;
-    check.observation =
-        d.model.session.observations[static_cast<std::size_t>(with.observations[i].index)].id;
+    check.observation = d.model.session.observations[static_cast<std::size_t>(with.observations[i].index)].id;
   }
   check.sigma = relative_sigma(c) * check.distance;
   return check;

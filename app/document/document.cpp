@@ -226,6 +226,12 @@ ModelVersionPointer Document::model() const {
   return found != versions_.end() && found->second->revision == revision_ ? found->second : nullptr;
 }
 
+void Document::show_version(const ModelVersionPointer& version) {
+  if (!version || version == shown_) return;
+  shown_ = version;
+  emit model_changed();
+}
+
 std::vector<ModelVersionPointer> Document::versions() const {
   std::vector<ModelVersionPointer> list;
   for (int i = 0; i <= stack_.index(); ++i) {

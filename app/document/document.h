@@ -55,6 +55,8 @@ class Document : public QObject {
   ModelVersionPointer model() const;
   /// The last one that was fitted, which may be of an earlier state: what the window shows meanwhile. Null before.
   ModelVersionPointer shown_model() const { return shown_; }
+  /// Shows a version that was fitted earlier, until the next fit.
+  void show_version(const ModelVersionPointer& version);
   /// Versions from the beginning to the present state, null where an action's fit was never asked for.
   std::vector<ModelVersionPointer> versions() const;
   /// Takes a fit, unless it is stale.

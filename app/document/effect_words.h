@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "session/session.h"
 #include "effects/effect.h"
+#include "session/session.h"
 
 namespace handsight::app {
 

@@ -77,7 +77,8 @@ Edit with_effect_held(const Document& document, const std::string& id, bool held
     insert_by_hand(after, terms);
   }
   const QString name = effect_of(id, places_of(terms, document.session()));
-  return edit_to(document, after, held ? QObject::tr("held %1").arg(name) : QObject::tr("estimated %1 again").arg(name));
+  return edit_to(document, after,
+                 held ? QObject::tr("held %1").arg(name) : QObject::tr("estimated %1 again").arg(name));
 }
 
 Edit with_value(const Document& document, const std::string& id, std::size_t number, double value) {

@@ -20,8 +20,7 @@ QString sentence_of(const ModelChange& change) {
 QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c) {
   const bool in_pixels = before.report.held_out.rms_pixel.has_value();
   const auto now = in_pixels ? before.report.held_out.rms_pixel : before.report.held_out.rms_m;
-  return QObject::tr(
-             "Not added: with %1 the error on unseen observations would not fall below %2. It would fit noise.")
+  return QObject::tr("Not added: with %1 the error on unseen observations would not fall below %2. It would fit noise.")
       .arg(effect_of(c.id, c.where), error_with_unit(now.value_or(0), in_pixels));
 }
 
@@ -54,8 +53,8 @@ void Adding::add(const std::string& id) {
   if (found == before->candidates.end()) return;
   const Run run{before, *found, bench_.document.revision()};
   const ModelSettings settings = bench_.document.settings();
-  const int observation = bench_.document.index_of(bench_.selection.current().observation.value_or(
-      bench_.document.session().observations.front().id));
+  const int observation = bench_.document.index_of(
+      bench_.selection.current().observation.value_or(bench_.document.session().observations.front().id));
   watch_ = std::make_shared<FitWatch>();
   pictures_ = skipped_ = 0;
   is_running_ = true;
@@ -82,10 +81,9 @@ void Adding::add(const std::string& id) {
         };
         Outcome outcome{add_candidate(session, options, *run.before, run.candidate)};
         if (outcome.change.model)
-          outcome.version =
-              version_of(session, *outcome.change.model,
-                         with_estimated(settings, outcome.change.model->model_options.estimated), run.revision + 1,
-                         sentence_of(outcome.change), looks);
+          outcome.version = version_of(session, *outcome.change.model,
+                                       with_estimated(settings, outcome.change.model->model_options.estimated),
+                                       run.revision + 1, sentence_of(outcome.change), looks);
         return outcome;
       },
       [this, run](const Outcome& outcome) { finish(run, outcome); },

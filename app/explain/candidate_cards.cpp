@@ -59,8 +59,7 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Dia
   const auto now = e.in_pixels ? d.report.held_out.rms_pixel : d.report.held_out.rms_m;
   card.error = {shown(now, e.in_pixels), shown(error_left(c, e.in_pixels), e.in_pixels), shown(d.noise, e.in_pixels),
                 !c.held_out, e.in_pixels ? "px" : "mm"};
-  card.evidence =
-      speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
+  card.evidence = speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
   card.sizes = effect_parameters(bench.document.session(), c.terms, c.sigmas);
   std::erase_if(card.sizes, [](const widgets::ModelParameter& p) { return p.is_choice; });
   QStringList others;
@@ -125,8 +124,7 @@ std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersio
   std::vector<CardState> cards;
   const ErrorAndNoise e = error_and_noise(model);
   const std::optional<CardState> honest = honest_card_of(model, d);
-  const bool stops =
-      d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations || is_outdone(d);
+  const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations || is_outdone(d);
   if (honest && stops) cards.push_back(*honest);
   const int index = bench.document.undo_stack().index();
   for (const DiagnosisCandidate& c : d.candidates) {

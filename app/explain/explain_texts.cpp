@@ -65,9 +65,9 @@ QString blame_sentence(const std::optional<widgets::Blame>& blame) {
 }
 
 QString adequate_sentence(const Diagnosis& d, const ErrorAndNoise& e) {
-  QString text = QObject::tr("The model agrees with the measurements down to the noise (%1 against %2).")
-                     .arg(error_with_unit(e.error.value_or(0), e.in_pixels),
-                          error_with_unit(e.noise.value_or(0), e.in_pixels));
+  QString text =
+      QObject::tr("The model agrees with the measurements down to the noise (%1 against %2).")
+          .arg(error_with_unit(e.error.value_or(0), e.in_pixels), error_with_unit(e.noise.value_or(0), e.in_pixels));
   QStringList unseen;
   for (const std::string& id : d.invisible) unseen << effect_of(id, {});
   constexpr qsizetype most = 3;

@@ -82,8 +82,7 @@ std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const Model
   const auto found = find(key, residuals.views);
   if (!found || found->series >= view.series.size()) return {};
   const double scale = shown_unit(residuals.views.series[found->series].unit).scale;
-  return trend_of(residuals.views.variables[found->variable].values,
-                  scale * (view.series[found->series] * numbers));
+  return trend_of(residuals.views.variables[found->variable].values, scale * (view.series[found->series] * numbers));
 }
 
 QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing) {

@@ -70,7 +70,9 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
       const double sigma = found->sigmas[p], off = std::abs(found->term.values[p] - hidden.values[p]);
       row.found = unit.scale * found->term.values[p];
       if (sigma > 0) row.sigma = unit.scale * sigma;
-      const bool agrees = parameter.is_choice ? off <= near_choice : sigma > 0 ? off <= sigmas_that_agree * sigma : off < 1e-12;
+      const bool agrees = parameter.is_choice ? off <= near_choice
+                          : sigma > 0         ? off <= sigmas_that_agree * sigma
+                                              : off < 1e-12;
       row.verdict = agrees ? widgets::TruthVerdict::right : widgets::TruthVerdict::off;
       if (sigma > 0 && !agrees) row.remark = QObject::tr("%1 sigma off").arg(widgets::short_text(off / sigma));
     }
@@ -119,7 +121,9 @@ QString hidden_text(const Session& session, const Truth& truth) {
 
 }  // namespace
 
-bool knows_truth(const Session& session) { return !session.file.empty() && std::filesystem::exists(truth_file(session)); }
+bool knows_truth(const Session& session) {
+  return !session.file.empty() && std::filesystem::exists(truth_file(session));
+}
 
 Truth read_truth(const Session& session) {
   const std::filesystem::path file = truth_file(session);

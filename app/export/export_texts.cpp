@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "base/numbers.h"
-#include "explain/explain_workspace.h"
+#include "explain/explain_texts.h"
 #include "widgets/number_text.h"
 
 namespace handsight::app {

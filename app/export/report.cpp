@@ -9,7 +9,7 @@
 #include <QUrl>
 #include <functional>
 
-#include "explain/explain_workspace.h"
+#include "explain/explain_texts.h"
 #include "export/export_texts.h"
 #include "widgets/number_text.h"
 

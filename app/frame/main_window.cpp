@@ -217,8 +217,7 @@ void MainWindow::connect_read_out() {
   connect(&bench_.document, &Document::noticed, this,
           [this](const QString& sentence) { read_out_->show_message(sentence); });
   for (Jobs* jobs : {&bench_.jobs, &bench_.explaining})
-    connect(jobs, &Jobs::stopped, this,
-            [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
+    connect(jobs, &Jobs::stopped, this, [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
   connect(&bench_, &Workbench::pointed_at, read_out_, &widgets::ReadOutLine::set_pointer);
   connect(header_->numbers(), &widgets::ThreeNumbers::read_out, read_out_, &widgets::ReadOutLine::set_pointer);
   connect(&bench_.selection, &Selection::hover_changed, this, [this] {
@@ -329,7 +328,8 @@ void MainWindow::fit_panel_to_workspace() {
 }
 
 void MainWindow::refresh_panel() {
-  if (bench_.document.is_open()) panel_->set_effects(model_effects(bench_.document, bench_.diagnosing.diagnosis().get()));
+  if (bench_.document.is_open())
+    panel_->set_effects(model_effects(bench_.document, bench_.diagnosing.diagnosis().get()));
 }
 
 void MainWindow::refresh_strip() {

@@ -64,8 +64,8 @@ widgets::ModelEffect catalogue_effect(const Effect& e, const Document& document,
     shown.can_change = false;
     shown.note = e.scope == EffectScope::mimic_joint ? QObject::tr("No joint of this robot follows another.")
                                                      : QObject::tr("It has no place in this session.");
-  } else if (diagnosis && std::find(diagnosis->invisible.begin(), diagnosis->invisible.end(), e.id) !=
-                              diagnosis->invisible.end()) {
+  } else if (diagnosis &&
+             std::find(diagnosis->invisible.begin(), diagnosis->invisible.end(), e.id) != diagnosis->invisible.end()) {
     shown.note = QObject::tr("Cannot be seen on these poses.");
   }
   return shown;
@@ -143,7 +143,9 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
     mount.parameters =
         six_parameters(estimate(fit).mount_from_sensor,
                        fit.parameter_covariance.block<6, 6>(fit.problem.mount_column(), fit.problem.mount_column())
-                           .diagonal().cwiseMax(0).cwiseSqrt());
+                           .diagonal()
+                           .cwiseMax(0)
+                           .cwiseSqrt());
     list.push_back(std::move(mount));
   }
   const Chain chain = chain_of(document.session());

@@ -64,7 +64,8 @@ std::vector<widgets::ObservationCell> Workbench::cells() const {
       cell.rms_over_sigma = all->rows[i].ratio;
       cell.coordinates = all->rows[i].coordinates;
     }
-    if (const auto tried = predicted_ratios_.find(o.id); tried != predicted_ratios_.end()) cell.predicted = tried->second;
+    if (const auto tried = predicted_ratios_.find(o.id); tried != predicted_ratios_.end())
+      cell.predicted = tried->second;
     list.push_back(std::move(cell));
   }
   return list;
