@@ -97,6 +97,7 @@ DiagnosisCandidate candidate_of(const RankedLocaliser& l, const Session& session
 void take_refit(const Refit& r, const RankedEffect& ranked, const Diagnosis& d, const Weighing& weighing,
                 const Session& session, DiagnosisCandidate& c) {
   c.refitted = true;
+  c.full_fit = r.options;
   c.terms.clear();
   c.sigmas.clear();
   for (std::size_t t = r.fit.effects.size() - r.added; t < r.fit.effects.size(); ++t) {

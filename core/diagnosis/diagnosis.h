@@ -33,6 +33,7 @@ struct DiagnosisCandidate {
   std::vector<std::string> where;  // joints, markers, "observation 37"; of an unnamed curve the joint that it follows
   std::vector<EffectTerm> terms;   // with values: of the full fit where there was one, else linear
   std::vector<std::vector<double>> sigmas;
+  std::optional<FitOptions> full_fit;  // after the full fit: the model with these terms, at its answer
   double ln_bayes_factor = 0;
   double p_value = 1;
   double scatter = 0;  // rad, at which the evidence is largest

@@ -22,6 +22,29 @@ Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& optio
   return diagnose(session, o);
 }
 
+/// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
+/// the estimated ones were 0 and all else followed.
+double squares_without(const Diagnosis& d, std::size_t first, std::size_t last, double noise) {
+  const Problem& problem = d.model.fit.problem;
+  const std::size_t held = d.model_options.effects.size();
+  std::vector<Eigen::Index> theirs, others;
+  for (Eigen::Index c = 0; c < problem.columns(); ++c) {
+    const Eigen::Index effect = c - problem.effect_column();
+    const std::size_t term = effect < 0 ? 0 : problem.columns_of_effects[static_cast<std::size_t>(effect)].term - held;
+    (effect >= 0 && term >= first && term < last ? theirs : others).push_back(c);
+  }
+  const Eigen::MatrixXd& h = d.model.fit.solution.normal.information;
+  const Eigen::VectorXd all = [&] {
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(problem.columns());
+    values.tail(problem.effect_count()) = estimate(d.model.fit).effects;
+    return values;
+  }();
+  const Eigen::VectorXd value = all(theirs);
+  const Eigen::VectorXd shared = h(others, theirs) * value;
+  const double squares = value.dot(h(theirs, theirs) * value) - shared.dot(pseudo_inverse(h(others, others)) * shared);
+  return squares / (noise * noise);
+}
+
 /// Takes the terms from `first` to `last` out of the estimated ones where they are not worth their parameters.
 bool drop(const Session& session, const ImprovementOptions& options, std::size_t first, std::size_t last,
           ModelChange& change) {
@@ -30,11 +53,14 @@ bool drop(const Session& session, const ImprovementOptions& options, std::size_t
   const auto begin = d.model_options.estimated.begin();
   const std::vector<EffectTerm> dropped(begin + static_cast<std::ptrdiff_t>(first),
                                         begin + static_cast<std::ptrdiff_t>(last));
+  const Weighing by = weighing(with);
+  // To first order it cannot be said by how much a large effect is needed, but that it is.
+  if (squares_without(d, first, last, by.noise) > 10 * d.threshold + 100) return false;
   FitOptions o = d.model_options;
+  set_quick(by, o);
   o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
                     o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
   const Fit without = fit(d.model.session, o);
-  const Weighing by = weighing(with);
   const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
                         fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
   if (gained >= d.threshold) return false;
@@ -81,9 +107,9 @@ Diagnosis diagnosed(const Session& session, const ImprovementOptions& options) {
 ModelChange add_candidate(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
                           const DiagnosisCandidate& candidate) {
   ModelChange change;
-  std::vector<EffectTerm> estimated = model.model_options.estimated;
-  estimated.insert(estimated.end(), candidate.terms.begin(), candidate.terms.end());
-  Diagnosis next = diagnosed_from(session, options, estimated, estimate(model.model.fit));
+  FitOptions from = candidate.full_fit.value_or(model.model_options);
+  if (!candidate.full_fit) from.estimated.insert(from.estimated.end(), candidate.terms.begin(), candidate.terms.end());
+  Diagnosis next = diagnosed_from(session, options, from.estimated, from.start);
   change.stopped = next.stopped;
   if (next.stopped) return change;
   if (held_out(next.report.held_out) >= held_out(model.report.held_out)) {

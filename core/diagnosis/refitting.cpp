@@ -24,6 +24,13 @@ void set_scale(LinearModel& model, const LinearModel& plain, Eigen::Index first,
 
 }  // namespace
 
+void set_quick(const Weighing& weighing, FitOptions& options) {
+  options.smallest_step = 1e-7;
+  options.least_gain = 1e-4 * weighing.noise * weighing.noise;
+  options.reuse_below = 1e-3;
+  options.most_iterations = 40;
+}
+
 FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing) {
   const Problem problem = with_motions(fit.problem);
   const LinearModel plain = linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
@@ -50,8 +57,7 @@ Refit refit_with(const CleanFit& model, const FitOptions& model_options, const s
   r.options = model_options;
   r.options.start = estimate(model.fit);
   r.options.estimated.insert(r.options.estimated.end(), added.begin(), added.end());
-  r.options.smallest_step = 1e-7;
-  r.options.most_iterations = 40;
+  set_quick(weighing, r.options);
   r.added = added.size();
   r.fit = fit(model.session, r.options);
   for (std::size_t t = 0; t < r.options.estimated.size(); ++t)

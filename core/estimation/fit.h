@@ -30,6 +30,8 @@ struct FitOptions {
   std::optional<Unknowns> start;  // markers and mount of a fit before, near the answer; absent: in closed form
   int most_iterations = 100;
   double smallest_step = 1e-12;  // SolveOptions::smallest_step
+  double least_gain = 0;         // SolveOptions::least_gain
+  double reuse_below = 0;        // SolveOptions::reuse_below
   std::function<bool(int iteration, double cost, const Unknowns&)> on_iteration;
 };
 

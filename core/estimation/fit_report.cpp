@@ -68,22 +68,44 @@ Problem part_of(const Problem& whole, const std::vector<char>& in_part) {
   return part;
 }
 
-/// The fit's own answer on a part of its observations. With effects one Gauss-Newton step from the whole fit's answer
-/// is enough, as long as it is small against what is plausible; else, and without effects, a full fit.
+/// How long a step of the unknowns is: m and rad as they are, an effect's number in thousandths of its plausible size.
+double size_of(const Problem& problem, const Eigen::VectorXd& step) {
+  double size = step.head(problem.effect_column()).cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i)
+    size = std::max(size, 1e-3 * std::abs(step[problem.effect_column() + i]) /
+                              problem.columns_of_effects[static_cast<std::size_t>(i)].sigma);
+  return size;
+}
+
+/// The answer on a part of a fit's observations by steps of Gauss and Newton with the whole fit's derivatives; nothing
+/// where it is so far off that they do not lead there.
+std::optional<Unknowns> nearby_estimate(const Fit& fit, const std::vector<char>& trains) {
+  constexpr double near = 5e-4;  // a first step that short needs no second one
+  constexpr double settled = 1e-6;
+  constexpr int most_steps = 12;
+  Problem part = part_of(fit.problem, trains);
+  Unknowns unknowns = estimate(fit);
+  NormalEquations normal = normal_equations(part, unknowns);
+  const Eigen::MatrixXd inverse = pseudo_inverse(normal.information);
+  double last = 0;
+  for (int i = 0; i < most_steps; ++i) {
+    const Eigen::VectorXd step = inverse * normal.gradient;
+    const double size = size_of(part, step);
+    if (i > 0 && size > 0.7 * last) return std::nullopt;
+    unknowns = moved(part, unknowns, step);
+    if (size < settled || (i == 0 && size < near)) return unknowns;
+    last = size;
+    follow_effects(part, unknowns.effects);
+    normal = normal_equations(part, unknowns);
+  }
+  return std::nullopt;
+}
+
+/// The fit's own answer on a part of its observations.
 Unknowns part_estimate(const Fit& fit, const FitOptions& options, const std::vector<char>& trains) {
   const bool is_plain = fit.objective == Objective::image && !fit.fixed_markers && options.loss == Loss::none;
-  if (is_plain && fit.problem.effect_count() > 0) {
-    std::vector<int> places;
-    for (std::size_t i = 0; i < fit.problem.observations.size(); ++i)
-      if (trains[static_cast<std::size_t>(fit.problem.observations[i].index)]) places.push_back(static_cast<int>(i));
-    const NormalEquations normal = normal_equations(fit.problem, estimate(fit), places);
-    const Eigen::VectorXd step = pseudo_inverse(normal.information) * normal.gradient;
-    bool is_small = step.head(fit.problem.effect_column()).cwiseAbs().maxCoeff() < 2e-3;
-    for (Eigen::Index i = 0; i < fit.problem.effect_count(); ++i)
-      is_small = is_small && std::abs(step[fit.problem.effect_column() + i]) <
-                                 0.5 * fit.problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
-    if (is_small) return moved(fit.problem, estimate(fit), step);
-  }
+  if (is_plain && fit.problem.effect_count() > 0)
+    if (const auto nearby = nearby_estimate(fit, trains)) return *nearby;
   FitOptions fold_options = options;
   // Effects are followed to a ten-thousandth of their plausible size: far below what a fold shows of them.
   if (fit.problem.effect_count() > 0) fold_options.smallest_step = std::max(options.smallest_step, 1e-7);

@@ -124,8 +124,9 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   const bool has_effects = original.effect_count() > 0;
   Problem own;  // only a robust loss and moving effects need their own copy
   if (options.loss != Loss::none || has_effects) own = original;
-  auto normal_at = [&](const Unknowns& u) {
-    if (has_effects && u.effects != effect_values(own)) set_effects(own, u.effects);
+  auto normal_at = [&](const Unknowns& u, bool derives) {
+    if (has_effects && u.effects != effect_values(own))
+      derives ? set_effects(own, u.effects) : follow_effects(own, u.effects);
     if (options.loss != Loss::none) return robust_normal(own, u, options);
     return normal_equations(has_effects ? own : original, u);
   };
@@ -133,7 +134,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   Solution solution;
   solution.unknowns = start;
   if (start.effects.size() != original.effect_count()) solution.unknowns.effects = effect_values(original);
-  solution.normal = normal_at(solution.unknowns);
+  solution.normal = normal_at(solution.unknowns, true);
   double damping = 1e-8;
   while (solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
     ++solution.iterations;
@@ -142,10 +143,11 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     const Eigen::VectorXd gradient = solution.basis.transpose() * solution.normal.gradient;
     const Eigen::VectorXd step = damped_step(h, gradient, damping);
     const Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
-    NormalEquations normal = normal_at(next);
-    // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
     const double size = size_of(original, step);
-    const bool rounding = size < options.smallest_step;
+    NormalEquations normal = normal_at(next, size >= options.reuse_below);
+    // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
+    const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < options.least_gain;
+    const bool rounding = size < options.smallest_step || gains_nothing;
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost && normal.in_front;
     const bool was_behind = !solution.normal.in_front && std::isfinite(normal.cost);
     if (better || was_behind || rounding) {

@@ -15,6 +15,10 @@ struct SolveOptions {
   bool fixed_body = false;  // the markers move as one rigid body: 6 unknowns in place of 3 a marker
   int most_iterations = 100;
   double smallest_step = 1e-12;  // where the fit ends: m and rad, and thousandths of an effect's plausible size
+  double least_gain = 0;         // ... or where a step promises to lower the cost by less than this
+  /// Steps shorter than this keep the effects' derivatives of before: quicker, and the answer is off by a share of the
+  /// last such step, to which the cost is blind.
+  double reuse_below = 0;
   Loss loss = Loss::none;
   double noise = 1;  // px or m: the noise of one coordinate, read by robust losses only
   /// Called after every accepted step with the iteration and the cost; returning false stops the fit there.

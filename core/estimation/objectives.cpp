@@ -42,6 +42,8 @@ SolveOptions solve_options(const FitOptions& options, bool fixed_body, double no
   return {.fixed_body = fixed_body,
           .most_iterations = options.most_iterations,
           .smallest_step = options.smallest_step,
+          .least_gain = options.least_gain,
+          .reuse_below = options.reuse_below,
           .loss = options.loss,
           .noise = noise,
           .on_iteration = options.on_iteration};

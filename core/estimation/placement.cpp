@@ -96,14 +96,14 @@ void set_motion(const Problem& problem, const Circumstances& c, const Sites& sit
   }
 }
 
-void place(const Problem& problem, ProblemObservation& o) {
+/// `derives`: EffectMotion too; else it stays as it was.
+void place(const Problem& problem, bool derives, ProblemObservation& o) {
   const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
   const Chain& chain = *c.chain;
   const Sites sites = moved_sites(c, problem.terms);
-  const bool derive = problem.effect_count() > 0 || problem.with_motions;
-  Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derive, &o.deflection);
+  Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derives, &o.deflection);
   if (!posture.converged)  // a start from softer springs may lie beyond what is stable
-    posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derive);
+    posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derives);
   o.root_from_tcp = posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)];
   o.root_from_mount = posture.root_from_link[static_cast<std::size_t>(chain.mount_link)];
   o.springs_hold = posture.converged;
@@ -113,7 +113,7 @@ void place(const Problem& problem, ProblemObservation& o) {
   o.marker_shifts.clear();
   if (std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); }))
     for (const Vector3& m : sites.markers) o.marker_shifts.push_back(problem.tcp_from_slip.rotation * m);
-  if (derive) set_motion(problem, c, sites, posture, o);
+  if (derives) set_motion(problem, c, sites, posture, o);
   o.deflection = std::move(posture.deflection);
 }
 
@@ -147,7 +147,14 @@ Problem with_motions(const Problem& problem) {
 
 void place_observations(Problem& problem) {
   place_cameras(problem);
-  for (ProblemObservation& o : problem.observations) place(problem, o);
+  const bool derives = problem.effect_count() > 0 || problem.with_motions;
+  for (ProblemObservation& o : problem.observations) place(problem, derives, o);
+}
+
+void follow_effects(Problem& problem, const Eigen::VectorXd& values) {
+  set_effect_values(problem, values);
+  place_cameras(problem);
+  for (ProblemObservation& o : problem.observations) place(problem, false, o);
 }
 
 }  // namespace handsight

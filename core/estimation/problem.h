@@ -29,8 +29,9 @@ struct EffectMotion {
     Vector3 direction;  // in the TCP frame
   };
   std::vector<MarkerColumn> markers;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> tcp_by_value;  // ... by the value of every joint of Chain::joints, root frame
-  Eigen::VectorXd torques;                                // N m (N), of gravity, per joint of the robot
+  Eigen::Matrix<double, 6, Eigen::Dynamic>
+      tcp_by_value;         // ... by the value of every joint of Chain::joints, root frame
+  Eigen::VectorXd torques;  // N m (N), of gravity, per joint of the robot
 };
 
 struct ProblemObservation {
@@ -69,9 +70,9 @@ struct Problem {
   std::shared_ptr<const ProblemSource> source;
   std::vector<EffectTerm> terms;  // the model's effects at their present values
   std::vector<EffectColumn> columns_of_effects;
-  Rigid tcp_from_slip;  // the frame in which slips of the body and its markers are measured
+  Rigid tcp_from_slip;        // the frame in which slips of the body and its markers are measured
   bool with_motions = false;  // EffectMotion is filled even where no effect is estimated
-  double noise = 1;     // px or m: what the priors of the effects are weighed against
+  double noise = 1;           // px or m: what the priors of the effects are weighed against
   Eigen::Matrix<double, 22, Eigen::Dynamic> cameras_by_effect;  // rig motion 6, left 8, right 8; empty: none
 
   const StereoRig* rig_or_null() const { return rig ? &*rig : nullptr; }
@@ -95,6 +96,9 @@ void set_effect_values(Problem& problem, const Eigen::VectorXd& values);
 
 /// Moves all observations to where the effects have these values (and finds the derivatives there).
 void set_effects(Problem& problem, const Eigen::VectorXd& values);
+
+/// The same, but the derivatives stay those of where the observations were: for small moves, at a fifth of the time.
+void follow_effects(Problem& problem, const Eigen::VectorXd& values);
 
 /// Holds all effects where they are: no columns are left.
 void hold_effects(Problem& problem);

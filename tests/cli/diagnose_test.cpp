@@ -230,7 +230,9 @@ TEST_F(Diagnose, EightObservationsAreTooFewAndTenMayDo) {
     expect_keys(d, false);
     EXPECT_EQ(d["verdict"] == "too_few_observations", too_few) << count << ": " << d["verdict"];
     EXPECT_EQ(result.exit_code, too_few ? 1 : 0) << d["verdict"];
-    if (too_few) EXPECT_NE(d["reason"].get<std::string>().find(count), std::string::npos) << d["reason"];
+    if (too_few) {
+      EXPECT_NE(d["reason"].get<std::string>().find(count), std::string::npos) << d["reason"];
+    }
   }
 }
 
