@@ -9,6 +9,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "base/error.h"
 #include "calibrate/calibrate_workspace.h"
@@ -47,6 +48,14 @@ bool wants_labels(const Session& s) {
     any_images = any_images || !o.left_image.empty();
   }
   return any_images ? !is_decided(s) : !any_labels;
+}
+
+/// Labels without images, enough to ask what is missing: there is nothing to label, and play would only repeat it.
+bool wants_explaining(const Session& s) {
+  constexpr std::ptrdiff_t fewest = 10;
+  const bool any_images = std::any_of(s.observations.begin(), s.observations.end(),
+                                      [](const Observation& o) { return !o.left_image.empty(); });
+  return !any_images && std::count_if(s.observations.begin(), s.observations.end(), is_used) >= fewest;
 }
 
 }  // namespace
@@ -298,7 +307,7 @@ void MainWindow::session_opened() {
   panel_->set_effects({});
   panel_->set_empty_text(tr("Not yet fitted."));
   bench_.selection.select_observation(s.observations.front().id);
-  show_workspace(wants_labels(s) ? 0 : is_decided(s) ? 2 : 1);
+  show_workspace(wants_labels(s) ? 0 : wants_explaining(s) ? 3 : is_decided(s) ? 2 : 1);
   refresh_rail();
 }
 

@@ -116,6 +116,80 @@ TEST(Window, AnswersWhileAFitRuns) {
   say("longest round of events while a fit of 10,000 runs", worst, "ms", 50);
 }
 
+/// A session with springs in two joints that nobody knows of.
+std::filesystem::path make_springy_session(const TemporaryFolder& folder, int observations) {
+  const Session like = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/rigs/justin_head");
+  SimulationOptions options;
+  options.observations = observations;
+  options.effects = {{"joint_elasticity", find_joint(like.robot, "right_arm_2"), {1.5e-4}},
+                     {"joint_elasticity", find_joint(like.robot, "right_arm_4"), {1.3e-4}}};
+  Session s = simulate_session(like, options).session;
+  const auto at = folder.path / ("springs_" + std::to_string(observations));
+  std::filesystem::create_directories(at);
+  std::filesystem::copy_file(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "resources/justin.urdf", at / "robot.urdf");
+  s.file = at / "session.xml";
+  s.robot_file = "robot.urdf";
+  s.source.reset();
+  save_session(s);
+  return at;
+}
+
+TEST(Explain, OpeningItWithAHundred) {
+  const TemporaryFolder folder;
+  const auto session = make_springy_session(folder, 100);
+  Desk desk;
+  desk.window.resize(1440, 900);
+  desk.window.open(QString::fromStdString(session.string()));
+  desk.settle();
+  ExplainPage explain{desk};
+  QElapsedTimer timer;
+  timer.start();
+  desk.window.show_workspace(3);
+  auto& diagnosing = desk.window.bench().diagnosing;
+  desk.wait([&] { return diagnosing.residuals() != nullptr; });
+  paint_everything();
+  say("verdict and patterns of 100 visible", static_cast<double>(timer.elapsed()), "ms", 500);
+  desk.wait([&] { return diagnosing.diagnosis() != nullptr && explain.cards()->count() > 0; });
+  paint_everything();
+  std::printf("%-60s %8lld ms\n", "cards of 100 visible", static_cast<long long>(timer.elapsed()));
+}
+
+TEST(Explain, PicturesASecondWhileAThousandAreFitted) {
+  const TemporaryFolder folder;
+  const auto session = make_springy_session(folder, 1000);
+  Desk desk;
+  desk.window.resize(1440, 900);
+  desk.window.open(QString::fromStdString(session.string()));
+  desk.settle();
+  ExplainPage explain{desk};
+  ASSERT_TRUE(explain.open());
+  app::Adding& adding = explain.workspace()->adding();
+  QElapsedTimer timer;
+  double worst = 0;
+  std::vector<double> painted;
+  QObject::connect(&adding, &app::Adding::pictured, [&] {
+    paint_everything();
+    painted.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+  });
+  explain.press_add();
+  timer.start();
+  while (adding.is_running()) {
+    QElapsedTimer round;
+    round.start();
+    QCoreApplication::processEvents();
+    worst = std::max(worst, static_cast<double>(round.nsecsElapsed()) * 1e-6);
+    QThread::msleep(1);
+  }
+  std::printf("(added in %lld ms; %zu pictures painted, %d not fetched in time, longest round of events %.1f ms)\n",
+              static_cast<long long>(timer.elapsed()), painted.size(), adding.skipped(), worst);
+  ASSERT_GE(painted.size(), 2U);
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < painted.size(); ++i) steps.push_back(painted[i] - painted[i - 1]);
+  std::sort(steps.begin(), steps.end());
+  std::printf("%-60s %8.1f /s (to be >= 20)\n", "pictures a second while 1000 are fitted, by the median",
+              1e3 / steps[steps.size() / 2]);
+}
+
 }  // namespace
 }  // namespace handsight::test
 
