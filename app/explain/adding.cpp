@@ -17,6 +17,26 @@ QString sentence_of(const ModelChange& change) {
   return parts.join(", ");
 }
 
+/// The candidate's full fit is known already, and the model's next fit starts from it. For the eye the same fit runs
+/// from where the model stands now, with the candidate at nothing.
+void watch_it_come(const Diagnosis& before, const DiagnosisCandidate& candidate, int observation, FitWatch& watch,
+                   JobControl& control) {
+  FitOptions options = before.model_options;
+  for (EffectTerm term : candidate.terms) {
+    const Effect& effect = *find_effect(term.id);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice) term.values[p] = 0;
+    options.estimated.push_back(std::move(term));
+  }
+  options.start = estimate(before.model.fit);
+  watch.begin(before.model.session, options.effects, options.estimated, observation);
+  options.on_iteration = [&](int iteration, double cost, const Unknowns& unknowns) {
+    watch.iteration(iteration, cost, unknowns);
+    return !control.is_cancelled();
+  };
+  fit(before.model.session, options);
+}
+
 QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c) {
   const bool in_pixels = before.report.held_out.rms_pixel.has_value();
   const auto now = in_pixels ? before.report.held_out.rms_pixel : before.report.held_out.rms_m;
@@ -65,9 +85,7 @@ void Adding::add(const std::string& id) {
       "add", tr("Adding %1").arg(name),
       [session = bench_.document.session(), settings, run, observation, watch = watch_,
        looks = bench_.document.second_looks()](JobControl& control) {
-        std::vector<EffectTerm> estimated = run.before->model_options.estimated;
-        estimated.insert(estimated.end(), run.candidate.terms.begin(), run.candidate.terms.end());
-        watch->begin(run.before->model.session, settings.held, estimated, observation);
+        watch_it_come(*run.before, run.candidate, observation, *watch, control);
         ImprovementOptions options;
         options.effects = settings.held;
         options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
@@ -75,10 +93,7 @@ void Adding::add(const std::string& id) {
           control.report(done);
           return !control.is_cancelled();
         };
-        options.on_iteration = [&](int iteration, double cost, const Unknowns& unknowns) {
-          watch->iteration(iteration, cost, unknowns);
-          return !control.is_cancelled();
-        };
+        options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
         Outcome outcome{add_candidate(session, options, *run.before, run.candidate)};
         if (outcome.change.model)
           outcome.version = version_of(session, *outcome.change.model,

@@ -106,16 +106,14 @@ QString unexplained_sentence(const Diagnosis& d, const ErrorAndNoise& e) {
            e.noise ? error_with_unit(*e.noise, e.in_pixels) : QObject::tr("unknown"), what_is_left_follows(d));
 }
 
-QString with_it(const DiagnosisCandidate& c, bool in_pixels) {
-  const std::optional<double> left =
-      c.held_out ? (in_pixels ? c.held_out->rms_pixel : c.held_out->rms_m) : c.predicted_held_out;
-  return left ? QObject::tr(" With it: %1.").arg(error_with_unit(*left, in_pixels)) : QString();
-}
-
 QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const std::optional<widgets::Blame>& blame) {
   const DiagnosisCandidate& best = *best_named(d);
-  QString first = comparison_sentence(model);
   const ErrorAndNoise e = error_and_noise(model);
+  // How many mm that is at the hand stands beside it.
+  QString first = e.error && e.noise
+                      ? QObject::tr("The model misses by %1 where the noise is %2.")
+                            .arg(error_with_unit(*e.error, e.in_pixels), error_with_unit(*e.noise, e.in_pixels))
+                      : comparison_sentence(model);
   const QString whose = blame_sentence(blame);
   if (!whose.isEmpty()) first += ' ' + whose;
   const QString name = effect_of(best.id, best.where);
@@ -123,7 +121,7 @@ QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const st
     return first + ' ' +
            QObject::tr("%1 or %2: on these poses they look the same.")
                .arg(name.left(1).toUpper() + name.mid(1), effect_of(best.cannot_be_told_from.front(), {}));
-  return first + ' ' + QObject::tr("Most likely missing: %1.").arg(name) + with_it(best, e.in_pixels);
+  return first + ' ' + QObject::tr("Most likely missing: %1.").arg(name);
 }
 
 }  // namespace

@@ -90,8 +90,8 @@ void ExplainWorkspace::connect_panes() {
   connect(watching_, &WatchingPane::version_chosen, this,
           [this](const ModelVersionPointer& version) { bench_.document.show_version(version); });
   connect(&adding_, &Adding::began, this, [this] {
-    stop_trying();
     failing_->what_if()->hide();
+    stop_trying();
     refresh_verdict();
   });
   connect(&adding_, &Adding::ended, this, [this] { refresh_all(); });
@@ -115,8 +115,8 @@ void ExplainWorkspace::connect_bench() {
   Diagnosing& d = bench_.diagnosing;
   connect(&bench_.document, &Document::opened, this, [this] {
     is_fresh_ = true;
-    stop_trying();
     failing_->what_if()->hide();
+    stop_trying();
   });
   connect(&bench_.document, &Document::closed, this, [this] { failing_->show_residuals(nullptr, true); });
   connect(&bench_.document, &Document::model_changed, this, [this] {
@@ -236,6 +236,8 @@ void ExplainWorkspace::stop_trying() {
   const bool was_trying = bench_.predicted_error().has_value();
   trying_.clear();
   missing_->cards()->set_previewed({});
+  if (failing_->what_if()->isVisible() && !adding_.is_running() && isVisible())
+    return slide_what_if(failing_->what_if()->value());
   bench_.try_out(std::nullopt);
   if (!was_trying) return;
   failing_->set_prediction(nullptr, {});
@@ -268,7 +270,7 @@ void ExplainWorkspace::open_what_if(const QString& id, int place) {
   what_if_place_ = place;
   what_if_view_.effect = effect_view(residuals->views, {what_if_places_[static_cast<std::size_t>(place)]});
   what_if_view_.numbers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(what_if_view_.effect.numbers.size()));
-  widgets::WhatIfState state{.id = id, .title = tr("What if: %1").arg(effect_of(effect->id, {}))};
+  widgets::WhatIfState state{.id = id, .title = effect_of(effect->id, {})};
   for (const EffectTerm& term : what_if_places_)
     if (const std::string name = place_name(*effect, term.joint, session.robot); !name.empty())
       state.places.push_back(QString::fromStdString(name));

@@ -30,7 +30,7 @@ void FailingPane::make_layout() {
   resort_->hide();
   large_ = new ScatterPlot(this);
   large_->setObjectName("pattern_large");
-  large_->setMinimumHeight(150);
+  large_->setMinimumHeight(110);
   large_->set_empty_text(tr("Waits for a fit."));
   hint_ =
       new QLabel(tr("Hold N: would noise alone look like this?   Hold B: before and after.   Shift and drag: what do "
@@ -62,6 +62,7 @@ void FailingPane::make_layout() {
   layout->addWidget(common_);
   layout->addWidget(what_if_);
   layout->addWidget(page_, 4);
+  setMinimumSize(420, 330);  // what comes and goes inside must not make the window grow
 }
 
 void FailingPane::connect_all() {
@@ -94,7 +95,10 @@ std::vector<widgets::PatternPlot> FailingPane::plots(const ModelResiduals& resid
   for (const PlotKey& key : places_) {
     auto plot = pattern_plot(key, residuals, bench_, values);
     if (!plot) continue;
-    if (!values) plot->shows = effects_that_show(key, residuals, bench_.diagnosing);
+    if (!values && &residuals == residuals_.get()) {
+      if (!shows_.contains(plot->id)) shows_[plot->id] = effects_that_show(key, residuals, bench_.diagnosing);
+      plot->shows = shows_[plot->id];
+    }
     list.push_back(std::move(*plot));
   }
   return list;
@@ -102,6 +106,7 @@ std::vector<widgets::PatternPlot> FailingPane::plots(const ModelResiduals& resid
 
 void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals, bool fresh) {
   residuals_ = std::move(residuals);
+  shows_.clear();
   if (fresh) {
     places_.clear();
     resort_->hide();
@@ -128,7 +133,7 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
   }
   page_->set_selected_plot(chosen_);
   fill_large();
-  large_->fit();
+  if (first) large_->fit();  // the axes stay while the user looks
   refresh_selection();
 }
 
@@ -144,6 +149,7 @@ void FailingPane::resort() {
 }
 
 void FailingPane::refresh_shows() {
+  shows_.clear();
   if (residuals_ && !places_.empty()) page_->update_plots(plots(*residuals_, nullptr));
 }
 
@@ -158,7 +164,7 @@ void FailingPane::fill_large() {
   if (!residuals_ || places_.empty()) return;
   const auto plot = pattern_plot(places_[static_cast<std::size_t>(chosen_)], *residuals_, bench_);
   if (!plot) return;
-  large_->set_axes(plot->against, plot->x_unit, plot->what, plot->y_unit);
+  large_->set_axes(plot->against, plot->x_unit, tr("residual"), plot->y_unit);
   large_->set_title(tr("%1 against %2").arg(plot->what.left(1).toUpper() + plot->what.mid(1), plot->against));
   large_->set_noise_band(plot->noise);
   large_->set_points(plot->points);

@@ -52,6 +52,7 @@ class FailingPane : public QWidget {
   std::shared_ptr<const ModelResiduals> residuals_;
   std::vector<PlotKey> places_;
   std::vector<std::vector<widgets::TrendPoint>> predictions_;
+  std::map<QString, QString> shows_;  // by plot: the effects that show there
   int chosen_ = 0;
   std::string common_variable_;
   widgets::ScatterPlot* large_;

@@ -2,9 +2,11 @@
 #include "explain/missing_pane.h"
 
 #include <QHBoxLayout>
+#include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTableView>
 #include <QVBoxLayout>
 
 #include "base/error.h"
@@ -52,7 +54,13 @@ void MissingPane::make_layout() {
   truth_->setObjectName("truth");
   poses_ = new PosesPane(bench_, this);
   poses_->setObjectName("poses");
+  row_reason_ = new QLabel(tr("Point at an effect, and here stands why. A double click opens its slider."), this);
+  row_reason_->setObjectName("row_reason");
+  row_reason_->setWordWrap(true);
+  row_reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  row_reason_->setMinimumHeight(54);
   table_page_ = page_with_way_back(table_, tr("Why not ...? All effects"), "table_back");
+  table_page_->layout()->addWidget(row_reason_);
   truth_page_ = page_with_way_back(truth_, tr("The truth"), "truth_back");
   reveal_ = new QPushButton(tr("Reveal the truth"), this);
   reveal_->setObjectName("reveal");
@@ -67,6 +75,7 @@ void MissingPane::make_layout() {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(pages_);
+  setMinimumSize(360, 330);
 }
 
 void MissingPane::connect_all() {
@@ -84,6 +93,13 @@ void MissingPane::connect_all() {
   });
   connect(table_, &EffectTable::chosen, this, &MissingPane::what_if);
   connect(table_, &EffectTable::hovered, this, &MissingPane::tried);
+  connect(table_, &EffectTable::hovered, this, &MissingPane::explain_row);
+  connect(table_->view()->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& now) {
+            const auto shown = table_->shown();
+            if (now.isValid() && now.row() < static_cast<int>(shown.size()))
+              explain_row(shown[static_cast<std::size_t>(now.row())]);
+          });
   connect(poses_, &PosesPane::closed, this, &MissingPane::show_cards);
   connect(truth_, &widgets::TruthPanel::row_chosen, this, [this] { pages_->setCurrentWidget(table_page_); });
   connect(reveal_, &QPushButton::clicked, this, [this] {
@@ -102,6 +118,14 @@ void MissingPane::connect_all() {
     show_cards();
     shown_for_.reset();
   });
+}
+
+void MissingPane::explain_row(const QString& id) {
+  for (const widgets::EffectRow& row : rows_)
+    if (row.id == id)
+      row_reason_->setText(row.name + (row.where.isEmpty() ? QString() : " (" + row.where + ")") + ": " +
+                           widgets::effect_verdict_text(row.verdict) +
+                           (row.same_as.isEmpty() ? QString() : ' ' + row.same_as) + ". " + row.reason);
 }
 
 void MissingPane::show_cards() { pages_->setCurrentIndex(0); }
@@ -163,7 +187,8 @@ void MissingPane::refresh() {
   cards_->set_empty_text(tr("Nothing to add."));
   cards_->set_cards(candidate_cards(bench_, *model, *diagnosis, adding_.refused()),
                     news ? widgets::CardOrder::kept : widgets::CardOrder::fresh);
-  table_->set_rows(effect_rows(bench_, *model, *diagnosis, adding_.refused()));
+  rows_ = effect_rows(bench_, *model, *diagnosis, adding_.refused());
+  table_->set_rows(rows_);
 }
 
 }  // namespace handsight::app

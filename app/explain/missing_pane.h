@@ -44,6 +44,7 @@ class MissingPane : public QWidget {
   void make_layout();
   void connect_all();
   void refresh_truth();
+  void explain_row(const QString& id);
   QWidget* page_with_way_back(QWidget* content, const QString& title, const char* name);
 
   Workbench& bench_;
@@ -55,6 +56,8 @@ class MissingPane : public QWidget {
   widgets::TruthPanel* truth_;
   PosesPane* poses_;
   QPushButton* reveal_;
+  QLabel* row_reason_;
+  std::vector<widgets::EffectRow> rows_;
   QWidget *table_page_, *truth_page_;
 };
 

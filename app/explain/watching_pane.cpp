@@ -92,6 +92,7 @@ void WatchingPane::make_layout() {
   robot_title_ = new QLabel(this);
   robot_title_->setObjectName("ghost_title");
   robot_title_->setFont(widgets::text_font(widgets::TextRole::small));
+  robot_title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
   right->addWidget(robot_title_);
@@ -102,6 +103,7 @@ void WatchingPane::make_layout() {
   layout->addLayout(left, 332);
   layout->addWidget(cloud_, 332);
   layout->addLayout(right, 380);
+  setMinimumSize(620, 150);
 }
 
 void WatchingPane::connect_all() {
@@ -282,6 +284,7 @@ void WatchingPane::show_robot() {
   if (index < 0 || !bench_.document.is_open()) return;
   if (!robot_is_set_) {
     robot_->set_robot(session.robot, (folder(session) / session.robot_file).parent_path());
+    robot_->look(widgets::StandardView::tcp);
     robot_is_set_ = true;
   }
   if (!now || !now->fit) {

@@ -76,6 +76,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 MainWindow::~MainWindow() {
+  hide();  // while what the workspaces talk to is still there
   disconnect(&bench_.document, nullptr, this, nullptr);
   bench_.document.close();
 }

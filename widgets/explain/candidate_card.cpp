@@ -65,6 +65,7 @@ void CandidateCard::set_main(bool is_main) {
       inks.setColor(QPalette::Button, c.accent);
       inks.setColor(QPalette::ButtonText, c.panel);
       inks.setColor(QPalette::Disabled, QPalette::Button, c.sunken);
+      inks.setColor(QPalette::Disabled, QPalette::ButtonText, c.ink3);
     }
     button->setPalette(inks);
   }

@@ -44,9 +44,12 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
-  const int widths[] = {150, 212, 96};
-  for (int i = 0; i < 3; ++i) view_->setColumnWidth(i, widths[i]);
+  const int widths[] = {146, 206};
+  for (int i = 0; i < 2; ++i) view_->setColumnWidth(i, widths[i]);
+  header.setSectionResizeMode(2, QHeaderView::Stretch);
   header.setSectionResizeMode(3, QHeaderView::Stretch);
+  header.setMinimumSectionSize(32);
+  view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   layout->addWidget(view_, 1);
   empty_ = new QLabel(this);
   empty_->setAlignment(Qt::AlignCenter);
