@@ -45,6 +45,19 @@ CandidateCheck check_of_candidate(const Diagnosis& d, const DiagnosisCandidate& 
   return check;
 }
 
+/// Does an unnamed curve lead while names pass as well? Then only going on shows whether they explain it.
+bool is_open(const Diagnosis& d) {
+  return is_outdone(d) && std::any_of(d.candidates.begin(), d.candidates.end(), [&](const DiagnosisCandidate& c) {
+           return !c.unnamed && c.ln_bayes_factor >= d.threshold;
+         });
+}
+
+/// Goes on as `improve` would: does it settle on a model with more names?
+bool leads_on(const Session& session, const Diagnosis& d, ImprovementOptions options) {
+  options.estimated = d.model_options.estimated;
+  return improve(session, options).steps.size() > 1;
+}
+
 }  // namespace
 
 bool same_fit(const ModelVersion& a, const ModelVersion& b) {
@@ -131,21 +144,27 @@ void Diagnosing::start() {
   jobs_.start<bool>(
       "diagnosis", tr("Looking for what is missing"),
       [this, result = now_, residuals = now_->residuals, diagnosis = now_->diagnosis, version = now_->version,
+       is_decided = now_->is_decided, names_lead_on = now_->names_lead_on,
        session = document_.session()](JobControl& control) {
         // The result itself belongs to the window's thread: parts are made here and handed over.
         auto part = std::make_shared<Result>();
         part->version = version;
         part->residuals = residuals;
         part->diagnosis = diagnosis;
+        part->is_decided = is_decided;
+        part->names_lead_on = names_lead_on;
         const auto hand_over = [this, result, part, &control](void (Diagnosing::*changed)()) {
           if (control.is_cancelled()) return;
           post([this, result, changed, residuals = part->residuals, diagnosis = part->diagnosis, views = part->views,
-                checks = part->checks, has_views = part->has_views] {
+                checks = part->checks, has_views = part->has_views, is_decided = part->is_decided,
+                names_lead_on = part->names_lead_on] {
             result->residuals = residuals;
             result->diagnosis = diagnosis;
             result->views = views;
             result->checks = checks;
             result->has_views = has_views;
+            result->is_decided = is_decided;
+            result->names_lead_on = names_lead_on;
             if (result == now_) emit(this->*changed)();
           });
         };
@@ -153,19 +172,24 @@ void Diagnosing::start() {
           part->residuals = make_residuals(*version->fit);
           hand_over(&Diagnosing::residuals_changed);
         }
-        if (!part->diagnosis && !control.is_cancelled()) {
-          ImprovementOptions options;
-          options.effects = version->settings.held;
-          options.estimated = version->settings.estimated;
-          options.on_progress = [&](double done) {
-            control.report(done);
-            share_ = done;
-            post([this] { emit progressed(); });
-            return !control.is_cancelled();
-          };
+        if (control.is_cancelled()) return false;
+        ImprovementOptions options;
+        options.effects = version->settings.held;
+        options.estimated = version->settings.estimated;
+        options.on_progress = [&](double done) {
+          control.report(done);
+          share_ = done;
+          post([this] { emit progressed(); });
+          return !control.is_cancelled();
+        };
+        if (!part->diagnosis) {
           auto made = std::make_shared<Diagnosis>(diagnosed(session, options));
           if (made->stopped) return false;
           part->diagnosis = made;
+        }
+        if (!part->is_decided) {
+          part->names_lead_on = is_open(*part->diagnosis) && leads_on(session, *part->diagnosis, options);
+          part->is_decided = !control.is_cancelled();
           hand_over(&Diagnosing::diagnosis_changed);
         }
         for (const DiagnosisCandidate& c : part->diagnosis->candidates) {
@@ -189,6 +213,7 @@ void Diagnosing::start() {
 void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis) {
   auto result = std::make_shared<Result>();
   result->version = version;
+  result->is_decided = !is_open(*diagnosis);
   result->diagnosis = std::move(diagnosis);
   earlier_.push_front(result);
   if (earlier_.size() > most_kept) earlier_.pop_back();

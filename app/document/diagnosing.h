@@ -43,7 +43,9 @@ class Diagnosing : public QObject {
 
   /// Of the present model; null until they are there.
   std::shared_ptr<const ModelResiduals> residuals() const { return now_ ? now_->residuals : nullptr; }
-  std::shared_ptr<const Diagnosis> diagnosis() const { return now_ ? now_->diagnosis : nullptr; }
+  std::shared_ptr<const Diagnosis> diagnosis() const { return now_ && now_->is_decided ? now_->diagnosis : nullptr; }
+  /// An unnamed curve leads, and yet adding what has a name comes to a model that none outdoes.
+  bool names_lead_on() const { return now_ && now_->names_lead_on; }
   /// By effect, of the present diagnosis; null where it was not worked out (yet).
   std::shared_ptr<const CandidateView> view_of(const std::string& id) const;
   std::optional<CandidateCheck> check_of(const std::string& id) const;
@@ -69,6 +71,8 @@ class Diagnosing : public QObject {
     std::shared_ptr<const Diagnosis> diagnosis;
     std::map<std::string, std::shared_ptr<const CandidateView>> views;
     std::map<std::string, CandidateCheck> checks;
+    bool is_decided = false;  // the diagnosis, and where an unnamed curve leads, whether names lead on
+    bool names_lead_on = false;
     bool has_views = false;
   };
   using ResultPointer = std::shared_ptr<Result>;

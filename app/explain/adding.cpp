@@ -7,7 +7,7 @@
 namespace handsight::app {
 namespace {
 
-constexpr int ms_between_pictures = 16;
+constexpr int ms_between_pictures = 40;
 
 QString sentence_of(const ModelChange& change) {
   QStringList parts;
@@ -34,6 +34,11 @@ void watch_it_come(const Diagnosis& before, const DiagnosisCandidate& candidate,
     watch.iteration(iteration, cost, unknowns);
     return !control.is_cancelled();
   };
+  Unknowns start = estimate(before.model.fit);
+  const Eigen::Index known = start.effects.size();
+  start.effects.conservativeResize(watch.effect_count());
+  start.effects.tail(watch.effect_count() - known).setZero();
+  watch.iteration(0, before.model.fit.solution.normal.data_cost(), start);
   fit(before.model.session, options);
 }
 

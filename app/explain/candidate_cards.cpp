@@ -78,8 +78,8 @@ CardState honest_card(CardKind kind, const QString& title, const QString& words)
   return card;
 }
 
-std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d) {
-  const widgets::SessionVerdict v = session_verdict(model, &d, false);
+std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d, bool names_lead_on) {
+  const widgets::SessionVerdict v = session_verdict(model, &d, false, names_lead_on);
   switch (v.state) {
     case widgets::SessionState::adequate: {
       CardState card = honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), v.sentence);
@@ -123,8 +123,9 @@ std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersio
                                        const std::vector<Refusal>& refused) {
   std::vector<CardState> cards;
   const ErrorAndNoise e = error_and_noise(model);
-  const std::optional<CardState> honest = honest_card_of(model, d);
-  const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations || is_outdone(d);
+  const std::optional<CardState> honest = honest_card_of(model, d, bench.diagnosing.names_lead_on());
+  const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations ||
+                     (is_outdone(d) && !bench.diagnosing.names_lead_on());
   if (honest && stops) cards.push_back(*honest);
   const int index = bench.document.undo_stack().index();
   for (const DiagnosisCandidate& c : d.candidates) {

@@ -126,7 +126,8 @@ QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const st
 
 }  // namespace
 
-widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* d, bool is_running) {
+widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* d, bool is_running,
+                                        bool names_lead_on) {
   widgets::SessionVerdict v;
   v.sentence = comparison_sentence(model);
   if (!model.fit) return v;
@@ -161,6 +162,11 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
       v.sentence = missing_sentence(model, *d, v.blame);
       break;
     case Verdict::unexplained:
+      if (names_lead_on) {
+        v.state = SessionState::missing;
+        v.sentence = missing_sentence(model, *d, v.blame);
+        break;
+      }
       v.state = lacks_noise(*d) ? SessionState::noise_unknown : SessionState::unexplained;
       v.sentence = lacks_noise(*d) ? comparison_sentence(model) : unexplained_sentence(*d, e);
       break;

@@ -26,7 +26,9 @@ QString comparison_sentence(const ModelVersion& model);
 std::optional<widgets::Blame> session_blame(const Inspection& all);
 
 /// The whole session in a sentence. `diagnosis` may be null: only what the fit says.
-widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* diagnosis, bool is_running);
+/// `names_lead_on`: of a diagnosis that an unnamed curve leads, see Diagnosing.
+widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* diagnosis, bool is_running,
+                                        bool names_lead_on);
 
 /// The cards, best first; the first is an honest one where there is nothing to add.
 std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const ModelVersion& model,

@@ -201,7 +201,7 @@ void ExplainWorkspace::refresh_verdict() {
   } else {
     const bool is_present = model == bench_.document.model();
     v = session_verdict(*model, is_present ? bench_.diagnosing.diagnosis().get() : nullptr,
-                        bench_.diagnosing.is_running());
+                        bench_.diagnosing.is_running(), bench_.diagnosing.names_lead_on());
     if (v.state == widgets::SessionState::looking)
       v.progress = tr("%1 %").arg(std::lround(100 * bench_.diagnosing.share()));
     if (bench_.predicted_error() && v.error_px) v.predicted_px = bench_.predicted_error();

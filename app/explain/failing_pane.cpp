@@ -241,7 +241,12 @@ void FailingPane::look_for_common() {
   for (const ProblemObservation& o : v.problem.observations)
     chosen.push_back(many.contains(bench_.document.session().observations[static_cast<std::size_t>(o.index)].id) ? 1
                                                                                                                  : 0);
-  const auto list = what_is_common(v.variables, chosen);
+  auto list = what_is_common(v.variables, chosen);
+  // What was dragged over is no news.
+  if (list.size() > 1 && !places_.empty())
+    std::erase_if(list, [&](const Common& c) {
+      return v.variables[c.variable].name == places_[static_cast<std::size_t>(chosen_)].variable;
+    });
   if (list.empty()) return;
   const Variable& variable = v.variables[list.front().variable];
   common_variable_ = variable.name;

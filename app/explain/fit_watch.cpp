@@ -41,25 +41,30 @@ void FitWatch::begin(const Session& session, const std::vector<EffectTerm>& held
 }
 
 void FitWatch::iteration(int, double cost, const Unknowns& unknowns) {
+  constexpr std::size_t most_waiting = 8;
   const double rms = std::sqrt(cost / std::max(rows_, 1));
-  bool is_waited_for = false;
+  bool has_room = false;
   {
     const std::lock_guard lock(mutex_);
     news_.costs.push_back({running_++, problem_ && !problem_->rig ? 1e3 * rms : rms});
-    is_waited_for = !news_.picture;
-    if (!is_waited_for) ++news_.skipped;
+    has_room = pictures_.size() < most_waiting;
+    if (!has_room) ++news_.skipped;
   }
-  if (!problem_ || !is_waited_for || unknowns.effects.size() != problem_->effect_count()) return;
+  if (!problem_ || !has_room || unknowns.effects.size() != problem_->effect_count()) return;
   FitPicture picture;
   picture.cloud = cloud_of(corner_residuals(*problem_, unknowns), ids_);
   picture.bent = bent_links(*problem_->source, observation_, terms_with(*problem_, unknowns.effects));
   const std::lock_guard lock(mutex_);
-  news_.picture = std::move(picture);
+  pictures_.push_back(std::move(picture));
 }
 
 FitWatch::News FitWatch::fetch() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(news_, {});
+  News news = std::exchange(news_, {});
+  if (pictures_.empty()) return news;
+  news.picture = std::move(pictures_.front());
+  pictures_.pop_front();
+  return news;
 }
 
 }  // namespace handsight::app

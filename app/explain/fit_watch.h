@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a running fit hands to the window: every cost, and the latest picture. A picture that was not fetched in time is
-// replaced; the fit never waits.
+// What a running fit hands to the window: every cost, and pictures while there is room for them. Where the window does
+// not keep up, pictures are left out; the fit never waits.
 #pragma once
 
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -23,13 +24,14 @@ class FitWatch {
   void begin(const Session& session, const std::vector<EffectTerm>& held, const std::vector<EffectTerm>& estimated,
              int observation);
 
+  Eigen::Index effect_count() const { return problem_ ? problem_->effect_count() : 0; }
   /// In the fit's thread: one iteration.
   void iteration(int number, double cost, const Unknowns& unknowns);
 
   struct News {
     std::vector<std::pair<int, double>> costs;  // iteration and rms of one coordinate since the last time
-    std::optional<FitPicture> picture;
-    int skipped = 0;  // pictures that nobody fetched
+    std::optional<FitPicture> picture;          // the oldest that was not shown yet
+    int skipped = 0;                            // pictures for which there was no room
   };
   /// In the window's thread: what came since the last time.
   News fetch();
@@ -40,6 +42,7 @@ class FitWatch {
   int rows_ = 1, observation_ = 0, running_ = 0;
   std::mutex mutex_;
   News news_;
+  std::deque<FitPicture> pictures_;
 };
 
 /// Residuals as points of the cloud. `ids` per place of the problem.

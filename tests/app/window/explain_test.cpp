@@ -178,7 +178,7 @@ TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
   ASSERT_EQ(desk.document().settings().held.size(), 3U);
   auto* field = qobject_cast<QLineEdit*>(reach("value_joint_elasticity_0"));
   ASSERT_NE(field, nullptr);
-  desk.type_into(field, "0.3");
+  desk.type_into(field, "300");
   desk.key(Qt::Key_Return);
   ASSERT_TRUE(explain.is_settled());
   EXPECT_DOUBLE_EQ(desk.document().settings().held[0].values[0], 3e-4);
