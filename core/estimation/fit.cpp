@@ -43,10 +43,15 @@ Eigen::MatrixXd clustered_middle(const Problem& problem, const Unknowns& unknown
 void set_noise(const Session& session, const Problem& images, Fit& fit) {
   fit.noise_estimate = estimate_noise(images, fit.solution.unknowns);
   const auto declared = session.is_tracker() ? session.sigma_point : session.sigma_pixel;
+  if (!declared && !fit.noise_estimate) fit.noise_estimate = noise_from_repeats(images, fit.solution.unknowns);
   if (declared) {
     fit.noise = declared;
   } else if (fit.noise_estimate) {
     fit.noise = fit.noise_estimate->sigma;
+    if (fit.noise_estimate->from_repeats)
+      fit.notes.push_back(fmt::format(
+          "The noise, {:.3g} {}, is that of poses which were measured again; how well the robot repeats is part of it.",
+          *fit.noise, session.is_tracker() ? "m" : "px"));
   }
   if (declared && fit.noise_estimate && std::abs(fit.noise_estimate->sigma - *declared) > 3 * fit.noise_estimate->error)
     fit.notes.push_back(fmt::format(
@@ -185,7 +190,8 @@ void set_prior_noise(const Session& session, const Unknowns& start, Problem& ima
     images.noise = *declared;
     return;
   }
-  const auto estimated = estimate_noise(images, start);
+  auto estimated = estimate_noise(images, start);
+  if (!estimated) estimated = noise_from_repeats(images, start);
   images.noise = estimated && estimated->sigma > 0 ? estimated->sigma : session.is_tracker() ? 1e-3 : 0.3;
 }
 

@@ -2,6 +2,9 @@
 #include "estimation/noise.h"
 
 #include <Eigen/QR>
+#include <algorithm>
+#include <map>
+#include <numeric>
 
 #include "estimation/body_pose.h"
 #include "estimation/least_squares.h"
@@ -88,7 +91,84 @@ std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknow
   const auto degrees = static_cast<int>(free_rows - used);
   if (degrees < 10) return std::nullopt;
   const double sigma = std::sqrt(std::max(squares - g.dot(inverse * g), 0.0) / degrees);
-  return NoiseEstimate{sigma, sigma / std::sqrt(2.0 * degrees), degrees};
+  return NoiseEstimate{sigma, sigma / std::sqrt(2.0 * degrees), degrees, false};
+}
+
+namespace {
+
+constexpr double same_pose = 5e-3;  // rad, m
+constexpr int fewest_degrees = 10;
+
+/// Places of observations in groups of one pose each, groups of one left out.
+std::vector<std::vector<std::size_t>> repeated_poses(const Problem& problem) {
+  const auto position = [&](std::size_t place) -> const Eigen::VectorXd& {
+    return problem.source->circumstances[static_cast<std::size_t>(problem.observations[place].index)].sensor;
+  };
+  std::vector<std::size_t> order(problem.observations.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (order.empty()) return {};
+  // Along the joint that moves most neighbours are few.
+  Eigen::VectorXd low = position(0), high = low;
+  for (const std::size_t i : order) {
+    low = low.cwiseMin(position(i));
+    high = high.cwiseMax(position(i));
+  }
+  Eigen::Index joint = 0;
+  (high - low).maxCoeff(&joint);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return position(a)[joint] < position(b)[joint]; });
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<char> taken(order.size(), 0);
+  for (std::size_t a = 0; a < order.size(); ++a) {
+    if (taken[a]) continue;
+    std::vector<std::size_t> group{order[a]};
+    for (std::size_t b = a + 1; b < order.size(); ++b) {
+      if (position(order[b])[joint] - position(order[a])[joint] > same_pose) break;
+      if (taken[b] || (position(order[b]) - position(order[a])).cwiseAbs().maxCoeff() > same_pose) continue;
+      group.push_back(order[b]);
+      taken[b] = 1;
+    }
+    if (group.size() > 1) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// Sums of one coordinate of one marker over the observations of a group.
+struct Sums {
+  int count = 0;
+  double sum = 0, squares = 0;
+};
+
+}  // namespace
+
+std::optional<NoiseEstimate> noise_from_repeats(const Problem& problem, const Unknowns& unknowns) {
+  double squares = 0;
+  int degrees = 0;
+  for (const std::vector<std::size_t>& group : repeated_poses(problem)) {
+    std::map<std::pair<int, int>, Sums> coordinates;  // of a marker: u and v, left and right, or x, y, z
+    for (const std::size_t place : group) {
+      const ProblemObservation& o = problem.observations[place];
+      const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+      for (const Sighting& s : o.sightings) {
+        const SightingResidual r =
+            sighting_residual(problem.rig_or_null(), s, sensor_from_tcp * marker_at(o, unknowns, s.marker));
+        const int first = !s.point && !s.left ? 2 : 0;  // by the right camera alone
+        for (int row = 0; row < r.rows; ++row) {
+          Sums& sums = coordinates[{s.marker, first + row}];
+          ++sums.count;
+          sums.sum += r.error[row];
+          sums.squares += r.error[row] * r.error[row];
+        }
+      }
+    }
+    for (const auto& [coordinate, sums] : coordinates) {
+      squares += std::max(0.0, sums.squares - sums.sum * sums.sum / sums.count);
+      degrees += sums.count - 1;
+    }
+  }
+  if (degrees < fewest_degrees) return std::nullopt;
+  const double sigma = std::sqrt(squares / degrees);
+  return NoiseEstimate{sigma, sigma / std::sqrt(2.0 * degrees), degrees, true};
 }
 
 }  // namespace handsight

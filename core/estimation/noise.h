@@ -7,9 +7,10 @@
 namespace handsight {
 
 struct NoiseEstimate {
-  double sigma = 0;  // px or m, of one coordinate
-  double error = 0;  // its own standard deviation
-  int degrees = 0;   // of freedom
+  double sigma = 0;           // px or m, of one coordinate
+  double error = 0;           // its own standard deviation
+  int degrees = 0;            // of freedom
+  bool from_repeats = false;  // of poses that were measured again: how well the robot repeats is part of it
 };
 
 /// The robot-free estimate: in every observation the body may move freely (its six small motions are projected out),
@@ -17,5 +18,10 @@ struct NoiseEstimate {
 /// that every observation shares (rig 6, fx fy cx cy k1 k2 p1 p2 of both). Unbiased whatever the robot does. Nothing
 /// with fewer than 10 degrees of freedom, as in sessions of one or two markers.
 std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknowns& unknowns);
+
+/// For sessions in which that says nothing: how far the residuals of one marker differ between observations whose
+/// joints all stand within 5e-3 rad (m) of each other. What follows the pose cancels; how well the robot repeats does
+/// not. Nothing with fewer than 10 degrees of freedom.
+std::optional<NoiseEstimate> noise_from_repeats(const Problem& problem, const Unknowns& unknowns);
 
 }  // namespace handsight

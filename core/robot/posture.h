@@ -58,7 +58,7 @@ struct PostureT {
   std::vector<T> distal_mass;              // kg
   std::vector<Vector3T<T>> distal_center;  // m, in the root frame
   DeflectionT<T> deflection;
-  int iterations = 0;                      // passes of the equilibrium
+  int iterations = 0;  // passes of the equilibrium
   bool converged = true;
 };
 using Posture = PostureT<double>;
@@ -73,6 +73,16 @@ double magnitude(const T& x) {
     return std::abs(x);
   } else {  // a Jet: its derivatives have to settle too
     return std::max(std::abs(x.a), x.v.cwiseAbs().maxCoeff());
+  }
+}
+
+/// Surely without effect, and without derivatives either.
+template <class Vector>
+bool is_nothing(const Vector& v) {
+  if constexpr (std::is_same_v<typename Vector::Scalar, double>) {
+    return v.isZero(0);
+  } else {
+    return false;
   }
 }
 
@@ -116,14 +126,16 @@ void set_frames(const Robot& robot, const RobotChangeT<T>& change, const Deflect
     const Joint& joint = robot.joints[j];
     const RigidT<T>& parent = joint.parent_link == 0 ? root_from_base : posture.root_from_link[joint.parent_link];
     RigidT<T> frame = parent * cast<T>(joint.parent_from_joint);
-    if (!change.joints.empty()) frame = frame * small_motion<T>(change.joints[j].frame);
+    if (!change.joints.empty() && !is_nothing(change.joints[j].frame))
+      frame = frame * small_motion<T>(change.joints[j].frame);
     posture.root_from_joint[j] = frame;
     if (joint.kind == JointKind::prismatic) {
       frame.translation += frame.rotation * (joint.axis.cast<T>() * posture.value[j]);
     } else if (joint.moves()) {
       frame.rotation = frame.rotation * rotation_about<T>(joint.axis, posture.value[j]);
     }
-    if (elastic) frame.rotation = frame.rotation * rotation_from_vector<T>(deflection.lateral[j]);
+    if (elastic && !is_nothing(deflection.lateral[j]))
+      frame.rotation = frame.rotation * rotation_from_vector<T>(deflection.lateral[j]);
     posture.root_from_link[joint.child_link] = frame * cast<T>(joint.joint_from_child);
   }
 }
@@ -184,7 +196,7 @@ std::vector<T> carried_torques(const Robot& robot, const RobotChangeT<T>& change
 
 template <class T>
 DeflectionT<T> deflections(const Robot& robot, const RobotChangeT<T>& change, const PostureT<T>& posture,
-                          const Vector3T<T>& root_moment) {
+                           const Vector3T<T>& root_moment) {
   using std::tanh;
   DeflectionT<T> d;
   d.angle.assign(robot.joints.size(), T(0.0));

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/noise.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "estimation/fit.h"
+#include "fixtures/arms.h"
+
+namespace handsight {
+namespace {
+
+/// Every pose of a session measured `times` times with this noise, the joints a little off each time; of its first
+/// `markers` markers.
+Session repeated(const Session& session, const Fit& truth, int poses, int times, int markers, double noise) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  Session out = session;
+  out.observations.clear();
+  out.sigma_pixel.reset();
+  for (int i = 0; i < poses * times; ++i) {
+    Observation o = session.observations[static_cast<std::size_t>(i % poses)];
+    o.id = i + 1;
+    o.time = i;
+    for (double& q : o.position) q += 1e-3 * normal(random);
+    out.observations.push_back(o);
+  }
+  const Problem problem = make_problem(out, chain_of(out));
+  for (const ProblemObservation& p : problem.observations) {
+    std::vector<Sighting>& sightings = out.observations[static_cast<std::size_t>(p.index)].sightings;
+    std::erase_if(sightings, [&](const Sighting& s) { return s.marker >= markers; });
+    for (Sighting& s : sightings) {
+      const Vector3 x = sensor_from_tcp_at(p, estimate(truth).mount_from_sensor) *
+                        estimate(truth).markers_in_tcp[static_cast<std::size_t>(s.marker)];
+      const auto off = [&] { return Vector2(noise * normal(random), noise * normal(random)); };
+      if (s.left) s.left = project(out.stereo->left, x) + off();
+      if (s.right) s.right = project(out.stereo->right, Vector3(out.stereo->right_from_left * x)) + off();
+    }
+  }
+  return out;
+}
+
+Session one_marker(int times, double noise) {
+  SimulationOptions o;
+  o.observations = 20;
+  o.seed = 3;
+  const Session session = simulate_session(fixture::stand_session(), o).session;
+  return repeated(session, fit(session), 20, times, 1, noise);
+}
+
+TEST(NoiseFromRepeats, IsTheNoiseOfASessionThatShowsItInNoOtherWay) {
+  const Fit f = fit(one_marker(6, 0.3));
+  ASSERT_TRUE(f.noise_estimate.has_value());
+  EXPECT_TRUE(f.noise_estimate->from_repeats);
+  EXPECT_EQ(f.noise_estimate->degrees, 20 * 5 * 4);
+  EXPECT_NEAR(*f.noise, 0.3, 4 * f.noise_estimate->error);
+  EXPECT_NEAR(f.noise_estimate->error, 0.3 / std::sqrt(800.0), 0.002);
+}
+
+TEST(NoiseFromRepeats, DoesNotSeeWhatFollowsThePose) {
+  Session session = one_marker(6, 0.3);
+  for (Observation& o : session.observations) o.position[1] += 0.01 * std::sin(3 * o.position[2]);  // an unknown error
+  const Fit f = fit(session);
+  EXPECT_GT(f.residual_rms, 1);
+  ASSERT_TRUE(f.noise.has_value());
+  EXPECT_NEAR(*f.noise, 0.3, 0.03);
+}
+
+TEST(NoiseFromRepeats, SaysNothingWithoutRepeatedPoses) {
+  const Fit f = fit(one_marker(1, 0.3));
+  EXPECT_FALSE(f.noise_estimate.has_value());
+  EXPECT_FALSE(f.noise.has_value());
+}
+
+TEST(NoiseFromRepeats, GivesWayToWhatTheSessionDeclares) {
+  Session session = one_marker(6, 0.3);
+  session.sigma_pixel = 0.25;
+  const Fit f = fit(session);
+  EXPECT_EQ(*f.noise, 0.25);
+}
+
+}  // namespace
+}  // namespace handsight
