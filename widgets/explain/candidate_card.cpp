@@ -87,7 +87,7 @@ void CandidateCard::place_buttons() {
   int x = static_cast<int>(layout.buttons.left());
   for (QPushButton* button : {add_, action_, what_if_, poses_}) {
     if (button->isHidden()) continue;
-    const int wide = std::max(button->sizeHint().width(), 72);
+    const int wide = std::max(button->sizeHint().width() + 12, 72);
     button->setGeometry(x, static_cast<int>(layout.buttons.top()), wide, kControlHeight);
     x += wide + kGap;
   }
@@ -189,8 +189,12 @@ bool CandidateCard::event(QEvent* event) {
     text = state_.evidence;
   else if (layout.check.contains(help->pos()))
     text = state_.check;
-  for (const QRectF& row : layout.sizes)
-    if (row.contains(help->pos())) text = tr("The size that the fit wants, against what is plausible.");
+  for (std::size_t i = 0; i < layout.sizes.size() && i < state_.sizes.size(); ++i)
+    if (layout.sizes[i].contains(help->pos()))
+      text = tr("%1 %2: the size that the fit wants, against what is plausible (± %3).")
+                 .arg(state_.sizes[i].of, state_.sizes[i].name,
+                      with_unit_text(state_.sizes[i].plausible, state_.sizes[i].unit))
+                 .trimmed();
   QToolTip::showText(help->globalPos(), text, this);
   return true;
 }

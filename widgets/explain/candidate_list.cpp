@@ -53,7 +53,12 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
 
   why_not_ = new QPushButton(tr("Why not …? All effects"), this);
   why_not_->setFixedHeight(kControlHeight);
-  layout->addWidget(why_not_, 0, Qt::AlignLeft);
+  why_not_->setMinimumWidth(why_not_->sizeHint().width() + 12);
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(kGap, 0, kGap, 4);
+  foot->addWidget(why_not_);
+  foot->addStretch(1);
+  layout->addLayout(foot);
   connect(why_not_, &QPushButton::clicked, this, &CandidateList::why_not_requested);
   connect(resort_, &QPushButton::clicked, this, &CandidateList::resort);
 }

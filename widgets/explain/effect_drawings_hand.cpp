@@ -17,16 +17,16 @@ void hand(const DrawingKit& kit) {
 /// All markers together moved on the hand.
 void body_slip(const DrawingKit& kit) {
   hand(kit);
-  const QPointF a(34, 36), b(60, 38), c(44, 62);
+  const QPointF a(32, 34), b(52, 34), c(38, 54);
   kit.shape(Ink::help, {a, b, c});
   for (const QPointF& at : {a, b, c}) kit.marker(Ink::model, at, 4.5);
   QTransform slip;
-  slip.translate(62, 54);
-  slip.rotate(22);
-  slip.translate(-46, -45);
+  slip.translate(64, 64);
+  slip.rotate(28);
+  slip.translate(-41, -41);
   kit.shape(Ink::effect, slip.map(QPolygonF({a, b, c})));
   for (const QPointF& at : {a, b, c}) kit.marker(Ink::effect, slip.map(at), 4.5, -22);
-  kit.arrow(Ink::effect, {76, 82}, {90, 90});
+  kit.arrow(Ink::effect, {76, 30}, {86, 46});
 }
 
 /// One marker of three came loose.

@@ -44,7 +44,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
-  const int widths[] = {150, 212, 96};
+  const int widths[] = {144, 236, 84};
   for (int i = 0; i < 3; ++i) view_->setColumnWidth(i, widths[i]);
   header.setSectionResizeMode(3, QHeaderView::Stretch);
   layout->addWidget(view_, 1);
@@ -54,6 +54,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   layout->addWidget(empty_, 1);
   summary_ = new QLabel(this);
   summary_->setFont(text_font(TextRole::small));
+  summary_->setContentsMargins(kGap, 0, kGap, 0);
   layout->addWidget(summary_);
   view_->installEventFilter(this);
   view_->viewport()->installEventFilter(this);

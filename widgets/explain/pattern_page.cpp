@@ -164,27 +164,30 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
   const Colors& c = colors();
   const PatternPlot& plot = plots_[static_cast<std::size_t>(place)];
   const QRectF cell = plot_rect(place).adjusted(6, 1, -6, -1);
+  painter.setFont(text_font(TextRole::small));
+  const QFontMetricsF metrics(painter.font());
+  /// With the word before it where there is room for both.
+  const auto worded = [&](const QString& sentence, const QString& alone, const QRectF& room) {
+    draw_text(painter, room, Qt::AlignLeft | Qt::AlignVCenter,
+              metrics.horizontalAdvance(sentence) <= room.width() ? sentence : alone);
+  };
+  QRectF head(cell.left(), cell.top(), cell.width(), 16), foot(cell.left(), cell.bottom() - 16, cell.width(), 16);
+  painter.setPen(c.ink1);
+  draw_text(painter, head, Qt::AlignLeft | Qt::AlignVCenter, plot.what);
+  head.setLeft(head.left() + metrics.horizontalAdvance(plot.what) + 8);
+  painter.setPen(c.ink3);
+  if (!plot.shows.isEmpty() && head.width() > 30) worded(tr("shows: %1").arg(plot.shows), plot.shows, head);
   // The strength: a bar that is filled as far as the residual follows.
-  const QRectF mark(cell.right() - 30, cell.top() + 5, 30, 7);
+  const QRectF mark(foot.right() - 30, foot.top() + 5, 30, 7);
   painter.setPen(QPen(plot.is_chance ? c.hairline : c.control_edge, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(mark.adjusted(0.5, 0.5, -0.5, -0.5));
   if (!plot.is_chance)
     painter.fillRect(QRectF(mark.left(), mark.top(), mark.width() * std::clamp(plot.strength, 0.0, 1.0), mark.height()),
                      c.ink2);
-  painter.setFont(text_font(TextRole::small));
-  const QFontMetricsF metrics(painter.font());
-  QRectF head(cell.left(), cell.top(), mark.left() - 6 - cell.left(), 16);
-  const QString title = plot.what;
-  painter.setPen(c.ink1);
-  draw_text(painter, head, Qt::AlignLeft | Qt::AlignVCenter, title);
-  head.setLeft(head.left() + metrics.horizontalAdvance(title) + 6);
-  painter.setPen(c.ink3);
-  if (!plot.shows.isEmpty() && head.width() > 40)
-    draw_text(painter, head, Qt::AlignLeft | Qt::AlignVCenter, tr("shows: %1").arg(plot.shows));
+  foot.setRight(mark.left() - 4);
   painter.setPen(c.ink2);
-  draw_text(painter, QRectF(cell.left(), cell.bottom() - 16, cell.width(), 16), Qt::AlignLeft | Qt::AlignVCenter,
-            tr("against %1").arg(plot.against));
+  worded(tr("against %1").arg(plot.against), plot.against, foot);
 }
 
 void PatternPage::paint_curves(QPainter& painter, int place) const {
@@ -197,8 +200,11 @@ void PatternPage::paint_curves(QPainter& painter, int place) const {
   };
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
+  const QPolygonF trend = curve(plot.trend, [](const TrendPoint& p) { return p.y; });
+  painter.setPen(QPen(c.panel, 4));  // a rim: the strongest residuals are as dark as the line
+  painter.drawPolyline(trend);
   painter.setPen(QPen(c.ink1, 1.6));
-  painter.drawPolyline(curve(plot.trend, [](const TrendPoint& p) { return p.y; }));
+  painter.drawPolyline(trend);
   QPen dashed(c.candidate, 1.8, Qt::DashLine);
   dashed.setDashPattern({4, 2.5});
   painter.setPen(dashed);
@@ -302,7 +308,7 @@ void PatternPage::paintEvent(QPaintEvent*) {
   if (!progress_.isEmpty()) {
     painter.setFont(text_font(TextRole::small));
     const double wide = QFontMetricsF(painter.font()).horizontalAdvance(progress_) + 10;
-    draw_plate(painter, {width() - wide, height() - 10.0}, progress_, c.ink2, c.sunken);
+    draw_plate(painter, {width() - wide, height() - 28.0}, progress_, c.ink2, c.sunken);
   }
 }
 

@@ -168,14 +168,16 @@ const std::vector<CloudPoint>& ResidualCloud::shown(int index) const {
   return moving_.empty() ? after_.points : moving_;
 }
 
-void ResidualCloud::paint_rings(QPainter& painter, const QRectF& area) const {
+void ResidualCloud::paint_ground(QPainter& painter, int index) const {
   const Colors& c = colors();
+  const QRectF area = pane(index);
   const QPointF middle = area.center();
   const double half = area.width() / 2;
   painter.setBrush(c.sunken);
   painter.setPen(QPen(c.hairline, 1));
   painter.drawEllipse(middle, half - 0.5, half - 0.5);
   painter.setBrush(Qt::NoBrush);
+  if (shown(index).empty()) return;
   painter.drawLine(QPointF(area.left(), middle.y()), QPointF(area.right(), middle.y()));
   painter.drawLine(QPointF(middle.x(), area.top()), QPointF(middle.x(), area.bottom()));
   for (double px = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); px < reach_; px *= 10)
@@ -192,7 +194,7 @@ void ResidualCloud::paint_ring_names(QPainter& painter, const QRectF& area) cons
     const double r = half * radius(sigmas * *noise_);
     painter.setPen(QPen(c.ink2, 1, Qt::DashLine));
     painter.drawEllipse(area.center(), r, r);
-    if (sigmas < 2 && r < 16) continue;  // no room for its name
+    if (r < 16) continue;  // no room for its name
     painter.setPen(c.ink2);
     painter.drawText(QRectF(area.center().x() - 20, area.center().y() - r - 15, 40, 15), Qt::AlignCenter,
                      QStringLiteral("%1 σ").arg(sigmas));
@@ -200,7 +202,7 @@ void ResidualCloud::paint_ring_names(QPainter& painter, const QRectF& area) cons
   painter.setPen(c.ink3);
   for (double px = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); px < reach_; px *= 10) {
     const double r = half * radius(px);
-    if (noise_ && px < 4 * *noise_) continue;
+    if (px > 0.7 * reach_ || (noise_ && px < 4 * *noise_) || r < 16) continue;
     painter.drawText(QRectF(area.center().x() + r * 0.7071 - 2, area.center().y() + r * 0.7071 - 4, 44, 15),
                      Qt::AlignLeft | Qt::AlignVCenter, with_unit_text(px, QStringLiteral("px"), 1));
   }
@@ -230,8 +232,8 @@ void ResidualCloud::paint_marked(QPainter& painter, int index) const {
     const bool is_selected = point.observation == selected_, is_hovered = point.observation == hovered_;
     const bool is_high = std::binary_search(highlighted_.begin(), highlighted_.end(), point.observation);
     if (!is_selected && !is_hovered && !is_high) continue;
-    painter.setPen(is_selected ? QPen(c.accent, 2) : QPen(is_hovered ? c.ink2 : c.ink1, is_hovered ? 1.5 : 1));
-    const double r = is_selected || is_hovered ? 5 : 3;
+    painter.setPen(is_selected ? QPen(c.accent, 1.5) : QPen(is_hovered ? c.ink2 : c.ink1, is_hovered ? 1.5 : 1));
+    const double r = is_selected || is_hovered ? 4.5 : 3;
     painter.drawEllipse(on_screen(index, point.du, point.dv), r, r);
   }
 }
@@ -247,8 +249,10 @@ void ResidualCloud::paint_pane(QPainter& painter, int index) const {
   painter.setPen(is_tried ? c.candidate : c.ink2);
   draw_text(painter, QRectF(area.left(), 0, area.width(), 18), Qt::AlignHCenter | Qt::AlignVCenter, title);
   if (shown(index).empty()) {
-    painter.setPen(c.ink3);
-    painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, is_after ? tr("Hover a card, or add it.") : empty_text_);
+    painter.setPen(c.ink2);
+    painter.drawText(area.adjusted(kWideGap, 0, -kWideGap, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                     is_after ? tr("Try a card, or add it.") : empty_text_);
+    return;
   }
   paint_ring_names(painter, area);
   paint_marked(painter, index);
@@ -269,7 +273,7 @@ void ResidualCloud::paintEvent(QPaintEvent*) {
     draw_sentence(painter, rect(), empty_text_);
     return;
   }
-  for (int i = 0; i < 2; ++i) paint_rings(painter, pane(i));
+  for (int i = 0; i < 2; ++i) paint_ground(painter, i);
   QImage dots = dot_canvas(size(), devicePixelRatioF());
   for (int i = 0; i < 2; ++i) paint_points(dots, i);
   painter.drawImage(0, 0, dots);
