@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QToolTip>
+#include <algorithm>
+#include <array>
 
 #include "widgets/explain/candidate_layout.h"
 #include "widgets/number_text.h"
@@ -19,7 +21,7 @@ namespace handsight::widgets {
 CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setMinimumWidth(320);
+  setMinimumWidth(360);
   const auto button = [this](const QString& name, auto&& signal) {
     auto* made = new QPushButton(this);
     made->setObjectName(name);
@@ -84,12 +86,18 @@ int CandidateCard::heightForWidth(int width) const { return static_cast<int>(lay
 void CandidateCard::place_buttons() {
   const CardLayout layout = lay_out(state_, width());
   if (height() != static_cast<int>(layout.height)) setFixedHeight(static_cast<int>(layout.height));
-  int x = static_cast<int>(layout.buttons.left());
-  for (QPushButton* button : {add_, action_, what_if_, poses_}) {
+  const std::array<QPushButton*, 4> buttons = {add_, action_, what_if_, poses_};
+  const auto wide = [](const QPushButton* button) {
+    return std::max(QFontMetrics(button->font()).horizontalAdvance(button->text()) + 28, 72);
+  };
+  int total = -kGap;
+  for (const QPushButton* button : buttons) total += button->isHidden() ? 0 : wide(button) + kGap;
+  const bool is_narrow = total > layout.buttons.width();  // then from below the drawing on
+  int x = static_cast<int>(is_narrow ? layout.drawing.left() : layout.buttons.left());
+  for (QPushButton* button : buttons) {
     if (button->isHidden()) continue;
-    const int wide = std::max(button->sizeHint().width() + 12, 72);
-    button->setGeometry(x, static_cast<int>(layout.buttons.top()), wide, kControlHeight);
-    x += wide + kGap;
+    button->setGeometry(x, static_cast<int>(layout.buttons.top()), wide(button), kControlHeight);
+    x += wide(button) + kGap;
   }
 }
 

@@ -140,7 +140,7 @@ void paint_size(QPainter& painter, const ModelParameter& p, const QString& name,
   const Colors& c = colors();
   QString value = with_sigma_text(p.value, p.sigma);
   if (p.value && !p.unit.isEmpty()) value += QChar(0x00A0) + p.unit;
-  const double bar = 64, most = row.width() - bar - 2 * kGap - 60;
+  const double bar = 64, most = row.width() - bar - 2 * kGap - 44;
   painter.setFont(number_font(TextRole::small));
   const double needed = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value) + 2, most);
   painter.setPen(c.ink1);

@@ -76,8 +76,11 @@ std::vector<QString> CandidateList::shown() const {
 CandidateCard* CandidateList::make_card() {
   auto* card = new CandidateCard(content_);
   card->installEventFilter(this);
-  connect(card, &CandidateCard::preview, this, &CandidateList::preview);
-  connect(card, &CandidateCard::preview_ended, this, &CandidateList::preview_ended);
+  connect(card, &CandidateCard::preview, this, [this](const QString& id) {
+    attended_.push_back(id);
+    emit preview(id);
+  });
+  connect(card, &CandidateCard::preview_ended, this, &CandidateList::let_go);
   connect(card, &CandidateCard::add, this, &CandidateList::add);
   connect(card, &CandidateCard::show_poses, this, &CandidateList::show_poses);
   connect(card, &CandidateCard::what_if, this, &CandidateList::what_if);
@@ -122,6 +125,7 @@ void CandidateList::show_cards(const std::vector<CardState>& in_order) {
     now.push_back(card);
   }
   for (CandidateCard* card : old) {  // its own click may be what led here: it must outlive its signal
+    let_go(card->state().id);
     list_->removeWidget(card);
     card->hide();
     card->deleteLater();
@@ -135,6 +139,14 @@ void CandidateList::show_cards(const std::vector<CardState>& in_order) {
   }
   empty_->setVisible(cards_.empty());
   mark_main();
+}
+
+void CandidateList::let_go(const QString& id) {
+  const auto found = std::find(attended_.begin(), attended_.end(), id);
+  if (found == attended_.end()) return;
+  attended_.erase(found);
+  emit preview_ended(id);
+  if (!attended_.empty()) emit preview(attended_.back());
 }
 
 void CandidateList::mark_main() {

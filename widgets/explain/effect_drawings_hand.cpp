@@ -9,7 +9,7 @@ namespace {
 
 /// The back of a hand with fingers.
 void hand(const DrawingKit& kit) {
-  kit.link(Ink::model, {48, 92}, {48, 80}, 12);
+  kit.link(Ink::model, {48, 88}, {48, 80}, 12);
   for (int i = 0; i < 3; ++i) kit.link(Ink::model, {32.0 + 16 * i, 26}, {32.0 + 16 * i, 10}, 8);
   kit.shape(Ink::model, {{24, 24}, {72, 24}, {76, 46}, {66, 82}, {30, 82}, {20, 46}});
 }
@@ -32,7 +32,7 @@ void body_slip(const DrawingKit& kit) {
 /// One marker of three came loose.
 void marker_slip(const DrawingKit& kit) {
   hand(kit);
-  const QPointF loose(60, 40), moved(84, 60);
+  const QPointF loose(60, 40), moved(82, 60);
   kit.line(Ink::help, {36, 38}, {48, 66});
   kit.line(Ink::help, {36, 38}, loose);
   kit.line(Ink::help, loose, {48, 66});

@@ -18,7 +18,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kStateWidth = 104, kNumbersWidth = 200, kBlameWidth = 192;
+constexpr double kStateWidth = 104, kNumbersWidth = 196, kBlameWidth = 208;
 
 enum class Mood { quiet, good, care, bad };
 
