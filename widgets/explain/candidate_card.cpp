@@ -182,7 +182,7 @@ void CandidateCard::keyPressEvent(QKeyEvent* event) {
 }
 
 bool CandidateCard::event(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange && add_) set_main(is_main_);
+  if (event->type() == QEvent::PaletteChange && action_) set_main(is_main_);
   if (event->type() != QEvent::ToolTip) return QFrame::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const CardLayout layout = lay_out(state_, width());
