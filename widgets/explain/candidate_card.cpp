@@ -17,13 +17,40 @@
 #include "widgets/theme.h"
 
 namespace handsight::widgets {
+namespace {
+
+/// A push button that is filled with the accent while it is the main action: the style would make the colour lighter,
+/// and its text hard to read.
+class CardButton : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    const Colors& c = colors();
+    if (!isEnabled() || palette().color(QPalette::Button) != c.accent) return QPushButton::paintEvent(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isDown() ? c.accent.darker(115) : c.accent);
+    painter.drawRoundedRect(QRectF(rect()), 3, 3);
+    painter.setPen(c.panel);
+    painter.drawText(rect(), Qt::AlignCenter, text());
+    if (!hasFocus()) return;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(c.panel, 1));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(3, 3, -3, -3), 2, 2);
+  }
+};
+
+}  // namespace
 
 CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setMinimumWidth(360);
   const auto button = [this](const QString& name, auto&& signal) {
-    auto* made = new QPushButton(this);
+    auto* made = new CardButton(this);
     made->setObjectName(name);
     made->setFixedHeight(kControlHeight);
     made->setAutoDefault(true);  // Enter presses it

@@ -44,7 +44,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
-  const int widths[] = {144, 236, 84};
+  const int widths[] = {164, 232, 96};
   for (int i = 0; i < 3; ++i) view_->setColumnWidth(i, widths[i]);
   header.setSectionResizeMode(3, QHeaderView::Stretch);
   layout->addWidget(view_, 1);
