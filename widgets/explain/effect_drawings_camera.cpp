@@ -14,7 +14,7 @@ void camera_mount(const DrawingKit& kit) {
   kit.dot(Ink::help, {12, 54}, 1.6);
   kit.dot(Ink::help, {26, 54}, 1.6);
   kit.camera(Ink::model, {20, 42}, 0, 50);
-  kit.camera(Ink::effect, {22, 34}, 30, 48);
+  kit.camera(Ink::effect, {22, 34}, 30, 32);
   kit.turn(Ink::effect, {20, 42}, 50, 2, 22);
 }
 
