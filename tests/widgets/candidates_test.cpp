@@ -145,15 +145,18 @@ TEST(CandidateCard, IsAsHighAsItsTextNeeds) {
   CardState empty;
   plain.set_state(empty);
   full.set_state(wordy);
-  for (const int width : {320, 464, 900}) {
+  for (const int width : {360, 464, 900}) {
     EXPECT_EQ(plain.heightForWidth(width), 168);
     EXPECT_GT(full.heightForWidth(width), 250);
     EXPECT_LT(full.heightForWidth(width), 420);
   }
   test::show(full, {464, full.heightForWidth(464)});
   EXPECT_EQ(full.height(), full.heightForWidth(464));
-  for (const QPushButton* button : {full.add_button(), full.what_if_button(), full.poses_button()})
-    EXPECT_TRUE(full.rect().contains(button->geometry()));
+  for (const int width : {360, 464, 900}) {
+    full.resize(width, full.heightForWidth(width));
+    for (const QPushButton* button : {full.add_button(), full.what_if_button(), full.poses_button()})
+      EXPECT_TRUE(full.rect().contains(button->geometry())) << width;
+  }
 }
 
 TEST(EffectTable, FiltersByNameAndEnterChooses) {

@@ -121,7 +121,7 @@ CardState unnamed_card() {
   card.where = "arm_3";
   card.words = "Something follows the angle of arm_3, three times a turn.";
   card.error = {3.1, 0.9, 0.2, true, "px"};
-  card.can_add = false;
+  card.can_add = card.can_what_if = false;
   card.why_not = "It has no name in the catalogue: it can be looked at, not added.";
   return card;
 }

@@ -197,12 +197,12 @@ TEST(ResidualCloud, NoiseIsGreyAndErrorsAreNot) {
     for (int y = area.top(); y < area.bottom(); ++y)
       for (int x = area.left(); x < area.right(); ++x) {
         const QColor color = image.pixelColor(x, y);
-        count += color.red() > color.blue() + 60;
+        count += color.red() > color.blue() + 30;
       }
     return count;
   };
   EXPECT_GT(warm(0), 1000);
-  EXPECT_LT(warm(1), warm(0) / 20);
+  EXPECT_LT(warm(1), warm(0) / 10);  // one corner in a hundred by chance
 }
 
 TEST(ResidualCloud, ClickSelectsAndTheRightPaneMovesToItsNewState) {

@@ -162,7 +162,7 @@ void tables(const KeepPicture& keep) {
   versions.set_comparison("A to B: 9.1 → 0.24 px; TCP→Body moves by 3.2 mm and 0.4 deg.");
   keep(versions, "versions", {420, 300});
   TruthPanel truth;
-  truth.set_rows(truth_rows(), "Hidden were three effects. One was found right, one is off, one was missed.");
+  truth.set_rows(truth_rows(), "Of three hidden effects one was found right, one is off, one was missed.");
   keep(truth, "truth", {464, 260});
   TruthPanel none;
   keep(none, "truth_empty", {464, 120});

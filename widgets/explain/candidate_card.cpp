@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QToolTip>
+#include <algorithm>
+#include <array>
 
 #include "widgets/explain/candidate_layout.h"
 #include "widgets/number_text.h"
@@ -15,13 +17,40 @@
 #include "widgets/theme.h"
 
 namespace handsight::widgets {
+namespace {
+
+/// A push button that is filled with the accent while it is the main action: the style would make the colour lighter,
+/// and its text hard to read.
+class CardButton : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    const Colors& c = colors();
+    if (!isEnabled() || palette().color(QPalette::Button) != c.accent) return QPushButton::paintEvent(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isDown() ? c.accent.darker(115) : c.accent);
+    painter.drawRoundedRect(QRectF(rect()), 3, 3);
+    painter.setPen(c.panel);
+    painter.drawText(rect(), Qt::AlignCenter, text());
+    if (!hasFocus()) return;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(c.panel, 1));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(3, 3, -3, -3), 2, 2);
+  }
+};
+
+}  // namespace
 
 CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setMinimumWidth(320);
+  setMinimumWidth(360);
   const auto button = [this](const QString& name, auto&& signal) {
-    auto* made = new QPushButton(this);
+    auto* made = new CardButton(this);
     made->setObjectName(name);
     made->setFixedHeight(kControlHeight);
     made->setAutoDefault(true);  // Enter presses it
@@ -85,12 +114,18 @@ int CandidateCard::heightForWidth(int width) const { return static_cast<int>(lay
 void CandidateCard::place_buttons() {
   const CardLayout layout = lay_out(state_, width());
   if (height() != static_cast<int>(layout.height)) setFixedHeight(static_cast<int>(layout.height));
-  int x = static_cast<int>(layout.buttons.left());
-  for (QPushButton* button : {add_, action_, what_if_, poses_}) {
+  const std::array<QPushButton*, 4> buttons = {add_, action_, what_if_, poses_};
+  const auto wide = [](const QPushButton* button) {
+    return std::max(QFontMetrics(button->font()).horizontalAdvance(button->text()) + 28, 72);
+  };
+  int total = -kGap;
+  for (const QPushButton* button : buttons) total += button->isHidden() ? 0 : wide(button) + kGap;
+  const bool is_narrow = total > layout.buttons.width();  // then from below the drawing on
+  int x = static_cast<int>(is_narrow ? layout.drawing.left() : layout.buttons.left());
+  for (QPushButton* button : buttons) {
     if (button->isHidden()) continue;
-    const int wide = std::max(button->sizeHint().width(), 72);
-    button->setGeometry(x, static_cast<int>(layout.buttons.top()), wide, kControlHeight);
-    x += wide + kGap;
+    button->setGeometry(x, static_cast<int>(layout.buttons.top()), wide(button), kControlHeight);
+    x += wide(button) + kGap;
   }
 }
 
@@ -175,7 +210,7 @@ void CandidateCard::keyPressEvent(QKeyEvent* event) {
 }
 
 bool CandidateCard::event(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange && add_) set_main(is_main_);
+  if (event->type() == QEvent::PaletteChange && action_) set_main(is_main_);
   if (event->type() != QEvent::ToolTip) return QFrame::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const CardLayout layout = lay_out(state_, width());
@@ -190,8 +225,12 @@ bool CandidateCard::event(QEvent* event) {
     text = state_.evidence;
   else if (layout.check.contains(help->pos()))
     text = state_.check;
-  for (const QRectF& row : layout.sizes)
-    if (row.contains(help->pos())) text = tr("The size that the fit wants, against what is plausible.");
+  for (std::size_t i = 0; i < layout.sizes.size() && i < state_.sizes.size(); ++i)
+    if (layout.sizes[i].contains(help->pos()))
+      text = tr("%1 %2: the size that the fit wants, against what is plausible (± %3).")
+                 .arg(state_.sizes[i].of, state_.sizes[i].name,
+                      with_unit_text(state_.sizes[i].plausible, state_.sizes[i].unit))
+                 .trimmed();
   QToolTip::showText(help->globalPos(), text, this);
   return true;
 }

@@ -128,16 +128,21 @@ void paint_plausible(QPainter& painter, const ModelParameter& p, const QRectF& b
   painter.fillRect(QRectF(x_of(value) - 1.5, bar.top() - 2, 3, bar.height() + 4), ink);
 }
 
-void paint_size(QPainter& painter, const ModelParameter& p, const QRectF& row) {
+/// "arm_2 compliance"; the joint alone where all numbers are of one kind, which their unit tells.
+QString name_of(const ModelParameter& p, const std::vector<ModelParameter>& all) {
+  const bool is_one_kind =
+      std::all_of(all.begin(), all.end(), [&](const ModelParameter& other) { return other.name == p.name; });
+  if (p.of.isEmpty()) return p.name;
+  return is_one_kind ? p.of : p.of + QStringLiteral(" ") + p.name;
+}
+
+void paint_size(QPainter& painter, const ModelParameter& p, const QString& name, const QRectF& row) {
   const Colors& c = colors();
-  const QString name = p.of.isEmpty() ? p.name : p.of + QStringLiteral(" ") + p.name;
   QString value = with_sigma_text(p.value, p.sigma);
   if (p.value && !p.unit.isEmpty()) value += QChar(0x00A0) + p.unit;
-  const double bar = 72, wide = (row.width() - bar - 2 * kGap) / 2;
-  painter.setFont(small());
-  painter.setPen(c.ink2);
+  const double bar = 64, most = row.width() - bar - 2 * kGap - 44;
   painter.setFont(number_font(TextRole::small));
-  const double needed = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value) + 2, 1.5 * wide);
+  const double needed = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value) + 2, most);
   painter.setPen(c.ink1);
   const QRectF middle(row.right() - bar - kGap - needed, row.top(), needed, row.height());
   draw_text(painter, middle, Qt::AlignRight | Qt::AlignVCenter, value);
@@ -225,7 +230,7 @@ void paint_card(QPainter& painter, const CardState& state, const CardLayout& l) 
   draw_lines(painter, small(), l.evidence, state.evidence, 2);
   for (std::size_t i = 0; i < l.sizes.size(); ++i) {
     if (i < kMostSizes)
-      paint_size(painter, state.sizes[i], l.sizes[i]);
+      paint_size(painter, state.sizes[i], name_of(state.sizes[i], state.sizes), l.sizes[i]);
     else
       paint_more(painter, l.sizes[i], state.sizes.size() - kMostSizes);
   }

@@ -53,7 +53,12 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
 
   why_not_ = new QPushButton(tr("Why not …? All effects"), this);
   why_not_->setFixedHeight(kControlHeight);
-  layout->addWidget(why_not_, 0, Qt::AlignLeft);
+  why_not_->setMinimumWidth(why_not_->sizeHint().width() + 12);
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(kGap, 0, kGap, 4);
+  foot->addWidget(why_not_);
+  foot->addStretch(1);
+  layout->addLayout(foot);
   connect(why_not_, &QPushButton::clicked, this, &CandidateList::why_not_requested);
   connect(resort_, &QPushButton::clicked, this, &CandidateList::resort);
 }
@@ -71,8 +76,11 @@ std::vector<QString> CandidateList::shown() const {
 CandidateCard* CandidateList::make_card() {
   auto* card = new CandidateCard(content_);
   card->installEventFilter(this);
-  connect(card, &CandidateCard::preview, this, &CandidateList::preview);
-  connect(card, &CandidateCard::preview_ended, this, &CandidateList::preview_ended);
+  connect(card, &CandidateCard::preview, this, [this](const QString& id) {
+    attended_.push_back(id);
+    emit preview(id);
+  });
+  connect(card, &CandidateCard::preview_ended, this, &CandidateList::let_go);
   connect(card, &CandidateCard::add, this, &CandidateList::add);
   connect(card, &CandidateCard::show_poses, this, &CandidateList::show_poses);
   connect(card, &CandidateCard::what_if, this, &CandidateList::what_if);
@@ -117,6 +125,7 @@ void CandidateList::show_cards(const std::vector<CardState>& in_order) {
     now.push_back(card);
   }
   for (CandidateCard* card : old) {  // its own click may be what led here: it must outlive its signal
+    let_go(card->state().id);
     list_->removeWidget(card);
     card->hide();
     card->deleteLater();
@@ -130,6 +139,14 @@ void CandidateList::show_cards(const std::vector<CardState>& in_order) {
   }
   empty_->setVisible(cards_.empty());
   mark_main();
+}
+
+void CandidateList::let_go(const QString& id) {
+  const auto found = std::find(attended_.begin(), attended_.end(), id);
+  if (found == attended_.end()) return;
+  attended_.erase(found);
+  emit preview_ended(id);
+  if (!attended_.empty()) emit preview(attended_.back());
 }
 
 void CandidateList::mark_main() {

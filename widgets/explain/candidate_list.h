@@ -51,9 +51,11 @@ class CandidateList : public QWidget {
   CandidateCard* make_card();
   void mark_main();
   void resort();
+  void let_go(const QString& id);
 
   std::vector<CandidateCard*> cards_;
   std::vector<CardState> wanted_;
+  std::vector<QString> attended_;  // hovered or focused, the latest last: a card may have both, or two have one each
   QString progress_text_, empty_text_;
   bool can_add_ = true;
   QLabel *title_, *progress_, *empty_;

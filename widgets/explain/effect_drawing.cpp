@@ -8,7 +8,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kSide = 96;
+constexpr double kSide = 96, kShare = 0.94;
 
 const std::map<std::string, DrawEffect>& drawings() {
   static const std::map<std::string, DrawEffect> all = [] {
@@ -29,8 +29,10 @@ void paint_effect(QPainter& painter, const QRectF& area, const std::string& effe
   const double side = std::min(area.width(), area.height());
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.translate(area.center() - QPointF(side / 2, side / 2));
-  painter.scale(side / kSide, side / kSide);
+  // A little smaller than the square: lines have a width.
+  painter.translate(area.center());
+  painter.scale(kShare * side / kSide, kShare * side / kSide);
+  painter.translate(-kSide / 2, -kSide / 2);
   const DrawingKit kit(painter, colors);
   const auto found = drawings().find(effect_id);
   if (found != drawings().end())

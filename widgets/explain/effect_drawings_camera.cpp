@@ -13,18 +13,18 @@ void camera_mount(const DrawingKit& kit) {
   kit.shape(Ink::model, {{8, 50}, {30, 50}, {30, 58}, {8, 58}});
   kit.dot(Ink::help, {12, 54}, 1.6);
   kit.dot(Ink::help, {26, 54}, 1.6);
-  kit.camera(Ink::effect, {22, 38}, 24, 52);
-  kit.camera(Ink::model, {20, 42}, 0, 56);
-  kit.turn(Ink::effect, {20, 42}, 46, 2, 20);
+  kit.camera(Ink::model, {20, 42}, 0, 50);
+  kit.camera(Ink::effect, {22, 34}, 30, 32);
+  kit.turn(Ink::effect, {20, 42}, 50, 2, 22);
 }
 
 /// The right camera squints against the left one.
 void stereo_rig(const DrawingKit& kit) {
   kit.shape(Ink::model, {{8, 78}, {88, 78}, {88, 84}, {8, 84}});
-  kit.camera(Ink::effect, {72, 64}, 112, 44);
-  kit.camera(Ink::model, {24, 66}, 90, 48);
-  kit.camera(Ink::model, {72, 66}, 90, 48);
-  kit.turn(Ink::effect, {72, 66}, 30, 92, 18);
+  kit.camera(Ink::model, {24, 66}, 90, 46);
+  kit.camera(Ink::model, {72, 66}, 90, 46);
+  kit.camera(Ink::effect, {71, 62}, 118, 44);
+  kit.turn(Ink::effect, {72, 66}, 34, 88, 24);
   kit.text(Ink::help, {24, 91}, QStringLiteral("L"), 11);
   kit.text(Ink::help, {72, 91}, QStringLiteral("R"), 11);
 }

@@ -9,7 +9,7 @@ namespace {
 
 /// The back of a hand with fingers.
 void hand(const DrawingKit& kit) {
-  kit.link(Ink::model, {48, 92}, {48, 80}, 12);
+  kit.link(Ink::model, {48, 88}, {48, 80}, 12);
   for (int i = 0; i < 3; ++i) kit.link(Ink::model, {32.0 + 16 * i, 26}, {32.0 + 16 * i, 10}, 8);
   kit.shape(Ink::model, {{24, 24}, {72, 24}, {76, 46}, {66, 82}, {30, 82}, {20, 46}});
 }
@@ -17,22 +17,22 @@ void hand(const DrawingKit& kit) {
 /// All markers together moved on the hand.
 void body_slip(const DrawingKit& kit) {
   hand(kit);
-  const QPointF a(34, 36), b(60, 38), c(44, 62);
+  const QPointF a(32, 34), b(52, 34), c(38, 54);
   kit.shape(Ink::help, {a, b, c});
   for (const QPointF& at : {a, b, c}) kit.marker(Ink::model, at, 4.5);
   QTransform slip;
-  slip.translate(62, 54);
-  slip.rotate(22);
-  slip.translate(-46, -45);
+  slip.translate(64, 64);
+  slip.rotate(28);
+  slip.translate(-41, -41);
   kit.shape(Ink::effect, slip.map(QPolygonF({a, b, c})));
   for (const QPointF& at : {a, b, c}) kit.marker(Ink::effect, slip.map(at), 4.5, -22);
-  kit.arrow(Ink::effect, {76, 82}, {90, 90});
+  kit.arrow(Ink::effect, {76, 30}, {86, 46});
 }
 
 /// One marker of three came loose.
 void marker_slip(const DrawingKit& kit) {
   hand(kit);
-  const QPointF loose(60, 40), moved(84, 60);
+  const QPointF loose(60, 40), moved(82, 60);
   kit.line(Ink::help, {36, 38}, {48, 66});
   kit.line(Ink::help, {36, 38}, loose);
   kit.line(Ink::help, loose, {48, 66});

@@ -18,15 +18,16 @@ QPointF pedestal(const DrawingKit& kit) {
 
 /// The zero is set wrong: the pointer stands beside the mark, by the same amount everywhere.
 void joint_offset(const DrawingKit& kit) {
-  const QPointF joint(26, 66);
-  for (int i = -1; i <= 7; ++i)
-    kit.line(Ink::help, polar(joint, i % 3 == 0 ? 13.0 : 15.0, 15.0 * i), polar(joint, 20, 15.0 * i));
-  kit.link(Ink::model, joint, polar(joint, 58, 12));
-  kit.link(Ink::effect, joint, polar(joint, 58, 36));
+  const QPointF joint(34, 62);
+  for (int i = 0; i < 24; ++i)
+    kit.line(Ink::help, polar(joint, i % 6 == 0 ? 21 : 24, 15.0 * i), polar(joint, 29, 15.0 * i));
+  kit.circle(Ink::model, joint, 30);
+  kit.link(Ink::model, joint, polar(joint, 56, 0), 8);
+  kit.link(Ink::effect, joint, polar(joint, 56, 28), 8);
   kit.joint(Ink::model, joint, 8);
-  kit.turn(Ink::effect, joint, 46, 16, 12);
-  kit.shape(Ink::model, {{46, 84}, {42, 91}, {50, 91}});
-  kit.text(Ink::effect, {56, 16}, QStringLiteral("+ const."), 12);
+  kit.turn(Ink::effect, joint, 46, 6, 20);
+  kit.text(Ink::model, {86, 78}, QStringLiteral("0"), 13);
+  kit.text(Ink::effect, {48, 14}, QStringLiteral("+ const."), 13);
 }
 
 /// Two protractors whose marks run apart.

@@ -44,7 +44,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
-  const int widths[] = {146, 206};
+  const int widths[] = {150, 206};
   for (int i = 0; i < 2; ++i) view_->setColumnWidth(i, widths[i]);
   header.setSectionResizeMode(2, QHeaderView::Stretch);
   header.setSectionResizeMode(3, QHeaderView::Stretch);
@@ -57,6 +57,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   layout->addWidget(empty_, 1);
   summary_ = new QLabel(this);
   summary_->setFont(text_font(TextRole::small));
+  summary_->setContentsMargins(kGap, 0, kGap, 0);
   layout->addWidget(summary_);
   view_->installEventFilter(this);
   view_->viewport()->installEventFilter(this);

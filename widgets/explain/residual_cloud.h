@@ -74,7 +74,7 @@ class ResidualCloud : public QWidget {
   const std::vector<CloudPoint>& shown(int pane) const;
   const CloudPoint* point_at(const QPointF& position) const;
   void paint_pane(QPainter& painter, int index) const;
-  void paint_rings(QPainter& painter, const QRectF& area) const;
+  void paint_ground(QPainter& painter, int pane) const;
   void paint_ring_names(QPainter& painter, const QRectF& area) const;
   void paint_points(QImage& image, int pane) const;
   void paint_marked(QPainter& painter, int index) const;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kRow = 40;
 
+/// Sign, word and ink of a verdict.
 struct Look {
   QString sign, word;
   QColor ink;
@@ -72,19 +73,16 @@ void TruthPanel::paint_row(QPainter& painter, int row) const {
   const double half = (room.width() - verdict_width) / 2;
   painter.setFont(text_font(TextRole::body));
   painter.setPen(c.ink1);
-  const QString name = r.parameter.isEmpty() ? r.what : QStringLiteral("%1, %2").arg(r.what, r.parameter);
+  QString name = r.parameter.isEmpty() ? r.what : QStringLiteral("%1, %2").arg(r.what, r.parameter);
+  if (!r.unit.isEmpty()) name += QStringLiteral(" (%1)").arg(r.unit);
   draw_text(painter, QRectF(room.left(), room.top(), room.width() - verdict_width - kGap, 18),
             Qt::AlignLeft | Qt::AlignVCenter, name);
-  const auto number = [&](std::optional<double> value, std::optional<double> sigma) {
-    const QString text = with_sigma_text(value, sigma);
-    return value && !r.unit.isEmpty() ? text + QChar(0x00A0) + r.unit : text;
-  };
   painter.setFont(number_font(TextRole::body));
   painter.setPen(c.ink2);
   const QRectF lower(room.left(), room.top() + 18, half, 18);
-  draw_text(painter, lower.adjusted(0, 0, -kGap, 0), Qt::AlignLeft | Qt::AlignVCenter, number(r.hidden, {}));
+  draw_text(painter, lower.adjusted(0, 0, -kGap, 0), Qt::AlignLeft | Qt::AlignVCenter, with_sigma_text(r.hidden, {}));
   draw_text(painter, lower.translated(half, 0).adjusted(0, 0, -kGap, 0), Qt::AlignLeft | Qt::AlignVCenter,
-            number(r.found, r.sigma));
+            with_sigma_text(r.found, r.sigma));
   const QRectF verdict(room.right() - verdict_width, room.top(), verdict_width, room.height());
   painter.setPen(look.ink);
   painter.setFont(text_font(TextRole::body));

@@ -18,7 +18,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kStateWidth = 104, kNumbersWidth = 176, kBlameWidth = 208;
+constexpr double kStateWidth = 104, kNumbersWidth = 196, kBlameWidth = 208;
 
 enum class Mood { quiet, good, care, bad };
 
@@ -126,10 +126,14 @@ void VerdictLine::paint_state(QPainter& painter, const QRectF& area) const {
 void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {
   painter.setPen(colors().ink1);
   QFont font = text_font(TextRole::title);
-  font.setPixelSize(16);
-  int lines = 2;
-  if (lines_height(font, verdict_.sentence, area.width(), 9) > 2.5 * QFontMetricsF(font).lineSpacing())
-    font = text_font(TextRole::body), lines = 3;  // long: smaller rather than cut off
+  const int most = verdict_.progress.isEmpty() ? 3 : 2;
+  const auto fits = [&] {
+    return lines_height(font, verdict_.sentence, area.width(), most + 1) <=
+           (most + 0.5) * QFontMetricsF(font).lineSpacing();
+  };
+  if (!fits()) font.setWeight(QFont::Normal);
+  if (!fits()) font = text_font(TextRole::body);  // long: smaller rather than cut off
+  const int lines = most;
   const double high = lines_height(font, verdict_.sentence, area.width(), lines);
   const double note = verdict_.progress.isEmpty() ? 0 : 18;
   const double top = area.center().y() - (high + note) / 2;

@@ -2,6 +2,7 @@
 #include "widgets/explain/version_list.h"
 
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListView>
@@ -40,7 +41,12 @@ VersionList::VersionList(QWidget* parent) : QWidget(parent) {
   take_back_ = new QPushButton(tr("Take back to here"), this);
   take_back_->setFixedHeight(kControlHeight);
   take_back_->setToolTip(tr("Makes the version that is shown the model again; Ctrl+Z undoes it"));
-  layout->addWidget(take_back_, 0, Qt::AlignLeft);
+  take_back_->setMinimumWidth(take_back_->sizeHint().width() + 12);
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(kGap, 0, kGap, 4);
+  foot->addWidget(take_back_);
+  foot->addStretch(1);
+  layout->addLayout(foot);
   view_->installEventFilter(this);
   view_->viewport()->installEventFilter(this);
   connect(take_back_, &QPushButton::clicked, this, [this] { emit take_back_requested(model_->current()); });
