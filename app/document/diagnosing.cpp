@@ -8,13 +8,6 @@ namespace {
 
 constexpr std::size_t most_kept = 12;
 
-std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit) {
-  auto made = std::make_shared<ModelResiduals>();
-  made->views = residual_views(fit);
-  made->patterns = find_patterns(made->views.series, made->views.variables);
-  return made;
-}
-
 /// What the numbers of a candidate, all scaled alike, make of its sigma: that of its surest number.
 double relative_sigma(const DiagnosisCandidate& c) {
   double least = 1;
@@ -59,6 +52,13 @@ bool leads_on(const Session& session, const Diagnosis& d, ImprovementOptions opt
 }
 
 }  // namespace
+
+std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit) {
+  auto made = std::make_shared<ModelResiduals>();
+  made->views = residual_views(fit);
+  made->patterns = find_patterns(made->views.series, made->views.variables);
+  return made;
+}
 
 bool same_fit(const ModelVersion& a, const ModelVersion& b) {
   if (!a.fit || !b.fit) return false;
@@ -210,9 +210,11 @@ void Diagnosing::start() {
       [this](bool) { emit progressed(); });
 }
 
-void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis) {
+void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis,
+                      std::shared_ptr<const ModelResiduals> residuals) {
   auto result = std::make_shared<Result>();
   result->version = version;
+  result->residuals = std::move(residuals);
   result->is_decided = !is_open(*diagnosis);
   result->diagnosis = std::move(diagnosis);
   earlier_.push_front(result);

@@ -19,6 +19,9 @@ struct ModelResiduals {
   std::vector<Pattern> patterns;  // all pairs, most structured first
 };
 
+/// Takes a moment: for the background.
+std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit);
+
 /// How a candidate shows on these poses, once TCP->Body and the rest have taken up what they can.
 struct CandidateView {
   EffectView effect;
@@ -53,7 +56,8 @@ class Diagnosing : public QObject {
   double share() const { return share_; }
 
   /// What has been found out on the way (by adding a candidate).
-  void take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis);
+  void take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis,
+            std::shared_ptr<const ModelResiduals> residuals);
 
   /// The residuals of any version; worked out at once where they are not known.
   std::shared_ptr<const ModelResiduals> residuals_of(const ModelVersionPointer& version);

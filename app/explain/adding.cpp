@@ -100,10 +100,12 @@ void Adding::add(const std::string& id) {
         };
         options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
         Outcome outcome{add_candidate(session, options, *run.before, run.candidate)};
-        if (outcome.change.model)
-          outcome.version = version_of(session, *outcome.change.model,
-                                       with_estimated(settings, outcome.change.model->model_options.estimated),
+        if (outcome.change.model) {
+          const Diagnosis& made = *outcome.change.model;
+          outcome.version = version_of(session, made, with_estimated(settings, made.model_options.estimated),
                                        run.revision + 1, sentence_of(outcome.change), looks);
+          outcome.residuals = make_residuals(*outcome.version->fit);
+        }
         return outcome;
       },
       [this, run](const Outcome& outcome) { finish(run, outcome); },
@@ -131,7 +133,7 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   if (!outcome.version) return end(false, refusal_sentence(*run.before, run.candidate));
   is_running_ = false;  // the document's own changes are no reason to stop
   const QString sentence = outcome.version->cause;
-  bench_.diagnosing.take(outcome.version, std::make_shared<const Diagnosis>(*change.model));
+  bench_.diagnosing.take(outcome.version, std::make_shared<const Diagnosis>(*change.model), outcome.residuals);
   bench_.document.perform(
       {.sentence = sentence, .settings = SettingsEdit{bench_.document.settings(), outcome.version->settings}});
   bench_.document.take_version(outcome.version);

@@ -40,6 +40,7 @@ class Adding : public QObject {
   struct Outcome {
     ModelChange change;
     ModelVersionPointer version;  // null where nothing was taken
+    std::shared_ptr<const ModelResiduals> residuals;
   };
   void show_news();
   void finish(const Run& run, const Outcome& outcome);

@@ -32,10 +32,8 @@ void FailingPane::make_layout() {
   large_->setObjectName("pattern_large");
   large_->setMinimumHeight(110);
   large_->set_empty_text(tr("Waits for a fit."));
-  hint_ =
-      new QLabel(tr("Hold N: would noise alone look like this?   Hold B: before and after.   Shift and drag: what do "
-                    "these have in common?"),
-                 this);
+  hint_ = new QLabel(tr("Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?"),
+                     this);
   hint_->setFont(widgets::text_font(widgets::TextRole::small));
   hint_->setWordWrap(true);
   common_ = new QPushButton(this);

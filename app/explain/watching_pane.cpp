@@ -284,15 +284,13 @@ void WatchingPane::show_robot() {
   if (index < 0 || !bench_.document.is_open()) return;
   if (!robot_is_set_) {
     robot_->set_robot(session.robot, (folder(session) / session.robot_file).parent_path());
-    robot_->look(widgets::StandardView::tcp);
     robot_is_set_ = true;
   }
   if (!now || !now->fit) {
     straight_ = link_motions(session, session.observations[static_cast<std::size_t>(index)].position);
     robot_->set_posture(straight_);
     robot_->set_ghost(std::nullopt);
-    robot_title_->setText(
-        tr("The robot in observation %1").arg(session.observations[static_cast<std::size_t>(index)].id));
+    robot_title_->setText(tr("Observation %1").arg(session.observations[static_cast<std::size_t>(index)].id));
     return;
   }
   straight_ = bent_links(*now->fit->problem.source, index, {});
@@ -307,13 +305,13 @@ void WatchingPane::set_ghost(const std::vector<Rigid>& bent) {
   const auto id = session.observations[static_cast<std::size_t>(selected_index())].id;
   if (largest < 1e-7) {
     robot_->set_ghost(std::nullopt);
-    robot_title_->setText(tr("The robot in observation %1; the model bends nothing").arg(id));
+    robot_title_->setText(tr("Observation %1; the model bends nothing").arg(id));
     return;
   }
   if (!adding_.is_running() || magnification_ <= 1) magnification_ = round_magnification(largest, 0.12);
   robot_->set_ghost_magnification(magnification_);
   robot_->set_ghost(bent);
-  robot_title_->setText(tr("The robot in observation %1, bent by the model: %2 mm, drawn × %3")
+  robot_title_->setText(tr("Observation %1, bent by the model: %2 mm, drawn × %3")
                             .arg(id)
                             .arg(widgets::short_text(1e3 * largest))
                             .arg(magnification_));

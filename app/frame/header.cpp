@@ -54,6 +54,8 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   redo_ = button("redo", tr("Redo"), {});
   job_ = new QLabel(this);
   job_->setObjectName("job");
+  job_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  job_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names must not widen the window
   progress_ = new QProgressBar(this);
   progress_->setTextVisible(false);
   progress_->setFixedSize(120, 6);
@@ -69,8 +71,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   layout->addSpacing(8);
   layout->addWidget(undo_);
   layout->addWidget(redo_);
-  layout->addStretch(1);
-  layout->addWidget(job_);
+  layout->addWidget(job_, 1);
   layout->addWidget(progress_);
   layout->addWidget(cancel_);
   layout->addSpacing(16);
@@ -121,15 +122,15 @@ void Header::refresh_job() {
   const JobState state = shown_jobs().state();
   if (!shown_jobs().is_busy()) poll_.stop();
   // A job of a moment would only flicker.
-  const bool shown = state.is_running && (job_->isVisible() || state.seconds_left || state.share > 0.02);
-  job_->setVisible(shown);
+  const bool shown = state.is_running && (cancel_->isVisible() || state.seconds_left || state.share > 0.02);
   progress_->setVisible(shown && state.share > 0);
   cancel_->setVisible(shown);
-  if (!shown) return;
+  if (!shown) return job_->clear();
   QString text = state.title;
   if (state.share > 0) text += tr(": %1 %").arg(static_cast<int>(100 * state.share));
   if (state.seconds_left) text += tr(", %1 left").arg(widgets::duration_text(*state.seconds_left));
-  job_->setText(text);
+  job_->setText(job_->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(job_->width() - 4, 40)));
+  job_->setToolTip(text);
   progress_->setValue(static_cast<int>(1000 * state.share));
 }
 

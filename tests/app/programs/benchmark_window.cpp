@@ -171,8 +171,8 @@ TEST(Explain, PicturesASecondWhileAThousandAreFitted) {
     paint_everything();
     painted.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
   });
-  explain.press_add();
   timer.start();
+  explain.press_add();
   while (adding.is_running()) {
     QElapsedTimer round;
     round.start();

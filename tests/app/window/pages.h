@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableView>
 
 #include "app/window/desk.h"
@@ -115,13 +116,19 @@ struct ExplainPage {
   void press_add(int card = 0) {
     QPushButton* add = cards()->card(card)->add_button();
     ASSERT_TRUE(add->isVisible() && add->isEnabled());
+    for (auto* area : cards()->findChildren<QScrollArea*>()) area->ensureWidgetVisible(add);
+    QTest::qWait(10);
     desk.click(add);
   }
   /// Takes the first card until the program says stop. The number of cards taken.
   int take_the_first_until_it_says_stop() {
     int taken = 0;
     for (; taken < 16 && can_add_first(); ++taken) {
+      const QString added = first().title;
       press_add();
+      const bool has_begun = workspace()->adding().is_running() || !is_settled(0);
+      EXPECT_TRUE(has_begun) << "nothing happens at " << added.toStdString();
+      if (!has_begun) break;
       if (!is_settled()) {
         ADD_FAILURE() << "it does not come to an end";
         break;
