@@ -228,7 +228,9 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
     check->setEnabled(effect.can_change);
     check->setToolTip(effect.help);
     check->setMinimumHeight(kRowHeight);
-    check->setPalette(tinted);
+    QPalette boxed = tinted;
+    boxed.setColor(QPalette::Window, c.control_edge.lighter(140));  // the style draws the box darker than this
+    check->setPalette(boxed);
     connect(check, &QCheckBox::clicked, this, [this, id = effect.id](bool on) { emit effect_toggled(id, on); });
     layout->addWidget(check);
   }

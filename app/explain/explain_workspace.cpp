@@ -50,8 +50,15 @@ void ExplainWorkspace::make_layout() {
   missing_ = new MissingPane(bench_, adding_, this);
   watching_ = new WatchingPane(bench_, adding_, this);
   auto* columns = new QSplitter(Qt::Horizontal, this);
+  // The slider takes its room from the cards, which scroll: the plots are what one looks at while it moves.
+  auto* right = new QWidget(this);
+  auto* right_column = new QVBoxLayout(right);
+  right_column->setContentsMargins(0, 0, 0, 0);
+  right_column->setSpacing(4);
+  right_column->addWidget(failing_->what_if());
+  right_column->addWidget(missing_, 1);
   columns->addWidget(failing_);
-  columns->addWidget(missing_);
+  columns->addWidget(right);
   columns->setStretchFactor(0, 56);
   columns->setStretchFactor(1, 44);
   columns->setSizes({592, 464});

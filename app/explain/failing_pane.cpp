@@ -58,7 +58,6 @@ void FailingPane::make_layout() {
   layout->addWidget(large_, 5);
   layout->addWidget(hint_);
   layout->addWidget(common_);
-  layout->addWidget(what_if_);
   layout->addWidget(page_, 4);
   setMinimumSize(420, 330);  // what comes and goes inside must not make the window grow
 }

@@ -50,6 +50,8 @@ void MissingPane::make_layout() {
   cards_->setObjectName("cards");
   table_ = new EffectTable(this);
   table_->setObjectName("effect_table");
+  constexpr int why_column = 3;  // it stands in full below the table
+  table_->view()->setColumnHidden(why_column, true);
   truth_ = new widgets::TruthPanel(this);
   truth_->setObjectName("truth");
   poses_ = new PosesPane(bench_, this);
@@ -75,7 +77,7 @@ void MissingPane::make_layout() {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(pages_);
-  setMinimumSize(360, 330);
+  setMinimumSize(360, 200);
 }
 
 void MissingPane::connect_all() {

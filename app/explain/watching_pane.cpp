@@ -48,6 +48,12 @@ WatchingPane::WatchingPane(Workbench& bench, Adding& adding, QWidget* parent)
     : QWidget(parent), bench_(bench), adding_(adding) {
   make_layout();
   connect_all();
+  bending_.setDuration(160);
+  bending_.setStartValue(0.0);
+  bending_.setEndValue(1.0);
+  connect(&bending_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
+    if (adding_.is_running()) bend(share.toDouble());
+  });
 }
 
 void WatchingPane::make_layout() {
@@ -320,7 +326,7 @@ void WatchingPane::set_ghost(const std::vector<Rigid>& bent) {
 void WatchingPane::show_posture(const Eigen::VectorXd& position) {
   robot_->set_posture(link_motions(bench_.document.session(), position));
   robot_->set_ghost(std::nullopt);
-  robot_title_->setText(tr("A pose that would tell"));
+  robot_title_->setText(tr("The planned pose"));
 }
 
 void WatchingPane::set_prediction(const ModelResiduals* residuals, const CandidateView* view,
@@ -359,6 +365,7 @@ void WatchingPane::began(const QString&) {
   cloud_->set_predicted(false);
   show_robot();
   magnification_ = 1;
+  bent_now_.clear();
   cost_->start(tr("rms of a coordinate"), in_pixels ? "px" : "mm");
   const ModelVersionPointer now = bench_.document.model();
   cost_->set_floor(now && now->fit ? shown(now->fit->noise, in_pixels) : std::nullopt);
@@ -371,14 +378,35 @@ void WatchingPane::began(const QString&) {
 }
 
 void WatchingPane::picture(const FitPicture& picture) {
-  cloud_->set_live(picture.cloud, tr("as it is fitted"));
-  if (!picture.bent.empty()) set_ghost(picture.bent);
+  // From iterate to iterate everything moves, so that the eye can follow; the fit does not wait for it.
+  if (adding_.pictures() <= 1) {
+    cloud_->set_live(picture.cloud, tr("as it is fitted"));
+  } else {
+    cloud_->set_after(picture.cloud, tr("as it is fitted"));
+  }
+  if (picture.bent.empty()) return;
+  bending_.stop();
+  bent_from_ = bent_now_.size() == picture.bent.size() ? bent_now_ : picture.bent;
+  bent_to_ = picture.bent;
+  bending_.start();
+}
+
+void WatchingPane::bend(double share) {
+  bent_now_ = bent_to_;
+  for (std::size_t i = 0; i < bent_now_.size(); ++i) {
+    const Rigid &from = bent_from_[i], &to = bent_to_[i];
+    bent_now_[i].translation = from.translation + share * (to.translation - from.translation);
+    const Vector3 turn = share * vector_from_rotation(from.rotation.transpose() * to.rotation);
+    bent_now_[i].rotation = from.rotation * rotation_from_vector<double>(turn);
+  }
+  set_ghost(bent_now_);
 }
 
 void WatchingPane::ended(bool taken, const QString& outcome) {
   cost_->finish(taken                               ? tr("settled after %1 iterations").arg(cost_->count())
                 : outcome.startsWith(tr("Stopped")) ? tr("stopped")
                                                     : tr("not taken"));
+  bending_.stop();
   refresh();
   if (!taken && !outcome.startsWith(tr("Stopped"))) return;
   // The step is what counts now; the curve stays a click away.

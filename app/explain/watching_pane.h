@@ -59,6 +59,7 @@ class WatchingPane : public QWidget {
   void began(const QString& what);
   void ended(bool taken, const QString& outcome);
   void picture(const FitPicture& picture);
+  void bend(double share);  // of the way from one picture of a fit to the next
   void set_ghost(const std::vector<Rigid>& bent);
   ModelVersionPointer version_at(int row) const;
   int selected_index() const;  // the selected observation, into Session::observations
@@ -70,6 +71,8 @@ class WatchingPane : public QWidget {
   bool robot_is_set_ = false;
   std::vector<Rigid> straight_;  // links without the model's effects
   double magnification_ = 1;
+  std::vector<Rigid> bent_from_, bent_to_, bent_now_;
+  QVariantAnimation bending_;
   QButtonGroup* tabs_;
   QStackedWidget* left_;
   widgets::Staircase* stairs_;

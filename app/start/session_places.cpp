@@ -87,8 +87,7 @@ std::vector<SampleSession> sample_sessions() {
   add("thesis_simulation", QObject::tr("The thesis's simulation"),
       QObject::tr("Six poses, everything measured 1 cm nearer than it is: no images, labels only."));
   add("hidden_3", QObject::tr("Hidden 3: the hand that hangs"),
-      QObject::tr(
-          "Justin's hand is seen three pixels from where it should be: find what is missing. Explain has a tour."));
+      QObject::tr("Justin's hand is three pixels from where it should be: what is missing? With a tour."));
   add("hidden_1", QObject::tr("Hidden 1: the used arm"),
       QObject::tr("In some postures it misses much more than in others. Where is it, and how large?"));
   add("hidden_2", QObject::tr("Hidden 2: the unknown corners"),
@@ -100,7 +99,7 @@ std::vector<SampleSession> sample_sessions() {
   add("hidden_6", QObject::tr("Hidden 6: not the first answer"),
       QObject::tr("The error is only twice the noise. Do not stop at the first answer."));
   add("hidden_7", QObject::tr("Hidden 7: reflections"),
-      QObject::tr("One image point in twenty is a corner of something else. Can the robot's error still be named?"));
+      QObject::tr("One image point in twenty is wrong. Can the robot's error still be named?"));
   add("hidden_8", QObject::tr("Hidden 8: another supplier"),
       QObject::tr("A good answer need not be a name: where, following what, and how much."));
   return list;

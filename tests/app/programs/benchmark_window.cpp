@@ -154,6 +154,23 @@ TEST(Explain, OpeningItWithAHundred) {
   std::printf("%-60s %8lld ms\n", "cards of 100 visible", static_cast<long long>(timer.elapsed()));
 }
 
+/// When a widget was painted, ms from now.
+class PaintCounter : public QObject {
+ public:
+  explicit PaintCounter(QWidget* widget) {
+    timer_.start();
+    widget->installEventFilter(this);
+  }
+  std::vector<double> times;
+
+ private:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Paint) times.push_back(static_cast<double>(timer_.nsecsElapsed()) * 1e-6);
+    return false;
+  }
+  QElapsedTimer timer_;
+};
+
 TEST(Explain, PicturesASecondWhileAThousandAreFitted) {
   const TemporaryFolder folder;
   const auto session = make_springy_session(folder, 1000);
@@ -164,12 +181,12 @@ TEST(Explain, PicturesASecondWhileAThousandAreFitted) {
   ExplainPage explain{desk};
   ASSERT_TRUE(explain.open());
   app::Adding& adding = explain.workspace()->adding();
+  PaintCounter cloud(desk.find<QWidget>("cloud"));
   QElapsedTimer timer;
-  double worst = 0;
-  std::vector<double> painted;
+  double worst = 0, first = 0, last = 0;
   QObject::connect(&adding, &app::Adding::pictured, [&] {
-    paint_everything();
-    painted.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+    last = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    if (first == 0) first = last;
   });
   timer.start();
   explain.press_add();
@@ -178,16 +195,14 @@ TEST(Explain, PicturesASecondWhileAThousandAreFitted) {
     round.start();
     QCoreApplication::processEvents();
     worst = std::max(worst, static_cast<double>(round.nsecsElapsed()) * 1e-6);
-    QThread::msleep(1);
+    QThread::usleep(500);
   }
-  std::printf("(added in %lld ms; %zu pictures painted, %d not fetched in time, longest round of events %.1f ms)\n",
-              static_cast<long long>(timer.elapsed()), painted.size(), adding.skipped(), worst);
-  ASSERT_GE(painted.size(), 2U);
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < painted.size(); ++i) steps.push_back(painted[i] - painted[i - 1]);
-  std::sort(steps.begin(), steps.end());
-  std::printf("%-60s %8.1f /s (to be >= 20)\n", "pictures a second while 1000 are fitted, by the median",
-              1e3 / steps[steps.size() / 2]);
+  const auto in_fit =
+      std::count_if(cloud.times.begin(), cloud.times.end(), [&](double at) { return at >= first && at <= last + 160; });
+  std::printf("(added in %lld ms; %d iterates shown, %d left out, longest round of events %.1f ms)\n",
+              static_cast<long long>(timer.elapsed()), adding.pictures(), adding.skipped(), worst);
+  std::printf("%-60s %8.1f /s (to be >= 20)\n", "the cloud of 1000 painted while they are fitted",
+              1e3 * static_cast<double>(in_fit) / (last + 160 - first));
 }
 
 }  // namespace

@@ -224,6 +224,10 @@ TEST_F(Explain, AnEffectOfAnySizeCanBeTriedWithTheSlider) {
   const double left = *desk.window.bench().predicted_error();
   desk.key(Qt::Key_Home);
   EXPECT_LT(left, *desk.window.bench().predicted_error()) << "without it the error is larger";
+  for (auto* button : slider->findChildren<QAbstractButton*>())
+    if (button->text() == "Close") desk.click(button);
+  EXPECT_FALSE(slider->isVisible());
+  EXPECT_FALSE(desk.window.bench().predicted_error());
 }
 
 TEST_F(Explain, TheTourLeadsToTheMissingEffect) {
