@@ -392,6 +392,10 @@ void WatchingPane::picture(const FitPicture& picture) {
 }
 
 void WatchingPane::bend(double share) {
+  // Without a graphics card the robot costs more than the cloud: half as often is enough for it.
+  constexpr int ms_between_robots = 75;
+  if (share < 1 && since_robot_.isValid() && since_robot_.elapsed() < ms_between_robots) return;
+  since_robot_.start();
   bent_now_ = bent_to_;
   for (std::size_t i = 0; i < bent_now_.size(); ++i) {
     const Rigid &from = bent_from_[i], &to = bent_to_[i];

@@ -3,6 +3,7 @@
 // model bends it.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include "explain/adding.h"
@@ -73,6 +74,7 @@ class WatchingPane : public QWidget {
   double magnification_ = 1;
   std::vector<Rigid> bent_from_, bent_to_, bent_now_;
   QVariantAnimation bending_;
+  QElapsedTimer since_robot_;
   QButtonGroup* tabs_;
   QStackedWidget* left_;
   widgets::Staircase* stairs_;

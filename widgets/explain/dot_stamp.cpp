@@ -46,8 +46,10 @@ void DotStamp::put(QImage& image, double x, double y) const {
   const std::vector<std::uint32_t>& mask = masks_[static_cast<std::size_t>(part_y * kParts + part_x)];
   const int first_x = std::max(0, -column), last_x = std::min(side_, image.width() - column);
   const int first_y = std::max(0, -row), last_y = std::min(side_, image.height() - row);
+  uchar* const pixels = image.bits();
+  const qsizetype stride = image.bytesPerLine();
   for (int j = first_y; j < last_y; ++j) {
-    auto* line = reinterpret_cast<std::uint32_t*>(image.scanLine(row + j)) + column;
+    auto* line = reinterpret_cast<std::uint32_t*>(pixels + (row + j) * stride) + column;
     const std::uint32_t* from = mask.data() + j * side_;
     for (int i = first_x; i < last_x; ++i) {
       const std::uint32_t alpha = from[i] >> 24;

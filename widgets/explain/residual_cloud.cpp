@@ -54,6 +54,7 @@ void ResidualCloud::set_noise(std::optional<double> sigma_px) {
 }
 
 void ResidualCloud::set_before(std::vector<CloudPoint> points, const QString& title) {
+  still_ = {};
   before_ = {std::move(points), title};
   if (reach_ <= 0) fit();
   update();

@@ -76,10 +76,20 @@ class ResidualCloud : public QWidget {
   void paint_pane(QPainter& painter, int index) const;
   void paint_ground(QPainter& painter, int pane) const;
   void paint_ring_names(QPainter& painter, const QRectF& area) const;
+  const QImage& still_dots() const;
   void paint_points(QImage& image, int pane) const;
   void paint_marked(QPainter& painter, int index) const;
 
   Cloud before_, after_;
+  /// The dots of the left pane as they were last painted: they stay while the right pane moves.
+  struct Still {
+    QImage dots;
+    QSizeF size;
+    double reach = 0, noise = 0;
+    bool is_linear = false;
+    QRgb ground = 0;
+  };
+  mutable Still still_;
   std::vector<CloudPoint> moving_from_, moving_;  // of the right pane, while it moves
   std::vector<ObservationId> highlighted_;
   std::optional<double> noise_;

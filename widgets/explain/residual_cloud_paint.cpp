@@ -58,15 +58,31 @@ void ResidualCloud::paint_points(QImage& image, int index) const {
   const std::vector<CloudPoint>& points = shown(index);
   const std::vector<DotStamp> stamps = residual_stamps((points.size() > 3000 ? 2.2 : 3) * ratio, 200);
   const DotStamp plain(colors().ink3, 3 * ratio);
+  const QRectF area = pane(index);
   for (const CloudPoint& point : points) {
-    const QPointF at = on_screen(index, point.du, point.dv) * ratio;
+    const double length = std::hypot(point.du, point.dv);
+    const double scale = length > 0 ? radius(length) * area.width() / 2 / length : 0;
+    const QPointF at = (area.center() + QPointF(point.du, point.dv) * scale) * ratio;
     if (!noise_) {
       plain.put(image, at.x(), at.y());
       continue;
     }
-    const int step = residual_step(std::hypot(point.du, point.dv) / std::sqrt(2.0) / *noise_, 2);
+    const int step = residual_step(length / std::sqrt(2.0) / *noise_, 2);
     stamps[static_cast<std::size_t>(step)].put(image, at.x(), at.y());
   }
+}
+
+const QImage& ResidualCloud::still_dots() const {
+  const Still wanted{
+      {}, QSizeF(size()) * devicePixelRatioF(), reach_, noise_.value_or(0), is_linear_, colors().panel.rgba()};
+  const bool holds = !still_.dots.isNull() && still_.size == wanted.size && still_.reach == wanted.reach &&
+                     still_.noise == wanted.noise && still_.is_linear == wanted.is_linear &&
+                     still_.ground == wanted.ground;
+  if (holds) return still_.dots;
+  still_ = wanted;
+  still_.dots = dot_canvas(size(), devicePixelRatioF());
+  paint_points(still_.dots, 0);
+  return still_.dots;
 }
 
 void ResidualCloud::paint_marked(QPainter& painter, int index) const {
@@ -119,8 +135,9 @@ void ResidualCloud::paintEvent(QPaintEvent*) {
     return;
   }
   for (int i = 0; i < 2; ++i) paint_ground(painter, i);
-  QImage dots = dot_canvas(size(), devicePixelRatioF());
-  for (int i = 0; i < 2; ++i) paint_points(dots, i);
+  QImage dots = is_swapped_ ? dot_canvas(size(), devicePixelRatioF()) : still_dots().copy();
+  if (is_swapped_) paint_points(dots, 0);
+  paint_points(dots, 1);
   painter.drawImage(0, 0, dots);
   for (int i = 0; i < 2; ++i) paint_pane(painter, i);
   painter.setFont(text_font(TextRole::small));
