@@ -73,7 +73,20 @@ void PlotWidget::replot() {
   empty_label_->setText(empty_text_);
   empty_label_->setVisible(is_empty());
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setVisible(!is_empty());
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  is_stale_ = !isVisible();
+  if (!is_stale_) plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotWidget::replot_marks() {
+  if (isVisible())
+    plot_->layer(marks_layer)->replot();
+  else
+    is_stale_ = true;
+}
+
+void PlotWidget::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (is_stale_) replot();
 }
 
 void PlotWidget::resizeEvent(QResizeEvent*) { empty_label_->setGeometry(rect().adjusted(0, 21, 0, 0)); }

@@ -68,6 +68,7 @@ ResidualMap::ResidualMap(QWidget* parent) : PlotWidget(parent), layers_(std::mak
   layers_->means = new QCPCurve(plot_->xAxis, plot_->yAxis);
   layers_->hovered = scatter();
   layers_->selected = scatter();
+  for (QCPGraph* ring : {layers_->hovered, layers_->selected}) ring->setLayer(marks_layer);
   layers_->frame = new QCPItemRect(plot_);
   layers_->frame->setBrush(Qt::NoBrush);
   for (int i = 0; i < kColumns * kRows; ++i) {
@@ -157,14 +158,14 @@ void ResidualMap::set_regions(bool shown) {
 void ResidualMap::set_selected(ObservationId id) {
   selected_ = id;
   ring();
-  replot();
+  replot_marks();
 }
 
 void ResidualMap::set_hovered(ObservationId id) {
   if (id == hovered_) return;
   hovered_ = id;
   ring();
-  replot();
+  replot_marks();
 }
 
 double ResidualMap::exaggeration() const {
@@ -248,7 +249,13 @@ void ResidualMap::fill() {
       direction_y[static_cast<std::size_t>(sector)] += point.position.y();
     }
   }
-  for (std::size_t i = 0; i < 6; ++i) layers_->discs[i]->setData(x[i], y[i]);
+  // Smooth edges of so many marks are not seen, and take most of the time.
+  const bool is_dense = points_.size() > 3000;
+  for (std::size_t i = 0; i < 6; ++i) {
+    layers_->discs[i]->setData(x[i], y[i]);
+    layers_->discs[i]->setAntialiasedScatters(!is_dense);
+    layers_->arrows[i]->setAntialiased(!is_dense);
+  }
   for (std::size_t i = 0; i < kDirections; ++i) layers_->directions[i]->setData(direction_x[i], direction_y[i]);
   layers_->frame->topLeft->setCoords(-0.5, -0.5);
   layers_->frame->bottomRight->setCoords(width_ - 0.5, height_ - 0.5);

@@ -21,8 +21,8 @@ namespace handsight::widgets {
 struct RobotView::Parts {
   vtkNew<vtkRenderer> renderer;
   GlWindow gl;
-  QImage picture;         // the scene as it was drawn last, device px
-  bool is_stale = true;   // the scene or the eye changed since
+  QImage picture;        // the scene as it was drawn last, device px
+  bool is_stale = true;  // the scene or the eye changed since
   Orbit orbit;
   QWidget* buttons = nullptr;
 

@@ -336,7 +336,7 @@ void InspectWorkspace::connect_bench() {
     if (!is_active()) return;
     const auto id = bench_.selection.hovered().observation.value_or(widgets::kNoObservation);
     table_->set_hovered(id);
-    if (tabs_->currentIndex() == 1) map_->set_hovered(id);
+    if (map_->isVisible()) map_->set_hovered(id);
     scene_->set_hovered_observation(id);
   });
 }
