@@ -63,7 +63,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   numbers_->setObjectName("three_numbers");
 
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 2, 8, 2);
+  layout->setContentsMargins(8, 0, 8, 0);
   layout->setSpacing(8);
   layout->addWidget(session_);
   layout->addSpacing(8);
