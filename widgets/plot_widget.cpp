@@ -25,13 +25,14 @@ PlotWidget::PlotWidget(QWidget* parent)
   layout->addWidget(plot_);
   setFocusPolicy(Qt::StrongFocus);
   plot_->setFocusPolicy(Qt::NoFocus);
-  plot_->setMinimumSize(0, 0);
+  plot_->setMinimumSize(16, 16);  // of no size at all it warns: splitters give that for a moment
   plot_->setMouseTracking(true);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setContextMenuPolicy(Qt::CustomContextMenu);
   plot_->axisRect()->setMinimumMargins(QMargins(8, 4, 10, 6));
   plot_->installEventFilter(this);
+  connect(plot_, &QCustomPlot::afterReplot, this, [this] { is_drawn_ = true; });
   connect(plot_, &QCustomPlot::customContextMenuRequested, this, &PlotWidget::show_menu);
   connect(plot_, &QCustomPlot::mouseDoubleClick, this, [this] { fit(); });
   connect(plot_->selectionRect(), &QCPSelectionRect::accepted, this, [this](const QRect& rect) {
@@ -78,10 +79,11 @@ void PlotWidget::replot() {
 }
 
 void PlotWidget::replot_marks() {
-  if (isVisible())
+  const bool has_room = !plot_->viewport().isEmpty() && !plot_->size().isEmpty();
+  if (isVisible() && is_drawn_ && has_room)
     plot_->layer(marks_layer)->replot();
   else
-    is_stale_ = true;
+    replot();
 }
 
 void PlotWidget::showEvent(QShowEvent* event) {

@@ -78,7 +78,7 @@ class PlotWidget : public QWidget {
   QLabel* empty_label_ = nullptr;
   bool has_brush_ = false, brushes_always_ = false;
   QString title_, empty_text_;
-  bool is_dragging_ = false, is_stale_ = false;
+  bool is_dragging_ = false, is_stale_ = false, is_drawn_ = false;
   QPointF pressed_at_;
 };
 

@@ -14,6 +14,8 @@
 #include "calibrate/calibrate_workspace.h"
 #include "explain/explain_workspace.h"
 #include "export/export_workspace.h"
+#include "frame/centre_fill.h"
+#include "frame/find_entries.h"
 #include "frame/header.h"
 #include "frame/key_list.h"
 #include "frame/model_effects.h"
@@ -91,6 +93,7 @@ void MainWindow::make_menu() {
     open_sample(QString::fromStdString(name), true);
   });
   menu_->addSeparator();
+  add(tr("&Find…"), QKeySequence(Qt::CTRL | Qt::Key_K), [this] { find(); });
   add(tr("&Keys"), QKeySequence(Qt::Key_Question), [this] { show_keys(); });
   add(tr("&Close the session"), QKeySequence::Close, [this] { bench_.document.close(); });
   add(tr("&Quit"), QKeySequence::Quit, [this] { close(); });
@@ -122,6 +125,7 @@ void MainWindow::make_pages() {
     centre_->addWidget(workspace);
     connect(workspace, &Workspace::status_changed, this, &MainWindow::refresh_rail);
   }
+  fill_ = new CentreFill(centre_);
   rail_ = new Rail(names, session);
   panel_ = new widgets::ModelPanel(session);
   panel_->setObjectName("model_panel");
@@ -165,6 +169,7 @@ void MainWindow::make_shortcuts() {
   key(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { bench_.document.redo(); });
   key(QKeySequence(Qt::CTRL | Qt::Key_Y), [this] { bench_.document.redo(); });
   key(QKeySequence(Qt::ALT | Qt::Key_Left), [this] { bench_.selection.back(); });
+  key(QKeySequence(Qt::SHIFT | Qt::Key_Space), [this] { fill_->toggle(); });
   key(QKeySequence(Qt::Key_F1), [this] { show_keys(); });
 }
 
@@ -305,6 +310,7 @@ void MainWindow::session_closed() {
 
 void MainWindow::show_workspace(int index) {
   if (!bench_.document.is_open()) return;
+  fill_->put_back();
   rail_->set_current(index);
   centre_->setCurrentIndex(index);
   fit_panel_to_workspace();
@@ -374,13 +380,42 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Right:
       return step(1);
     case Qt::Key_Escape:
-      return bench_.selection.up();
+      return fill_->put_back() ? void() : bench_.selection.up();
     case Qt::Key_M:
       panel_->set_folded(!panel_->is_folded());
       return;
     default:
       QMainWindow::keyPressEvent(event);
   }
+}
+
+void MainWindow::find() {
+  std::vector<FindEntry> entries;
+  const auto action = [&](const QString& text, const QString& hint, std::function<void()> run) {
+    entries.push_back({tr("action"), text, hint, std::move(run)});
+  };
+  if (bench_.document.is_open()) {
+    for (int i = 0; i < static_cast<int>(workspaces_.size()); ++i)
+      action(workspaces_[static_cast<std::size_t>(i)]->name(), tr("Ctrl+%1").arg(i + 1),
+             [this, i] { show_workspace(i); });
+    action(tr("Undo"), tr("Ctrl+Z"), [this] { bench_.document.undo(); });
+    action(tr("Do again"), tr("Ctrl+Shift+Z"), [this] { bench_.document.redo(); });
+    action(tr("Exclude the chosen observations"), tr("Delete"), [this] {
+      const auto& many = bench_.selection.many();
+      bench_.exclude({many.begin(), many.end()});
+    });
+    action(tr("Include the chosen observations"), tr("Insert"), [this] {
+      const auto& many = bench_.selection.many();
+      bench_.include({many.begin(), many.end()});
+    });
+    action(tr("Fold the model panel"), tr("M"), [this] { panel_->set_folded(!panel_->is_folded()); });
+  }
+  for (QAction* a : menu_->actions())
+    if (!a->isSeparator() && a->isVisible())
+      action(a->text().remove('&'), a->shortcut().toString(QKeySequence::NativeText), [a] { a->trigger(); });
+  for (const auto& [keys, what] : KeyList::keys()) entries.push_back({tr("key"), what, keys, [this] { show_keys(); }});
+  for (FindEntry& e : session_entries(bench_)) entries.push_back(std::move(e));
+  FindBox::show_over(this, std::move(entries));
 }
 
 void MainWindow::show_keys() { KeyList::show_over(this); }
