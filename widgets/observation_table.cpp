@@ -44,7 +44,7 @@ void set_up_view(QTableView& view) {
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
   header.setMinimumSectionSize(36);
-  const std::array<int, 6> widths = {52, 50, 50, 46, 72, 64};
+  const std::array<int, 6> widths = {46, 50, 50, 50, 72, 70};
   for (std::size_t i = 0; i < widths.size(); ++i) view.setColumnWidth(static_cast<int>(i), widths[i]);
   header.setSectionResizeMode(static_cast<int>(TableColumn::reason), QHeaderView::Stretch);
 }

@@ -108,6 +108,7 @@ TEST(Window, PlaysThirtyASecond) {
   QElapsedTimer timer;
   timer.start();
   ASSERT_TRUE(calibrate.play_to_the_end());
+  EXPECT_EQ(calibrate.decisions(), 300) << "every decision is shown";
   std::printf("%-60s %8.1f /s (to be >= 30)\n", "played without images", 300e3 / static_cast<double>(timer.elapsed()));
 }
 
