@@ -52,6 +52,9 @@ TEST(Pictures, OfEveryWorkspace) {
   label.use();
   calibrate.set_fastest();
   ASSERT_TRUE(calibrate.play_to_the_end());
+  desk.settle();
+  auto* strip = desk.find<widgets::ObservationStrip>("strip");
+  desk.click(strip, strip->cell_rect(0).center().toPoint());  // one of those with images
   photo.take("calibrate");
   auto* tabs = desk.find<QTabWidget>("calibrate_tabs");
   const char* names[] = {"", "calibrate_objective", "calibrate_one_marker", "calibrate_own_pose"};
