@@ -75,6 +75,10 @@ TEST(Pictures, OfEveryWorkspace) {
   photo.take("export");
   desk.key(Qt::Key_Question);
   photo.take("keys");
+  desk.key(Qt::Key_Escape);
+  desk.key(Qt::Key_K, Qt::ControlModifier);
+  for (const char c : {'a', 'r', 'm'}) QTest::keyClick(desk.window.windowHandle(), c);
+  photo.take("find");
 }
 
 }  // namespace
