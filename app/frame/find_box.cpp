@@ -122,6 +122,8 @@ void FindBox::refresh() {
   } else {
     list_->setCurrentRow(0);
   }
+  sheet_->resize(sheet_->width(), 54 + 28 * list_->count());
+  update();
 }
 
 void FindBox::run(int row) {
