@@ -8,14 +8,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "frame/observation_views.h"
 #include "inspect/inspect_workspace.h"
-#include "inspect/inspection_rows.h"
-#include "inspect/snap.h"
 #include "widgets/blame_bar.h"
 #include "widgets/histogram_plot.h"
 #include "widgets/image_view.h"
-#include "widgets/number_text.h"
 #include "widgets/observation_table.h"
 #include "widgets/residual_map.h"
 #include "widgets/robot_view.h"

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inspect/inspect_workspace.h"
 
-#include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSplitter>
 #include <QTabWidget>
-#include <QToolButton>
-#include <QVBoxLayout>
 
 #include "frame/observation_views.h"
 #include "inspect/inspection_rows.h"

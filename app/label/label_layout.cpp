@@ -4,9 +4,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 
-#include "document/counted.h"
 #include "label/label_workspace.h"
-#include "vision/corner_detector.h"
 #include "widgets/image_view.h"
 #include "widgets/loupe.h"
 #include "widgets/number_text.h"

@@ -2,7 +2,6 @@
 #include "label/label_workspace.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
 
