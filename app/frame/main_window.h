@@ -22,6 +22,7 @@ class ReadOutLine;
 
 namespace handsight::app {
 
+class CentreFill;
 class Header;
 class Rail;
 class StartPage;
@@ -53,6 +54,7 @@ class MainWindow : public QMainWindow {
   void choose_session();
   void save();
   void show_keys();
+  void find();
   void session_opened();
   void session_closed();
   void refresh_strip();
@@ -68,6 +70,7 @@ class MainWindow : public QMainWindow {
   Header* header_;
   Rail* rail_;
   QStackedWidget* centre_;
+  CentreFill* fill_;
   QSplitter* splitter_;
   widgets::ModelPanel* panel_;
   widgets::ReadOutLine* read_out_;
