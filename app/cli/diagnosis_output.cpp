@@ -198,8 +198,9 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
     const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "- " + s.removed : "+ " + s.added;
+    const std::string instead = !s.added.empty() && !s.removed.empty() ? "in place of " + s.removed + " " : "";
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted), error_text(s.held_out),
-                         error_or_unknown(s.noise, tracker), listed(s.where)));
+                         error_or_unknown(s.noise, tracker), instead + listed(s.where)));
   }
   for (const RefusedStep& r : m.refused)
     out.line(

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "diagnosis/refitting.h"
 #include "fixtures/trial_sessions.h"
 
 namespace handsight::trials {
@@ -44,7 +45,7 @@ Expected expected_held_out(const Fit& f) {
 }
 
 struct Tally {
-  int trials = 0, exact = 0, in_band = 0, numbers = 0, covered = 0;
+  int trials = 0, exact = 0, beaten = 0, in_band = 0, numbers = 0, covered = 0;
   double ratio = 0;  // sum of held out over expected
 };
 
@@ -101,6 +102,21 @@ std::vector<EffectTerm> hidden_effects(const Session& like, std::size_t count, c
   return terms;
 }
 
+/// ln of the evidence of a model with these effects, choices of joints included: what decides between two of them.
+double ln_evidence(const Diagnosis& d, const std::vector<EffectTerm>& terms, const Chain& chain) {
+  FitOptions o;
+  o.estimated = terms;
+  o.start = d.model_options.start;
+  double value = fit_evidence(fit(d.model.session, o), 0, weighing(d.model.fit)).ln_evidence;
+  for (const std::string& id : ids_of(terms)) {
+    const auto places = static_cast<double>(effect_places(*find_effect(id), chain).size());
+    const auto taken =
+        static_cast<double>(std::count_if(terms.begin(), terms.end(), [&](const EffectTerm& t) { return t.id == id; }));
+    value -= std::lgamma(places + 1) - std::lgamma(taken + 1) - std::lgamma(places - taken + 1);
+  }
+  return value;
+}
+
 std::string listed_ids(const std::vector<EffectTerm>& terms) {
   std::string text;
   for (const std::string& id : ids_of(terms)) text += " " + id;
@@ -124,9 +140,15 @@ void run_trial(const Session& like, int robot, std::uint64_t seed, std::size_t e
   tally.ratio += held_out / expected.rms;
   if (is_exact) count_covered(f, o.effects, tally);
   if (is_exact && is_in_band) return;
-  fmt::print("  robot {} seed {}: truth{}; found{}; held out {:.3f} px, expected {:.3f} to {:.3f}; {}\n", robot, seed,
-             listed_ids(o.effects), listed_ids(found), held_out, expected.low, expected.high,
-             verdict_text(m.last.verdict));
+  const Chain chain = chain_of(like);
+  const double ahead = ln_evidence(m.last, found, chain) - ln_evidence(m.last, o.effects, chain);
+  tally.beaten += !is_exact && ahead > 0;
+  fmt::print(
+      "  robot {} seed {}: truth{}; found{}, ahead of the truth by ln BF {:.1f}; held out {:.3f} px, expected {:.3f} "
+      "to "
+      "{:.3f}; {}\n",
+      robot, seed, listed_ids(o.effects), listed_ids(found), ahead, held_out, expected.low, expected.high,
+      verdict_text(m.last.verdict));
   std::fflush(stdout);
 }
 
@@ -140,9 +162,10 @@ int several_trials(const Arguments& a) {
       for (int i = 0; i < a.count; ++i) run_trial(like, robot, a.first + static_cast<std::uint64_t>(i), effects, tally);
     }
     fmt::print(
-        "{} effects: exact set {} of {} ({:.1f} %), held out in the 99 % band {} ({:.1f} %), on average {:.4f} of what "
+        "{} effects: exact set {} of {} ({:.1f} %; of the others {} are likelier than the truth), held out in the 99 % "
+        "band {} ({:.1f} %), on average {:.4f} of what "
         "is expected; {} of {} intervals of 95 % hold the truth ({:.1f} %)\n",
-        effects, tally.exact, tally.trials, 100.0 * tally.exact / tally.trials, tally.in_band,
+        effects, tally.exact, tally.trials, 100.0 * tally.exact / tally.trials, tally.beaten, tally.in_band,
         100.0 * tally.in_band / tally.trials, tally.ratio / tally.trials, tally.covered, tally.numbers,
         100.0 * tally.covered / std::max(1, tally.numbers));
     std::fflush(stdout);
