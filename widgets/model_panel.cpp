@@ -5,8 +5,10 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -23,24 +25,38 @@ namespace {
 /// One parameter: name, value with sigma and unit, and the bar against what is plausible.
 class ParameterRow : public QWidget {
  public:
-  ParameterRow(ModelParameter parameter, bool is_candidate, bool is_selected, QWidget* parent)
+  ParameterRow(ModelParameter parameter, bool is_candidate, bool is_selected, bool is_typed, QWidget* parent)
       : QWidget(parent), parameter_(std::move(parameter)), is_candidate_(is_candidate), is_selected_(is_selected) {
+    if (is_typed) {
+      field_ = new QLineEdit(parameter_.value ? QString::number(*parameter_.value, 'g', 6) : QString(), this);
+      field_->setAlignment(Qt::AlignRight);
+      field_->setFont(number_font(TextRole::small));
+    }
     setFixedHeight(bar_top() + (parameter_.plausible ? 10 : 2));
     setToolTip(QStringLiteral("%1 %2%3").arg(name(), value(), plausible()));
   }
 
+  QLineEdit* field() const { return field_; }
+
  protected:
+  void resizeEvent(QResizeEvent*) override {
+    if (!field_) return;
+    const int unit = QFontMetrics(number_font(TextRole::small)).horizontalAdvance(parameter_.unit) + 8;
+    field_->setGeometry(width() - 88 - unit, bar_top() - 26, 88, 24);
+  }
   void paintEvent(QPaintEvent*) override {
     const Colors& c = colors();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (is_selected_) painter.fillRect(rect(), c.selected_row);
     const bool is_long = !parameter_.of.isEmpty();
-    const QRectF line(0, is_long ? 18 : 0, width(), 20);
+    const QRectF line(0, is_long ? 18 : 0, width(), field_ ? 26 : 20);
     painter.setFont(number_font(TextRole::small));
-    const double wide = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value()) + 2, line.width() * 0.72);
+    const QString text = field_ ? parameter_.unit : value();
+    double wide = std::min(QFontMetricsF(painter.font()).horizontalAdvance(text) + 2, line.width() * 0.72);
     painter.setPen(is_candidate_ ? c.candidate : c.ink1);
-    draw_text(painter, line.adjusted(line.width() - wide, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, value());
+    draw_text(painter, line.adjusted(line.width() - wide, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, text);
+    if (field_) wide = width() - field_->x();
     painter.setFont(text_font(TextRole::small));
     painter.setPen(c.ink2);
     if (is_long) {
@@ -77,7 +93,7 @@ class ParameterRow : public QWidget {
     painter.drawRect(QRectF(x_of(value) - 1.5, bar.top() - 1, 3, bar.height() + 2));
   }
   /// A joint's name takes a line of its own above the parameter's.
-  int bar_top() const { return parameter_.of.isEmpty() ? 22 : 40; }
+  int bar_top() const { return (parameter_.of.isEmpty() ? 22 : 40) + (field_ ? 6 : 0); }
   QString name() const {
     return parameter_.of.isEmpty() ? parameter_.name : parameter_.of + QStringLiteral("  ") + parameter_.name;
   }
@@ -92,6 +108,7 @@ class ParameterRow : public QWidget {
 
   ModelParameter parameter_;
   bool is_candidate_, is_selected_;
+  QLineEdit* field_ = nullptr;
 };
 
 }  // namespace
@@ -211,17 +228,22 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
     check->setEnabled(effect.can_change);
     check->setToolTip(effect.help);
     check->setMinimumHeight(kRowHeight);
-    check->setPalette(tinted);
+    QPalette boxed = tinted;
+    boxed.setColor(QPalette::Window, c.control_edge.lighter(140));  // the style draws the box darker than this
+    check->setPalette(boxed);
     connect(check, &QCheckBox::clicked, this, [this, id = effect.id](bool on) { emit effect_toggled(id, on); });
     layout->addWidget(check);
   }
-  for (const ModelParameter& parameter : effect.parameters) {
-    const bool is_selected = !parameter.of.isEmpty() && parameter.of == selected_joint_;
-    auto* row = new ParameterRow(parameter, effect.is_candidate, is_selected, box);
-    row->setProperty("joint", parameter.of);
-    row->installEventFilter(this);
-    if (!parameter.of.isEmpty()) row->setCursor(Qt::PointingHandCursor);
-    layout->addWidget(row);
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) add_parameter(effect, static_cast<int>(i), box);
+  if (effect.can_hold) {
+    auto* hold = new QPushButton(effect.is_held ? tr("Estimate it again") : tr("Hold these numbers"), box);
+    hold->setObjectName(QStringLiteral("hold_") + effect.id);
+    hold->setMinimumHeight(kRowHeight);
+    hold->setToolTip(effect.is_held ? tr("The fit may move the numbers again, from where they are")
+                                    : tr("The fit leaves the numbers where they are; then they can be typed"));
+    connect(hold, &QPushButton::clicked, this,
+            [this, id = effect.id, held = effect.is_held] { emit effect_held(id, !held); });
+    layout->addWidget(hold, 0, Qt::AlignLeft);
   }
   if (!effect.note.isEmpty()) {
     auto* note = new QLabel(effect.note, box);
@@ -236,7 +258,30 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
   return box;
 }
 
+void ModelPanel::add_parameter(const ModelEffect& effect, int index, QWidget* box) {
+  const ModelParameter& parameter = effect.parameters[static_cast<std::size_t>(index)];
+  const bool is_selected = !parameter.of.isEmpty() && parameter.of == selected_joint_;
+  const bool is_typed = effect.is_held && !parameter.is_choice;
+  auto* row = new ParameterRow(parameter, effect.is_candidate, is_selected, is_typed, box);
+  row->setProperty("joint", parameter.of);
+  row->installEventFilter(this);
+  if (!parameter.of.isEmpty()) row->setCursor(Qt::PointingHandCursor);
+  box->layout()->addWidget(row);
+  if (!is_typed) return;
+  QLineEdit* field = row->field();
+  field->setObjectName(QStringLiteral("value_%1_%2").arg(effect.id).arg(index));
+  field->setAccessibleName(parameter.of + ' ' + parameter.name);
+  connect(field, &QLineEdit::editingFinished, this, [this, field, id = effect.id, index, before = field->text()] {
+    bool is_number = false;
+    const double value = QString(field->text()).replace(QChar(0x2212), '-').toDouble(&is_number);
+    if (!is_number) return field->setText(before);
+    if (field->text() != before) emit value_typed(id, index, value);
+  });
+}
+
 void ModelPanel::rebuild() {
+  const QWidget* focused = content_->isAncestorOf(focusWidget()) ? focusWidget() : nullptr;
+  const QString focus = focused ? focused->objectName() : QString();
   while (QLayoutItem* item = list_->takeAt(0)) {
     if (item->widget()) {
       // A check box's own click may be what led here: it must outlive its signal.
@@ -253,6 +298,10 @@ void ModelPanel::rebuild() {
   }
   list_->addStretch(1);
   refresh_texts();
+  if (focus.isEmpty()) return;
+  for (int i = list_->count(); i-- > 0;)
+    if (QWidget* box = list_->itemAt(i)->widget())
+      if (auto* again = box->findChild<QWidget*>(focus)) return again->setFocus();
 }
 
 bool ModelPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -19,6 +19,7 @@ struct ModelParameter {
   std::optional<double> value, sigma;  // in `unit`
   QString unit;
   std::optional<double> plausible;  // one standard deviation of what is plausible; absent: no bar
+  bool is_choice = false;           // a choice (from which observation on): neither estimated nor typed
 };
 
 struct ModelEffect {
@@ -29,6 +30,8 @@ struct ModelEffect {
   bool is_permanent = false;  // no check box: always part of the model
   bool can_change = true;     // false: the check box is disabled, `note` says why
   bool is_candidate = false;  // being tried: purple
+  bool can_hold = false;      // offers to hold its numbers, or to estimate them again
+  bool is_held = false;       // its numbers are typed, not estimated
   QString note;               // a sentence: "implausible ...", "cannot be seen on these poses"
   bool note_is_warning = false;
   std::vector<ModelParameter> parameters;
@@ -50,9 +53,11 @@ class ModelPanel : public QFrame {
 
  signals:
   void effect_toggled(const QString& id, bool in_model);
-  void effect_chosen(const QString& id);      // its title was clicked
-  void effect_hovered(const QString& id);     // empty: left
-  void joint_selected(const QString& joint);  // the `of` of a parameter was clicked
+  void effect_held(const QString& id, bool held);
+  void value_typed(const QString& id, int parameter, double value);  // of a held effect, in the parameter's unit
+  void effect_chosen(const QString& id);                             // its title was clicked
+  void effect_hovered(const QString& id);                            // empty: left
+  void joint_selected(const QString& joint);                         // the `of` of a parameter was clicked
   void folded_changed(bool folded);
 
  protected:
@@ -63,6 +68,7 @@ class ModelPanel : public QFrame {
   void rebuild();
   void refresh_texts();
   QWidget* make_effect(const ModelEffect& effect);
+  void add_parameter(const ModelEffect& effect, int index, QWidget* box);
 
   std::vector<ModelEffect> effects_;
   QString headline_text_, empty_text_, selected_joint_;

@@ -67,9 +67,15 @@ ObjectivePage::ObjectivePage(Workbench& bench, QWidget* parent) : QWidget(parent
   layout->addWidget(table_, 1);
   layout->addWidget(sentence_);
   connect(choices_, &QButtonGroup::idClicked, this, [this](int id) {
-    choose({objectives[id], bench_.document.settings().fix_markers});
+    ModelSettings settings = bench_.document.settings();
+    settings.objective = objectives[id];
+    choose(settings);
   });
-  connect(fix_, &QCheckBox::clicked, this, [this](bool on) { choose({bench_.document.settings().objective, on}); });
+  connect(fix_, &QCheckBox::clicked, this, [this](bool on) {
+    ModelSettings settings = bench_.document.settings();
+    settings.fix_markers = on;
+    choose(settings);
+  });
   connect(&bench.document, &Document::model_changed, this, [this] {
     if (is_active_) compare();
   });
@@ -106,7 +112,9 @@ void ObjectivePage::compare() {
       [session = bench_.document.session(), settings, revision = compared_](JobControl& control) {
         std::array<ModelVersionPointer, 3> results;
         for (std::size_t i = 0; i < 3 && !control.is_cancelled(); ++i) {
-          results[i] = make_version(session, {objectives[i], settings.fix_markers}, revision, {});
+          ModelSettings one = settings;
+          one.objective = objectives[i];
+          results[i] = make_version(session, one, revision, {});
           control.report(static_cast<double>(i + 1) / 3);
         }
         return results;

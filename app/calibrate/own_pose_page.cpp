@@ -149,7 +149,7 @@ void OwnPosePage::refresh() {
     return;
   }
   const Fit& fit = *model->fit;
-  prediction_ = predict_tcp(chain_of(bench_.document.session()), position(), model->options.effects, model->scatter,
+  prediction_ = predict_tcp(chain_of(bench_.document.session()), position(), terms_of(*model->fit), model->scatter,
                             fit.tcp_from_body, fit.covariance);
   const Vector3 t = prediction_->root_from_tcp_est.translation;
   const Vector6 s = prediction_->sigma;

@@ -65,7 +65,8 @@ void Document::open(const std::filesystem::path& path) {
 
 void Document::close() {
   if (!journal_) return;
-  if (stack_.isClean()) {
+  // What session.xml cannot hold (the model's effects) stays in the journal.
+  if (stack_.isClean() && settings_ == ModelSettings{}) {
     try {
       journal_->clear(digest_of(read_file(session_.file)));
     } catch (const InputError&) {
@@ -126,18 +127,32 @@ void Document::perform(Edit edit) {
   push(std::move(edit));
 }
 
+QString Document::errors_text(int from, int to) const {
+  const auto a = versions_.find(from), b = versions_.find(to);
+  if (a == versions_.end() || b == versions_.end() || !a->second->fit || !b->second->fit) return {};
+  const ErrorAndNoise before = error_and_noise(*a->second), after = error_and_noise(*b->second);
+  if (!before.error || !after.error) return {};
+  const double scale = before.in_pixels ? 1 : 1e3;
+  const auto text = [&](double error) {
+    return QString::number(scale * error, 'g', scale * error < 0.0995 ? 2 : scale * error < 9.95 ? 3 : 4);
+  };
+  return tr(" (%1 → %2 %3)").arg(text(*before.error), text(*after.error), before.in_pixels ? tr("px") : tr("mm"));
+}
+
 void Document::undo() {
   if (!journal_ || !stack_.canUndo() || !write_down({JournalEntry::Kind::undone, {}, {}})) return;
   const QString sentence = stack_.undoText();
+  const int from = stack_.index();
   stack_.undo();
-  if (!is_replaying_) emit noticed(tr("Undone: %1").arg(sentence));
+  if (!is_replaying_) emit noticed(tr("Undone: %1%2").arg(sentence, errors_text(from, stack_.index())));
 }
 
 void Document::redo() {
   if (!journal_ || !stack_.canRedo() || !write_down({JournalEntry::Kind::redone, {}, {}})) return;
   const QString sentence = stack_.redoText();
+  const int from = stack_.index();
   stack_.redo();
-  if (!is_replaying_) emit noticed(tr("Done again: %1").arg(sentence));
+  if (!is_replaying_) emit noticed(tr("Done again: %1%2").arg(sentence, errors_text(from, stack_.index())));
 }
 
 void Document::undo_all() {
@@ -209,6 +224,12 @@ void Document::replay(const JournalContents& contents) {
 ModelVersionPointer Document::model() const {
   const auto found = versions_.find(stack_.index());
   return found != versions_.end() && found->second->revision == revision_ ? found->second : nullptr;
+}
+
+void Document::show_version(const ModelVersionPointer& version) {
+  if (!version || version == shown_) return;
+  shown_ = version;
+  emit model_changed();
 }
 
 std::vector<ModelVersionPointer> Document::versions() const {

@@ -55,6 +55,8 @@ class Document : public QObject {
   ModelVersionPointer model() const;
   /// The last one that was fitted, which may be of an earlier state: what the window shows meanwhile. Null before.
   ModelVersionPointer shown_model() const { return shown_; }
+  /// Shows a version that was fitted earlier, until the next fit.
+  void show_version(const ModelVersionPointer& version);
   /// Versions from the beginning to the present state, null where an action's fit was never asked for.
   std::vector<ModelVersionPointer> versions() const;
   /// Takes a fit, unless it is stale.
@@ -87,6 +89,8 @@ class Document : public QObject {
   void replay(const JournalContents& contents);
   bool write_down(const JournalEntry& entry);
   void push(Edit edit);
+  /// " (0.24 → 9.1 px)": the errors at two indices of the undo stack; empty where they are not known.
+  QString errors_text(int from, int to) const;
 
   Session session_;
   ModelSettings settings_;

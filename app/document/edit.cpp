@@ -60,15 +60,54 @@ ObservationState parse_state(const Json& json) {
   return state;
 }
 
+Json terms_json(const std::vector<EffectTerm>& terms) {
+  Json list = Json::array();
+  for (const EffectTerm& t : terms) list.push_back({{"id", t.id}, {"place", t.joint}, {"values", t.values}});
+  return list;
+}
+
+std::vector<EffectTerm> parse_terms(const Json& settings, const char* key) {
+  std::vector<EffectTerm> terms;
+  if (!settings.contains(key)) return terms;
+  for (const Json& one : settings.at(key)) {
+    const EffectTerm term{one.at("id").get<std::string>(), within(one.at("place"), -1, 1 << 20),
+                          one.at("values").get<std::vector<double>>()};
+    const Effect* effect = find_effect(term.id);
+    if (!effect || effect->parameters.size() != term.values.size())
+      throw InputError("The journal holds an effect that this version does not know.");
+    terms.push_back(term);
+  }
+  return terms;
+}
+
 Json settings_json(const ModelSettings& s) {
-  return {{"objective", static_cast<int>(s.objective)}, {"fix_markers", s.fix_markers}};
+  Json json{{"objective", static_cast<int>(s.objective)}, {"fix_markers", s.fix_markers}};
+  if (!s.estimated.empty()) json["estimated"] = terms_json(s.estimated);
+  if (!s.held.empty()) json["held"] = terms_json(s.held);
+  if (s.by_hand > 0) json["by_hand"] = s.by_hand;
+  if (s.leaves_out_wrong_points) json["leaves_out_wrong_points"] = true;
+  return json;
 }
 
 ModelSettings parse_settings(const Json& json) {
-  return {static_cast<Objective>(within(json.at("objective"), 0, 2)), json.at("fix_markers").get<bool>()};
+  ModelSettings s{static_cast<Objective>(within(json.at("objective"), 0, 2)), json.at("fix_markers").get<bool>(),
+                  parse_terms(json, "estimated"), parse_terms(json, "held")};
+  s.by_hand = std::clamp(json.value("by_hand", 0), 0, static_cast<int>(s.estimated.size()));
+  s.leaves_out_wrong_points = json.value("leaves_out_wrong_points", false);
+  return s;
 }
 
 }  // namespace
+
+bool ModelSettings::operator==(const ModelSettings& o) const {
+  const auto same = [](const std::vector<EffectTerm>& a, const std::vector<EffectTerm>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const EffectTerm& x, const EffectTerm& y) {
+      return x.id == y.id && x.joint == y.joint && x.values == y.values;
+    });
+  };
+  return objective == o.objective && fix_markers == o.fix_markers && same(estimated, o.estimated) &&
+         same(held, o.held) && by_hand == o.by_hand && leaves_out_wrong_points == o.leaves_out_wrong_points;
+}
 
 ObservationState state_of(const Observation& observation) {
   return {observation.sightings, observation.decision, observation.reason};

@@ -60,7 +60,7 @@ Parts measure(const Problem& problem, const ProblemObservation& o, const Unknown
   int points = 0;
   for (const Sighting& s : o.sightings) {
     MarkerResidual marker{.marker = s.marker, .left = s.left, .right = s.right};
-    marker.predicted_in_sensor = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(s.marker)];
+    marker.predicted_in_sensor = sensor_from_tcp * marker_at(o, unknowns, s.marker);
     predict(rig, marker);
     if (rig) parts.cameras += free_point_cost(*rig, s, marker, parts.camera_rows);
     if (s.point) marker.measured_in_sensor = s.point;
@@ -76,7 +76,7 @@ Parts measure(const Problem& problem, const ProblemObservation& o, const Unknown
   }
   if (row.coordinates > 0) row.rms = std::sqrt(total / row.coordinates);
   if (points > 0) row.rms_m = std::sqrt(lengths / points);
-  const auto pose = estimate_body_pose(rig, o.sightings, unknowns.markers_in_tcp, sensor_from_tcp);
+  const auto pose = estimate_body_pose(rig, o.sightings, markers_at(o, unknowns), sensor_from_tcp);
   if (!pose) return parts;
   row.tcp_from_tcp_est = inverse(sensor_from_tcp) * pose->sensor_from_body;
   row.angle = vector_from_rotation(row.tcp_from_tcp_est->rotation).norm();
@@ -128,10 +128,10 @@ QString direction(const Vector2& d) {
   return QObject::tr("%1 px %2").arg(size, 0, 'f', 1).arg(way);
 }
 
-double cost_per_degree(const StereoRig* rig, const Unknowns& unknowns, const Rigid& guess,
+double cost_per_degree(const StereoRig* rig, const std::vector<Vector3>& markers, const Rigid& guess,
                        std::vector<Sighting> sightings) {
   std::erase_if(sightings, [](const Sighting& s) { return row_count(s) == 0; });
-  const auto pose = estimate_body_pose(rig, sightings, unknowns.markers_in_tcp, guess);
+  const auto pose = estimate_body_pose(rig, sightings, markers, guess);
   return pose && pose->rows > 6 ? pose->cost / (pose->rows - 6) : std::numeric_limits<double>::infinity();
 }
 
@@ -147,6 +147,7 @@ Corner best_single_corner(const Problem& problem, const ProblemObservation& o, c
   Corner best;
   const StereoRig* rig = problem.rig_or_null();
   const Rigid guess = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  const std::vector<Vector3> markers = markers_at(o, unknowns);
   for (std::size_t i = 0; i < o.sightings.size(); ++i)
     for (const bool left : {true, false}) {
       std::vector<Sighting> rest = o.sightings;
@@ -154,12 +155,11 @@ Corner best_single_corner(const Problem& problem, const ProblemObservation& o, c
       if (!corner) continue;
       const Vector2 measured = *corner;
       corner.reset();
-      const double cost = cost_per_degree(rig, unknowns, guess, rest);
+      const double cost = cost_per_degree(rig, markers, guess, rest);
       if (cost >= best.cost) continue;
       std::erase_if(rest, [](const Sighting& s) { return row_count(s) == 0; });
-      const auto pose = estimate_body_pose(rig, rest, unknowns.markers_in_tcp, guess);
-      const Vector3 x =
-          pose->sensor_from_body * unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)];
+      const auto pose = estimate_body_pose(rig, rest, markers, guess);
+      const Vector3 x = pose->sensor_from_body * markers[static_cast<std::size_t>(o.sightings[i].marker)];
       const Vector2 expected = left ? project(rig->left, x) : project(rig->right, Vector3(rig->right_from_left * x));
       best = {o.sightings[i].marker, left, expected - measured, cost};
     }
@@ -216,7 +216,7 @@ Parts measure_row(const Problem& problem, ProblemObservation& seen, const Unknow
   std::erase_if(seen.sightings,
                 [&](const Sighting& s) { return !marker_is_known[static_cast<std::size_t>(s.marker)]; });
   row.root_from_tcp = seen.root_from_tcp;
-  row.root_from_sensor = seen.root_from_mount * unknowns.mount_from_sensor;
+  row.root_from_sensor = seen.root_from_mount * unknowns.mount_from_sensor * seen.sensor_motion;
   return measure(problem, seen, unknowns, row);
 }
 
@@ -244,8 +244,7 @@ void inspect_observation(const Problem& problem, const ProblemObservation& obser
   judge(problem, seen, unknowns, noise, parts, {}, row);
 }
 
-Inspection inspect(const Session& session, const Fit& fit, const FitReport& report,
-                   const std::vector<EffectTerm>& effects, const SecondLooks& looks) {
+Inspection inspect(const Session& session, const Fit& fit, const FitReport& report, const SecondLooks& looks) {
   Inspection inspection;
   inspection.noise = fit.noise;
   inspection.in_pixels = session.stereo.has_value();
@@ -258,7 +257,11 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     const auto look = looks.find(row.id);
     row.at_second_look = session.observations[i].sightings.empty() && look != looks.end() && !look->second.empty();
   }
-  Problem problem = make_problem(with_everything(session, looks), chain_of(session), effects);
+  Problem problem = make_problem(with_everything(session, looks), chain_of(session), terms_of(fit));
+  if (!problem.terms.empty()) {
+    problem.tcp_from_slip = fit.problem.tcp_from_slip;
+    place_observations(problem);
+  }
   std::vector<Parts> parts;
   std::vector<double> cameras, body;
   for (ProblemObservation& o : problem.observations) {

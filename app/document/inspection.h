@@ -61,8 +61,7 @@ using SecondLooks = std::unordered_map<std::int64_t, std::vector<Sighting>>;
 void inspect_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                          std::optional<double> noise, const std::vector<char>& marker_is_known, InspectionRow& row);
 
-/// `effects` are those of the fit.
-Inspection inspect(const Session& session, const Fit& fit, const FitReport& report,
-                   const std::vector<EffectTerm>& effects, const SecondLooks& looks);
+/// The model's effects move the robot, the cameras and the markers as in the fit.
+Inspection inspect(const Session& session, const Fit& fit, const FitReport& report, const SecondLooks& looks);
 
 }  // namespace handsight::app

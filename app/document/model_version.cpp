@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/model_version.h"
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "diagnosis/clean_model.h"
 #include "estimation/export.h"
 
 namespace handsight::app {
@@ -25,26 +28,80 @@ Vector6 origin_sigma(const Fit& fit) {
   return (at_origin * fit.covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
 }
 
+namespace {
+
+/// Everything that a fit says, of a session with all its points.
+void tell(const Session& session, const SecondLooks& looks, std::shared_ptr<const Fit> fitted,
+          std::shared_ptr<const FitReport> told, ModelVersion& version) {
+  for (std::size_t i = 0; i < told->per_observation.size(); ++i)
+    version.row_of[told->per_observation[i].id] = static_cast<int>(i);
+  version.inspection = std::make_shared<Inspection>(inspect(session, *fitted, *told, looks));
+  version.calibration = std::make_shared<Calibration>(
+      calibration_of(session, *fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
+  version.scatter = tcp_scatter(*fitted);
+  version.fit = std::move(fitted);
+  version.report = std::move(told);
+}
+
+FitOptions options_of(const ModelSettings& settings) {
+  FitOptions options;
+  options.objective = settings.objective;
+  options.fix_markers = settings.fix_markers;
+  options.effects = settings.held;
+  options.estimated = settings.estimated;
+  if (!options.estimated.empty()) options.smallest_step = 1e-9;  // as a diagnosis fits
+  return options;
+}
+
+/// Effects of another robot cannot be placed in this one.
+void check_places(const Session& session, const ModelSettings& settings) {
+  const Chain chain = chain_of(session);
+  for (const auto* terms : {&settings.estimated, &settings.held})
+    for (const EffectTerm& term : *terms) {
+      const Effect& effect = *find_effect(term.id);
+      const std::vector<int> places = effect_places(effect, chain);
+      if (std::find(places.begin(), places.end(), term.joint) == places.end())
+        throw InputError(fmt::format("The model has the effect {} at a place that this robot does not have; untick it.",
+                                     effect.title));
+    }
+}
+
+}  // namespace
+
+ModelSettings with_values_of(const Fit& fit, ModelSettings settings) {
+  for (std::size_t t = 0; t < settings.estimated.size(); ++t)
+    settings.estimated[t] = fit.effects[settings.held.size() + t].term;
+  return settings;
+}
+
+ModelVersionPointer version_of(const Session& session, const Diagnosis& d, const ModelSettings& settings,
+                               std::int64_t revision, QString cause, const SecondLooks& looks) {
+  auto version = std::make_shared<ModelVersion>();
+  version->revision = revision;
+  version->cause = std::move(cause);
+  version->settings = settings;
+  version->options = d.model_options;
+  version->wrong_points = d.model.wrong;
+  tell(session, looks, std::make_shared<Fit>(d.model.fit), std::make_shared<FitReport>(d.report), *version);
+  return version;
+}
+
 ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,
                                  QString cause, const SecondLooks& looks) {
   auto version = std::make_shared<ModelVersion>();
   version->revision = revision;
   version->cause = std::move(cause);
   version->settings = settings;
-  version->options.objective = settings.objective;
-  version->options.fix_markers = settings.fix_markers;
+  version->options = options_of(settings);
   try {
-    auto fitted = std::make_shared<Fit>(fit(session, version->options));
-    auto told = std::make_shared<FitReport>(report(session, *fitted, version->options));
-    for (std::size_t i = 0; i < told->per_observation.size(); ++i)
-      version->row_of[told->per_observation[i].id] = static_cast<int>(i);
-    version->inspection =
-        std::make_shared<Inspection>(inspect(session, *fitted, *told, version->options.effects, looks));
-    version->calibration = std::make_shared<Calibration>(
-        calibration_of(session, *fitted, *told, version->options, "handsight " HANDSIGHT_VERSION));
-    version->scatter = tcp_scatter(*fitted);
-    version->fit = std::move(fitted);
-    version->report = std::move(told);
+    check_places(session, settings);
+    CleanFit clean = settings.leaves_out_wrong_points ? clean_model(session, version->options)
+                                                      : CleanFit{session, fit(session, version->options), {}};
+    version->wrong_points = clean.wrong;
+    version->options.estimated = with_values_of(clean.fit, settings).estimated;
+    if (settings.has_effects()) version->options.start = estimate(clean.fit);
+    auto told = std::make_shared<FitReport>(report(clean.session, clean.fit, version->options));
+    tell(session, looks, std::make_shared<Fit>(std::move(clean.fit)), std::move(told), *version);
   } catch (const InputError& error) {
     version->refusal = QString::fromStdString(error.what());
   }

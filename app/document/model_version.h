@@ -6,6 +6,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "diagnosis/diagnosis.h"
 #include "document/edit.h"
 #include "document/inspection.h"
 #include "estimation/fit_report.h"
@@ -24,6 +25,7 @@ struct ModelVersion {
   std::shared_ptr<const Inspection> inspection;    // null with the fit
   std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit
   TcpScatter scatter;                              // of the TCP about the model
+  std::vector<WrongPoint> wrong_points;            // left out of the fit
   QString refusal;
   std::unordered_map<std::int64_t, int> row_of;  // observation id -> FitReport::per_observation
 
@@ -49,6 +51,13 @@ ErrorAndNoise error_and_noise(const ModelVersion& version);
 
 /// Standard deviations of tcp_from_body: of the body's origin (m), and of the rotations about the TCP's axes (rad).
 Vector6 origin_sigma(const Fit& fit);
+
+/// Of a model's terms, those that the settings estimate and those that they hold, at the values of the fit.
+ModelSettings with_values_of(const Fit& fit, ModelSettings settings);
+
+/// The version that a diagnosis has fitted already: of these settings, without its wrong points.
+ModelVersionPointer version_of(const Session& session, const Diagnosis& diagnosis, const ModelSettings& settings,
+                               std::int64_t revision, QString cause, const SecondLooks& looks = {});
 
 /// Fits a session and reports; a refusal of the fit becomes the version's sentence.
 ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,

@@ -31,7 +31,7 @@ void Refit::schedule() {
 }
 
 void Refit::start() {
-  if (!document_.is_open()) return;
+  if (!document_.is_open() || document_.model()) return;
   const Session& session = document_.session();
   const auto used = std::count_if(session.observations.begin(), session.observations.end(), is_used);
   const QString cause = document_.undo_stack().undoText();

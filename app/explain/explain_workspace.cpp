@@ -1,97 +1,169 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/explain_workspace.h"
 
-#include <QLabel>
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QSplitter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
-#include "widgets/histogram_plot.h"
+#include "document/effect_words.h"
+#include "explain/failing_pane.h"
+#include "explain/missing_pane.h"
+#include "explain/poses_pane.h"
+#include "explain/watching_pane.h"
+#include "widgets/explain/candidate_list.h"
+#include "widgets/explain/verdict_line.h"
+#include "widgets/explain/version_list.h"
+#include "widgets/explain/what_if_slider.h"
 #include "widgets/number_text.h"
-#include "widgets/theme.h"
 
 namespace handsight::app {
 namespace {
 
-/// Shares of the excess over all used observations, weighed by its size.
-QString shares_sentence(const Inspection& all) {
-  double c = 0, b = 0, r = 0, sum = 0;
-  for (const InspectionRow& row : all.rows) {
-    if (!row.is_used || !row.rms) continue;
-    const double weight = *row.rms * *row.rms * row.coordinates;
-    c += weight * row.blame.cameras;
-    b += weight * row.blame.body;
-    r += weight * row.blame.robot;
-  }
-  sum = c + b + r;
-  if (!(sum > 0)) return QObject::tr("Nothing stands out of the noise.");
-  return QObject::tr(
-             "Of what exceeds the noise %1 % comes from the robot, %2 % from the marker body, %3 % from the "
-             "cameras.")
-      .arg(std::lround(100 * r / sum))
-      .arg(std::lround(100 * b / sum))
-      .arg(std::lround(100 * c / sum));
-}
+constexpr int blink_ms = 500;
 
 }  // namespace
 
-QString comparison_sentence(const ModelVersion& model) {
-  if (!model.fit) return model.refusal;
-  const ErrorAndNoise e = error_and_noise(model);
-  const double scale = e.in_pixels ? 1 : 1e3;
-  const QString unit = e.in_pixels ? QObject::tr("px") : QObject::tr("mm");
-  if (!e.error) return QObject::tr("The error is not known.");
-  const QString error = widgets::with_unit_text(scale * *e.error, unit);
-  if (!e.noise)
-    return QObject::tr(
-               "The model misses by %1. Without three markers the noise is not known, so that the program cannot "
-               "say whether that is much.")
-        .arg(error);
-  const QString noise = widgets::with_unit_text(scale * *e.noise, unit);
-  if (*e.ratio() < 1.25)
-    return QObject::tr("The model agrees with the measurements down to the noise (%1 against %2).").arg(error, noise);
-  const auto m = model.report->held_out.rms_m ? model.report->held_out.rms_m : model.report->fitted.rms_m;
-  const QString at_hand =
-      e.in_pixels && m ? QObject::tr(" (%1 at the hand)").arg(widgets::with_unit_text(1e3 * *m, QObject::tr("mm")))
-                       : QString();
-  return QObject::tr("The model misses by %1%2 where the noise is %3.").arg(error, at_hand, noise);
+ExplainWorkspace::ExplainWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent), adding_(bench) {
+  setObjectName("explain");
+  make_layout();
+  connect_panes();
+  connect_bench();
+  blink_.setInterval(blink_ms);
+  connect(&blink_, &QTimer::timeout, this, &ExplainWorkspace::blink);
+  qApp->installEventFilter(this);
 }
 
-ExplainWorkspace::ExplainWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
-  setObjectName("explain");
-  verdict_ = new QLabel(this);
+void ExplainWorkspace::make_layout() {
+  verdict_ = new widgets::VerdictLine(this);
   verdict_->setObjectName("verdict");
-  verdict_->setFont(widgets::text_font(widgets::TextRole::title));
-  verdict_->setWordWrap(true);
-  shares_ = new QLabel(this);
-  shares_->setWordWrap(true);
-  histogram_ = new widgets::HistogramPlot(this);
-  histogram_->set_title(tr("Error of each observation against the noise"));
-  later_ = new QLabel(tr("Which effect is missing is not worked out in this version. Inspect shows which observations "
-                         "miss most, and whose fault it is."),
-                      this);
-  later_->setWordWrap(true);
+  auto* tour = new QToolButton(this);
+  tour->setObjectName("start_tour");
+  tour->setText(tr("Tour"));
+  tour->setToolTip(tr("Find the missing effect: shows step by step what to look at and what to do"));
+  tour->setAutoRaise(true);
+  connect(tour, &QToolButton::clicked, this, &ExplainWorkspace::start_tour);
+  failing_ = new FailingPane(bench_, this);
+  missing_ = new MissingPane(bench_, adding_, this);
+  watching_ = new WatchingPane(bench_, adding_, this);
+  auto* columns = new QSplitter(Qt::Horizontal, this);
+  // The slider takes its room from the cards, which scroll: the plots are what one looks at while it moves.
+  auto* right = new QWidget(this);
+  auto* right_column = new QVBoxLayout(right);
+  right_column->setContentsMargins(0, 0, 0, 0);
+  right_column->setSpacing(4);
+  right_column->addWidget(failing_->what_if());
+  right_column->addWidget(missing_, 1);
+  columns->addWidget(failing_);
+  columns->addWidget(right);
+  columns->setStretchFactor(0, 56);
+  columns->setStretchFactor(1, 44);
+  columns->setSizes({592, 464});
+  columns->setChildrenCollapsible(false);
+  auto* rows = new QSplitter(Qt::Vertical, this);
+  rows->addWidget(columns);
+  rows->addWidget(watching_);
+  rows->setStretchFactor(0, 1);
+  rows->setStretchFactor(1, 0);
+  rows->setSizes({490, 190});
+  rows->setChildrenCollapsible(false);
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(0, 0, 0, 0);
+  head->addWidget(verdict_, 1);
+  head->addWidget(tour, 0, Qt::AlignTop);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 16, 16, 16);
-  layout->setSpacing(8);
-  layout->addWidget(verdict_);
-  layout->addWidget(shares_);
-  layout->addWidget(histogram_, 1);
-  layout->addWidget(later_);
-  connect(&bench.document, &Document::model_changed, this, [this] {
+  layout->setContentsMargins(8, 4, 8, 4);
+  layout->setSpacing(4);
+  layout->addLayout(head);
+  layout->addWidget(rows, 1);
+}
+
+void ExplainWorkspace::connect_panes() {
+  connect(verdict_, &widgets::VerdictLine::blame_clicked, this, [this] { emit bench_.workspace_requested(2); });
+  connect(missing_, &MissingPane::tried, this, &ExplainWorkspace::try_candidate);
+  connect(missing_, &MissingPane::what_if, this, [this](const QString& id) { open_what_if(id); });
+  connect(missing_, &MissingPane::export_wanted, this, [this] { emit bench_.workspace_requested(4); });
+  connect(missing_, &MissingPane::look_wanted, this, [this] { bench_.diagnosing.set_wanted(true); });
+  connect(missing_, &MissingPane::curve_wanted, this, [this] {
+    if (const auto d = bench_.diagnosing.diagnosis())
+      for (const DiagnosisCandidate& c : d->candidates)
+        if (c.unnamed) return failing_->show_variable(c.unnamed->localiser.variable->name);
+  });
+  connect(missing_->poses(), &PosesPane::pose_chosen, watching_, &WatchingPane::show_posture);
+  connect(missing_->poses(), &PosesPane::closed, watching_, &WatchingPane::show_robot);
+  connect(watching_, &WatchingPane::version_chosen, this,
+          [this](const ModelVersionPointer& version) { bench_.document.show_version(version); });
+  connect(&adding_, &Adding::began, this, [this] {
+    failing_->what_if()->hide();
+    stop_trying();
+    refresh_verdict();
+  });
+  connect(&adding_, &Adding::ended, this, [this] { refresh_all(); });
+  using widgets::WhatIfSlider;
+  WhatIfSlider* slider = failing_->what_if();
+  connect(slider, &WhatIfSlider::changed, this, &ExplainWorkspace::slide_what_if);
+  connect(slider, &WhatIfSlider::settled, this, &ExplainWorkspace::slide_what_if);
+  connect(slider, &WhatIfSlider::place_chosen, this,
+          [this](int place) { open_what_if(QString::fromStdString(what_if_id_), place); });
+  connect(slider, &WhatIfSlider::parameter_chosen, this, [this](int parameter) {
+    what_if_parameter_ = parameter;
+    slide_what_if(failing_->what_if()->value());
+  });
+  connect(slider, &WhatIfSlider::closed, this, [this] {
+    failing_->what_if()->hide();
+    stop_trying();
+  });
+}
+
+void ExplainWorkspace::connect_bench() {
+  Diagnosing& d = bench_.diagnosing;
+  connect(&bench_.document, &Document::opened, this, [this] {
+    is_fresh_ = true;
+    failing_->what_if()->hide();
+    stop_trying();
+  });
+  connect(&bench_.document, &Document::closed, this, [this] { failing_->show_residuals(nullptr, true); });
+  connect(&bench_.document, &Document::model_changed, this, [this] {
     emit status_changed();
-    if (is_active()) activate();
+    if (is_active()) refresh_all();
   });
-  connect(histogram_, &widgets::HistogramPlot::observations_selected, this, [this](const std::vector<qint64>& ids) {
-    bench_.selection.select_many({ids.begin(), ids.end()});
+  connect(&d, &Diagnosing::residuals_changed, this, [this] {
+    if (is_active()) refresh_all();
   });
-  connect(histogram_, &widgets::HistogramPlot::read_out, &bench, &Workbench::pointed_at);
-  connect(&bench.selection, &Selection::changed, this, [this] {
-    histogram_->set_selected(bench_.selection.current().observation.value_or(widgets::kNoObservation));
+  connect(&d, &Diagnosing::diagnosis_changed, this, [this] {
+    emit status_changed();
+    if (!is_active() || adding_.is_running()) return;
+    refresh_verdict();
+    missing_->refresh();
+  });
+  connect(&d, &Diagnosing::views_changed, this, [this] {
+    if (!is_active() || adding_.is_running()) return;
+    failing_->refresh_shows();
+    missing_->refresh();
+    if (!trying_.isEmpty()) try_candidate(trying_);
+  });
+  connect(&d, &Diagnosing::progressed, this, [this] {
+    if (!is_active() || adding_.is_running()) return;
+    refresh_verdict();
+    if (!bench_.diagnosing.diagnosis()) missing_->refresh();
+  });
+  connect(&bench_.explaining, &Jobs::changed, this, [this] {
+    if (is_active() && !bench_.diagnosing.diagnosis() && !adding_.is_running()) missing_->refresh();
   });
 }
 
 WorkStatus ExplainWorkspace::status() const {
   const ModelVersionPointer model = bench_.document.shown_model();
   if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
+  if (const auto d = bench_.diagnosing.diagnosis()) {
+    if (d->verdict == Verdict::adequate) return {WorkState::done, tr("nothing is missing")};
+    if (d->verdict == Verdict::missing_effect || d->verdict == Verdict::ambiguous)
+      return {WorkState::care, tr("an effect is missing")};
+    if (d->verdict == Verdict::unexplained) return {WorkState::care, tr("unexplained")};
+  }
   const auto ratio = error_and_noise(*model).ratio();
   if (!ratio) return {WorkState::open, tr("noise unknown")};
   return *ratio < 1.25 ? WorkStatus{WorkState::done, tr("down at the noise")}
@@ -99,19 +171,247 @@ WorkStatus ExplainWorkspace::status() const {
 }
 
 void ExplainWorkspace::activate() {
+  bench_.diagnosing.set_wanted(true);
+  refresh_all();
+}
+
+void ExplainWorkspace::hideEvent(QHideEvent* event) {
+  if (!adding_.is_running()) bench_.diagnosing.set_wanted(false);
+  hold_noise(false);
+  hold_blink(false);
+  stop_trying();
+  if (tour_) tour_->stop();
+  Workspace::hideEvent(event);
+}
+
+void ExplainWorkspace::refresh_all() {
+  if (!bench_.document.is_open()) return;
   const ModelVersionPointer model = bench_.document.shown_model();
-  const bool has_fit = model && model->fit;
-  verdict_->setText(!model ? tr("Waits for a fit: label, then play.") : comparison_sentence(*model));
-  shares_->setVisible(has_fit);
-  later_->setVisible(has_fit);
-  histogram_->setVisible(has_fit);
-  if (!has_fit) return;
-  shares_->setText(shares_sentence(*model->inspection));
-  const bool pixels = model->inspection->in_pixels;
-  histogram_->set_noise(model->fit->noise ? std::optional((pixels ? 1 : 1e3) * *model->fit->noise) : std::nullopt,
-                        pixels ? tr("px") : tr("mm"));
-  histogram_->set_cells(bench_.cells());
-  histogram_->fit();
+  refresh_verdict();
+  if (adding_.is_running()) return;
+  std::shared_ptr<const ModelResiduals> residuals = bench_.diagnosing.residuals();
+  if (model && model != bench_.document.model() && model->fit) residuals = bench_.diagnosing.residuals_of(model);
+  if (residuals || !model || !model->fit) {
+    failing_->show_residuals(residuals, is_fresh_);
+    is_fresh_ = is_fresh_ && !residuals;
+  }
+  missing_->refresh();
+  watching_->refresh();
+  if (tour_) tour_->look();
+}
+
+void ExplainWorkspace::refresh_verdict() {
+  const ModelVersionPointer model = bench_.document.shown_model();
+  widgets::SessionVerdict v;
+  if (!model || !model->fit) {
+    v.sentence = model ? model->refusal : tr("Waits for a fit: label three markers, then play.");
+  } else {
+    const bool is_present = model == bench_.document.model();
+    v = session_verdict(*model, is_present ? bench_.diagnosing.diagnosis().get() : nullptr,
+                        bench_.diagnosing.is_running(), bench_.diagnosing.names_lead_on());
+    if (v.state == widgets::SessionState::looking)
+      v.progress = tr("%1 %").arg(std::lround(100 * bench_.diagnosing.share()));
+    if (bench_.predicted_error() && v.error_px) v.predicted_px = bench_.predicted_error();
+  }
+  verdict_->set_verdict(std::move(v));
+}
+
+void ExplainWorkspace::try_candidate(const QString& id) {
+  if (id.isEmpty() || adding_.is_running()) return stop_trying();
+  const auto d = bench_.diagnosing.diagnosis();
+  const auto view = bench_.diagnosing.view_of(id.toStdString());
+  if (!d || !view || !failing_->residuals()) return;
+  trying_ = id;
+  missing_->cards()->set_previewed(id);
+  try_numbers(*view, view->numbers, id.toStdString());
+}
+
+void ExplainWorkspace::try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const std::string& id) {
+  const auto residuals = bench_.diagnosing.residuals();
+  if (!residuals) return;
+  std::vector<EffectTerm> terms = view.effect.terms;
+  for (std::size_t i = 0; i < view.effect.numbers.size(); ++i)
+    terms[view.effect.numbers[i].term].values[view.effect.numbers[i].parameter] = numbers[static_cast<Eigen::Index>(i)];
+  failing_->set_prediction(&view.effect, numbers);
+  watching_->set_prediction(residuals.get(), &view, numbers, terms, tr("with %1").arg(effect_of(id, {})));
+  bench_.try_out(rms_left(residuals->views, view.effect, numbers),
+                 predicted_ratios(*residuals, view.effect, numbers, bench_.document.session()));
+  refresh_verdict();
+}
+
+void ExplainWorkspace::stop_trying() {
+  const bool was_trying = bench_.predicted_error().has_value();
+  trying_.clear();
+  missing_->cards()->set_previewed({});
+  if (failing_->what_if()->isVisible() && !adding_.is_running() && isVisible())
+    return slide_what_if(failing_->what_if()->value());
+  bench_.try_out(std::nullopt);
+  if (!was_trying) return;
+  failing_->set_prediction(nullptr, {});
+  watching_->set_prediction(nullptr, nullptr, {}, {}, {});
+  refresh_verdict();
+}
+
+void ExplainWorkspace::open_what_if(const QString& id, int place) {
+  const Effect* effect = find_effect(id.toStdString());
+  const auto residuals = bench_.diagnosing.residuals();
+  if (!effect || !residuals || adding_.is_running()) return;
+  const Session& session = bench_.document.session();
+  if (place < 0 || what_if_id_ != effect->id) {
+    what_if_id_ = effect->id;
+    what_if_places_ = effect_terms(effect->id, residuals->views.problem.source->chain);
+    what_if_parameter_ = 0;
+    place = 0;
+    // Where the diagnosis would put it, its choices too.
+    if (const auto d = bench_.diagnosing.diagnosis())
+      for (const DiagnosisCandidate& c : d->candidates)
+        if (c.id == effect->id && !c.terms.empty())
+          for (std::size_t i = 0; i < what_if_places_.size(); ++i)
+            for (const EffectTerm& term : c.terms)
+              if (term.joint == what_if_places_[i].joint) {
+                for (std::size_t p = 0; p < term.values.size(); ++p)
+                  if (effect->parameters[p].is_choice) what_if_places_[i].values[p] = term.values[p];
+                if (term.joint == c.terms.front().joint) place = static_cast<int>(i);
+              }
+  }
+  what_if_place_ = place;
+  what_if_view_.effect = effect_view(residuals->views, {what_if_places_[static_cast<std::size_t>(place)]});
+  what_if_view_.numbers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(what_if_view_.effect.numbers.size()));
+  widgets::WhatIfState state{.id = id, .title = effect_of(effect->id, {})};
+  for (const EffectTerm& term : what_if_places_)
+    if (const std::string name = place_name(*effect, term.joint, session.robot); !name.empty())
+      state.places.push_back(QString::fromStdString(name));
+  state.place = place;
+  for (std::size_t i = 0; i < what_if_view_.effect.numbers.size(); ++i) {
+    const EffectParameter& p = effect->parameters[what_if_view_.effect.numbers[i].parameter];
+    const ShownUnit unit = shown_unit(p.unit);
+    const auto at = static_cast<Eigen::Index>(i);
+    state.parameters.push_back({.name = QString::fromStdString(p.name),
+                                .unit = unit.unit,
+                                .plausible = unit.scale * p.sigma,
+                                .best = unit.scale * what_if_view_.effect.best[at],
+                                .best_sigma = unit.scale * what_if_view_.effect.best_sigma[at],
+                                .value = unit.scale * p.sigma});
+  }
+  if (state.parameters.empty()) return;
+  what_if_parameter_ = std::min(what_if_parameter_, static_cast<int>(state.parameters.size()) - 1);
+  state.parameter = what_if_parameter_;
+  const double value = state.parameters[static_cast<std::size_t>(what_if_parameter_)].value;
+  failing_->what_if()->set_state(std::move(state));
+  failing_->what_if()->show();
+  slide_what_if(value);
+}
+
+void ExplainWorkspace::slide_what_if(double value) {
+  if (!bench_.diagnosing.residuals() || what_if_view_.effect.numbers.empty()) return;
+  const Effect& effect = *find_effect(what_if_id_);
+  const auto at = static_cast<std::size_t>(what_if_parameter_);
+  const double scale = shown_unit(effect.parameters[what_if_view_.effect.numbers[at].parameter].unit).scale;
+  what_if_view_.numbers[static_cast<Eigen::Index>(at)] = value / scale;
+  try_numbers(what_if_view_, what_if_view_.numbers, what_if_id_);
+  const bool in_pixels = !bench_.document.session().is_tracker();
+  failing_->what_if()->set_answer(
+      tr("With this the error would be %1.")
+          .arg(error_with_unit(
+              rms_left(bench_.diagnosing.residuals()->views, what_if_view_.effect, what_if_view_.numbers), in_pixels)));
+}
+
+bool ExplainWorkspace::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_press = event->type() == QEvent::KeyPress, is_release = event->type() == QEvent::KeyRelease;
+  if ((!is_press && !is_release) || !isVisible()) return false;
+  auto* key = static_cast<QKeyEvent*>(event);
+  if ((key->key() != Qt::Key_N && key->key() != Qt::Key_B) || key->modifiers() != Qt::NoModifier) return false;
+  auto* widget = qobject_cast<QWidget*>(watched);
+  if (!widget || widget->window() != window()) return false;
+  // Where letters are typed, or mean something of their own, they are not ours.
+  const QWidget* focus = QApplication::focusWidget();
+  for (const QWidget* w = focus; w; w = w->parentWidget())
+    if (qobject_cast<const QLineEdit*>(w) || qobject_cast<const widgets::VersionList*>(w) ||
+        qobject_cast<const widgets::Staircase*>(w) || qobject_cast<const widgets::WhatIfSlider*>(w))
+      return false;
+  if (key->isAutoRepeat()) return true;
+  if (key->key() == Qt::Key_N) hold_noise(is_press);
+  if (key->key() == Qt::Key_B) hold_blink(is_press);
+  return true;
+}
+
+void ExplainWorkspace::hold_noise(bool held) {
+  if (held == shows_noise_ || (held && !failing_->residuals())) return;
+  shows_noise_ = held;
+  if (!held) return failing_->show_measured_again();
+  const auto values = noise_alone(failing_->residuals()->views, noise_seed_++);
+  failing_->show_instead(*failing_->residuals(), &values,
+                         tr("Noise alone on the same poses, draw %1").arg(noise_seed_ - 1));
+}
+
+void ExplainWorkspace::hold_blink(bool held) {
+  if (held == blink_.isActive()) return;
+  watching_->set_blinking(held);
+  if (held) {
+    blink_phase_ = false;
+    blink_.start();
+    return blink();
+  }
+  blink_.stop();
+  failing_->show_measured_again();
+}
+
+void ExplainWorkspace::blink() {
+  ModelVersionPointer a = watching_->compared_a(), b = watching_->compared_b();
+  if (!a || !b) {
+    b = bench_.document.shown_model();
+    a = nullptr;
+    for (const ModelVersionPointer& version : bench_.document.versions()) {
+      if (version == b) break;
+      if (version && version->fit) a = version;
+    }
+  }
+  if (!a || !b) return;
+  blink_phase_ = !blink_phase_;
+  const ModelVersionPointer& shown = blink_phase_ ? a : b;
+  if (const auto residuals = bench_.diagnosing.residuals_of(shown))
+    failing_->show_instead(*residuals, nullptr,
+                           (blink_phase_ ? tr("Before: %1") : tr("After: %1"))
+                               .arg(shown->cause.isEmpty() ? tr("as opened") : shown->cause));
+}
+
+Tour* ExplainWorkspace::tour() {
+  if (!tour_) tour_ = new Tour(window());
+  return tour_;
+}
+
+void ExplainWorkspace::start_tour() { tour()->start(tour_steps()); }
+
+std::vector<TourStep> ExplainWorkspace::tour_steps() {
+  const auto widget = [this](const char* name) { return [this, name] { return window()->findChild<QWidget*>(name); }; };
+  const auto card = [this]() -> QWidget* {
+    return missing_->cards()->count() > 0 ? missing_->cards()->card(0) : nullptr;
+  };
+  const auto index = bench_.document.undo_stack().index();
+  return {
+      {tr("This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise "
+          "is, and whose fault the difference is."),
+       widget("verdict")},
+      {tr("Where does it fail? The residual of every observation against what it follows most. Noise would stay within "
+          "the grey band; hold N to see how noise alone would look."),
+       widget("pattern_large")},
+      {tr("Nine more views of the same residuals. Click one to see it large; Shift and drag to ask what some "
+          "observations have in common."),
+       widget("pattern_page")},
+      {tr("What is missing? The likeliest cause comes first. Rest the pointer on the card: purple, dashed, everywhere, "
+          "is "
+          "what the model would do with it."),
+       card},
+      {tr("Add it: press the button on the card. The fit runs before your eyes."), card,
+       [this, index] { return bench_.document.undo_stack().index() > index && !adding_.is_running(); }},
+      {tr("The step down is the error on unseen poses. When it reaches the hatched floor, only noise is left. Ctrl+Z "
+          "takes the step back."),
+       widget("staircase")},
+      {tr("The residuals of all corners, before and after. Hold B to blink between the two on the same axes."),
+       widget("cloud")},
+      {tr("The sizes that were found stand in the model panel, with what is plausible."), widget("model_panel")},
+      {tr("A sample session knows what was hidden in it: compare."), widget("reveal")},
+  };
 }
 
 }  // namespace handsight::app

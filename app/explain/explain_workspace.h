@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Explain workspace, as far as it goes: the error against the noise, in words, and how it spreads.
+// Explain: compare, see where the model fails, learn what is missing, add it and watch.
 #pragma once
 
+#include <map>
+
+#include "explain/adding.h"
+#include "explain/tour.h"
 #include "frame/workspace.h"
 
-class QLabel;
-
 namespace handsight::widgets {
-class HistogramPlot;
+class VerdictLine;
 }
 
 namespace handsight::app {
 
-/// "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px."
-QString comparison_sentence(const ModelVersion& model);
+class FailingPane;
+class MissingPane;
+class WatchingPane;
 
 class ExplainWorkspace : public Workspace {
   Q_OBJECT
@@ -24,10 +27,47 @@ class ExplainWorkspace : public Workspace {
   QString name() const override { return tr("Explain"); }
   WorkStatus status() const override;
   void activate() override;
+  Adding& adding() { return adding_; }
+  Tour* tour();
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QLabel *verdict_, *shares_, *later_;
-  widgets::HistogramPlot* histogram_;
+  void make_layout();
+  void connect_panes();
+  void connect_bench();
+  void refresh_all();
+  void refresh_verdict();
+  void try_candidate(const QString& id);
+  void try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const std::string& id);
+  void stop_trying();
+  void open_what_if(const QString& id, int place = -1);
+  void slide_what_if(double value);
+  void hold_noise(bool held);
+  void hold_blink(bool held);
+  void blink();
+  void start_tour();
+  std::vector<TourStep> tour_steps();
+
+  Adding adding_;
+  widgets::VerdictLine* verdict_;
+  FailingPane* failing_;
+  MissingPane* missing_;
+  WatchingPane* watching_;
+  Tour* tour_ = nullptr;
+  bool is_fresh_ = true;
+  QString trying_;
+  // What if: the effect, where it may sit, and how it would show there.
+  std::string what_if_id_;
+  std::vector<EffectTerm> what_if_places_;
+  int what_if_place_ = 0, what_if_parameter_ = 0;
+  CandidateView what_if_view_;
+  std::uint64_t noise_seed_ = 1;
+  bool shows_noise_ = false;
+  QTimer blink_;
+  bool blink_phase_ = false;
 };
 
 }  // namespace handsight::app

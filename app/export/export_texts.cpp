@@ -4,7 +4,9 @@
 #include <Eigen/Geometry>
 
 #include "base/numbers.h"
-#include "explain/explain_workspace.h"
+#include "document/effect_words.h"
+#include "explain/explain_texts.h"
+#include "frame/model_effects.h"
 #include "widgets/number_text.h"
 
 namespace handsight::app {
@@ -14,7 +16,50 @@ constexpr double degrees = 57.29577951308232;
 
 QString number(double value) { return QString::fromStdString(format_number(value)); }
 
+/// By how much (m, rms over the observations) the effects move the hand before the cameras.
+double moved_by_effects(const Fit& fit) {
+  Problem without = fit.problem;
+  without.terms.clear();
+  hold_effects(without);
+  place_observations(without);
+  const Rigid mount = estimate(fit).mount_from_sensor;
+  double squares = 0;
+  for (std::size_t i = 0; i < without.observations.size(); ++i)
+    squares += (sensor_from_tcp_at(fit.problem.observations[i], mount).translation -
+                sensor_from_tcp_at(without.observations[i], mount).translation)
+                   .squaredNorm();
+  return without.observations.empty() ? 0 : std::sqrt(squares / static_cast<double>(without.observations.size()));
+}
+
+QString effects_text(const Session& session, const Fit& fit) {
+  const std::vector<EffectTerm> terms = terms_of(fit);
+  QStringList names;
+  for (const std::string& id : ids_of(terms)) names << effect_of(id, places_of(terms_of_effect(terms, id), session));
+  return names.join(QObject::tr(", "));
+}
+
 }  // namespace
+
+std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
+  std::vector<MotionLine> lines;
+  for (const FittedEffect& f : fit.effects) {
+    const Effect& effect = *find_effect(f.term.id);
+    const std::string place = place_name(effect, f.term.joint, session.robot);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const ShownUnit unit = shown_unit(effect.parameters[p].unit);
+      const bool is_held = !(f.sigmas[p] > 0);
+      const QStringList parts =
+          widgets::with_sigma_text(unit.scale * f.term.values[p],
+                                   is_held ? std::nullopt : std::optional(unit.scale * f.sigmas[p]))
+              .split(QString(" ± "));
+      const QString name =
+          effect_of(f.term.id, place.empty() ? std::vector<std::string>{} : std::vector<std::string>{place}) + ", " +
+          QString::fromStdString(effect.parameters[p].name);
+      lines.push_back({name, parts.value(0), is_held ? QObject::tr("held") : parts.value(1), unit.unit});
+    }
+  }
+  return lines;
+}
 
 std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form) {
   const Rigid& m = model.fit->tcp_from_body;
@@ -80,6 +125,12 @@ std::vector<ExportRemark> export_remarks(const Document& document, const ModelVe
         {QObject::tr("The uncertainties come from how the observations differ, because the model does not "
                      "agree with them to the noise: they hold for poses like these."),
          false});
+  if (!model.fit->effects.empty())
+    remarks.push_back({QObject::tr("Right only together with %1. Used alone, TCP→Body misses by %2 mm on these poses.")
+                           .arg(effects_text(document.session(), *model.fit),
+                                widgets::short_text(1e3 * moved_by_effects(*model.fit))),
+                       false});
+  if (!model.wrong_points.empty()) remarks.push_back({wrong_points_text(model, 3), false});
   if (document.session().mount.estimate)
     remarks.push_back({QObject::tr("Right only together with the camera mount that was estimated with it."), false});
   for (const std::string& note : model.fit->notes) remarks.push_back({QString::fromStdString(note), true});

@@ -20,6 +20,9 @@ std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form)
 /// The same as text to paste: full precision, SI.
 QString motion_text(const Rigid& motion, MotionForm form);
 
+/// The effects of the model with their numbers, one line a number; "held" in place of the sigma of a held one.
+std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit);
+
 /// Sentences about what to know before the matrix is used, and whether they are a warning.
 struct ExportRemark {
   QString sentence;

@@ -251,7 +251,9 @@ void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
 void ExportWorkspace::refresh_motion() {
   const ModelVersionPointer model = bench_.document.model();
   if (!model || !model->fit) return;
-  const auto lines = motion_lines(*model, form());
+  auto lines = motion_lines(*model, form());
+  if (form() != MotionForm::matrix)
+    for (const MotionLine& line : effect_lines(bench_.document.session(), *model->fit)) lines.push_back(line);
   motion_->setRowCount(static_cast<int>(lines.size()));
   for (int r = 0; r < motion_->rowCount(); ++r) {
     const MotionLine& l = lines[static_cast<std::size_t>(r)];

@@ -9,8 +9,9 @@
 #include <QUrl>
 #include <functional>
 
-#include "explain/explain_workspace.h"
+#include "explain/explain_texts.h"
 #include "export/export_texts.h"
+#include "frame/model_effects.h"
 #include "widgets/number_text.h"
 
 namespace handsight::app {
@@ -43,6 +44,11 @@ QString numbers_part(const Document& document, const ModelVersion& model) {
     rows.push_back({l.name, l.value, l.sigma.isEmpty() ? QString() : "± " + l.sigma, l.unit});
   QString text = "<h2>" + QObject::tr("TCP→Body") + "</h2>\n" + table({}, rows);
   text += "<pre>" + motion_text(model.fit->tcp_from_body, MotionForm::matrix) + "</pre>\n";
+  rows.clear();
+  for (const MotionLine& l : effect_lines(document.session(), *model.fit))
+    rows.push_back(
+        {l.name, l.value, l.sigma == QObject::tr("held") || l.sigma.isEmpty() ? l.sigma : "± " + l.sigma, l.unit});
+  if (!rows.empty()) text += "<h2>" + QObject::tr("Effects in the model") + "</h2>\n" + table({}, rows);
   const FitReport& r = *model.report;
   const double scale = model.inspection->in_pixels ? 1 : 1e3;
   const QString unit = model.inspection->in_pixels ? "px" : "mm";
@@ -61,11 +67,15 @@ QString numbers_part(const Document& document, const ModelVersion& model) {
 }
 
 QString decisions_part(const ModelVersion& model) {
-  if (model.report->rejected.empty()) return "<p>" + QObject::tr("Every observation was used.") + "</p>\n";
+  const QString wrong = model.wrong_points.empty()
+                            ? QString()
+                            : "<p>" + wrong_points_text(model, model.wrong_points.size()).toHtmlEscaped() + "</p>\n";
+  if (model.report->rejected.empty()) return "<p>" + QObject::tr("Every observation was used.") + "</p>\n" + wrong;
   std::vector<QStringList> rows;
   for (const Unused& u : model.report->rejected)
     rows.push_back({QString::number(u.id), QString::fromStdString(u.reason)});
-  return "<h2>" + QObject::tr("Not used") + "</h2>\n" + table({QObject::tr("Observation"), QObject::tr("Why")}, rows);
+  return "<h2>" + QObject::tr("Not used") + "</h2>\n" + table({QObject::tr("Observation"), QObject::tr("Why")}, rows) +
+         wrong;
 }
 
 QString actions_part(const Document& document) {

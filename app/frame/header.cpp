@@ -54,6 +54,8 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   redo_ = button("redo", tr("Redo"), {});
   job_ = new QLabel(this);
   job_->setObjectName("job");
+  job_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  job_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names must not widen the window
   progress_ = new QProgressBar(this);
   progress_->setTextVisible(false);
   progress_->setFixedSize(120, 6);
@@ -69,8 +71,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   layout->addSpacing(8);
   layout->addWidget(undo_);
   layout->addWidget(redo_);
-  layout->addStretch(1);
-  layout->addWidget(job_);
+  layout->addWidget(job_, 1);
   layout->addWidget(progress_);
   layout->addWidget(cancel_);
   layout->addSpacing(16);
@@ -78,11 +79,12 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
 
   connect(undo_, &QToolButton::clicked, &bench.document, &Document::undo);
   connect(redo_, &QToolButton::clicked, &bench.document, &Document::redo);
-  connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { bench_.jobs.stop(); });
-  connect(&bench.jobs, &Jobs::changed, this, [this] {
-    if (bench_.jobs.is_busy() && !poll_.isActive()) poll_.start(100);
-    refresh_job();
-  });
+  connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { shown_jobs().stop(); });
+  for (Jobs* jobs : {&bench.jobs, &bench.explaining})
+    connect(jobs, &Jobs::changed, this, [this] {
+      if (shown_jobs().is_busy() && !poll_.isActive()) poll_.start(100);
+      refresh_job();
+    });
   connect(&poll_, &QTimer::timeout, this, &Header::refresh_job);
   for (auto signal : {&Document::opened, &Document::closed, &Document::model_changed})
     connect(&bench.document, signal, this, [this] {
@@ -92,6 +94,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   connect(&bench.document, &Document::edited, this, &Header::refresh_session);
   connect(&bench.document, &Document::settings_changed, this, &Header::refresh_session);
   connect(&bench.document, &Document::saved_changed, this, &Header::refresh_session);
+  connect(&bench, &Workbench::tried, this, &Header::refresh_numbers);
   refresh_session();
   refresh_job();
 }
@@ -113,19 +116,21 @@ void Header::refresh_session() {
     w->setVisible(d.is_open());
 }
 
+Jobs& Header::shown_jobs() const { return bench_.jobs.is_busy() ? bench_.jobs : bench_.explaining; }
+
 void Header::refresh_job() {
-  const JobState state = bench_.jobs.state();
-  if (!bench_.jobs.is_busy()) poll_.stop();
+  const JobState state = shown_jobs().state();
+  if (!shown_jobs().is_busy()) poll_.stop();
   // A job of a moment would only flicker.
-  const bool shown = state.is_running && (job_->isVisible() || state.seconds_left || state.share > 0.02);
-  job_->setVisible(shown);
+  const bool shown = state.is_running && (cancel_->isVisible() || state.seconds_left || state.share > 0.02);
   progress_->setVisible(shown && state.share > 0);
   cancel_->setVisible(shown);
-  if (!shown) return;
+  if (!shown) return job_->clear();
   QString text = state.title;
   if (state.share > 0) text += tr(": %1 %").arg(static_cast<int>(100 * state.share));
   if (state.seconds_left) text += tr(", %1 left").arg(widgets::duration_text(*state.seconds_left));
-  job_->setText(text);
+  job_->setText(job_->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(job_->width() - 4, 40)));
+  job_->setToolTip(text);
   progress_->setValue(static_cast<int>(1000 * state.share));
 }
 
@@ -141,6 +146,7 @@ void Header::refresh_numbers() {
     n.noise = scaled(e.noise);
     n.is_stale = bench_.document.model() == nullptr;
     n.excluded_note = excluded_note(bench_, scale, n.unit);
+    n.predicted = scaled(bench_.predicted_error());
     for (const ModelVersionPointer& version : bench_.document.versions()) {
       if (!version || !version->fit) continue;
       const ErrorSummary& fitted = version->report->fitted;

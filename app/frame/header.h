@@ -27,6 +27,7 @@ class Header : public QWidget {
 
  private:
   void refresh_session();
+  Jobs& shown_jobs() const;
   void refresh_job();
   void refresh_numbers();
 

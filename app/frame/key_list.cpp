@@ -33,6 +33,10 @@ constexpr KeyRow rows[] = {
     {"Space, .", "play or pause, one observation"},
     {"Inspect", ""},
     {"Delete, Insert", "exclude, include the chosen observations"},
+    {"Explain", ""},
+    {"Tab, Enter", "look at a card, add it"},
+    {"N, B held down", "noise alone, before and after"},
+    {"Shift+drag", "choose observations in a plot"},
     {"3D view", ""},
     {"F, 1 … 6, 0", "show everything, standard views, the cameras' view"},
 };

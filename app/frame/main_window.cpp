@@ -9,6 +9,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "base/error.h"
 #include "calibrate/calibrate_workspace.h"
@@ -50,6 +51,14 @@ bool wants_labels(const Session& s) {
   return any_images ? !is_decided(s) : !any_labels;
 }
 
+/// Labels without images, enough to ask what is missing: there is nothing to label, and play would only repeat it.
+bool wants_explaining(const Session& s) {
+  constexpr std::ptrdiff_t fewest = 10;
+  const bool any_images = std::any_of(s.observations.begin(), s.observations.end(),
+                                      [](const Observation& o) { return !o.left_image.empty(); });
+  return !any_images && std::count_if(s.observations.begin(), s.observations.end(), is_used) >= fewest;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
@@ -68,6 +77,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 MainWindow::~MainWindow() {
+  hide();  // while what the workspaces talk to is still there
   disconnect(&bench_.document, nullptr, this, nullptr);
   bench_.document.close();
 }
@@ -188,11 +198,17 @@ void MainWindow::connect_strip() {
     refresh_rail();
     refresh_crumbs();
     const ModelVersionPointer model = bench_.document.shown_model();
-    panel_->set_effects(model_effects(bench_.document));
+    refresh_panel();
     panel_->set_empty_text(model && !model->refusal.isEmpty() ? model->refusal : tr("Not yet fitted."));
   });
   connect(&d, &Document::saved_changed, this, &MainWindow::refresh_rail);
+  connect(&d, &Document::settings_changed, this, &MainWindow::refresh_panel);
+  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, &MainWindow::refresh_panel);
+  connect(&bench_, &Workbench::tried, this, &MainWindow::refresh_strip);
   connect(&bench_.jobs, &Jobs::changed, this, [this] { panel_->set_busy(bench_.jobs.is_busy("fit")); });
+  connect(panel_, &widgets::ModelPanel::effect_toggled, &editor_, &ModelEditor::tick);
+  connect(panel_, &widgets::ModelPanel::effect_held, &editor_, &ModelEditor::hold);
+  connect(panel_, &widgets::ModelPanel::value_typed, &editor_, &ModelEditor::type);
   connect(strip_, &widgets::ObservationStrip::observation_selected, this,
           [this](qint64 id) { bench_.selection.select_observation(id); });
   connect(strip_, &widgets::ObservationStrip::observations_selected, this, [this](const std::vector<qint64>& ids) {
@@ -214,8 +230,8 @@ void MainWindow::connect_strip() {
 void MainWindow::connect_read_out() {
   connect(&bench_.document, &Document::noticed, this,
           [this](const QString& sentence) { read_out_->show_message(sentence); });
-  connect(&bench_.jobs, &Jobs::stopped, this,
-          [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
+  for (Jobs* jobs : {&bench_.jobs, &bench_.explaining})
+    connect(jobs, &Jobs::stopped, this, [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
   connect(&bench_, &Workbench::pointed_at, read_out_, &widgets::ReadOutLine::set_pointer);
   connect(header_->numbers(), &widgets::ThreeNumbers::read_out, read_out_, &widgets::ReadOutLine::set_pointer);
   connect(&bench_.selection, &Selection::hover_changed, this, [this] {
@@ -296,7 +312,7 @@ void MainWindow::session_opened() {
   panel_->set_effects({});
   panel_->set_empty_text(tr("Not yet fitted."));
   bench_.selection.select_observation(s.observations.front().id);
-  show_workspace(wants_labels(s) ? 0 : is_decided(s) ? 2 : 1);
+  show_workspace(wants_labels(s) ? 0 : wants_explaining(s) ? 3 : is_decided(s) ? 2 : 1);
   refresh_rail();
 }
 
@@ -324,6 +340,11 @@ void MainWindow::fit_panel_to_workspace() {
   const bool by_user = panel_folded_by_user_;
   panel_->set_folded(by_user || wanted == Workspace::Panel::folded);
   panel_folded_by_user_ = by_user;
+}
+
+void MainWindow::refresh_panel() {
+  if (bench_.document.is_open())
+    panel_->set_effects(model_effects(bench_.document, bench_.diagnosing.diagnosis().get()));
 }
 
 void MainWindow::refresh_strip() {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "frame/model_editor.h"
 #include "frame/workbench.h"
 #include "frame/workspace.h"
 
@@ -57,6 +58,7 @@ class MainWindow : public QMainWindow {
   void find();
   void session_opened();
   void session_closed();
+  void refresh_panel();
   void refresh_strip();
   void refresh_crumbs();
   void refresh_rail();
@@ -64,6 +66,7 @@ class MainWindow : public QMainWindow {
   void step(int by);
 
   Workbench bench_;
+  ModelEditor editor_{bench_};
   QMenu* menu_;
   QStackedWidget* pages_;  // start page, or the session
   StartPage* start_;

@@ -8,7 +8,15 @@
 
 namespace handsight::app {
 
-/// What the model panel shows of the shown model: TCP->Body, the mount where it is estimated, the markers.
-std::vector<widgets::ModelEffect> model_effects(const Document& document);
+/// What the model panel shows: TCP->Body, the mount where it is estimated, and every effect of the catalogue. Of the
+/// effects in the model the numbers of the shown fit; `diagnosis` (may be null) says what these poses cannot show.
+std::vector<widgets::ModelEffect> model_effects(const Document& document, const Diagnosis* diagnosis);
+
+/// The numbers of terms as rows with their plausible sizes; `sigmas` per term, may be empty.
+std::vector<widgets::ModelParameter> effect_parameters(const Session& session, const std::vector<EffectTerm>& terms,
+                                                       const std::vector<std::vector<double>>& sigmas);
+
+/// "3 wrong points left out: observation 12, marker 1, left image, 5.2 px off; ..."
+QString wrong_points_text(const ModelVersion& model, std::size_t most_named);
 
 }  // namespace handsight::app

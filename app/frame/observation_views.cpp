@@ -130,7 +130,7 @@ void show_pose(const Document& document, const Observation& observation, const I
   const Session& s = document.session();
   const std::vector<Rigid> links = link_motions(s, observation.position);
   const int tcp = find_link(s.robot, s.tcp), mount = find_link(s.robot, s.mount.link);
-  const Rigid root_from_tcp = links[static_cast<std::size_t>(tcp)];
+  const Rigid root_from_tcp = row ? row->root_from_tcp : links[static_cast<std::size_t>(tcp)];
   view.set_posture(links);
   view.set_tcp(root_from_tcp);
   const ModelVersionPointer model = document.shown_model();

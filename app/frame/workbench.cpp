@@ -25,6 +25,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
   connect(&document, &Document::closed, this, [this] {
     jobs.cancel();
     background.cancel();
+    explaining.cancel();
     images.clear();
     selection.clear();
   });
@@ -63,9 +64,18 @@ std::vector<widgets::ObservationCell> Workbench::cells() const {
       cell.rms_over_sigma = all->rows[i].ratio;
       cell.coordinates = all->rows[i].coordinates;
     }
+    if (const auto tried = predicted_ratios_.find(o.id); tried != predicted_ratios_.end())
+      cell.predicted = tried->second;
     list.push_back(std::move(cell));
   }
   return list;
+}
+
+void Workbench::try_out(std::optional<double> error, std::unordered_map<std::int64_t, double> ratios) {
+  if (!error && !predicted_error_) return;
+  predicted_error_ = error;
+  predicted_ratios_ = error ? std::move(ratios) : std::unordered_map<std::int64_t, double>{};
+  emit tried();
 }
 
 void Workbench::exclude(const std::vector<std::int64_t>& ids, const std::string& reason) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <QObject>
+#include <unordered_map>
 
+#include "document/diagnosing.h"
 #include "document/document.h"
 #include "document/refit.h"
 #include "document/selection.h"
@@ -24,6 +26,8 @@ class Workbench : public QObject {
   Jobs jobs;        // what the user waits for: fits, plays; shown in the header
   Jobs background;  // corners, second looks
   Refit refit{document, jobs};
+  Diagnosing diagnosing{document, explaining};
+  Jobs explaining;  // diagnoses, added effects, planned poses. After what its work reports to: it dies first
   ImageSource images;
 
   /// The inspection of the shown model; null before there is one.
@@ -36,6 +40,11 @@ class Workbench : public QObject {
   /// Every observation as a cell of strip and plots.
   std::vector<widgets::ObservationCell> cells() const;
 
+  /// What is being tried before it is added: the error it would leave (px or m) and, per observation id, the rms of one
+  /// coordinate over the noise; shown purple everywhere. No error: nothing is tried.
+  void try_out(std::optional<double> error, std::unordered_map<std::int64_t, double> ratios = {});
+  std::optional<double> predicted_error() const { return predicted_error_; }
+
   /// Actions on observations, each one action to undo. Ids that are so already are left out.
   void exclude(const std::vector<std::int64_t>& ids, const std::string& reason = "by the user");
   void include(const std::vector<std::int64_t>& ids);
@@ -45,11 +54,14 @@ class Workbench : public QObject {
   void workspace_requested(int workspace);
   /// Asks Label to open an observation there.
   void relabel_requested(qint64 id);
+  void tried();
   /// A read-out under the pointer; empty: nothing.
   void pointed_at(const QString& text);
 
  private:
   void look_again();
+  std::optional<double> predicted_error_;
+  std::unordered_map<std::int64_t, double> predicted_ratios_;
 };
 
 /// "observation 7", "3 observations"

@@ -86,6 +86,22 @@ std::vector<SampleSession> sample_sessions() {
       QObject::tr("A guided arm that sags, and three bad poses with three different causes to find."));
   add("thesis_simulation", QObject::tr("The thesis's simulation"),
       QObject::tr("Six poses, everything measured 1 cm nearer than it is: no images, labels only."));
+  add("hidden_3", QObject::tr("Hidden 3: the hand that hangs"),
+      QObject::tr("Justin's hand is three pixels from where it should be: what is missing? With a tour."));
+  add("hidden_1", QObject::tr("Hidden 1: the used arm"),
+      QObject::tr("In some postures it misses much more than in others. Where is it, and how large?"));
+  add("hidden_2", QObject::tr("Hidden 2: the unknown corners"),
+      QObject::tr("A quarter of a pixel is left. Is that the cameras, or is there something to be found?"));
+  add("hidden_4", QObject::tr("Hidden 4: after the weekend"),
+      QObject::tr("Nothing was done to the robot, they say, and still the error is six times what it was."));
+  add("hidden_5", QObject::tr("Hidden 5: a long afternoon"),
+      QObject::tr("Justin guided by hand. In the morning's test everything was right."));
+  add("hidden_6", QObject::tr("Hidden 6: not the first answer"),
+      QObject::tr("The error is only twice the noise. Do not stop at the first answer."));
+  add("hidden_7", QObject::tr("Hidden 7: reflections"),
+      QObject::tr("One image point in twenty is wrong. Can the robot's error still be named?"));
+  add("hidden_8", QObject::tr("Hidden 8: another supplier"),
+      QObject::tr("A good answer need not be a name: where, following what, and how much."));
   return list;
 }
 

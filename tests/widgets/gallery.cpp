@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// widget_gallery FOLDER [light|dark]: shows every widget with a sample session and writes a picture of each.
+// widget_gallery FOLDER [light|dark] [all|explain|times]: shows every widget with a sample session and writes a picture
+// of each; explain: those of the Explain workspace alone; times: how long they take to paint, no pictures.
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
@@ -8,6 +9,7 @@
 
 #include "widgets/blame_bar.h"
 #include "widgets/decision_list.h"
+#include "widgets/gallery_explain.h"
 #include "widgets/histogram_plot.h"
 #include "widgets/loupe.h"
 #include "widgets/model_panel.h"
@@ -231,7 +233,14 @@ int main(int argc, char** argv) {
   const bool is_dark = argc > 2 && QString(argv[2]) == "dark";
   apply_theme(application, is_dark ? ThemeKind::dark : ThemeKind::light);
   folder_of_pictures = argc > 1 ? argv[1] : "gallery";
+  const QString part = argc > 3 ? argv[3] : "all";
+  if (part == "times") {
+    test::explain_times();
+    return 0;
+  }
   QDir().mkpath(folder_of_pictures);
+  test::explain_pictures([](QWidget& widget, const QString& name, const QSize& size) { keep(widget, name, size); });
+  if (part == "explain") return 0;
   const SampleData data = test::read_sample("hundred_poses");
   strips(data);
   numbers(data);

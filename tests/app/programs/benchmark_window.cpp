@@ -137,6 +137,95 @@ TEST(Window, AnswersWhileAFitRuns) {
   say("longest round of events while a fit of 10,000 runs", worst, "ms", 50);
 }
 
+/// A session with springs in two joints that nobody knows of.
+std::filesystem::path make_springy_session(const TemporaryFolder& folder, int observations) {
+  const Session like = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/rigs/justin_head");
+  SimulationOptions options;
+  options.observations = observations;
+  options.effects = {{"joint_elasticity", find_joint(like.robot, "right_arm_2"), {1.5e-4}},
+                     {"joint_elasticity", find_joint(like.robot, "right_arm_4"), {1.3e-4}}};
+  Session s = simulate_session(like, options).session;
+  const auto at = folder.path / ("springs_" + std::to_string(observations));
+  std::filesystem::create_directories(at);
+  std::filesystem::copy_file(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "resources/justin.urdf", at / "robot.urdf");
+  s.file = at / "session.xml";
+  s.robot_file = "robot.urdf";
+  s.source.reset();
+  save_session(s);
+  return at;
+}
+
+TEST(Explain, OpeningItWithAHundred) {
+  const TemporaryFolder folder;
+  const auto session = make_springy_session(folder, 100);
+  Desk desk;
+  desk.window.resize(1440, 900);
+  desk.window.open(QString::fromStdString(session.string()));
+  desk.settle();
+  ExplainPage explain{desk};
+  QElapsedTimer timer;
+  timer.start();
+  desk.window.show_workspace(3);
+  auto& diagnosing = desk.window.bench().diagnosing;
+  desk.wait([&] { return diagnosing.residuals() != nullptr; });
+  paint_everything();
+  say("verdict and patterns of 100 visible", static_cast<double>(timer.elapsed()), "ms", 500);
+  desk.wait([&] { return diagnosing.diagnosis() != nullptr && explain.cards()->count() > 0; });
+  paint_everything();
+  std::printf("%-60s %8lld ms\n", "cards of 100 visible", static_cast<long long>(timer.elapsed()));
+}
+
+/// When a widget was painted, ms from now.
+class PaintCounter : public QObject {
+ public:
+  explicit PaintCounter(QWidget* widget) {
+    timer_.start();
+    widget->installEventFilter(this);
+  }
+  std::vector<double> times;
+
+ private:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Paint) times.push_back(static_cast<double>(timer_.nsecsElapsed()) * 1e-6);
+    return false;
+  }
+  QElapsedTimer timer_;
+};
+
+TEST(Explain, PicturesASecondWhileAThousandAreFitted) {
+  const TemporaryFolder folder;
+  const auto session = make_springy_session(folder, 1000);
+  Desk desk;
+  desk.window.resize(1440, 900);
+  desk.window.open(QString::fromStdString(session.string()));
+  desk.settle();
+  ExplainPage explain{desk};
+  ASSERT_TRUE(explain.open());
+  app::Adding& adding = explain.workspace()->adding();
+  PaintCounter cloud(desk.find<QWidget>("cloud"));
+  QElapsedTimer timer;
+  double worst = 0, first = 0, last = 0;
+  QObject::connect(&adding, &app::Adding::pictured, [&] {
+    last = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    if (first == 0) first = last;
+  });
+  timer.start();
+  explain.press_add();
+  while (adding.is_running()) {
+    QElapsedTimer round;
+    round.start();
+    QCoreApplication::processEvents();
+    worst = std::max(worst, static_cast<double>(round.nsecsElapsed()) * 1e-6);
+    QThread::usleep(500);
+  }
+  const auto in_fit =
+      std::count_if(cloud.times.begin(), cloud.times.end(), [&](double at) { return at >= first && at <= last + 160; });
+  std::printf("(added in %lld ms; %d iterates shown, %d left out, longest round of events %.1f ms)\n",
+              static_cast<long long>(timer.elapsed()), adding.pictures(), adding.skipped(), worst);
+  std::printf("%-60s %8.1f /s (to be >= 20)\n", "the cloud of 1000 painted while they are fitted",
+              1e3 * static_cast<double>(in_fit) / (last + 160 - first));
+}
+
 }  // namespace
 }  // namespace handsight::test
 

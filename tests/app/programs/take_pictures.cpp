@@ -7,7 +7,9 @@
 #include <QTabWidget>
 
 #include "app/window/pages.h"
+#include "explain/missing_pane.h"
 #include "temporary_folder.h"
+#include "widgets/explain/what_if_slider.h"
 #include "widgets/robot_view.h"
 #include "widgets/theme.h"
 
@@ -20,8 +22,11 @@ struct Photographer {
   Desk& desk;
   void take(const char* name) {
     desk.settle();
-    QTest::qWait(120);
-    desk.window.grab().save(folder_of_pictures + "/" + name + suffix + ".png");
+    take_now(name);
+  }
+  void take_now(const std::string& name) {
+    QTest::qWait(250);
+    desk.window.grab().save(folder_of_pictures + "/" + QString::fromStdString(name) + suffix + ".png");
   }
 };
 
@@ -79,6 +84,89 @@ TEST(Pictures, OfEveryWorkspace) {
   desk.key(Qt::Key_K, Qt::ControlModifier);
   for (const char c : {'a', 'r', 'm'}) QTest::keyClick(desk.window.windowHandle(), c);
   photo.take("find");
+}
+
+class Explained : public testing::Test {
+ protected:
+  void open(const char* name) {
+    desk.window.resize(1440, 900);
+    desk.window.open_sample(name, true);
+    ASSERT_TRUE(desk.settle());
+    ASSERT_TRUE(explain.open());
+  }
+  void rest_on(QWidget* widget, const QPoint& at) {
+    QTest::mouseMove(widget->window()->windowHandle(), widget->mapTo(widget->window(), at));
+    QTest::qWait(100);
+  }
+  Desk desk;
+  Photographer photo{desk};
+  ExplainPage explain{desk};
+};
+
+TEST_F(Explained, FromTheVerdictToTheTruth) {
+  open("hidden_3");
+  photo.take("explain");
+  rest_on(explain.cards()->card(0), QPoint(20, 20));
+  photo.take_now("explain_preview");
+  desk.click(explain.cards()->card(0)->what_if_button());
+  photo.take_now("explain_what_if");
+  desk.find<widgets::WhatIfSlider>("what_if")->setFocus();
+  for (auto* button : desk.find<QWidget>("what_if")->findChildren<QAbstractButton*>())
+    if (button->accessibleName().contains("lose") || button->text().contains("lose")) desk.click(button);
+  auto* plot = desk.find<QWidget>("pattern_large");
+  QWindow* top = desk.window.windowHandle();
+  const QPoint a = plot->mapTo(&desk.window, QPoint(plot->width() * 6 / 10, 30));
+  const QPoint b = plot->mapTo(&desk.window, QPoint(plot->width() - 20, plot->height() - 40));
+  QTest::mousePress(top, Qt::LeftButton, Qt::ShiftModifier, a);
+  for (int i = 1; i <= 8; ++i) QTest::mouseMove(top, a + (b - a) * i / 8), QTest::qWait(2);
+  QTest::mouseRelease(top, Qt::LeftButton, Qt::ShiftModifier, b);
+  photo.take_now("explain_common");
+  desk.key(Qt::Key_Escape);
+  plot->setFocus();
+  QTest::keyPress(top, Qt::Key_N);
+  photo.take_now("explain_noise");
+  QTest::keyRelease(top, Qt::Key_N);
+  desk.click(explain.cards()->why_not_button());
+  photo.take_now("explain_why_not");
+  desk.press_button("table_back");
+  explain.press_add();
+  QTest::qWait(60);
+  desk.window.grab().save(folder_of_pictures + "/explain_adding" + suffix + ".png");
+  ASSERT_TRUE(explain.is_settled());
+  photo.take_now("explain_added");
+  desk.press_button("tab_versions");
+  photo.take_now("explain_versions");
+  desk.press_button("tab_fit");
+  photo.take_now("explain_fit");
+  desk.press_button("reveal");
+  photo.take_now("explain_truth");
+  desk.press_button("truth_back");
+  desk.key(Qt::Key_5, Qt::ControlModifier);
+  photo.take("export_effects");
+}
+
+TEST_F(Explained, Tour) {
+  open("hidden_3");
+  desk.press_button("start_tour");
+  for (int i = 0; i < 4; ++i) {
+    photo.take_now("explain_tour_" + std::to_string(i));
+    desk.press_button("tour_next");
+  }
+}
+
+TEST_F(Explained, PosesThatWouldTell) {
+  open("hidden_3");
+  explain.workspace()->findChild<app::MissingPane*>()->show_poses({});
+  ASSERT_TRUE(desk.wait([this] { return !desk.window.bench().explaining.is_busy(); }));
+  photo.take_now("explain_poses");
+}
+
+TEST_F(Explained, HonestCards) {
+  for (const int i : {1, 2, 4, 5, 6, 7, 8}) {
+    open(("hidden_" + std::to_string(i)).c_str());
+    photo.take_now("explain_hidden_" + std::to_string(i));
+    desk.document().close();
+  }
 }
 
 }  // namespace

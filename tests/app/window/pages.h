@@ -10,10 +10,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QTableView>
 
 #include "app/window/desk.h"
+#include "explain/explain_workspace.h"
 #include "widgets/decision_list.h"
+#include "widgets/explain/candidate_list.h"
+#include "widgets/explain/verdict_line.h"
 #include "widgets/image_view.h"
 #include "widgets/observation_strip.h"
 #include "widgets/observation_table.h"
@@ -82,6 +87,55 @@ struct InspectPage {
     desk.click(view->viewport(), view->visualRect(view->model()->index(row, 1)).center());
   }
   std::int64_t id_at(int row) { return table()->shown()[static_cast<std::size_t>(row)]; }
+};
+
+struct ExplainPage {
+  Desk& desk;
+  widgets::CandidateList* cards() { return desk.find<widgets::CandidateList>("cards"); }
+  const widgets::SessionVerdict& verdict() { return desk.find<widgets::VerdictLine>("verdict")->verdict(); }
+  app::ExplainWorkspace* workspace() { return desk.find<app::ExplainWorkspace>("explain"); }
+  /// Goes there, and waits until the cards are there.
+  bool open() {
+    desk.key(Qt::Key_4, Qt::ControlModifier);
+    return is_settled();
+  }
+  bool is_settled(int milliseconds = 60000) {
+    return desk.wait(
+        [this] {
+          auto& bench = desk.window.bench();
+          return !bench.jobs.is_busy() && !bench.refit.is_pending() && !bench.explaining.is_busy() &&
+                 bench.diagnosing.diagnosis() && cards()->count() > 0 && !workspace()->adding().is_running();
+        },
+        milliseconds);
+  }
+  const widgets::CardState& first() { return cards()->card(0)->state(); }
+  bool can_add_first() {
+    return cards()->count() > 0 && first().kind == widgets::CardKind::candidate && first().can_add;
+  }
+  /// Scrolls a card to where the pointer can reach it, and presses its button.
+  void press_add(int card = 0) {
+    QPushButton* add = cards()->card(card)->add_button();
+    ASSERT_TRUE(add->isVisible() && add->isEnabled());
+    for (auto* area : cards()->findChildren<QScrollArea*>()) area->ensureWidgetVisible(add);
+    QTest::qWait(10);
+    desk.click(add);
+  }
+  /// Takes the first card until the program says stop. The number of cards taken.
+  int take_the_first_until_it_says_stop() {
+    int taken = 0;
+    for (; taken < 16 && can_add_first(); ++taken) {
+      const QString added = first().title;
+      press_add();
+      const bool has_begun = workspace()->adding().is_running() || !is_settled(0);
+      EXPECT_TRUE(has_begun) << "nothing happens at " << added.toStdString();
+      if (!has_begun) break;
+      if (!is_settled()) {
+        ADD_FAILURE() << "it does not come to an end";
+        break;
+      }
+    }
+    return taken;
+  }
 };
 
 struct ExportPage {

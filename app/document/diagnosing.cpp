@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/diagnosing.h"
+
+#include <algorithm>
+
+namespace handsight::app {
+namespace {
+
+constexpr std::size_t most_kept = 12;
+
+/// What the numbers of a candidate, all scaled alike, make of its sigma: that of its surest number.
+double relative_sigma(const DiagnosisCandidate& c) {
+  double least = 1;
+  for (std::size_t t = 0; t < c.terms.size() && t < c.sigmas.size(); ++t)
+    for (std::size_t p = 0; p < c.sigmas[t].size(); ++p)
+      if (c.sigmas[t][p] > 0 && c.terms[t].values[p] != 0)
+        least = std::min(least, c.sigmas[t][p] / std::abs(c.terms[t].values[p]));
+  return least;
+}
+
+CandidateCheck check_of_candidate(const Diagnosis& d, const DiagnosisCandidate& c) {
+  Problem without = d.model.fit.problem;
+  hold_effects(without);
+  Problem with = without;
+  with.terms.insert(with.terms.end(), c.terms.begin(), c.terms.end());
+  place_observations(with);
+  const Rigid mount = estimate(d.model.fit).mount_from_sensor;
+  CandidateCheck check;
+  for (std::size_t i = 0; i < with.observations.size(); ++i) {
+    const Rigid before = sensor_from_tcp_at(without.observations[i], mount);
+    const Rigid after = sensor_from_tcp_at(with.observations[i], mount);
+    const double distance = (after.translation - before.translation).norm();
+    if (distance <= check.distance) continue;
+    check.distance = distance;
+    check.observation = d.model.session.observations[static_cast<std::size_t>(with.observations[i].index)].id;
+  }
+  check.sigma = relative_sigma(c) * check.distance;
+  return check;
+}
+
+/// Does an unnamed curve lead while names pass as well? Then only going on shows whether they explain it.
+bool is_open(const Diagnosis& d) {
+  return is_outdone(d) && std::any_of(d.candidates.begin(), d.candidates.end(), [&](const DiagnosisCandidate& c) {
+           return !c.unnamed && c.ln_bayes_factor >= d.threshold;
+         });
+}
+
+/// Goes on as `improve` would: does it settle on a model with more names?
+bool leads_on(const Session& session, const Diagnosis& d, ImprovementOptions options) {
+  options.estimated = d.model_options.estimated;
+  return improve(session, options).steps.size() > 1;
+}
+
+}  // namespace
+
+std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit) {
+  auto made = std::make_shared<ModelResiduals>();
+  made->views = residual_views(fit);
+  made->patterns = find_patterns(made->views.series, made->views.variables);
+  return made;
+}
+
+bool same_fit(const ModelVersion& a, const ModelVersion& b) {
+  if (!a.fit || !b.fit) return false;
+  const auto same_terms = [](const Fit& x, const Fit& y) {
+    return std::equal(x.effects.begin(), x.effects.end(), y.effects.begin(), y.effects.end(),
+                      [](const FittedEffect& p, const FittedEffect& q) {
+                        return p.term.id == q.term.id && p.term.joint == q.term.joint;
+                      });
+  };
+  const double rms = std::max(a.fit->residual_rms, 1e-12);
+  return same_terms(*a.fit, *b.fit) && a.fit->rows == b.fit->rows && a.settings.held.size() == b.settings.held.size() &&
+         a.settings.by_hand == b.settings.by_hand && a.settings.objective == b.settings.objective &&
+         std::abs(a.fit->residual_rms - b.fit->residual_rms) < 1e-7 * rms &&
+         (a.fit->tcp_from_body.translation - b.fit->tcp_from_body.translation).norm() < 1e-8;
+}
+
+Diagnosing::Diagnosing(Document& document, Jobs& jobs, QObject* parent)
+    : QObject(parent), document_(document), jobs_(jobs) {
+  connect(&document, &Document::model_changed, this, &Diagnosing::follow);
+  connect(&document, &Document::closed, this, [this] {
+    jobs_.cancel();
+    now_.reset();
+    earlier_.clear();
+  });
+  const auto drop = [this] {
+    if (now_ && now_->version->revision == document_.revision()) return;
+    jobs_.cancel("diagnosis");
+    now_.reset();
+  };
+  connect(&document, &Document::edited, this, drop);
+  connect(&document, &Document::settings_changed, this, drop);
+}
+
+void Diagnosing::set_wanted(bool wanted) {
+  is_wanted_ = wanted;
+  if (!wanted) return jobs_.cancel("diagnosis");
+  follow();
+}
+
+std::shared_ptr<const CandidateView> Diagnosing::view_of(const std::string& id) const {
+  if (!now_) return nullptr;
+  const auto found = now_->views.find(id);
+  return found == now_->views.end() ? nullptr : found->second;
+}
+
+std::optional<CandidateCheck> Diagnosing::check_of(const std::string& id) const {
+  if (!now_ || !now_->checks.contains(id)) return std::nullopt;
+  return now_->checks.at(id);
+}
+
+Diagnosing::ResultPointer Diagnosing::known(const ModelVersionPointer& version) const {
+  for (const ResultPointer& result : earlier_)
+    if (same_fit(*result->version, *version)) return result;
+  return nullptr;
+}
+
+void Diagnosing::follow() {
+  const ModelVersionPointer model = document_.model();
+  if (!is_wanted_ || !model || !model->fit) return;
+  if (now_ && same_fit(*now_->version, *model)) {
+    now_->version = model;
+    if (now_->has_views || is_running()) return;
+  } else {
+    now_ = known(model);
+    if (!now_) {
+      now_ = std::make_shared<Result>();
+      now_->version = model;
+      earlier_.push_front(now_);
+      if (earlier_.size() > most_kept) earlier_.pop_back();
+    }
+    now_->version = model;
+    emit residuals_changed();
+    emit diagnosis_changed();
+    emit views_changed();
+  }
+  if (!now_->has_views) start();
+}
+
+void Diagnosing::post(std::function<void()> news) { QMetaObject::invokeMethod(this, std::move(news)); }
+
+void Diagnosing::start() {
+  share_ = 0;
+  jobs_.start<bool>(
+      "diagnosis", tr("Looking for what is missing"),
+      [this, result = now_, residuals = now_->residuals, diagnosis = now_->diagnosis, version = now_->version,
+       is_decided = now_->is_decided, names_lead_on = now_->names_lead_on,
+       session = document_.session()](JobControl& control) {
+        // The result itself belongs to the window's thread: parts are made here and handed over.
+        auto part = std::make_shared<Result>();
+        part->version = version;
+        part->residuals = residuals;
+        part->diagnosis = diagnosis;
+        part->is_decided = is_decided;
+        part->names_lead_on = names_lead_on;
+        const auto hand_over = [this, result, part, &control](void (Diagnosing::*changed)()) {
+          if (control.is_cancelled()) return;
+          post([this, result, changed, residuals = part->residuals, diagnosis = part->diagnosis, views = part->views,
+                checks = part->checks, has_views = part->has_views, is_decided = part->is_decided,
+                names_lead_on = part->names_lead_on] {
+            result->residuals = residuals;
+            result->diagnosis = diagnosis;
+            result->views = views;
+            result->checks = checks;
+            result->has_views = has_views;
+            result->is_decided = is_decided;
+            result->names_lead_on = names_lead_on;
+            if (result == now_) emit(this->*changed)();
+          });
+        };
+        if (!part->residuals) {
+          part->residuals = make_residuals(*version->fit);
+          hand_over(&Diagnosing::residuals_changed);
+        }
+        if (control.is_cancelled()) return false;
+        ImprovementOptions options;
+        options.effects = version->settings.held;
+        options.estimated = version->settings.estimated;
+        options.on_progress = [&](double done) {
+          control.report(done);
+          share_ = done;
+          post([this] { emit progressed(); });
+          return !control.is_cancelled();
+        };
+        if (!part->diagnosis) {
+          auto made = std::make_shared<Diagnosis>(diagnosed(session, options));
+          if (made->stopped) return false;
+          part->diagnosis = made;
+        }
+        if (!part->is_decided) {
+          part->names_lead_on = is_open(*part->diagnosis) && leads_on(session, *part->diagnosis, options);
+          part->is_decided = !control.is_cancelled();
+          hand_over(&Diagnosing::diagnosis_changed);
+        }
+        for (const DiagnosisCandidate& c : part->diagnosis->candidates) {
+          if (control.is_cancelled()) return false;
+          if (c.unnamed || c.terms.empty()) continue;
+          auto view = std::make_shared<CandidateView>();
+          view->effect = effect_view(part->residuals->views, c.terms);
+          view->numbers = numbers_of(view->effect, c.terms);
+          view->rms_left = rms_left(part->residuals->views, view->effect, view->numbers);
+          part->views[c.id] = view;
+          if (part->views.size() <= 6) part->checks[c.id] = check_of_candidate(*part->diagnosis, c);
+          if (part->views.size() == 3) hand_over(&Diagnosing::views_changed);
+        }
+        part->has_views = true;
+        hand_over(&Diagnosing::views_changed);
+        return true;
+      },
+      [this](bool) { emit progressed(); });
+}
+
+void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis,
+                      std::shared_ptr<const ModelResiduals> residuals) {
+  auto result = std::make_shared<Result>();
+  result->version = version;
+  result->residuals = std::move(residuals);
+  result->is_decided = !is_open(*diagnosis);
+  result->diagnosis = std::move(diagnosis);
+  earlier_.push_front(result);
+  if (earlier_.size() > most_kept) earlier_.pop_back();
+}
+
+std::shared_ptr<const ModelResiduals> Diagnosing::residuals_of(const ModelVersionPointer& version) {
+  if (!version || !version->fit) return nullptr;
+  ResultPointer result = known(version);
+  if (!result) {
+    result = std::make_shared<Result>();
+    result->version = version;
+    earlier_.push_front(result);
+    if (earlier_.size() > most_kept) earlier_.pop_back();
+  }
+  if (!result->residuals) result->residuals = make_residuals(*version->fit);
+  return result->residuals;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of the document's model: residual views and the diagnosis, made in the background while somebody looks,
+// part by part. Results of an earlier model are dropped; those of a model that comes back (undo) are taken up again.
+#pragma once
+
+#include <QObject>
+#include <deque>
+
+#include "diagnosis/improvement.h"
+#include "diagnosis/residual_views.h"
+#include "document/document.h"
+#include "jobs/jobs.h"
+
+namespace handsight::app {
+
+/// The model's residuals and what they follow.
+struct ModelResiduals {
+  ResidualViews views;
+  std::vector<Pattern> patterns;  // all pairs, most structured first
+};
+
+/// Takes a moment: for the background.
+std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit);
+
+/// How a candidate shows on these poses, once TCP->Body and the rest have taken up what they can.
+struct CandidateView {
+  EffectView effect;
+  Eigen::VectorXd numbers;  // the candidate's own
+  double rms_left = 0;      // px or m, of one coordinate, fitted
+};
+
+/// Where a candidate moves the hand most: a check with the real robot.
+struct CandidateCheck {
+  std::int64_t observation = 0;
+  double distance = 0, sigma = 0;  // m, of the TCP against the sensor
+};
+
+class Diagnosing : public QObject {
+  Q_OBJECT
+
+ public:
+  Diagnosing(Document& document, Jobs& jobs, QObject* parent = nullptr);
+
+  /// While wanted (Explain is shown), the diagnosis follows the model.
+  void set_wanted(bool wanted);
+
+  /// Of the present model; null until they are there.
+  std::shared_ptr<const ModelResiduals> residuals() const { return now_ ? now_->residuals : nullptr; }
+  std::shared_ptr<const Diagnosis> diagnosis() const { return now_ && now_->is_decided ? now_->diagnosis : nullptr; }
+  /// An unnamed curve leads, and yet adding what has a name comes to a model that none outdoes.
+  bool names_lead_on() const { return now_ && now_->names_lead_on; }
+  /// By effect, of the present diagnosis; null where it was not worked out (yet).
+  std::shared_ptr<const CandidateView> view_of(const std::string& id) const;
+  std::optional<CandidateCheck> check_of(const std::string& id) const;
+  bool is_running() const { return jobs_.is_busy("diagnosis"); }
+  double share() const { return share_; }
+
+  /// What has been found out on the way (by adding a candidate).
+  void take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis,
+            std::shared_ptr<const ModelResiduals> residuals);
+
+  /// The residuals of any version; worked out at once where they are not known.
+  std::shared_ptr<const ModelResiduals> residuals_of(const ModelVersionPointer& version);
+
+ signals:
+  void residuals_changed();
+  void diagnosis_changed();  // the candidates
+  void views_changed();      // how candidates show
+  void progressed();
+
+ private:
+  struct Result {
+    ModelVersionPointer version;
+    std::shared_ptr<const ModelResiduals> residuals;
+    std::shared_ptr<const Diagnosis> diagnosis;
+    std::map<std::string, std::shared_ptr<const CandidateView>> views;
+    std::map<std::string, CandidateCheck> checks;
+    bool is_decided = false;  // the diagnosis, and where an unnamed curve leads, whether names lead on
+    bool names_lead_on = false;
+    bool has_views = false;
+  };
+  using ResultPointer = std::shared_ptr<Result>;
+  void follow();
+  void start();
+  void post(std::function<void()> news);
+  ResultPointer known(const ModelVersionPointer& version) const;
+
+  Document& document_;
+  Jobs& jobs_;
+  ResultPointer now_;
+  std::deque<ResultPointer> earlier_;
+  bool is_wanted_ = false;
+  std::atomic<double> share_{0};
+};
+
+/// Do two versions hold the same fit of the same observations?
+bool same_fit(const ModelVersion& a, const ModelVersion& b);
+
+}  // namespace handsight::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/effect_words.h"
+
+#include <QObject>
+#include <algorithm>
+
+namespace handsight::app {
+
+ShownUnit shown_unit(const std::string& unit) {
+  if (unit == "rad") return {1e3, "mrad"};
+  if (unit == "rad/(N m)") return {1e6, QString::fromUtf8("µrad/(N m)")};
+  if (unit == "m") return {1e3, "mm"};
+  if (unit == "s") return {1e3, "ms"};
+  if (unit == "1") return {1, QString()};
+  return {1, QString::fromStdString(unit)};
+}
+
+QString effect_title(const std::string& id) {
+  const Effect* effect = find_effect(id);
+  return QString::fromStdString(effect ? effect->title : id);
+}
+
+QString places_text(const std::vector<std::string>& where) {
+  constexpr std::size_t most = 3;
+  QStringList names;
+  const std::size_t shown = where.size() > most ? most - 1 : where.size();
+  for (std::size_t i = 0; i < shown; ++i) names << QString::fromStdString(where[i]);
+  if (shown < where.size()) return QObject::tr("%1 and %2 more").arg(names.join(", ")).arg(where.size() - shown);
+  if (names.size() < 2) return names.join("");
+  const QString last = names.takeLast();
+  return QObject::tr("%1 and %2").arg(names.join(", "), last);
+}
+
+QString effect_of(const std::string& id, const std::vector<std::string>& where) {
+  QString title = effect_title(id);
+  if (!title.isEmpty()) title[0] = title[0].toLower();
+  if (where.empty()) return title;
+  if (where.front().starts_with("from observation")) return title + ' ' + places_text(where);
+  return QObject::tr("%1 of %2").arg(title, places_text(where));
+}
+
+std::vector<std::string> ids_of(const std::vector<EffectTerm>& terms) {
+  std::vector<std::string> ids;
+  for (const EffectTerm& term : terms)
+    if (std::find(ids.begin(), ids.end(), term.id) == ids.end()) ids.push_back(term.id);
+  return ids;
+}
+
+std::vector<EffectTerm> terms_of_effect(const std::vector<EffectTerm>& terms, const std::string& id) {
+  std::vector<EffectTerm> some;
+  for (const EffectTerm& term : terms)
+    if (term.id == id) some.push_back(term);
+  return some;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Effects in words and in units that people read.
+#pragma once
+
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "effects/effect.h"
+#include "session/session.h"
+
+namespace handsight::app {
+
+/// 1.2e-4 rad is 0.12 mrad: value in the effect's unit * scale = value in `unit`. A number without a unit: empty.
+struct ShownUnit {
+  double scale = 1;
+  QString unit;
+};
+ShownUnit shown_unit(const std::string& unit);
+
+/// "Joint elasticity"; the id itself where the catalogue does not know it.
+QString effect_title(const std::string& id);
+
+/// "arm_2 and arm_4"; more than three: "arm_1, arm_2 and 4 more".
+QString places_text(const std::vector<std::string>& where);
+
+/// "joint elasticity of arm_2 and arm_4", within a sentence.
+QString effect_of(const std::string& id, const std::vector<std::string>& where);
+
+/// The ids of terms in their order, each once.
+std::vector<std::string> ids_of(const std::vector<EffectTerm>& terms);
+
+/// The terms of one effect.
+std::vector<EffectTerm> terms_of_effect(const std::vector<EffectTerm>& terms, const std::string& id);
+
+}  // namespace handsight::app

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explain/adding.h"
+
+#include "document/effect_words.h"
+#include "document/model_edits.h"
+
+namespace handsight::app {
+namespace {
+
+constexpr int ms_between_pictures = 40;
+
+QString sentence_of(const ModelChange& change) {
+  QStringList parts;
+  for (const ImprovementStep& s : change.steps)
+    parts << (s.removed.empty() ? QObject::tr("added %1").arg(effect_of(s.added, s.where))
+                                : QObject::tr("took out %1, no longer needed").arg(effect_of(s.removed, s.where)));
+  return parts.join(", ");
+}
+
+/// The candidate's full fit is known already, and the model's next fit starts from it. For the eye the same fit runs
+/// from where the model stands now, with the candidate at nothing.
+void watch_it_come(const Diagnosis& before, const DiagnosisCandidate& candidate, int observation, FitWatch& watch,
+                   JobControl& control) {
+  FitOptions options = before.model_options;
+  for (EffectTerm term : candidate.terms) {
+    const Effect& effect = *find_effect(term.id);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice) term.values[p] = 0;
+    options.estimated.push_back(std::move(term));
+  }
+  options.start = estimate(before.model.fit);
+  watch.begin(before.model.session, options.effects, options.estimated, observation);
+  options.on_iteration = [&](int iteration, double cost, const Unknowns& unknowns) {
+    watch.iteration(iteration, cost, unknowns);
+    return !control.is_cancelled();
+  };
+  Unknowns start = estimate(before.model.fit);
+  const Eigen::Index known = start.effects.size();
+  start.effects.conservativeResize(watch.effect_count());
+  start.effects.tail(watch.effect_count() - known).setZero();
+  watch.iteration(0, before.model.fit.solution.normal.data_cost(), start);
+  fit(before.model.session, options);
+}
+
+QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c) {
+  const bool in_pixels = before.report.held_out.rms_pixel.has_value();
+  const auto now = in_pixels ? before.report.held_out.rms_pixel : before.report.held_out.rms_m;
+  return QObject::tr("Not added: with %1 the error on unseen observations would not fall below %2. It would fit noise.")
+      .arg(effect_of(c.id, c.where), error_with_unit(now.value_or(0), in_pixels));
+}
+
+}  // namespace
+
+Adding::Adding(Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {
+  timer_.setInterval(ms_between_pictures);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &Adding::show_news);
+  connect(&bench.document, &Document::opened, this, [this] { refused_.clear(); });
+  const auto look = [this] {
+    if (is_running_ && !bench_.explaining.is_busy("add")) end(false, tr("Stopped. Everything is as before."));
+  };
+  connect(&bench.explaining, &Jobs::stopped, this, look);
+  connect(&bench.explaining, &Jobs::changed, this, look);
+  connect(&bench.document, &Document::closed, this, look);
+  // What changes the model meanwhile makes the addition stale.
+  const auto stale = [this] {
+    if (is_running_) bench_.explaining.cancel("add");
+  };
+  connect(&bench.document, &Document::edited, this, stale);
+  connect(&bench.document, &Document::settings_changed, this, stale);
+}
+
+void Adding::add(const std::string& id) {
+  const auto before = bench_.diagnosing.diagnosis();
+  if (is_running_ || !before || !bench_.document.model()) return;
+  const auto found = std::find_if(before->candidates.begin(), before->candidates.end(),
+                                  [&](const DiagnosisCandidate& c) { return !c.unnamed && c.id == id; });
+  if (found == before->candidates.end()) return;
+  const Run run{before, *found, bench_.document.revision()};
+  const ModelSettings settings = bench_.document.settings();
+  const int observation = bench_.document.index_of(
+      bench_.selection.current().observation.value_or(bench_.document.session().observations.front().id));
+  watch_ = std::make_shared<FitWatch>();
+  pictures_ = skipped_ = 0;
+  is_running_ = true;
+  const QString name = effect_of(id, found->where);
+  emit began(tr("Adding %1").arg(name));
+  timer_.start();
+  bench_.explaining.start<Outcome>(
+      "add", tr("Adding %1").arg(name),
+      [session = bench_.document.session(), settings, run, observation, watch = watch_,
+       looks = bench_.document.second_looks()](JobControl& control) {
+        watch_it_come(*run.before, run.candidate, observation, *watch, control);
+        ImprovementOptions options;
+        options.effects = settings.held;
+        options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
+        options.on_progress = [&](double done) {
+          control.report(done);
+          return !control.is_cancelled();
+        };
+        options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
+        Outcome outcome{add_candidate(session, options, *run.before, run.candidate)};
+        if (outcome.change.model) {
+          const Diagnosis& made = *outcome.change.model;
+          outcome.version = version_of(session, made, with_estimated(settings, made.model_options.estimated),
+                                       run.revision + 1, sentence_of(outcome.change), looks);
+          outcome.residuals = make_residuals(*outcome.version->fit);
+        }
+        return outcome;
+      },
+      [this, run](const Outcome& outcome) { finish(run, outcome); },
+      [this](const QString& sentence) { end(false, sentence); });
+}
+
+void Adding::show_news() {
+  if (!watch_) return;
+  const FitWatch::News news = watch_->fetch();
+  for (const auto& [iteration, rms] : news.costs) emit iterated(iteration, rms);
+  skipped_ += news.skipped;
+  if (!news.picture) return;
+  ++pictures_;
+  emit pictured(*news.picture);
+}
+
+void Adding::finish(const Run& run, const Outcome& outcome) {
+  show_news();
+  const ModelChange& change = outcome.change;
+  if (change.stopped || run.revision != bench_.document.revision())
+    return end(false, tr("Stopped. Everything is as before."));
+  for (const RefusedStep& r : change.refused)
+    refused_.push_back({r.id, r.where, refusal_sentence(*run.before, run.candidate),
+                        bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index()});
+  if (!outcome.version) return end(false, refusal_sentence(*run.before, run.candidate));
+  is_running_ = false;  // the document's own changes are no reason to stop
+  const QString sentence = outcome.version->cause;
+  bench_.diagnosing.take(outcome.version, std::make_shared<const Diagnosis>(*change.model), outcome.residuals);
+  bench_.document.perform(
+      {.sentence = sentence, .settings = SettingsEdit{bench_.document.settings(), outcome.version->settings}});
+  bench_.document.take_version(outcome.version);
+  is_running_ = true;
+  end(true, sentence.left(1).toUpper() + sentence.mid(1) + '.');
+}
+
+void Adding::end(bool taken, const QString& outcome) {
+  if (!is_running_) return;
+  timer_.stop();
+  is_running_ = false;
+  emit bench_.document.noticed(outcome);
+  emit ended(taken, outcome);
+}
+
+}  // namespace handsight::app

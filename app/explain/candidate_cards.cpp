@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cards and the table of all effects.
+#include <algorithm>
+
+#include "document/effect_words.h"
+#include "explain/explain_texts.h"
+#include "frame/model_effects.h"
+#include "widgets/number_text.h"
+
+namespace handsight::app {
+namespace {
+
+using widgets::CardKind;
+using widgets::CardState;
+
+constexpr std::size_t most_cards = 4;
+
+std::optional<double> error_left(const DiagnosisCandidate& c, bool in_pixels) {
+  if (c.held_out) return in_pixels ? c.held_out->rms_pixel : c.held_out->rms_m;
+  return c.predicted_held_out;
+}
+
+std::optional<double> shown(std::optional<double> error, bool in_pixels) {
+  return error ? std::optional(in_pixels ? *error : 1e3 * *error) : std::nullopt;
+}
+
+QString odds_text(double ln_bayes_factor) {
+  if (ln_bayes_factor > 13.8) return QObject::tr("more than a million to one");
+  return QObject::tr("about %1 to one").arg(std::lround(std::exp(ln_bayes_factor)));
+}
+
+/// What the residuals follow that this candidate acts by.
+QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
+  for (const DiagnosisPattern& p : d.patterns) {
+    const bool is_own = p.against.joint < 0 || std::any_of(c.terms.begin(), c.terms.end(), [&](const EffectTerm& t) {
+                          return t.joint == p.against.joint;
+                        });
+    if (!is_own) continue;
+    return QObject::tr("The residual follows the %1. ").arg(QString::fromStdString(p.against.name));
+  }
+  return {};
+}
+
+QString check_text(const Effect& effect, const std::optional<CandidateCheck>& check) {
+  QString text = QString::fromStdString(effect.check);
+  if (!check || check->distance < 1e-5) return text;
+  return text + ' ' +
+         QObject::tr("By how much: in the pose of observation %1 it moves the hand by %2 mm.")
+             .arg(check->observation)
+             .arg(widgets::with_sigma_text(1e3 * check->distance, std::max(1e3 * check->sigma, 1e-3)));
+}
+
+CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ErrorAndNoise& e) {
+  const Effect& effect = *find_effect(c.id);
+  CardState card{.id = QString::fromStdString(c.id), .effect = c.id};
+  card.title = QString::fromStdString(effect.title);
+  card.where = places_text(c.where);
+  card.words = QString::fromStdString(effect.cause);
+  const auto now = e.in_pixels ? d.report.held_out.rms_pixel : d.report.held_out.rms_m;
+  card.error = {shown(now, e.in_pixels), shown(error_left(c, e.in_pixels), e.in_pixels), shown(d.noise, e.in_pixels),
+                !c.held_out, e.in_pixels ? "px" : "mm"};
+  card.evidence = speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
+  card.sizes = effect_parameters(bench.document.session(), c.terms, c.sigmas);
+  std::erase_if(card.sizes, [](const widgets::ModelParameter& p) { return p.is_choice; });
+  QStringList others;
+  for (const std::string& id : c.cannot_be_told_from) others << effect_of(id, {});
+  card.cannot_be_told_from = others.join(", ");
+  card.can_show_poses = !others.isEmpty();
+  card.check = check_text(effect, bench.diagnosing.check_of(c.id));
+  if (!c.plausible)
+    card.caution = QObject::tr("Its size is more than three times what is plausible. Probably another cause.");
+  return card;
+}
+
+CardState honest_card(CardKind kind, const QString& title, const QString& words) {
+  CardState card{.id = "honest", .kind = kind, .title = title, .words = words};
+  card.can_add = card.can_what_if = false;
+  return card;
+}
+
+std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d, bool names_lead_on) {
+  const widgets::SessionVerdict v = session_verdict(model, &d, false, names_lead_on);
+  switch (v.state) {
+    case widgets::SessionState::adequate: {
+      CardState card = honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), v.sentence);
+      card.action = QObject::tr("Export it");
+      card.action_id = "export";
+      return card;
+    }
+    case widgets::SessionState::scatter:
+      return honest_card(CardKind::scatter, QObject::tr("The joints do not repeat better"), v.sentence);
+    case widgets::SessionState::too_few: {
+      CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"), v.sentence);
+      card.action = QObject::tr("Plan poses");
+      card.action_id = "plan";
+      return card;
+    }
+    case widgets::SessionState::noise_unknown:
+      return honest_card(
+          CardKind::noise_unknown, QObject::tr("The noise is unknown"),
+          QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say when to "
+                      "stop. Nothing that it knows explains more than chance would."));
+    case widgets::SessionState::unexplained: {
+      CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"), v.sentence);
+      card.action = QObject::tr("Show the curve");
+      card.action_id = "curve";
+      return card;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+const Refusal* refusal_of(const std::string& id, int index, const std::vector<Refusal>& refused) {
+  for (const Refusal& r : refused)
+    if (r.id == id && r.index == index) return &r;
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
+                                       const std::vector<Refusal>& refused) {
+  std::vector<CardState> cards;
+  const ErrorAndNoise e = error_and_noise(model);
+  const std::optional<CardState> honest = honest_card_of(model, d, bench.diagnosing.names_lead_on());
+  const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations ||
+                     (is_outdone(d) && !bench.diagnosing.names_lead_on());
+  if (honest && stops) cards.push_back(*honest);
+  const int index = bench.document.undo_stack().index();
+  for (const DiagnosisCandidate& c : d.candidates) {
+    if (c.unnamed || stops) continue;
+    if (c.ln_bayes_factor < d.threshold || cards.size() >= most_cards) break;
+    cards.push_back(card_of(c, bench, d, e));
+    if (const Refusal* r = refusal_of(c.id, index, refused)) {
+      cards.back().can_add = false;
+      cards.back().why_not = r->reason;
+    }
+  }
+  std::stable_partition(cards.begin(), cards.end(), [](const CardState& c) { return c.why_not.isEmpty(); });
+  if (honest && !stops) cards.push_back(*honest);
+  return cards;
+}
+
+std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
+                                            const std::vector<Refusal>& refused) {
+  using widgets::EffectVerdict;
+  std::vector<widgets::EffectRow> rows;
+  const bool in_pixels = error_and_noise(model).in_pixels;
+  const Session& session = bench.document.session();
+  std::optional<double> best;
+  for (const DiagnosisCandidate& c : d.candidates)
+    if (!c.unnamed && c.ln_bayes_factor >= d.threshold && !best) best = c.ln_bayes_factor;
+  for (const Effect& effect : catalogue()) {
+    widgets::EffectRow row{.id = QString::fromStdString(effect.id), .name = QString::fromStdString(effect.title)};
+    const auto candidate = std::find_if(d.candidates.begin(), d.candidates.end(),
+                                        [&](const DiagnosisCandidate& c) { return c.id == effect.id; });
+    std::vector<EffectTerm> in_model;
+    for (const FittedEffect& f : model.fit->effects)
+      if (f.term.id == effect.id) in_model.push_back(f.term);
+    const bool is_invisible = std::find(d.invisible.begin(), d.invisible.end(), effect.id) != d.invisible.end();
+    if (!in_model.empty()) {
+      row.verdict = EffectVerdict::in_model;
+      row.where = places_text(places_of(in_model, session));
+      row.reason = QObject::tr("It is estimated with the rest; the model panel shows its size.");
+    } else if (candidate == d.candidates.end()) {
+      row.verdict = d.verdict == Verdict::too_few_observations ? EffectVerdict::unknown : EffectVerdict::cannot_be_seen;
+      row.reason = row.verdict == EffectVerdict::unknown ? QObject::tr("Too few observations to tell.")
+                                                         : QObject::tr("It has no place in this session.");
+    } else if (candidate->ln_bayes_factor >= d.threshold) {
+      row.where = places_text(candidate->where);
+      const bool is_best = candidate->ln_bayes_factor >= best.value_or(0) - 3;
+      row.verdict = is_best ? EffectVerdict::would_help : EffectVerdict::worse;
+      const auto left = error_left(*candidate, in_pixels);
+      row.reason = left ? QObject::tr("It would leave %1; odds against nothing missing %2.")
+                              .arg(error_with_unit(*left, in_pixels), odds_text(candidate->ln_bayes_factor))
+                        : QObject::tr("Odds against nothing missing %1.").arg(odds_text(candidate->ln_bayes_factor));
+    } else if (is_invisible) {
+      row.verdict = EffectVerdict::cannot_be_seen;
+      row.reason = QString::fromStdString(effect.visibility);
+    } else if (!candidate->cannot_be_told_from.empty()) {
+      row.verdict = EffectVerdict::same_as;
+      row.same_as = effect_of(candidate->cannot_be_told_from.front(), {});
+      row.reason = QObject::tr("On these poses both do the same to the images.");
+    } else {
+      row.verdict = EffectVerdict::no_sign;
+      row.reason = QObject::tr("Nothing in the residuals speaks for it beyond chance.");
+    }
+    for (const Refusal& r : refused)
+      if (r.id == effect.id && r.index == bench.document.undo_stack().index()) {
+        row.verdict = EffectVerdict::worse;
+        row.reason = r.reason;
+      }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What Explain says: the verdict, cards, verdicts on every effect.
+#pragma once
+
+#include "diagnosis/weighing.h"
+#include "frame/workbench.h"
+#include "widgets/explain/candidate_card.h"
+#include "widgets/explain/effect_table.h"
+#include "widgets/explain/verdict_line.h"
+
+namespace handsight::app {
+
+/// A step that was tried and not taken.
+struct Refusal {
+  std::string id;
+  std::vector<std::string> where;
+  QString reason;
+  QString before;  // the action after which it was tried
+  int index = 0;   // of the undo stack
+};
+
+/// "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px."
+QString comparison_sentence(const ModelVersion& model);
+
+/// Shares of what exceeds the noise over all used observations; nothing where nothing stands out.
+std::optional<widgets::Blame> session_blame(const Inspection& all);
+
+/// The whole session in a sentence. `diagnosis` may be null: only what the fit says.
+/// `names_lead_on`: of a diagnosis that an unnamed curve leads, see Diagnosing.
+widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* diagnosis, bool is_running,
+                                        bool names_lead_on);
+
+/// The cards, best first; the first is an honest one where there is nothing to add.
+std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const ModelVersion& model,
+                                                const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
+
+/// One verdict for every effect of the catalogue.
+std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelVersion& model,
+                                            const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
+
+/// "0.24 px", "3.1 mm": an error as the session measures it, from px or m.
+QString error_with_unit(double error, bool in_pixels);
+
+}  // namespace handsight::app

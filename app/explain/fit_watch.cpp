@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explain/fit_watch.h"
+
+#include <cmath>
+
+#include "document/bent_robot.h"
+
+namespace handsight::app {
+
+std::vector<std::int64_t> ids_of_places(const Problem& problem, const Session& session) {
+  std::vector<std::int64_t> ids;
+  for (const ProblemObservation& o : problem.observations)
+    ids.push_back(session.observations[static_cast<std::size_t>(o.index)].id);
+  return ids;
+}
+
+std::vector<widgets::CloudPoint> cloud_of(const std::vector<CornerResidual>& corners,
+                                          const std::vector<std::int64_t>& ids) {
+  std::vector<widgets::CloudPoint> points;
+  points.reserve(corners.size());
+  for (const CornerResidual& c : corners) {
+    const double scale = c.camera == SeenBy::tracker ? 1e3 : 1;
+    points.push_back({ids[static_cast<std::size_t>(c.place)], c.marker,
+                      c.camera == SeenBy::right ? widgets::ImageSide::right : widgets::ImageSide::left,
+                      scale * c.residual.x(), scale * c.residual.y()});
+  }
+  return points;
+}
+
+void FitWatch::begin(const Session& session, const std::vector<EffectTerm>& held,
+                     const std::vector<EffectTerm>& estimated, int observation) {
+  problem_ = make_problem(session, chain_of(session), held, estimated);
+  ids_ = ids_of_places(*problem_, session);
+  observation_ = observation;
+  running_ = 0;
+  rows_ = 0;
+  for (const ProblemObservation& o : problem_->observations)
+    for (const Sighting& s : o.sightings) rows_ += row_count(s);
+  const std::lock_guard lock(mutex_);
+  news_ = {};
+}
+
+void FitWatch::iteration(int, double cost, const Unknowns& unknowns) {
+  constexpr std::size_t most_waiting = 8;
+  const double rms = std::sqrt(cost / std::max(rows_, 1));
+  bool has_room = false;
+  {
+    const std::lock_guard lock(mutex_);
+    news_.costs.push_back({running_++, problem_ && !problem_->rig ? 1e3 * rms : rms});
+    has_room = pictures_.size() < most_waiting;
+    if (!has_room) ++news_.skipped;
+  }
+  if (!problem_ || !has_room || unknowns.effects.size() != problem_->effect_count()) return;
+  FitPicture picture;
+  picture.cloud = cloud_of(corner_residuals(*problem_, unknowns), ids_);
+  picture.bent = bent_links(*problem_->source, observation_, terms_with(*problem_, unknowns.effects));
+  const std::lock_guard lock(mutex_);
+  pictures_.push_back(std::move(picture));
+}
+
+FitWatch::News FitWatch::fetch() {
+  const std::lock_guard lock(mutex_);
+  News news = std::exchange(news_, {});
+  if (pictures_.empty()) return news;
+  news.picture = std::move(pictures_.front());
+  pictures_.pop_front();
+  return news;
+}
+
+}  // namespace handsight::app

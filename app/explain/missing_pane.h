@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "What is missing": the cards; behind them the table of all effects, poses that would tell, and the truth.
+#pragma once
+
+#include <QWidget>
+
+#include "explain/adding.h"
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace handsight::widgets {
+class CandidateList;
+class EffectTable;
+class TruthPanel;
+}  // namespace handsight::widgets
+
+namespace handsight::app {
+
+class PosesPane;
+
+class MissingPane : public QWidget {
+  Q_OBJECT
+
+ public:
+  MissingPane(Workbench& bench, Adding& adding, QWidget* parent = nullptr);
+
+  /// The cards of the present diagnosis, or what is waited for.
+  void refresh();
+  void show_cards();
+  void show_poses(const std::string& id);
+  widgets::CandidateList* cards() const { return cards_; }
+  PosesPane* poses() const { return poses_; }
+
+ signals:
+  void tried(const QString& id);  // empty: no longer
+  void what_if(const QString& id);
+  void curve_wanted();
+  void export_wanted();
+  void look_wanted();
+
+ private:
+  void make_layout();
+  void connect_all();
+  void refresh_truth();
+  void explain_row(const QString& id);
+  QWidget* page_with_way_back(QWidget* content, const QString& title, const char* name);
+
+  Workbench& bench_;
+  Adding& adding_;
+  ModelVersionPointer shown_for_;  // the version that the cards are of
+  QStackedWidget* pages_;
+  widgets::CandidateList* cards_;
+  widgets::EffectTable* table_;
+  widgets::TruthPanel* truth_;
+  PosesPane* poses_;
+  QPushButton* reveal_;
+  QLabel* row_reason_;
+  std::vector<widgets::EffectRow> rows_;
+  QWidget *table_page_, *truth_page_;
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explain/watching_pane.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "document/bent_robot.h"
+#include "document/effect_words.h"
+#include "frame/observation_views.h"
+#include "widgets/explain/cost_curve.h"
+#include "widgets/explain/version_list.h"
+#include "widgets/number_text.h"
+#include "widgets/robot_view.h"
+#include "widgets/theme.h"
+
+namespace handsight::app {
+namespace {
+
+enum Tab { tab_stairs, tab_versions, tab_fit };
+
+std::optional<double> shown(std::optional<double> error, bool in_pixels) {
+  return error ? std::optional(in_pixels ? *error : 1e3 * *error) : std::nullopt;
+}
+
+widgets::VersionStep step_of(const ModelVersion& version) {
+  const ErrorAndNoise e = error_and_noise(version);
+  const ErrorSummary& fitted = version.report->fitted;
+  return {version.cause.isEmpty() ? QObject::tr("as opened") : version.cause,
+          shown(e.in_pixels ? fitted.rms_pixel : fitted.rms_m, e.in_pixels),
+          e.held_out ? shown(e.error, e.in_pixels) : std::nullopt};
+}
+
+double largest_motion(const std::vector<Rigid>& a, const std::vector<Rigid>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = std::max(largest, (a[i].translation - b[i].translation).norm());
+  return largest;
+}
+
+}  // namespace
+
+WatchingPane::WatchingPane(Workbench& bench, Adding& adding, QWidget* parent)
+    : QWidget(parent), bench_(bench), adding_(adding) {
+  make_layout();
+  connect_all();
+  bending_.setDuration(160);
+  bending_.setStartValue(0.0);
+  bending_.setEndValue(1.0);
+  connect(&bending_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
+    if (adding_.is_running()) bend(share.toDouble());
+  });
+}
+
+void WatchingPane::make_layout() {
+  stairs_ = new widgets::Staircase(this);
+  stairs_->setObjectName("staircase");
+  stairs_->set_empty_text(tr("The error of every version of the model comes here."));
+  versions_ = new widgets::VersionList(this);
+  versions_->setObjectName("versions");
+  cost_ = new widgets::CostCurve(this);
+  cost_->setObjectName("cost");
+  cost_->set_empty_text(tr("Add a candidate, and its fit is drawn here as it runs."));
+  left_ = new QStackedWidget(this);
+  left_->addWidget(stairs_);
+  left_->addWidget(versions_);
+  left_->addWidget(cost_);
+  tabs_ = new QButtonGroup(this);
+  auto* tabs = new QHBoxLayout;
+  tabs->setSpacing(0);
+  const std::pair<const char*, QString> names[] = {
+      {"tab_stairs", tr("Staircase")}, {"tab_versions", tr("Versions")}, {"tab_fit", tr("Fit")}};
+  for (int i = 0; i < 3; ++i) {
+    auto* b = new QToolButton(this);
+    b->setObjectName(names[i].first);
+    b->setText(names[i].second);
+    b->setCheckable(true);
+    b->setAutoRaise(true);
+    tabs_->addButton(b, i);
+    tabs->addWidget(b);
+  }
+  tabs->addStretch(1);
+  tabs_->button(tab_stairs)->setChecked(true);
+  auto* left = new QVBoxLayout;
+  left->setSpacing(0);
+  left->addLayout(tabs);
+  left->addWidget(left_, 1);
+
+  cloud_ = new widgets::ResidualCloud(this);
+  cloud_->setObjectName("cloud");
+  cloud_->set_empty_text(tr("The residual of every corner comes here."));
+  robot_ = new widgets::RobotView(this);
+  robot_->setObjectName("ghost_robot");
+  robot_title_ = new QLabel(this);
+  robot_title_->setObjectName("ghost_title");
+  robot_title_->setFont(widgets::text_font(widgets::TextRole::small));
+  robot_title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(0);
+  right->addWidget(robot_title_);
+  right->addWidget(robot_, 1);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addLayout(left, 332);
+  layout->addWidget(cloud_, 332);
+  layout->addLayout(right, 380);
+  setMinimumSize(620, 150);
+}
+
+void WatchingPane::connect_all() {
+  using widgets::Staircase;
+  using widgets::VersionList;
+  connect(tabs_, &QButtonGroup::idClicked, left_, &QStackedWidget::setCurrentIndex);
+  const auto choose = [this](int row) {
+    if (const auto version = version_at(row)) emit version_chosen(version);
+  };
+  connect(stairs_, &Staircase::version_selected, this, choose);
+  connect(versions_, &VersionList::version_selected, this, choose);
+  connect(stairs_, &Staircase::compared, this, &WatchingPane::compare);
+  connect(versions_, &VersionList::compared, this, &WatchingPane::compare);
+  connect(versions_, &VersionList::take_back_requested, this, &WatchingPane::take_back);
+  connect(stairs_, &Staircase::read_out, &bench_, &Workbench::pointed_at);
+  connect(cost_, &widgets::CostCurve::read_out, &bench_, &Workbench::pointed_at);
+  connect(cloud_, &widgets::ResidualCloud::read_out, &bench_, &Workbench::pointed_at);
+  connect(cloud_, &widgets::ResidualCloud::observation_selected, this,
+          [this](qint64 id) { bench_.selection.select_observation(id); });
+  connect(robot_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
+  connect(&adding_, &Adding::began, this, &WatchingPane::began);
+  connect(&adding_, &Adding::iterated, cost_, &widgets::CostCurve::append);
+  connect(&adding_, &Adding::pictured, this, &WatchingPane::picture);
+  connect(&adding_, &Adding::ended, this, &WatchingPane::ended);
+  connect(&bench_.document, &Document::opened, this, [this] {
+    robot_is_set_ = false;
+    a_ = b_ = -1;
+    rows_.clear();
+    cost_->start({}, {});
+    left_->setCurrentIndex(tab_stairs);
+    tabs_->button(tab_stairs)->setChecked(true);
+  });
+  connect(&bench_.selection, &Selection::changed, this, [this] {
+    if (!isVisible()) return;
+    cloud_->set_selected(bench_.selection.current().observation.value_or(widgets::kNoObservation));
+    const auto& many = bench_.selection.many();
+    cloud_->set_highlighted(many.size() > 1 ? std::vector<widgets::ObservationId>(many.begin(), many.end())
+                                            : std::vector<widgets::ObservationId>{});
+    show_robot();
+  });
+}
+
+ModelVersionPointer WatchingPane::version_at(int row) const {
+  return row >= 0 && row < static_cast<int>(rows_.size()) ? rows_[static_cast<std::size_t>(row)].version : nullptr;
+}
+
+int WatchingPane::selected_index() const {
+  const Session& s = bench_.document.session();
+  if (s.observations.empty()) return -1;
+  return std::max(0,
+                  bench_.document.index_of(bench_.selection.current().observation.value_or(s.observations.front().id)));
+}
+
+void WatchingPane::refresh() {
+  refresh_rows();
+  if (!adding_.is_running()) {
+    refresh_cloud();
+    show_robot();
+  }
+}
+
+void WatchingPane::refresh_rows() {
+  const ModelVersionPointer marked_a = compared_a(), marked_b = compared_b();
+  rows_.clear();
+  const auto versions = bench_.document.versions();
+  for (std::size_t i = 0; i < versions.size(); ++i) {
+    if (versions[i] && versions[i]->fit) rows_.push_back({versions[i], nullptr, static_cast<int>(i)});
+    for (const Refusal& r : adding_.refused())
+      if (r.index == static_cast<int>(i)) rows_.push_back({nullptr, &r, static_cast<int>(i)});
+  }
+  a_ = b_ = -1;
+  widgets::StaircaseState state;
+  std::vector<widgets::VersionEntry> entries;
+  std::optional<double> before;
+  const ModelVersionPointer now = bench_.document.shown_model();
+  bool in_pixels = true;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& row = rows_[i];
+    if (!row.version) {
+      const QString name = effect_of(row.refusal->id, row.refusal->where);
+      state.versions.push_back({.name = name, .is_refused = true, .reason = row.refusal->reason});
+      entries.push_back({.name = name, .detail = row.refusal->reason, .is_refused = true});
+      continue;
+    }
+    const widgets::VersionStep step = step_of(*row.version);
+    in_pixels = error_and_noise(*row.version).in_pixels;
+    state.versions.push_back(step);
+    entries.push_back({.name = step.name, .held_out = step.held_out, .fitted = step.fitted});
+    if (before && step.held_out) entries.back().change = *step.held_out - *before;
+    before = step.held_out;
+    if (row.version == now) state.current = static_cast<int>(i);
+    if (row.version == marked_a) a_ = static_cast<int>(i);
+    if (row.version == marked_b) b_ = static_cast<int>(i);
+  }
+  if (now && now->fit) state.noise = shown(now->fit->noise, in_pixels);
+  state.unit = in_pixels ? "px" : "mm";
+  state.compared_a = a_;
+  state.compared_b = b_;
+  const int current = state.current;
+  stairs_->set_state(std::move(state));
+  versions_->set_versions(std::move(entries), in_pixels ? "px" : "mm");
+  versions_->set_current(current);
+  versions_->set_compared(a_, b_);
+}
+
+void WatchingPane::refresh_cloud() {
+  const ModelVersionPointer now = bench_.document.shown_model();
+  cloud_->set_predicted(false);
+  if (!now || !now->fit) {
+    cloud_->set_before({}, {});
+    return cloud_->clear_after();
+  }
+  const Session& session = bench_.document.session();
+  const auto points = [&](const ModelVersionPointer& version) {
+    const auto& views = bench_.diagnosing.residuals_of(version)->views;
+    return cloud_of(views.corners, ids_of_places(views.problem, session));
+  };
+  const auto title = [](const ModelVersionPointer& v) {
+    return v->cause.isEmpty() ? QObject::tr("as opened") : v->cause;
+  };
+  cloud_->set_noise(now->fit->noise ? shown(now->fit->noise, now->inspection->in_pixels) : std::nullopt);
+  ModelVersionPointer first = compared_a(), second = compared_b();
+  if (!first || !second) {
+    // The version before this one, and this one.
+    first = second = nullptr;
+    for (const Row& row : rows_) {
+      if (!row.version) continue;
+      if (row.version == now) {
+        second = now;
+        break;
+      }
+      first = row.version;
+    }
+    if (!second) second = now;
+    if (!first) {
+      cloud_->set_before(points(second), title(second));
+      return cloud_->clear_after();
+    }
+  }
+  cloud_->set_before(points(first), title(first));
+  cloud_->set_after(points(second), title(second));
+}
+
+void WatchingPane::compare(int a, int b) {
+  a_ = version_at(a) ? a : -1;
+  b_ = version_at(b) ? b : -1;
+  versions_->set_compared(a_, b_);
+  const ModelVersionPointer first = compared_a(), second = compared_b();
+  QString sentence;
+  if (first && second) {
+    const ErrorAndNoise x = error_and_noise(*first), y = error_and_noise(*second);
+    const double moved = (first->fit->tcp_from_body.translation - second->fit->tcp_from_body.translation).norm();
+    sentence = tr("A to B: %1 → %2 held out; TCP→Body moves %3 mm.")
+                   .arg(error_with_unit(x.error.value_or(0), x.in_pixels),
+                        error_with_unit(y.error.value_or(0), y.in_pixels), widgets::short_text(1e3 * moved));
+    refresh_cloud();
+  }
+  versions_->set_comparison(sentence);
+  emit compared();
+}
+
+void WatchingPane::take_back(int row) {
+  if (row < 0 || row >= static_cast<int>(rows_.size())) return;
+  const int index = rows_[static_cast<std::size_t>(row)].index;
+  while (bench_.document.undo_stack().index() > index) {
+    const int before = bench_.document.undo_stack().index();
+    bench_.document.undo();
+    if (bench_.document.undo_stack().index() == before) return;
+  }
+}
+
+void WatchingPane::set_blinking(bool blinking) { cloud_->set_blinking(blinking); }
+
+void WatchingPane::show_robot() {
+  const Session& session = bench_.document.session();
+  const ModelVersionPointer now = bench_.document.shown_model();
+  const int index = selected_index();
+  if (index < 0 || !bench_.document.is_open()) return;
+  if (!robot_is_set_) {
+    robot_->set_robot(session.robot, (folder(session) / session.robot_file).parent_path());
+    robot_is_set_ = true;
+  }
+  if (!now || !now->fit) {
+    straight_ = link_motions(session, session.observations[static_cast<std::size_t>(index)].position);
+    robot_->set_posture(straight_);
+    robot_->set_ghost(std::nullopt);
+    robot_title_->setText(tr("Observation %1").arg(session.observations[static_cast<std::size_t>(index)].id));
+    return;
+  }
+  straight_ = bent_links(*now->fit->problem.source, index, {});
+  robot_->set_posture(straight_);
+  robot_->set_selected_observation(session.observations[static_cast<std::size_t>(index)].id);
+  set_ghost(bent_links(*now->fit->problem.source, index, terms_of(*now->fit)));
+}
+
+void WatchingPane::set_ghost(const std::vector<Rigid>& bent) {
+  const double largest = largest_motion(straight_, bent);
+  const Session& session = bench_.document.session();
+  const auto id = session.observations[static_cast<std::size_t>(selected_index())].id;
+  if (largest < 1e-7) {
+    robot_->set_ghost(std::nullopt);
+    robot_title_->setText(tr("Observation %1; the model bends nothing").arg(id));
+    return;
+  }
+  if (!adding_.is_running() || magnification_ <= 1) magnification_ = round_magnification(largest, 0.12);
+  robot_->set_ghost_magnification(magnification_);
+  robot_->set_ghost(bent);
+  robot_title_->setText(tr("Observation %1, bent by the model: %2 mm, drawn × %3")
+                            .arg(id)
+                            .arg(widgets::short_text(1e3 * largest))
+                            .arg(magnification_));
+}
+
+void WatchingPane::show_posture(const Eigen::VectorXd& position) {
+  robot_->set_posture(link_motions(bench_.document.session(), position));
+  robot_->set_ghost(std::nullopt);
+  robot_title_->setText(tr("The planned pose"));
+}
+
+void WatchingPane::set_prediction(const ModelResiduals* residuals, const CandidateView* view,
+                                  const Eigen::VectorXd& numbers, const std::vector<EffectTerm>& terms,
+                                  const QString& name) {
+  if (adding_.is_running()) return;
+  if (!residuals || !view) {
+    stairs_->set_preview(std::nullopt);
+    refresh_cloud();
+    return show_robot();
+  }
+  const Session& session = bench_.document.session();
+  const ResidualViews& v = residuals->views;
+  const std::vector<std::int64_t> ids = ids_of_places(v.problem, session);
+  std::vector<CornerResidual> after = v.corners;
+  const Eigen::VectorXd change = view->effect.corners * numbers;
+  for (std::size_t c = 0; c < after.size(); ++c)
+    after[c].residual -= change.segment<2>(static_cast<Eigen::Index>(2 * c));
+  cloud_->set_before(cloud_of(v.corners, ids), tr("now"));
+  cloud_->set_after(cloud_of(after, ids), tr("predicted with it"));
+  cloud_->set_predicted(true);
+  const bool in_pixels = !session.is_tracker();
+  const double left = rms_left(v, view->effect, numbers);
+  stairs_->set_preview(widgets::VersionStep{.name = name, .held_out = shown(left, in_pixels)});
+  std::vector<EffectTerm> bent = v.problem.terms;
+  bent.insert(bent.end(), terms.begin(), terms.end());
+  straight_ = bent_links(*v.problem.source, selected_index(), {});
+  robot_->set_posture(straight_);
+  set_ghost(bent_links(*v.problem.source, selected_index(), bent));
+}
+
+void WatchingPane::began(const QString&) {
+  const bool in_pixels = !bench_.document.session().is_tracker();
+  stairs_->set_preview(std::nullopt);
+  refresh_cloud();
+  cloud_->set_predicted(false);
+  show_robot();
+  magnification_ = 1;
+  bent_now_.clear();
+  cost_->start(tr("rms of a coordinate"), in_pixels ? "px" : "mm");
+  const ModelVersionPointer now = bench_.document.model();
+  cost_->set_floor(now && now->fit ? shown(now->fit->noise, in_pixels) : std::nullopt);
+  left_->setCurrentIndex(tab_fit);
+  tabs_->button(tab_fit)->setChecked(true);
+  if (const auto residuals = bench_.diagnosing.residuals())
+    cloud_->set_before(
+        cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, bench_.document.session())),
+        tr("before"));
+}
+
+void WatchingPane::picture(const FitPicture& picture) {
+  // From iterate to iterate everything moves, so that the eye can follow; the fit does not wait for it.
+  if (adding_.pictures() <= 1) {
+    cloud_->set_live(picture.cloud, tr("as it is fitted"));
+  } else {
+    cloud_->set_after(picture.cloud, tr("as it is fitted"));
+  }
+  if (picture.bent.empty()) return;
+  bending_.stop();
+  bent_from_ = bent_now_.size() == picture.bent.size() ? bent_now_ : picture.bent;
+  bent_to_ = picture.bent;
+  bending_.start();
+}
+
+void WatchingPane::bend(double share) {
+  bent_now_ = bent_to_;
+  for (std::size_t i = 0; i < bent_now_.size(); ++i) {
+    const Rigid &from = bent_from_[i], &to = bent_to_[i];
+    bent_now_[i].translation = from.translation + share * (to.translation - from.translation);
+    const Vector3 turn = share * vector_from_rotation(from.rotation.transpose() * to.rotation);
+    bent_now_[i].rotation = from.rotation * rotation_from_vector<double>(turn);
+  }
+  set_ghost(bent_now_);
+}
+
+void WatchingPane::ended(bool taken, const QString& outcome) {
+  cost_->finish(taken                               ? tr("settled after %1 iterations").arg(cost_->count())
+                : outcome.startsWith(tr("Stopped")) ? tr("stopped")
+                                                    : tr("not taken"));
+  bending_.stop();
+  refresh();
+  if (!taken && !outcome.startsWith(tr("Stopped"))) return;
+  // The step is what counts now; the curve stays a click away.
+  left_->setCurrentIndex(tab_stairs);
+  tabs_->button(tab_stairs)->setChecked(true);
+}
+
+}  // namespace handsight::app

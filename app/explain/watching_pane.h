@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lower row: the staircase, the versions or the running fit; the residual cloud before and after; the robot as the
+// model bends it.
+#pragma once
+
+#include <QWidget>
+
+#include "explain/adding.h"
+#include "widgets/explain/staircase.h"
+
+class QButtonGroup;
+class QLabel;
+class QStackedWidget;
+
+namespace handsight::widgets {
+class CostCurve;
+class RobotView;
+class VersionList;
+}  // namespace handsight::widgets
+
+namespace handsight::app {
+
+class WatchingPane : public QWidget {
+  Q_OBJECT
+
+ public:
+  WatchingPane(Workbench& bench, Adding& adding, QWidget* parent = nullptr);
+
+  /// The versions, the cloud and the robot of the model that is shown.
+  void refresh();
+  /// A candidate on trial: its residuals, its bending, the step that it would be. Null: nothing.
+  void set_prediction(const ModelResiduals* residuals, const CandidateView* view, const Eigen::VectorXd& numbers,
+                      const std::vector<EffectTerm>& terms, const QString& name);
+  /// The robot in a posture that was not taken.
+  void show_posture(const Eigen::VectorXd& position);
+  void show_robot();
+
+  /// The versions that are compared; null: none are marked.
+  ModelVersionPointer compared_a() const { return version_at(a_); }
+  ModelVersionPointer compared_b() const { return version_at(b_); }
+  void set_blinking(bool blinking);
+
+ signals:
+  void version_chosen(const ModelVersionPointer& version);
+  void compared();
+
+ private:
+  struct Row {
+    ModelVersionPointer version;  // null: refused
+    const Refusal* refusal = nullptr;
+    int index = 0;  // of the undo stack
+  };
+  void make_layout();
+  void connect_all();
+  void refresh_rows();
+  void refresh_cloud();
+  void compare(int a, int b);
+  void take_back(int row);
+  void began(const QString& what);
+  void ended(bool taken, const QString& outcome);
+  void picture(const FitPicture& picture);
+  void bend(double share);  // of the way from one picture of a fit to the next
+  void set_ghost(const std::vector<Rigid>& bent);
+  ModelVersionPointer version_at(int row) const;
+  int selected_index() const;  // the selected observation, into Session::observations
+
+  Workbench& bench_;
+  Adding& adding_;
+  std::vector<Row> rows_;
+  int a_ = -1, b_ = -1;
+  bool robot_is_set_ = false;
+  std::vector<Rigid> straight_;  // links without the model's effects
+  double magnification_ = 1;
+  std::vector<Rigid> bent_from_, bent_to_, bent_now_;
+  QVariantAnimation bending_;
+  QButtonGroup* tabs_;
+  QStackedWidget* left_;
+  widgets::Staircase* stairs_;
+  widgets::VersionList* versions_;
+  widgets::CostCurve* cost_;
+  widgets::ResidualCloud* cloud_;
+  widgets::RobotView* robot_;
+  QLabel* robot_title_;
+};
+
+}  // namespace handsight::app

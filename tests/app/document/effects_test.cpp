@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Effects as part of the document's model: fitted, undone, remembered, exported.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+
+#include "base/files.h"
+#include "diagnosis/diagnosis.h"
+#include "document/document.h"
+#include "session/calibration_xml.h"
+#include "temporary_folder.h"
+
+namespace handsight::app {
+namespace {
+
+class EffectsTest : public testing::Test {
+ protected:
+  EffectsTest() {
+    std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / "hidden_3", session,
+                          std::filesystem::copy_options::recursive);
+    document.open(session);
+  }
+  /// Springs in two joints, one held at a number that takes all digits of a double.
+  ModelSettings with_springs() const {
+    const Robot& robot = document.session().robot;
+    ModelSettings settings = document.settings();
+    settings.estimated = {{"joint_elasticity", find_joint(robot, "right_arm_2"), {1e-4}}};
+    settings.held = {{"joint_elasticity", find_joint(robot, "right_arm_1"), {1.0 / 3.0 * 3.7e-4}}};
+    settings.leaves_out_wrong_points = true;
+    return settings;
+  }
+  void perform(const ModelSettings& after) {
+    document.perform({.sentence = "added joint elasticity", .settings = SettingsEdit{document.settings(), after}});
+  }
+  ModelVersionPointer fitted() const {
+    return make_version(document.session(), document.settings(), document.revision(), "");
+  }
+  TemporaryFolder folder;
+  std::filesystem::path session = folder.path / "session";
+  Document document;
+};
+
+TEST_F(EffectsTest, AreFittedAndHeld) {
+  perform(with_springs());
+  const auto version = fitted();
+  ASSERT_TRUE(version->fit) << version->refusal.toStdString();
+  ASSERT_EQ(version->fit->effects.size(), 2U);
+  EXPECT_EQ(version->fit->effects[0].term.values, with_springs().held[0].values) << "held where it was put";
+  EXPECT_NEAR(version->fit->effects[1].term.values[0], 1.5e-4, 0.5e-4);
+  EXPECT_GT(version->fit->effects[1].sigmas[0], 0);
+  const ModelSettings now = with_values_of(*version->fit, document.settings());
+  EXPECT_EQ(now.estimated[0].values, version->fit->effects[1].term.values);
+  EXPECT_EQ(now.held[0].values, with_springs().held[0].values);
+}
+
+TEST_F(EffectsTest, AnObservationIsInspectedWithThem) {
+  perform(with_springs());
+  const auto version = fitted();
+  double squares = 0;
+  int coordinates = 0;
+  for (const InspectionRow& row : version->inspection->rows) {
+    squares += *row.rms * *row.rms * row.coordinates;
+    coordinates += row.coordinates;
+  }
+  EXPECT_NEAR(std::sqrt(squares / coordinates), version->fit->residual_rms, 1e-9);
+}
+
+TEST_F(EffectsTest, AreWrittenIntoTheCalibration) {
+  perform(with_springs());
+  const auto version = fitted();
+  const auto file = folder.path / "out.xml";
+  write_calibration(file, *version->calibration);
+  const Calibration read = read_calibration(file);
+  ASSERT_EQ(read.effects.size(), 1U);
+  EXPECT_EQ(read.effects[0].id, "joint_elasticity");
+  ASSERT_EQ(read.effects[0].parameters.size(), 2U);
+  EXPECT_EQ(read.effects[0].parameters[0].of, "right_arm_1");
+}
+
+TEST_F(EffectsTest, TheJournalHoldsThemBitForBit) {
+  const ModelSettings wanted = with_springs();
+  perform(wanted);
+  const Edit edit{.sentence = "x", .settings = SettingsEdit{{}, wanted}};
+  EXPECT_EQ(parse_edit(edit_text(edit)).settings->after, wanted);
+  document.save();
+  document.close();
+  document.open(session);
+  EXPECT_EQ(document.settings(), wanted) << "a save and a close do not lose the model";
+  EXPECT_TRUE(document.is_saved());
+  document.undo();
+  EXPECT_EQ(document.settings(), ModelSettings{});
+  document.redo();
+  EXPECT_EQ(document.settings(), wanted);
+}
+
+TEST_F(EffectsTest, UndoSaysWhatItDidToTheError) {
+  document.take_version(fitted());
+  perform(with_springs());
+  document.take_version(fitted());
+  QString said;
+  QObject::connect(&document, &Document::noticed, [&](const QString& sentence) { said = sentence; });
+  document.undo();
+  EXPECT_TRUE(said.startsWith("Undone: added joint elasticity (")) << said.toStdString();
+  EXPECT_TRUE(said.contains("→ 3.41 px")) << said.toStdString();
+}
+
+TEST_F(EffectsTest, AVersionMadeOfADiagnosisIsTheOneThatWouldBeFitted) {
+  ModelSettings settings = with_springs();
+  settings.held.clear();
+  perform(settings);
+  const Diagnosis d = diagnose(document.session(), {.estimated = settings.estimated, .refitted = 0});
+  const auto of_diagnosis = version_of(document.session(), d, settings, 0, "");
+  const auto made = fitted();
+  EXPECT_NEAR(*of_diagnosis->report->held_out.rms_pixel, *made->report->held_out.rms_pixel, 1e-7);
+  EXPECT_EQ(of_diagnosis->wrong_points.size(), made->wrong_points.size());
+}
+
+TEST_F(EffectsTest, AnEffectAtAPlaceThatTheRobotDoesNotHaveIsSaid) {
+  ModelSettings settings;
+  settings.estimated = {{"joint_elasticity", 4000, {0}}};
+  perform(settings);
+  const auto version = fitted();
+  EXPECT_FALSE(version->fit);
+  EXPECT_GE(version->refusal.size(), 20);
+}
+
+}  // namespace
+}  // namespace handsight::app

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a session that misses by pixels down to the noise, with mouse and keyboard, as `handsight-cli improve` does it.
+#include <gtest/gtest.h>
+
+#include <QListView>
+#include <QScrollArea>
+
+#include "app/window/pages.h"
+#include "base/files.h"
+#include "cli/cli_runner.h"
+#include "cli/hidden_sessions.h"
+#include "document/effect_words.h"
+#include "session/calibration_xml.h"
+#include "temporary_folder.h"
+#include "widgets/explain/cost_curve.h"
+#include "widgets/explain/staircase.h"
+#include "widgets/explain/truth_panel.h"
+#include "widgets/explain/version_list.h"
+#include "widgets/explain/what_if_slider.h"
+#include "widgets/explain/what_if_track.h"
+#include "widgets/scatter_plot.h"
+#include "widgets/three_numbers.h"
+
+namespace handsight::test {
+namespace {
+
+class Explain : public testing::Test {
+ protected:
+  std::filesystem::path copy_of(const std::string& name) {
+    const auto copy = folder.path / name;
+    std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name, copy,
+                          std::filesystem::copy_options::recursive);
+    return copy;
+  }
+  void open(const std::string& name) {
+    desk.window.resize(1440, 900);
+    session = copy_of(name);
+    ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+    ASSERT_TRUE(desk.settle());
+    ASSERT_TRUE(explain.open()) << name;
+  }
+  double held_out() { return *desk.document().model()->report->held_out.rms_pixel; }
+  /// Ids with their places, as `improve` prints them.
+  std::set<std::string> effects_in_the_model() {
+    std::set<std::string> list;
+    for (const FittedEffect& f : desk.document().model()->fit->effects)
+      list.insert(f.term.id + " " + place_name(*find_effect(f.term.id), f.term.joint, desk.document().session().robot));
+    return list;
+  }
+  static std::set<std::string> effects_of(const nlohmann::json& fit) {
+    std::set<std::string> list;
+    for (const auto& effect : fit["effects"])
+      for (const auto& p : effect["parameters"])
+        list.insert(effect["id"].get<std::string>() + " " + (p["of"].is_string() ? p["of"].get<std::string>() : ""));
+    return list;
+  }
+  std::string session_digest() { return app::digest_of(read_file(session / "session.xml")); }
+  TemporaryFolder folder;
+  std::filesystem::path session;
+  Desk desk;
+  ExplainPage explain{desk};
+};
+
+class HiddenSession : public Explain, public testing::WithParamInterface<int> {};
+
+TEST_P(HiddenSession, TheFirstCardUntilItSaysStopGivesWhatImproveGives) {
+  open("hidden_" + std::to_string(GetParam()));
+  explain.take_the_first_until_it_says_stop();
+  EXPECT_FALSE(explain.can_add_first());
+  const auto improved = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
+  EXPECT_EQ(effects_in_the_model(), effects_of(improved));
+  if (desk.document().model()->fit->effects.empty()) {
+    EXPECT_EQ(desk.document().undo_stack().index(), 0) << "nothing is added where nothing is missing";
+  } else {
+    EXPECT_NEAR(held_out(), improved["held_out_rms_pixel"].get<double>(), 1e-9);
+  }
+  desk.press_button("reveal");
+  auto* truth = desk.find<widgets::TruthPanel>("truth");
+  EXPECT_TRUE(truth->isVisible());
+  for (const widgets::TruthRow& row : truth->rows())
+    EXPECT_EQ(row.verdict, widgets::TruthVerdict::right)
+        << row.what.toStdString() << " " << row.parameter.toStdString() << " " << row.remark.toStdString();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HiddenSession, testing::Range(1, 9));
+
+TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
+  open("hidden_3");
+  const double before = held_out();
+  EXPECT_EQ(explain.verdict().state, widgets::SessionState::missing);
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const double after = held_out();
+  EXPECT_LT(after, 0.1 * before);
+  EXPECT_EQ(explain.verdict().state, widgets::SessionState::adequate);
+  auto* numbers = desk.find<widgets::ThreeNumbers>("three_numbers");
+  EXPECT_NEAR(*numbers->numbers().now, after, 1e-12);
+  auto* stairs = desk.find<widgets::Staircase>("staircase");
+  ASSERT_EQ(stairs->state().versions.size(), 2U);
+  EXPECT_NEAR(*stairs->state().versions[0].held_out, before, 1e-12);
+  EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2) << "the fit was watched";
+
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_NEAR(held_out(), before, 1e-9);
+  EXPECT_TRUE(desk.document().settings() == app::ModelSettings{});
+  EXPECT_TRUE(explain.can_add_first());
+  desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_NEAR(held_out(), after, 1e-7);
+
+  desk.press_button("tab_versions");
+  auto* versions = desk.find<widgets::VersionList>("versions");
+  desk.click(versions->view()->viewport(), versions->letter_rect(0, false).center());
+  desk.click(versions->view()->viewport(), versions->letter_rect(1, true).center());
+  bool is_said = false;
+  for (const auto* label : versions->findChildren<QLabel*>())
+    is_said = is_said || label->text().contains("A to B: 3.4");
+  EXPECT_TRUE(is_said);
+}
+
+TEST_F(Explain, StoppedInTheMiddleOfAFitTheStateBeforeIsBack) {
+  open("hidden_3");
+  const auto model = desk.document().model();
+  const std::string journal_before = session_digest();
+  explain.press_add();
+  ASSERT_TRUE(explain.workspace()->adding().is_running());
+  auto* cancel = desk.find<QAbstractButton>("cancel");
+  desk.wait([&] { return cancel->isVisible() || !explain.workspace()->adding().is_running(); });
+  ASSERT_TRUE(explain.workspace()->adding().is_running()) << "too quick to be stopped";
+  desk.click(cancel);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(desk.document().undo_stack().index(), 0);
+  EXPECT_EQ(desk.document().model(), model);
+  EXPECT_TRUE(explain.can_add_first());
+  EXPECT_EQ(session_digest(), journal_before);
+}
+
+TEST_F(Explain, LookingAtACardShowsWhatItWouldDoAndChangesNothing) {
+  open("hidden_3");
+  auto* card = explain.cards()->card(0);
+  const QPoint at = card->mapTo(card->window(), QPoint(20, 20));
+  QTest::mouseMove(card->window()->windowHandle(), at);
+  ASSERT_TRUE(desk.wait([this] { return desk.window.bench().predicted_error().has_value(); }));
+  EXPECT_NEAR(*desk.window.bench().predicted_error(), 0.2, 0.05);
+  auto* strip = desk.find<widgets::ObservationStrip>("strip");
+  EXPECT_TRUE(strip->isVisible());
+  int predicted = 0;
+  for (const auto& cell : desk.window.bench().cells()) predicted += cell.predicted ? 1 : 0;
+  EXPECT_EQ(predicted, 80);
+  EXPECT_TRUE(desk.find<widgets::Staircase>("staircase")->state().preview);
+  QTest::mouseMove(desk.window.windowHandle(), QPoint(5, 5));
+  ASSERT_TRUE(desk.wait([this] { return !desk.window.bench().predicted_error(); }));
+  EXPECT_EQ(desk.document().undo_stack().index(), 0);
+}
+
+TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
+  open("hidden_3");
+  auto* box = desk.find<QAbstractButton>("effect_joint_elasticity");
+  ASSERT_FALSE(box->isChecked());
+  for (auto* area : desk.find<QWidget>("model_panel")->findChildren<QScrollArea*>()) area->ensureWidgetVisible(box);
+  QTest::qWait(20);
+  desk.click(box, QPoint(10, box->height() / 2));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(effects_in_the_model(),
+            (std::set<std::string>{"joint_elasticity right_arm_1", "joint_elasticity right_arm_2",
+                                   "joint_elasticity right_arm_4"}));
+  EXPECT_LT(held_out(), 0.25);
+  const auto reach = [this](const char* name) {
+    auto* widget = desk.find<QWidget>(name);
+    for (auto* area : desk.find<QWidget>("model_panel")->findChildren<QScrollArea*>())
+      area->ensureWidgetVisible(widget);
+    QTest::qWait(20);
+    return widget;
+  };
+  desk.click(reach("hold_joint_elasticity"));
+  ASSERT_TRUE(explain.is_settled());
+  ASSERT_EQ(desk.document().settings().held.size(), 3U);
+  auto* field = qobject_cast<QLineEdit*>(reach("value_joint_elasticity_0"));
+  ASSERT_NE(field, nullptr);
+  desk.type_into(field, "300");
+  desk.key(Qt::Key_Return);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_DOUBLE_EQ(desk.document().settings().held[0].values[0], 3e-4);
+  EXPECT_GT(held_out(), 0.5) << "another spring than the robot's";
+  box = qobject_cast<QAbstractButton*>(reach("effect_joint_elasticity"));
+  desk.click(box, QPoint(10, box->height() / 2));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_TRUE(effects_in_the_model().empty());
+  while (desk.document().undo_stack().canUndo()) desk.key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(desk.document().settings() == app::ModelSettings{});
+}
+
+TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
+  open("hidden_3");
+  auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");
+  QWindow* top = desk.window.windowHandle();
+  const QPoint a = plot->mapTo(&desk.window, QPoint(plot->width() * 6 / 10, 30));
+  const QPoint b = plot->mapTo(&desk.window, QPoint(plot->width() - 20, plot->height() - 40));
+  QTest::mousePress(top, Qt::LeftButton, Qt::ShiftModifier, a);
+  for (int i = 1; i <= 8; ++i) QTest::mouseMove(top, a + (b - a) * i / 8), QTest::qWait(2);
+  QTest::mouseRelease(top, Qt::LeftButton, Qt::ShiftModifier, b);
+  ASSERT_GT(desk.window.bench().selection.many().size(), 1U);
+  auto* common = desk.find<QPushButton>("common");
+  ASSERT_TRUE(common->isVisible());
+  EXPECT_GE(common->text().size(), 20) << common->text().toStdString();
+}
+
+TEST_F(Explain, AnEffectOfAnySizeCanBeTriedWithTheSlider) {
+  open("hidden_3");
+  desk.click(explain.cards()->card(0)->what_if_button());
+  auto* slider = desk.find<widgets::WhatIfSlider>("what_if");
+  ASSERT_TRUE(slider->isVisible());
+  slider->track()->setFocus();
+  desk.key(Qt::Key_B);
+  const double best = slider->value();
+  EXPECT_GT(std::abs(best), 0);
+  const QString at_best = [&] {
+    for (auto* label : slider->findChildren<QLabel*>())
+      if (label->text().startsWith("With this")) return label->text();
+    return QString();
+  }();
+  EXPECT_FALSE(at_best.isEmpty());
+  const double left = *desk.window.bench().predicted_error();
+  desk.key(Qt::Key_Home);
+  EXPECT_LT(left, *desk.window.bench().predicted_error()) << "without it the error is larger";
+  for (auto* button : slider->findChildren<QAbstractButton*>())
+    if (button->text() == "Close") desk.click(button);
+  EXPECT_FALSE(slider->isVisible());
+  EXPECT_FALSE(desk.window.bench().predicted_error());
+}
+
+TEST_F(Explain, TheTourLeadsToTheMissingEffect) {
+  open("hidden_3");
+  desk.press_button("start_tour");
+  auto* text = desk.find<QLabel>("tour_text");
+  ASSERT_TRUE(text->isVisible());
+  for (int i = 0; i < 12 && !text->text().startsWith("Add it"); ++i) desk.press_button("tour_next");
+  ASSERT_TRUE(text->text().startsWith("Add it"));
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_TRUE(text->text().startsWith("The step down")) << text->text().toStdString();
+  for (int i = 0; i < 12 && text->isVisible(); ++i) desk.press_button("tour_next");
+  EXPECT_FALSE(text->isVisible());
+}
+
+TEST_F(Explain, TheWholeWishOnAHundredPoses) {
+  const auto file = folder.path / "out.xml";
+  desk.window.resize(1440, 900);
+  session = copy_of("hundred_poses");
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  LabelPage label{desk};
+  CalibratePage calibrate{desk};
+  InspectPage inspect{desk};
+  ExportPage exporting{desk};
+  ASSERT_TRUE(label.corners_are_found());
+  for (const Vector2& px : {Vector2(519, 98), Vector2(515, 132), Vector2(576, 113)}) label.click_left(px);
+  label.use();
+  calibrate.set_fastest();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  ASSERT_TRUE(desk.settle());
+  inspect.table()->set_filter(widgets::RowFilter::rejected);
+  EXPECT_EQ(inspect.table()->shown().size(), 3U) << "the bad poses are set aside";
+  ASSERT_TRUE(explain.open());
+  const double before = held_out();
+  const int taken = explain.take_the_first_until_it_says_stop();
+  if (taken > 0) EXPECT_LT(held_out(), before);
+  EXPECT_LT(held_out() / *desk.document().model()->fit->noise, 1.25) << "down at the noise";
+  desk.key(Qt::Key_5, Qt::ControlModifier);
+  ASSERT_TRUE(exporting.save_as(file)) << exporting.said().toStdString();
+  EXPECT_EQ(read_calibration(file).effects.size(), app::ids_of(desk.document().settings().estimated).size());
+}
+
+}  // namespace
+}  // namespace handsight::test

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+// Verdict, patterns, staircase, cost, cloud, what-if, versions and truth: mouse and keyboard.
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QListView>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <cmath>
+
+#include "widgets/explain/cost_curve.h"
+#include "widgets/explain/what_if_track.h"
+#include "widgets/explain_samples.h"
+#include "widgets/mouse.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+using testing::ElementsAre;
+
+int pixels_of(QWidget& widget, const QColor& color) {
+  const QImage image = widget.grab().toImage();
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == color;
+  return count;
+}
+
+TEST(VerdictLine, SaysStateAndSentenceToScreenReadersAndBlameIsClickable) {
+  VerdictLine line;
+  line.set_verdict(test::missing_verdict());
+  test::show(line, {1056, 72});
+  EXPECT_TRUE(line.accessibleDescription().startsWith("cause missing: Most likely missing"));
+  QSignalSpy clicked(&line, &VerdictLine::blame_clicked);
+  test::click(&line, {1000, 36});
+  EXPECT_EQ(clicked.size(), 1);
+  test::click(&line, {300, 36});
+  EXPECT_EQ(clicked.size(), 1);
+  EXPECT_GT(pixels_of(line, colors().blame_robot), 500);
+  EXPECT_EQ(pixels_of(line, colors().candidate), 0);
+}
+
+TEST(PatternPage, ClickAndArrowsTakeAPlot) {
+  PatternPage page;
+  page.set_plots(test::nine_patterns(40));
+  test::show(page, {600, 300});
+  QSignalSpy selected(&page, &PatternPage::plot_selected);
+  test::click(&page, page.plot_rect(4).center());
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toInt(), 4);
+  QTest::keyClick(&page, Qt::Key_Down);
+  QTest::keyClick(&page, Qt::Key_Right);
+  QTest::keyClick(&page, Qt::Key_Right);  // at the end: stays
+  ASSERT_EQ(selected.size(), 3);
+  EXPECT_EQ(selected[2][0].toInt(), 8);
+  EXPECT_EQ(page.selected_plot(), 8);
+}
+
+TEST(PatternPage, ShiftAndDraggingBrushesAndHoverReadsOut) {
+  PatternPage page;
+  page.set_plots(test::nine_patterns(40));
+  test::show(page, {600, 300});
+  QSignalSpy many(&page, &PatternPage::observations_selected), hovered(&page, &PatternPage::observation_hovered);
+  QSignalSpy read_out(&page, &PatternPage::read_out);
+  const std::vector<ScatterPoint> points = page.plots()[0].points;
+  const QPointF from = page.on_screen(0, points[10].x, points[10].y),
+                to = page.on_screen(0, points[14].x, points[14].y);
+  test::drag(&page, from + QPointF(-2, 6), to + QPointF(2, -6), Qt::ShiftModifier);
+  ASSERT_EQ(many.size(), 1);
+  EXPECT_THAT(many[0][0].value<std::vector<qint64>>(), ElementsAre(10, 11, 12, 13, 14));
+  test::hover(&page, page.on_screen(0, points[30].x, points[30].y));
+  ASSERT_FALSE(hovered.empty());
+  EXPECT_EQ(hovered.back()[0].toLongLong(), 30);
+  EXPECT_TRUE(read_out.back()[0].toString().startsWith("obs 30: gravity torque of arm_2"));
+}
+
+TEST(PatternPage, AxesAreLockedUntilFitted) {
+  PatternPage page;
+  std::vector<PatternPlot> plots = test::nine_patterns(40);
+  page.set_plots(plots);
+  test::show(page, {600, 300});
+  const QPointF before = page.on_screen(0, 10, 3);
+  for (ScatterPoint& point : plots[0].points) point.y *= 0.05;  // the right effect was added
+  page.update_plots(plots);
+  EXPECT_EQ(page.on_screen(0, 10, 3), before);
+  page.fit();
+  EXPECT_NE(page.on_screen(0, 10, 3), before);
+}
+
+TEST(PatternPage, NoiseNeverFillsAPlot) {
+  PatternPage page;
+  PatternPlot plot = test::nine_patterns(40)[0];
+  for (ScatterPoint& point : plot.points) point.y = 1e-3;
+  page.set_plots({plot});
+  test::show(page, {600, 300});
+  const QRectF cell = page.plot_rect(0);
+  EXPECT_GT(page.on_screen(0, 0, 0.3).y(), cell.top() + 18);
+  EXPECT_LT(page.on_screen(0, 0, -0.3).y(), cell.bottom() - 17);
+}
+
+TEST(PatternPage, ACandidateIsPurpleAndGoes) {
+  PatternPage page;
+  std::vector<PatternPlot> plots = test::nine_patterns(20);
+  page.set_plots(plots);
+  test::show(page, {900, 500});
+  EXPECT_GT(pixels_of(page, colors().candidate), 50);
+  page.set_candidates({});
+  EXPECT_EQ(pixels_of(page, colors().candidate), 0);
+}
+
+TEST(Staircase, ClickTakesAVersionAndControlMarksTwo) {
+  Staircase stairs;
+  stairs.set_state(test::four_versions());
+  test::show(stairs, {400, 180});
+  QSignalSpy selected(&stairs, &Staircase::version_selected), compared(&stairs, &Staircase::compared);
+  QSignalSpy read_out(&stairs, &Staircase::read_out);
+  test::click(&stairs, stairs.step_rect(1).center());
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toInt(), 1);
+  test::click(&stairs, stairs.step_rect(0).center(), Qt::ControlModifier);
+  test::click(&stairs, stairs.step_rect(3).center(), Qt::ControlModifier);
+  ASSERT_EQ(compared.size(), 2);
+  EXPECT_EQ(compared[1][0].toInt(), 0);
+  EXPECT_EQ(compared[1][1].toInt(), 3);
+  EXPECT_EQ(selected.size(), 1);
+  test::hover(&stairs, stairs.step_rect(2).center());
+  EXPECT_TRUE(read_out.back()[0].toString().contains("not added: on unseen observations"));
+  QTest::keyClick(&stairs, Qt::Key_Left);  // the shown one is the last: 3
+  EXPECT_EQ(selected.back()[0].toInt(), 2);
+  QTest::keyClick(&stairs, Qt::Key_Home);
+  EXPECT_EQ(selected.back()[0].toInt(), 0);
+}
+
+TEST(Staircase, WhatIsTriedIsADashedStepThatMovesNothing) {
+  Staircase stairs;
+  stairs.set_state(test::four_versions());
+  test::show(stairs, {400, 180});
+  const QRectF before = stairs.step_rect(3);
+  EXPECT_EQ(pixels_of(stairs, colors().candidate), 0);
+  stairs.set_preview(VersionStep{"+ payload", {}, 0.22, false, {}});
+  EXPECT_EQ(stairs.step_rect(3), before);
+  EXPECT_GT(pixels_of(stairs, colors().candidate), 20);
+  stairs.set_preview({});
+  EXPECT_EQ(pixels_of(stairs, colors().candidate), 0);
+}
+
+TEST(CostCurve, GrowsPointByPoint) {
+  CostCurve curve;
+  curve.start("rms", "px");
+  test::show(curve, {332, 172});
+  EXPECT_TRUE(curve.is_running());
+  for (int i = 0; i < 6; ++i) curve.append(i, std::pow(10.0, 1 - i));
+  curve.append(6, std::nan(""));  // a step that failed is not drawn
+  EXPECT_EQ(curve.count(), 6);
+  QSignalSpy read_out(&curve, &CostCurve::read_out);
+  test::hover(&curve, {46, 80});
+  ASSERT_EQ(read_out.size(), 1);
+  EXPECT_TRUE(read_out[0][0].toString().startsWith("iteration 0: 10.0"));
+  curve.finish("settled");
+  EXPECT_FALSE(curve.is_running());
+  curve.start("rms", "px");
+  EXPECT_EQ(curve.count(), 0);
+}
+
+TEST(ResidualCloud, BothPanesHaveTheSameLockedAxes) {
+  ResidualCloud pair;
+  pair.set_noise(0.2);
+  pair.set_reduced_motion(true);
+  pair.set_before(test::cloud(50, 9), "before");
+  test::show(pair, {400, 240});
+  const double reach = pair.reach();
+  EXPECT_GT(reach, 9);
+  pair.set_after(test::cloud(50, 0), "after");
+  EXPECT_EQ(pair.reach(), reach);
+  const QPointF offset = pair.pane(1).center() - pair.pane(0).center();
+  for (const double px : {0.2, 1.0, 8.0}) EXPECT_EQ(pair.on_screen(1, 0, px), pair.on_screen(0, 0, px) + offset);
+  // v grows downward; the distance from the middle grows with the residual and ends at the rim.
+  EXPECT_GT(pair.on_screen(0, 0, 1).y(), pair.pane(0).center().y());
+  EXPECT_LT(pair.on_screen(0, 0, 1).y(), pair.on_screen(0, 0, 5).y());
+  EXPECT_NEAR(pair.on_screen(0, 0, 1e6).y(), pair.pane(0).bottom(), 1e-6);
+  pair.fit();
+  EXPECT_EQ(pair.reach(), reach);  // the larger of the two clouds
+}
+
+TEST(ResidualCloud, NoiseIsGreyAndErrorsAreNot) {
+  ResidualCloud pair;
+  pair.set_noise(0.2);
+  pair.set_reduced_motion(true);
+  pair.set_before(test::cloud(200, 9), "before");
+  pair.set_after(test::cloud(200, 0), "after");
+  test::show(pair, {700, 380});
+  const QImage image = pair.grab().toImage();
+  const auto warm = [&](int pane) {
+    int count = 0;
+    const QRect area = pair.pane(pane).toRect();
+    for (int y = area.top(); y < area.bottom(); ++y)
+      for (int x = area.left(); x < area.right(); ++x) {
+        const QColor color = image.pixelColor(x, y);
+        count += color.red() > color.blue() + 30;
+      }
+    return count;
+  };
+  EXPECT_GT(warm(0), 1000);
+  EXPECT_LT(warm(1), warm(0) / 10);  // one corner in a hundred by chance
+}
+
+TEST(ResidualCloud, ClickSelectsAndTheRightPaneMovesToItsNewState) {
+  ResidualCloud pair;
+  pair.set_noise(0.2);
+  std::vector<CloudPoint> before = {{7, 1, ImageSide::left, 8, 0}, {9, 0, ImageSide::right, -6, 3}};
+  pair.set_before(before, "before");
+  test::show(pair, {500, 280});
+  std::vector<CloudPoint> after = before;
+  for (CloudPoint& point : after) point.du *= 0.05, point.dv *= 0.05;
+  pair.set_after(after, "after");
+  QSignalSpy selected(&pair, &ResidualCloud::observation_selected), read_out(&pair, &ResidualCloud::read_out);
+  QTest::qWait(400);  // longer than the motion
+  test::click(&pair, pair.on_screen(1, after[0].du, after[0].dv));
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toLongLong(), 7);
+  test::hover(&pair, pair.on_screen(0, -6, 3));
+  EXPECT_EQ(read_out.back()[0].toString(), QString("obs 9, marker 0, right: −6.00, 3.00 px"));
+}
+
+TEST(WhatIfSlider, DraggingSaysSoAndADoubleClickGoesToTheBest) {
+  WhatIfSlider slider;
+  slider.set_state(test::eccentricity());
+  test::show(slider, {592, 140});
+  QSignalSpy changed(&slider, &WhatIfSlider::changed), settled(&slider, &WhatIfSlider::settled);
+  WhatIfTrack* track = slider.track();
+  test::drag(track, {track->x_of(1.0), 22}, {track->x_of(-2.0), 22});
+  EXPECT_GE(changed.size(), 4);
+  ASSERT_EQ(settled.size(), 1);
+  EXPECT_NEAR(settled[0][0].toDouble(), -2, 0.05);
+  QTest::mouseDClick(track, Qt::LeftButton, {}, QPoint(static_cast<int>(track->x_of(0)), 22));
+  EXPECT_DOUBLE_EQ(slider.value(), 1.3);
+  QTest::keyClick(track, Qt::Key_Home);
+  EXPECT_DOUBLE_EQ(slider.value(), 0);
+  QTest::keyClick(track, Qt::Key_Right);
+  EXPECT_NEAR(slider.value(), 0.12, 1e-12);  // a hundredth of the range of -6 to 6
+  QTest::keyClick(track, Qt::Key_B);
+  EXPECT_DOUBLE_EQ(slider.value(), 1.3);
+}
+
+TEST(WhatIfSlider, TheWheelChangesNothingWithoutFocus) {
+  WhatIfSlider slider;
+  slider.set_state(test::eccentricity());
+  test::show(slider, {592, 140});
+  slider.setFocus();
+  const double before = slider.value();
+  slider.track()->clearFocus();
+  test::wheel(slider.track(), {100, 22}, 3);
+  EXPECT_DOUBLE_EQ(slider.value(), before);
+}
+
+TEST(WhatIfSlider, JointAndParameterAreChosenAndARoomForAFarBestIsMade) {
+  WhatIfSlider slider;
+  WhatIfState state = test::eccentricity();
+  state.parameters[0].best = 20;
+  slider.set_state(state);
+  test::show(slider, {592, 140});
+  EXPECT_GT(slider.track()->reach(), 20);
+  QSignalSpy place(&slider, &WhatIfSlider::place_chosen), parameter(&slider, &WhatIfSlider::parameter_chosen);
+  slider.place_box()->setFocus();
+  QTest::keyClick(slider.place_box(), Qt::Key_Up);
+  ASSERT_EQ(place.size(), 1);
+  EXPECT_EQ(place[0][0].toInt(), 1);
+  QTest::keyClick(slider.parameter_box(), Qt::Key_Down);
+  ASSERT_EQ(parameter.size(), 1);
+  EXPECT_EQ(parameter[0][0].toInt(), 1);
+  EXPECT_DOUBLE_EQ(slider.track()->reach(), 6);
+  QSignalSpy closed(&slider, &WhatIfSlider::closed);
+  QTest::keyClick(slider.track(), Qt::Key_Escape);
+  EXPECT_EQ(closed.size(), 1);
+}
+
+TEST(VersionList, ShowsPicksTwoAndTakesBack) {
+  VersionList list;
+  list.set_versions(test::version_entries(), "px");
+  list.set_current(-1);
+  test::show(list, {420, 320});
+  QSignalSpy selected(&list, &VersionList::version_selected), compared(&list, &VersionList::compared);
+  QSignalSpy back(&list, &VersionList::take_back_requested);
+  EXPECT_FALSE(list.take_back_button()->isEnabled());  // the last one is the model already
+  const QRect row = list.view()->visualRect(list.view()->model()->index(1, 0));
+  QTest::mouseClick(list.view()->viewport(), Qt::LeftButton, {}, row.topLeft() + QPoint(40, 12));
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected[0][0].toInt(), 1);
+  list.set_current(1);
+  ASSERT_TRUE(list.take_back_button()->isEnabled());
+  test::click(list.take_back_button(), list.take_back_button()->rect().center());
+  ASSERT_EQ(back.size(), 1);
+  EXPECT_EQ(back[0][0].toInt(), 1);
+  QTest::mouseClick(list.view()->viewport(), Qt::LeftButton, {}, list.letter_rect(0, false).center());
+  QTest::mouseClick(list.view()->viewport(), Qt::LeftButton, {}, list.letter_rect(3, true).center());
+  ASSERT_EQ(compared.size(), 2);
+  EXPECT_EQ(compared[1][0].toInt(), 0);
+  EXPECT_EQ(compared[1][1].toInt(), 3);
+  QTest::mouseClick(list.view()->viewport(), Qt::LeftButton, {}, list.letter_rect(3, false).center());
+  EXPECT_EQ(compared[2][0].toInt(), 3);
+  EXPECT_EQ(compared[2][1].toInt(), -1);  // a version is not compared with itself
+  QTest::keyClick(list.view(), Qt::Key_Down);
+  EXPECT_EQ(selected.back()[0].toInt(), 2);
+  list.set_current(2);
+  EXPECT_FALSE(list.take_back_button()->isEnabled());  // it was refused
+}
+
+TEST(TruthPanel, RowsAreChosenByMouseAndKeyboard) {
+  TruthPanel panel;
+  panel.set_rows(test::truth_rows(), "Hidden were three effects.");
+  test::show(panel, panel.sizeHint());
+  QSignalSpy chosen(&panel, &TruthPanel::row_chosen);
+  test::click(&panel, panel.row_rect(1).center());
+  QTest::keyClick(&panel, Qt::Key_Down);
+  QTest::keyClick(&panel, Qt::Key_Return);
+  ASSERT_EQ(chosen.size(), 2);
+  EXPECT_EQ(chosen[0][0].toInt(), 1);
+  EXPECT_EQ(chosen[1][0].toInt(), 2);
+  EXPECT_LE(panel.row_rect(3).bottom(), panel.height());
+}
+
+// The painting must leave time for the fit: a bound that is generous for a loaded machine; the gallery's mode "times"
+// measures it.
+TEST(ResidualCloud, SixThousandCornersAreDrawnTwentyTimesASecond) {
+  ResidualCloud pair;
+  pair.set_noise(0.2);
+  const std::vector<CloudPoint> points = test::cloud(1000, 9);
+  ASSERT_EQ(points.size(), 6000u);
+  pair.set_before(points, "before");
+  test::show(pair, {332, 200});
+  double least = 1e9;
+  for (int i = 0; i < 20; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    pair.set_live(points, "iteration");
+    pair.repaint();
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    least = std::min(least, took.count());
+  }
+  EXPECT_LT(least, 50);
+}
+
+}  // namespace
+}  // namespace handsight::widgets

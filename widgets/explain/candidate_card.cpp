@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/explain/candidate_card.h"
+
+#include <QApplication>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolTip>
+#include <algorithm>
+#include <array>
+
+#include "widgets/explain/candidate_layout.h"
+#include "widgets/number_text.h"
+#include "widgets/paint_tools.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+/// A push button that is filled with the accent while it is the main action: the style would make the colour lighter,
+/// and its text hard to read.
+class CardButton : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    const Colors& c = colors();
+    if (!isEnabled() || palette().color(QPalette::Button) != c.accent) return QPushButton::paintEvent(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isDown() ? c.accent.darker(115) : c.accent);
+    painter.drawRoundedRect(QRectF(rect()), 3, 3);
+    painter.setPen(c.panel);
+    painter.drawText(rect(), Qt::AlignCenter, text());
+    if (!hasFocus()) return;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(c.panel, 1));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(3, 3, -3, -3), 2, 2);
+  }
+};
+
+}  // namespace
+
+CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setMinimumWidth(360);
+  const auto button = [this](const QString& name, auto&& signal) {
+    auto* made = new CardButton(this);
+    made->setObjectName(name);
+    made->setFixedHeight(kControlHeight);
+    made->setAutoDefault(true);  // Enter presses it
+    made->installEventFilter(this);
+    connect(made, &QPushButton::clicked, this, signal);
+    return made;
+  };
+  add_ = button(QStringLiteral("add"), [this] { emit add(state_.id); });
+  what_if_ = button(QStringLiteral("what_if"), [this] { emit what_if(state_.id); });
+  poses_ = button(QStringLiteral("poses"), [this] { emit show_poses(state_.id); });
+  action_ = button(QStringLiteral("action"), [this] { emit action(state_.action_id); });
+  add_->setText(tr("Add"));
+  what_if_->setText(tr("What if"));
+  poses_->setText(tr("Poses that would tell"));
+}
+
+void CandidateCard::set_state(CardState state) {
+  state_ = std::move(state);
+  const bool is_candidate = state_.kind == CardKind::candidate;
+  add_->setVisible(is_candidate);
+  add_->setEnabled(state_.can_add);
+  add_->setToolTip(state_.can_add ? tr("Adds it to the model and fits (Enter)") : state_.why_not);
+  what_if_->setVisible(is_candidate && state_.can_what_if);
+  poses_->setVisible(is_candidate && state_.can_show_poses);
+  action_->setVisible(!is_candidate && !state_.action.isEmpty());
+  action_->setText(state_.action);
+  setAccessibleName(state_.where.isEmpty() ? state_.title : tr("%1 of %2").arg(state_.title, state_.where));
+  QString description = state_.words;
+  if (is_candidate) description += QLatin1Char(' ') + error_left_text(state_.error);
+  setAccessibleDescription(description);
+  place_buttons();
+  update();
+}
+
+void CandidateCard::set_main(bool is_main) {
+  is_main_ = is_main;
+  const Colors& c = colors();
+  for (QPushButton* button : {add_, action_}) {
+    QPalette inks = QApplication::palette();
+    if (is_main) {
+      inks.setColor(QPalette::Button, c.accent);
+      inks.setColor(QPalette::ButtonText, c.panel);
+      inks.setColor(QPalette::Disabled, QPalette::Button, c.sunken);
+      inks.setColor(QPalette::Disabled, QPalette::ButtonText, c.ink3);
+    }
+    button->setPalette(inks);
+  }
+  update();
+}
+
+void CandidateCard::set_previewed(bool previewed) {
+  if (previewed == is_previewed_) return;
+  is_previewed_ = previewed;
+  update();
+}
+
+QSize CandidateCard::sizeHint() const { return {464, heightForWidth(464)}; }
+
+int CandidateCard::heightForWidth(int width) const { return static_cast<int>(lay_out(state_, width).height); }
+
+void CandidateCard::place_buttons() {
+  const CardLayout layout = lay_out(state_, width());
+  if (height() != static_cast<int>(layout.height)) setFixedHeight(static_cast<int>(layout.height));
+  const std::array<QPushButton*, 4> buttons = {add_, action_, what_if_, poses_};
+  const auto wide = [](const QPushButton* button) {
+    return std::max(QFontMetrics(button->font()).horizontalAdvance(button->text()) + 28, 72);
+  };
+  int total = -kGap;
+  for (const QPushButton* button : buttons) total += button->isHidden() ? 0 : wide(button) + kGap;
+  const bool is_narrow = total > layout.buttons.width();  // then from below the drawing on
+  int x = static_cast<int>(is_narrow ? layout.drawing.left() : layout.buttons.left());
+  for (QPushButton* button : buttons) {
+    if (button->isHidden()) continue;
+    button->setGeometry(x, static_cast<int>(layout.buttons.top()), wide(button), kControlHeight);
+    x += wide(button) + kGap;
+  }
+}
+
+void CandidateCard::paintEvent(QPaintEvent*) {
+  const Colors& c = colors();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+  painter.setPen(QPen(c.hairline, 1));
+  painter.setBrush(c.panel);
+  painter.drawRoundedRect(frame, 4, 4);
+  if (is_previewed_ || (is_attended_ && state_.kind == CardKind::candidate)) {
+    QPen pen(c.candidate, 2);
+    pen.setDashPattern({4, 3});
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(frame.adjusted(1, 1, -1, -1), 4, 4);
+  }
+  paint_card(painter, state_, lay_out(state_, width()));
+  if (hasFocus()) draw_focus(painter, rect());
+}
+
+void CandidateCard::look_at_attention() {
+  const QWidget* focus = QApplication::focusWidget();
+  const bool has_focus = focus == this || isAncestorOf(focus);
+  const bool is_attended = is_hovered_ || has_focus;
+  update();
+  if (is_attended == is_attended_) return;
+  is_attended_ = is_attended;
+  if (state_.kind != CardKind::candidate) return;
+  if (is_attended)
+    emit preview(state_.id);
+  else
+    emit preview_ended(state_.id);
+}
+
+void CandidateCard::enterEvent(QEnterEvent* event) {
+  is_hovered_ = true;
+  look_at_attention();
+  QFrame::enterEvent(event);
+}
+
+void CandidateCard::leaveEvent(QEvent* event) {
+  is_hovered_ = false;
+  look_at_attention();
+  QFrame::leaveEvent(event);
+}
+
+// The focus may go from the card to its own button: only afterwards is it known where it has gone.
+void CandidateCard::focusInEvent(QFocusEvent* event) {
+  QFrame::focusInEvent(event);
+  QMetaObject::invokeMethod(this, &CandidateCard::look_at_attention, Qt::QueuedConnection);
+}
+
+void CandidateCard::focusOutEvent(QFocusEvent* event) {
+  QFrame::focusOutEvent(event);
+  QMetaObject::invokeMethod(this, &CandidateCard::look_at_attention, Qt::QueuedConnection);
+}
+
+bool CandidateCard::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
+    QMetaObject::invokeMethod(this, &CandidateCard::look_at_attention, Qt::QueuedConnection);
+  return QFrame::eventFilter(watched, event);
+}
+
+void CandidateCard::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  place_buttons();
+}
+
+void CandidateCard::mousePressEvent(QMouseEvent* event) {
+  setFocus(Qt::MouseFocusReason);
+  QFrame::mousePressEvent(event);
+}
+
+void CandidateCard::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) return QFrame::keyPressEvent(event);
+  if (state_.kind == CardKind::candidate && state_.can_add)
+    emit add(state_.id);
+  else if (state_.kind != CardKind::candidate && !state_.action.isEmpty())
+    emit action(state_.action_id);
+}
+
+bool CandidateCard::event(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && action_) set_main(is_main_);
+  if (event->type() != QEvent::ToolTip) return QFrame::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const CardLayout layout = lay_out(state_, width());
+  QString text = state_.words;
+  if (layout.error.contains(help->pos()))
+    text = tr("The error that would be left on observations that the fit has not seen: %1. Today %2; the noise "
+              "(hatched) is %3.")
+               .arg(with_unit_text(state_.error.left, state_.error.unit),
+                    with_unit_text(state_.error.now, state_.error.unit),
+                    with_unit_text(state_.error.noise, state_.error.unit));
+  else if (layout.evidence.contains(help->pos()))
+    text = state_.evidence;
+  else if (layout.check.contains(help->pos()))
+    text = state_.check;
+  for (std::size_t i = 0; i < layout.sizes.size() && i < state_.sizes.size(); ++i)
+    if (layout.sizes[i].contains(help->pos()))
+      text = tr("%1 %2: the size that the fit wants, against what is plausible (± %3).")
+                 .arg(state_.sizes[i].of, state_.sizes[i].name,
+                      with_unit_text(state_.sizes[i].plausible, state_.sizes[i].unit))
+                 .trimmed();
+  QToolTip::showText(help->globalPos(), text, this);
+  return true;
+}
+
+}  // namespace handsight::widgets

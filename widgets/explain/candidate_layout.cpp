@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/explain/candidate_layout.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/explain/effect_drawing.h"
+#include "widgets/explain/text_lines.h"
+#include "widgets/number_text.h"
+#include "widgets/paint_tools.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+constexpr double kMargin = 10, kDrawing = 96, kSizeRow = 18, kErrorRow = 20, kLeast = 168;
+constexpr int kMostSizes = 4;
+
+QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::CandidateCard", text); }
+
+QFont body() { return text_font(TextRole::body); }
+QFont small() { return text_font(TextRole::small); }
+
+/// The sign, ink and ground of an honest card.
+struct Honest {
+  QString sign;
+  QColor ink, tint;
+};
+
+Honest honest(CardKind kind) {
+  const Colors& c = colors();
+  switch (kind) {
+    case CardKind::adequate:
+      return {QStringLiteral("✓"), c.good, c.good_tint};
+    case CardKind::unexplained:
+      return {QStringLiteral("?"), c.bad, c.bad_tint};
+    case CardKind::ambiguous:
+      return {QStringLiteral("⇄"), c.care, c.care_tint};
+    case CardKind::scatter:
+      return {QStringLiteral("∴"), c.care, c.care_tint};
+    default:
+      return {QStringLiteral("?"), c.care, c.care_tint};
+  }
+}
+
+void paint_honest(QPainter& painter, const CardState& state, const CardLayout& layout) {
+  const Honest look = honest(state.kind);
+  const QPointF middle = layout.drawing.center();
+  painter.setPen(QPen(look.ink, 3));
+  painter.setBrush(look.tint);
+  painter.drawEllipse(middle, 34, 34);
+  QFont font = text_font(TextRole::number);
+  font.setPixelSize(34);
+  painter.setFont(font);
+  painter.drawText(layout.drawing, Qt::AlignCenter, look.sign);
+}
+
+void paint_title(QPainter& painter, const CardState& state, QRectF area) {
+  painter.setFont(text_font(TextRole::title));
+  painter.setPen(colors().ink1);
+  draw_text(painter, area, Qt::AlignLeft | Qt::AlignVCenter, state.title);
+  area.setLeft(area.left() + QFontMetricsF(painter.font()).horizontalAdvance(state.title) + kGap);
+  if (state.where.isEmpty() || area.width() < 24) return;
+  painter.setFont(body());
+  painter.setPen(colors().ink2);
+  draw_text(painter, area, Qt::AlignLeft | Qt::AlignVCenter, state.where);
+}
+
+/// The error that is left as a bar on a log scale that ends at the noise, today's as an outline round it.
+void paint_error(QPainter& painter, const ErrorLeft& error, const QRectF& area) {
+  const Colors& c = colors();
+  painter.setFont(number_font(TextRole::body));
+  const QString text = error_left_text(error);
+  const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text) + 2;
+  painter.setPen(error.is_predicted ? c.candidate : c.ink1);
+  draw_text(painter, area.adjusted(area.width() - wide, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, text);
+  const QRectF bar(area.left(), area.top() + 4, area.width() - wide - 12, area.height() - 8);
+  if (bar.width() < 30 || !error.now || !(*error.now > 0)) return;
+  const double least = std::min({error.noise.value_or(*error.now), error.left.value_or(*error.now), *error.now});
+  const double low = std::max(least, 1e-9) / 1.6, high = std::max(*error.now, error.left.value_or(0)) * 1.02;
+  const auto x_of = [&](double value) {
+    return bar.left() + bar.width() * std::clamp(std::log(value / low) / std::log(high / low), 0.0, 1.0);
+  };
+  painter.fillRect(bar, c.sunken);
+  if (error.left && *error.left > 0) {
+    const QRectF left(bar.left(), bar.top(), x_of(*error.left) - bar.left(), bar.height());
+    if (error.is_predicted) {
+      QColor veil = c.candidate;
+      veil.setAlpha(60);
+      QPen pen(c.candidate, 1.5);
+      pen.setDashPattern({3, 2});
+      painter.setPen(pen);
+      painter.setBrush(veil);
+      painter.drawRect(left.adjusted(1, 1, -1, -1));
+    } else {
+      painter.fillRect(left, c.ink2);
+    }
+  }
+  if (error.noise && *error.noise > 0) {
+    const QRectF floor(bar.left(), bar.top(), x_of(*error.noise) - bar.left(), bar.height());
+    painter.fillRect(floor, noise_hatching(c.control_edge));
+    painter.setPen(QPen(c.ink2, 1));
+    painter.drawLine(QPointF(floor.right(), bar.top() - 3), QPointF(floor.right(), bar.bottom() + 3));
+  }
+  painter.setPen(QPen(c.control_edge, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(
+      QRectF(bar.left(), bar.top(), x_of(*error.now) - bar.left(), bar.height()).adjusted(0.5, 0.5, -0.5, -0.5));
+}
+
+/// A value against minus and plus three plausible sizes, its sigma as a whisker.
+void paint_plausible(QPainter& painter, const ModelParameter& p, const QRectF& bar) {
+  const Colors& c = colors();
+  constexpr double most = 3;
+  const auto x_of = [&](double sizes) {
+    return bar.center().x() + bar.width() / 2 * std::clamp(sizes / most, -1.0, 1.0);
+  };
+  painter.fillRect(bar, c.sunken);
+  painter.fillRect(QRectF(x_of(-1), bar.top(), x_of(1) - x_of(-1), bar.height()), c.hairline);
+  painter.setPen(QPen(c.control_edge, 1));
+  painter.drawLine(QPointF(bar.center().x(), bar.top() - 1), QPointF(bar.center().x(), bar.bottom() + 1));
+  if (!p.value) return;
+  const double value = *p.value / *p.plausible, sigma = p.sigma.value_or(0) / *p.plausible;
+  const QColor ink = std::abs(value) > most ? c.bad : c.ink1;
+  painter.setPen(QPen(ink, 1));
+  painter.drawLine(QPointF(x_of(value - sigma), bar.center().y()), QPointF(x_of(value + sigma), bar.center().y()));
+  painter.fillRect(QRectF(x_of(value) - 1.5, bar.top() - 2, 3, bar.height() + 4), ink);
+}
+
+/// "arm_2 compliance"; the joint alone where all numbers are of one kind, which their unit tells.
+QString name_of(const ModelParameter& p, const std::vector<ModelParameter>& all) {
+  const bool is_one_kind =
+      std::all_of(all.begin(), all.end(), [&](const ModelParameter& other) { return other.name == p.name; });
+  if (p.of.isEmpty()) return p.name;
+  return is_one_kind ? p.of : p.of + QStringLiteral(" ") + p.name;
+}
+
+void paint_size(QPainter& painter, const ModelParameter& p, const QString& name, const QRectF& row) {
+  const Colors& c = colors();
+  QString value = with_sigma_text(p.value, p.sigma);
+  if (p.value && !p.unit.isEmpty()) value += QChar(0x00A0) + p.unit;
+  const double bar = 64, most = row.width() - bar - 2 * kGap - 44;
+  painter.setFont(number_font(TextRole::small));
+  const double needed = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value) + 2, most);
+  painter.setPen(c.ink1);
+  const QRectF middle(row.right() - bar - kGap - needed, row.top(), needed, row.height());
+  draw_text(painter, middle, Qt::AlignRight | Qt::AlignVCenter, value);
+  painter.setFont(small());
+  painter.setPen(c.ink2);
+  draw_text(painter, QRectF(row.left(), row.top(), middle.left() - kGap - row.left(), row.height()),
+            Qt::AlignLeft | Qt::AlignVCenter, name);
+  if (p.plausible && *p.plausible > 0)
+    paint_plausible(painter, p, QRectF(row.right() - bar, row.center().y() - 3, bar, 6));
+}
+
+void paint_more(QPainter& painter, const QRectF& row, std::size_t hidden) {
+  painter.setFont(small());
+  painter.setPen(colors().ink3);
+  draw_text(painter, row, Qt::AlignLeft | Qt::AlignVCenter, said("and %1 more numbers").arg(hidden));
+}
+
+}  // namespace
+
+QString told_from_text(const CardState& state) {
+  return state.cannot_be_told_from.isEmpty()
+             ? QString()
+             : said("Cannot be told from %1 on these poses.").arg(state.cannot_be_told_from);
+}
+
+QString check_text(const CardState& state) {
+  return state.check.isEmpty() ? QString() : said("Check: %1").arg(state.check);
+}
+
+QString error_left_text(const ErrorLeft& error) {
+  QString text = QStringLiteral("%1 → %2").arg(short_text(error.now), with_unit_text(error.left, error.unit));
+  if (error.is_predicted) text += QStringLiteral(" ") + said("predicted");
+  return text;
+}
+
+CardLayout lay_out(const CardState& state, double width) {
+  CardLayout l;
+  l.drawing = {kMargin, kMargin, kDrawing, kDrawing};
+  const double left = l.drawing.right() + 12, wide = width - left - kMargin;
+  l.title = {left, kMargin - 2, wide, 22};
+  double y = l.title.bottom() + 2;
+  const auto text = [&](const QFont& font, const QString& said_text, int most_lines) {
+    const double high = lines_height(font, said_text, wide, most_lines);
+    const QRectF area = high > 0 ? QRectF(left, y, wide, high) : QRectF();
+    if (high > 0) y += high + 3;
+    return area;
+  };
+  const bool is_honest = state.kind != CardKind::candidate;
+  l.words = text(body(), state.words, is_honest ? 6 : 2);
+  if (state.error.now && state.error.left) {
+    l.error = {left, y, wide, kErrorRow};
+    y += kErrorRow + 3;
+  }
+  l.caution = text(small(), state.caution, 2);
+  l.evidence = text(small(), state.evidence, 2);
+  const std::size_t shown = std::min<std::size_t>(state.sizes.size(), kMostSizes);
+  const std::size_t rows = shown + (state.sizes.size() > shown ? 1 : 0);
+  for (std::size_t i = 0; i < rows; ++i, y += kSizeRow) l.sizes.push_back({left, y, wide, kSizeRow});
+  if (rows > 0) y += 3;
+  l.told_from = text(small(), told_from_text(state), 2);
+  l.check = text(small(), check_text(state), 2);
+  const bool has_buttons = !is_honest || !state.action.isEmpty();
+  y = std::max(y, kLeast - kMargin - (has_buttons ? kControlHeight + 4 : 0));
+  if (has_buttons) {
+    l.buttons = {left, y + 2, wide, static_cast<double>(kControlHeight)};
+    y = l.buttons.bottom();
+  }
+  l.height = std::max(std::ceil(y + kMargin), kLeast);
+  return l;
+}
+
+void paint_card(QPainter& painter, const CardState& state, const CardLayout& l) {
+  const Colors& c = colors();
+  if (state.kind == CardKind::candidate)
+    paint_effect(painter, l.drawing, state.effect, c);
+  else
+    paint_honest(painter, state, l);
+  paint_title(painter, state, l.title);
+  painter.setPen(c.ink1);
+  draw_lines(painter, body(), l.words, state.words, state.kind == CardKind::candidate ? 2 : 6);
+  if (!l.error.isEmpty()) paint_error(painter, state.error, l.error);
+  painter.setPen(c.care);
+  draw_lines(painter, small(), l.caution, state.caution, 2);
+  painter.setPen(c.ink2);
+  draw_lines(painter, small(), l.evidence, state.evidence, 2);
+  for (std::size_t i = 0; i < l.sizes.size(); ++i) {
+    if (i < kMostSizes)
+      paint_size(painter, state.sizes[i], name_of(state.sizes[i], state.sizes), l.sizes[i]);
+    else
+      paint_more(painter, l.sizes[i], state.sizes.size() - kMostSizes);
+  }
+  painter.setPen(c.care);
+  draw_lines(painter, small(), l.told_from, told_from_text(state), 2);
+  painter.setPen(c.ink2);
+  draw_lines(painter, small(), l.check, check_text(state), 2);
+}
+
+}  // namespace handsight::widgets

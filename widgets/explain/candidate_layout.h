@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the parts of a card lie, and how they are painted. Internal to candidate_*.cpp.
+#pragma once
+
+#include <QRectF>
+#include <vector>
+
+#include "widgets/explain/candidate_card.h"
+
+namespace handsight::widgets {
+
+/// Empty rectangles where a part is missing. Widget coordinates.
+struct CardLayout {
+  QRectF drawing, title, words, error, evidence, told_from, check, caution, buttons;
+  std::vector<QRectF> sizes;
+  double height = 0;
+};
+
+CardLayout lay_out(const CardState& state, double width);
+void paint_card(QPainter& painter, const CardState& state, const CardLayout& layout);
+/// "Joint offset and payload look the same here" and the like, with their heads: what the card says of its limits.
+QString told_from_text(const CardState& state);
+QString check_text(const CardState& state);
+QString error_left_text(const ErrorLeft& error);
+
+}  // namespace handsight::widgets

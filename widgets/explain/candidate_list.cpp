@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/explain/candidate_list.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+
+CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(kGap, 0, kGap, 0);
+  title_ = new QLabel(tr("What is missing"), this);
+  title_->setFont(text_font(TextRole::title));
+  title_->setFixedHeight(kControlHeight);
+  progress_ = new QLabel(this);
+  progress_->setFont(text_font(TextRole::small));
+  resort_ = new QPushButton(tr("Order changed: sort again"), this);
+  resort_->setFont(text_font(TextRole::small));
+  resort_->hide();
+  head->addWidget(title_);
+  head->addStretch(1);
+  head->addWidget(progress_);
+  head->addWidget(resort_);
+  layout->addLayout(head);
+
+  scroll_ = new QScrollArea(this);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  content_ = new QWidget(scroll_);
+  list_ = new QVBoxLayout(content_);
+  list_->setContentsMargins(0, 0, 2, 0);
+  list_->setSpacing(kGap);
+  empty_ = new QLabel(content_);
+  empty_->setWordWrap(true);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setMargin(kWideGap);
+  list_->addWidget(empty_);
+  list_->addStretch(1);
+  scroll_->setWidget(content_);
+  layout->addWidget(scroll_, 1);
+
+  why_not_ = new QPushButton(tr("Why not …? All effects"), this);
+  why_not_->setFixedHeight(kControlHeight);
+  why_not_->setMinimumWidth(why_not_->sizeHint().width() + 12);
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(kGap, 0, kGap, 4);
+  foot->addWidget(why_not_);
+  foot->addStretch(1);
+  layout->addLayout(foot);
+  connect(why_not_, &QPushButton::clicked, this, &CandidateList::why_not_requested);
+  connect(resort_, &QPushButton::clicked, this, &CandidateList::resort);
+}
+
+QSize CandidateList::sizeHint() const { return {464, 560}; }
+
+CandidateCard* CandidateList::card(int index) const { return cards_.at(static_cast<std::size_t>(index)); }
+
+std::vector<QString> CandidateList::shown() const {
+  std::vector<QString> ids;
+  for (const CandidateCard* card : cards_) ids.push_back(card->state().id);
+  return ids;
+}
+
+CandidateCard* CandidateList::make_card() {
+  auto* card = new CandidateCard(content_);
+  card->installEventFilter(this);
+  connect(card, &CandidateCard::preview, this, [this](const QString& id) {
+    attended_.push_back(id);
+    emit preview(id);
+  });
+  connect(card, &CandidateCard::preview_ended, this, &CandidateList::let_go);
+  connect(card, &CandidateCard::add, this, &CandidateList::add);
+  connect(card, &CandidateCard::show_poses, this, &CandidateList::show_poses);
+  connect(card, &CandidateCard::what_if, this, &CandidateList::what_if);
+  connect(card, &CandidateCard::action, this, &CandidateList::action);
+  return card;
+}
+
+void CandidateList::set_cards(std::vector<CardState> cards, CardOrder order) {
+  wanted_ = std::move(cards);
+  if (order == CardOrder::fresh) return resort();
+  std::vector<CardState> in_order;
+  const auto wanted = [this](const QString& id) {
+    return std::find_if(wanted_.begin(), wanted_.end(), [&](const CardState& card) { return card.id == id; });
+  };
+  const std::vector<QString> before = shown();
+  for (const QString& id : before)
+    if (const auto found = wanted(id); found != wanted_.end()) in_order.push_back(*found);
+  for (const CardState& card : wanted_)
+    if (std::find(before.begin(), before.end(), card.id) == before.end()) in_order.push_back(card);
+  const bool is_other = !std::equal(in_order.begin(), in_order.end(), wanted_.begin(), wanted_.end(),
+                                    [](const CardState& a, const CardState& b) { return a.id == b.id; });
+  show_cards(in_order);
+  resort_->setVisible(is_other);
+}
+
+void CandidateList::resort() {
+  show_cards(wanted_);
+  resort_->hide();
+}
+
+void CandidateList::show_cards(const std::vector<CardState>& in_order) {
+  // A card keeps its widget (and with it hover and focus) as long as its id is shown.
+  std::vector<CandidateCard*> old = cards_, now;
+  for (const CardState& state : in_order) {
+    const auto found =
+        std::find_if(old.begin(), old.end(), [&](const CandidateCard* card) { return card->state().id == state.id; });
+    CandidateCard* card = found != old.end() ? *found : make_card();
+    if (found != old.end()) old.erase(found);
+    CardState shown_state = state;
+    if (!can_add_) shown_state.can_add = false, shown_state.why_not = tr("A fit runs.");
+    card->set_state(std::move(shown_state));
+    now.push_back(card);
+  }
+  for (CandidateCard* card : old) {  // its own click may be what led here: it must outlive its signal
+    let_go(card->state().id);
+    list_->removeWidget(card);
+    card->hide();
+    card->deleteLater();
+  }
+  cards_ = now;
+  for (int i = 0; i < count(); ++i) {
+    list_->removeWidget(cards_[static_cast<std::size_t>(i)]);
+    list_->insertWidget(i, cards_[static_cast<std::size_t>(i)]);
+    cards_[static_cast<std::size_t>(i)]->show();
+    if (i > 0) QWidget::setTabOrder(cards_[static_cast<std::size_t>(i - 1)], cards_[static_cast<std::size_t>(i)]);
+  }
+  empty_->setVisible(cards_.empty());
+  mark_main();
+}
+
+void CandidateList::let_go(const QString& id) {
+  const auto found = std::find(attended_.begin(), attended_.end(), id);
+  if (found == attended_.end()) return;
+  attended_.erase(found);
+  emit preview_ended(id);
+  if (!attended_.empty()) emit preview(attended_.back());
+}
+
+void CandidateList::mark_main() {
+  for (std::size_t i = 0; i < cards_.size(); ++i) cards_[i]->set_main(i == 0);
+}
+
+void CandidateList::set_progress(const QString& text) {
+  progress_->setText(text);
+  progress_->setVisible(!text.isEmpty());
+}
+
+void CandidateList::set_previewed(const QString& id) {
+  for (CandidateCard* card : cards_) card->set_previewed(!id.isEmpty() && card->state().id == id);
+}
+
+void CandidateList::set_empty_text(const QString& sentence) { empty_->setText(sentence); }
+
+void CandidateList::set_can_add(bool can_add) {
+  if (can_add == can_add_) return;
+  can_add_ = can_add;
+  std::vector<CardState> states;
+  for (const CandidateCard* card : cards_) {
+    const auto found = std::find_if(wanted_.begin(), wanted_.end(),
+                                    [&](const CardState& state) { return state.id == card->state().id; });
+    if (found != wanted_.end()) states.push_back(*found);
+  }
+  show_cards(states);
+}
+
+bool CandidateList::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusIn)
+    if (auto* card = qobject_cast<CandidateCard*>(watched)) scroll_->ensureWidgetVisible(card, 0, 0);
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const auto found = std::find(cards_.begin(), cards_.end(), watched);
+    if (found != cards_.end() && (key == Qt::Key_Down || key == Qt::Key_Up)) {
+      const auto at = found - cards_.begin() + (key == Qt::Key_Down ? 1 : -1);
+      if (at >= 0 && at < static_cast<std::ptrdiff_t>(cards_.size()))
+        cards_[static_cast<std::size_t>(at)]->setFocus(Qt::TabFocusReason);
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace handsight::widgets

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Effects of the marker body, and the curve without a name.
+#include <cmath>
+
+#include "widgets/explain/effect_drawings.h"
+
+namespace handsight::widgets {
+namespace {
+
+/// The back of a hand with fingers.
+void hand(const DrawingKit& kit) {
+  kit.link(Ink::model, {48, 88}, {48, 80}, 12);
+  for (int i = 0; i < 3; ++i) kit.link(Ink::model, {32.0 + 16 * i, 26}, {32.0 + 16 * i, 10}, 8);
+  kit.shape(Ink::model, {{24, 24}, {72, 24}, {76, 46}, {66, 82}, {30, 82}, {20, 46}});
+}
+
+/// All markers together moved on the hand.
+void body_slip(const DrawingKit& kit) {
+  hand(kit);
+  const QPointF a(32, 34), b(52, 34), c(38, 54);
+  kit.shape(Ink::help, {a, b, c});
+  for (const QPointF& at : {a, b, c}) kit.marker(Ink::model, at, 4.5);
+  QTransform slip;
+  slip.translate(64, 64);
+  slip.rotate(28);
+  slip.translate(-41, -41);
+  kit.shape(Ink::effect, slip.map(QPolygonF({a, b, c})));
+  for (const QPointF& at : {a, b, c}) kit.marker(Ink::effect, slip.map(at), 4.5, -22);
+  kit.arrow(Ink::effect, {76, 30}, {86, 46});
+}
+
+/// One marker of three came loose.
+void marker_slip(const DrawingKit& kit) {
+  hand(kit);
+  const QPointF loose(60, 40), moved(82, 60);
+  kit.line(Ink::help, {36, 38}, {48, 66});
+  kit.line(Ink::help, {36, 38}, loose);
+  kit.line(Ink::help, loose, {48, 66});
+  kit.marker(Ink::model, {36, 38}, 5.5);
+  kit.marker(Ink::model, {48, 66}, 5.5);
+  kit.marker(Ink::help, loose, 5.5);
+  kit.marker(Ink::effect, moved, 6.5, -25);
+  kit.arrow(Ink::effect, {66, 45}, {76, 53});
+}
+
+/// Something follows a joint, and no effect of the catalogue looks like it.
+void unnamed(const DrawingKit& kit) {
+  kit.arrow(Ink::help, {10, 88}, {10, 8});
+  kit.arrow(Ink::help, {10, 88}, {92, 88});
+  QPainterPath curve;
+  for (int i = 0; i <= 70; ++i) {
+    const QPointF at(16 + i, 54 - 20 * std::sin(i / 11.0) - 0.12 * i);
+    i == 0 ? curve.moveTo(at) : curve.lineTo(at);
+    if (i % 7 == 3) kit.dot(Ink::model, at + QPointF(0, (i % 2 ? 5 : -5)), 2);
+  }
+  kit.path(Ink::effect, curve);
+  kit.text(Ink::effect, {78, 22}, QStringLiteral("?"), 26);
+}
+
+}  // namespace
+
+std::map<std::string, DrawEffect> hand_drawings() {
+  return {{"body_slip", body_slip}, {"marker_slip", marker_slip}, {"", unnamed}};
+}
+
+}  // namespace handsight::widgets

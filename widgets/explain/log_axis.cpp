@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/explain/log_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/number_text.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+
+LogAxis LogAxis::over(double low, double high, double bottom, double top) {
+  if (!(low > 0) || !(high > 0) || low > high) low = 0.1, high = 1;
+  const double room = std::max(std::pow(high / low, 0.12), 1.25);
+  return {low / room, high * room, bottom, top};
+}
+
+double LogAxis::at(double value) const {
+  const double share = std::log(std::max(value, low) / low) / std::log(high / low);
+  return bottom + (top - bottom) * std::clamp(share, 0.0, 1.0);
+}
+
+std::vector<double> LogAxis::marks() const {
+  const double decade = std::abs(bottom - top) / std::log10(high / low);
+  std::vector<double> steps = {1};
+  if (decade * std::log10(2.0) > 18)
+    steps = {1, 2, 5};
+  else if (decade * std::log10(3.0) > 14)
+    steps = {1, 3};
+  std::vector<double> all;
+  for (int power = static_cast<int>(std::floor(std::log10(low))); power <= std::log10(high); ++power)
+    for (const double step : steps) {
+      const double value = step * std::pow(10.0, power);
+      if (value >= low && value <= high) all.push_back(value);
+    }
+  return all;
+}
+
+void draw_log_axis(QPainter& painter, const LogAxis& axis, const QRectF& area) {
+  painter.setFont(number_font(TextRole::small));
+  for (const double value : axis.marks()) {
+    const double y = std::round(axis.at(value)) + 0.5;
+    painter.setPen(QPen(colors().hairline, 1));
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+    painter.setPen(colors().ink3);
+    painter.drawText(QRectF(0, y - 9, area.left() - 5, 18), Qt::AlignRight | Qt::AlignVCenter, short_text(value, 1));
+  }
+}
+
+}  // namespace handsight::widgets

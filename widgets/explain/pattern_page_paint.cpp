@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the nine small plots are painted.
+#include <algorithm>
+
+#include "widgets/explain/pattern_page.h"
+#include "widgets/paint_tools.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+bool contains(const std::vector<ObservationId>& sorted, ObservationId id) {
+  return std::binary_search(sorted.begin(), sorted.end(), id);
+}
+
+}  // namespace
+
+void PatternPage::paint_head(QPainter& painter, int place) const {
+  const Colors& c = colors();
+  const PatternPlot& plot = plots_[static_cast<std::size_t>(place)];
+  const QRectF cell = plot_rect(place).adjusted(6, 1, -6, -1);
+  painter.setFont(text_font(TextRole::small));
+  const QFontMetricsF metrics(painter.font());
+  /// With the word before it where there is room for both.
+  const auto worded = [&](const QString& sentence, const QString& alone, const QRectF& room) {
+    draw_text(painter, room, Qt::AlignLeft | Qt::AlignVCenter,
+              metrics.horizontalAdvance(sentence) <= room.width() ? sentence : alone);
+  };
+  QRectF head(cell.left(), cell.top(), cell.width(), 16), foot(cell.left(), cell.bottom() - 16, cell.width(), 16);
+  painter.setPen(c.ink1);
+  draw_text(painter, head, Qt::AlignLeft | Qt::AlignVCenter, plot.what);
+  head.setLeft(head.left() + metrics.horizontalAdvance(plot.what) + 8);
+  painter.setPen(c.ink3);
+  if (!plot.shows.isEmpty() && head.width() > 30) worded(tr("shows: %1").arg(plot.shows), plot.shows, head);
+  // The strength: a bar that is filled as far as the residual follows.
+  const QRectF mark(foot.right() - 30, foot.top() + 5, 30, 7);
+  painter.setPen(QPen(plot.is_chance ? c.hairline : c.control_edge, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(mark.adjusted(0.5, 0.5, -0.5, -0.5));
+  if (!plot.is_chance)
+    painter.fillRect(QRectF(mark.left(), mark.top(), mark.width() * std::clamp(plot.strength, 0.0, 1.0), mark.height()),
+                     c.ink2);
+  foot.setRight(mark.left() - 4);
+  painter.setPen(c.ink2);
+  worded(tr("against %1").arg(plot.against), plot.against, foot);
+}
+
+void PatternPage::paint_curves(QPainter& painter, int place) const {
+  const Colors& c = colors();
+  const PatternPlot& plot = plots_[static_cast<std::size_t>(place)];
+  const auto curve = [&](const std::vector<TrendPoint>& points, auto&& y_of) {
+    QPolygonF line;
+    for (const TrendPoint& point : points) line += on_screen(place, point.x, y_of(point));
+    return line;
+  };
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  const QPolygonF trend = curve(plot.trend, [](const TrendPoint& p) { return p.y; });
+  painter.setPen(QPen(c.panel, 4));  // a rim: the strongest residuals are as dark as the line
+  painter.drawPolyline(trend);
+  painter.setPen(QPen(c.ink1, 1.6));
+  painter.drawPolyline(trend);
+  QPen dashed(c.candidate, 1.8, Qt::DashLine);
+  dashed.setDashPattern({4, 2.5});
+  painter.setPen(dashed);
+  painter.drawPolyline(curve(plot.candidate, [](const TrendPoint& p) { return p.y; }));
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void PatternPage::paint_points(QImage& image, int place, const std::vector<DotStamp>& stamps,
+                               const DotStamp& plain) const {
+  const double ratio = image.devicePixelRatio();
+  for (const ScatterPoint& point : plots_[static_cast<std::size_t>(place)].points) {
+    const QPointF at = on_screen(place, point.x, point.y) * ratio;
+    const DotStamp& stamp =
+        point.rms_over_sigma ? stamps[static_cast<std::size_t>(residual_step(*point.rms_over_sigma, point.coordinates))]
+                             : plain;
+    stamp.put(image, at.x(), at.y());
+  }
+}
+
+void PatternPage::paint_rings(QPainter& painter, int place) const {
+  if (highlighted_.empty() && selected_ < 0 && hovered_ < 0) return;
+  const Colors& c = colors();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  for (const ScatterPoint& point : plots_[static_cast<std::size_t>(place)].points) {
+    const bool is_selected = point.observation == selected_, is_hovered = point.observation == hovered_;
+    if (!is_selected && !is_hovered && !contains(highlighted_, point.observation)) continue;
+    painter.setPen(is_selected ? QPen(c.accent, 2) : QPen(is_hovered ? c.ink2 : c.ink1, is_hovered ? 1.5 : 1));
+    const double radius = is_selected || is_hovered ? 5 : 3;
+    painter.drawEllipse(on_screen(place, point.x, point.y), radius, radius);
+  }
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void PatternPage::paint_ground(QPainter& painter, int place) const {
+  const Colors& c = colors();
+  const PatternPlot& plot = plots_[static_cast<std::size_t>(place)];
+  const QRectF cell = plot_rect(place), area = canvas(place);
+  painter.fillRect(cell, place == selected_plot_ ? c.selected_row : c.panel);
+  painter.fillRect(area, c.panel);
+  painter.setClipRect(area);
+  if (plot.noise) {
+    const double top = on_screen(place, 0, *plot.noise).y(), bottom = on_screen(place, 0, -*plot.noise).y();
+    painter.fillRect(QRectF(area.left(), top, area.width(), bottom - top), noise_hatching(c.hairline));
+  }
+  if (!plot.trend.empty()) {
+    QPolygonF band;
+    for (const TrendPoint& p : plot.trend) band += on_screen(place, p.x, p.high);
+    for (auto p = plot.trend.rbegin(); p != plot.trend.rend(); ++p) band += on_screen(place, p->x, p->low);
+    QColor veil = c.ink2;
+    veil.setAlpha(38);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil);
+    painter.drawPolygon(band);
+  }
+  painter.setPen(QPen(c.hairline, 1));
+  const double zero = std::round(on_screen(place, 0, 0).y()) + 0.5;
+  painter.drawLine(QPointF(area.left(), zero), QPointF(area.right(), zero));
+  painter.setClipping(false);
+}
+
+void PatternPage::paintEvent(QPaintEvent*) {
+  const Colors& c = colors();
+  QPainter painter(this);
+  painter.fillRect(rect(), c.window);
+  if (plots_.empty()) {
+    draw_sentence(painter, rect(), empty_text_);
+    if (hasFocus()) draw_focus(painter, rect());
+    return;
+  }
+  const int count = static_cast<int>(plots_.size());
+  for (int i = 0; i < count; ++i) paint_ground(painter, i);
+  const double ratio = devicePixelRatioF();
+  QImage dots = dot_canvas(size(), ratio);
+  const std::vector<DotStamp> stamps = residual_stamps(3 * ratio, 255);
+  const DotStamp plain(c.ink3, 3 * ratio);
+  for (int i = 0; i < count; ++i) paint_points(dots, i, stamps, plain);
+  painter.drawImage(0, 0, dots);
+  for (int i = 0; i < count; ++i) {
+    painter.setClipRect(canvas(i));
+    paint_curves(painter, i);
+    paint_rings(painter, i);
+    painter.setClipping(false);
+    paint_head(painter, i);
+    const QRectF cell = plot_rect(i);
+    if (i == selected_plot_)
+      draw_focus(painter, cell);
+    else if (i == hovered_plot_) {
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(c.control_edge, 1));
+      painter.drawRect(cell.adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+  }
+  if (brushing_ >= 0) {
+    QColor veil = c.accent;
+    veil.setAlpha(40);
+    painter.setPen(QPen(c.accent, 1));
+    painter.setBrush(veil);
+    painter.drawRect(QRectF(brush_from_, brush_to_).normalized());
+  }
+  if (!progress_.isEmpty()) {
+    painter.setFont(text_font(TextRole::small));
+    const double wide = QFontMetricsF(painter.font()).horizontalAdvance(progress_) + 10;
+    draw_plate(painter, {width() - wide, height() - 28.0}, progress_, c.ink2, c.sunken);
+  }
+}
+
+}  // namespace handsight::widgets

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/explain/residual_cloud.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/number_text.h"
+
+namespace handsight::widgets {
+namespace {
+
+constexpr int kMilliseconds = 160, kBlink = 450;
+constexpr double kReachPixels = 8;
+
+double size_of(const CloudPoint& point) { return std::hypot(point.du, point.dv); }
+
+double largest(const std::vector<CloudPoint>& points) {
+  double most = 0;
+  for (const CloudPoint& point : points)
+    if (std::isfinite(point.du) && std::isfinite(point.dv)) most = std::max(most, size_of(point));
+  return most;
+}
+
+}  // namespace
+
+ResidualCloud::ResidualCloud(QWidget* parent) : QWidget(parent), empty_text_(tr("No residuals yet.")) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Residuals of all corners, before and after"));
+  animation_.setDuration(kMilliseconds);
+  animation_.setStartValue(0.0);
+  animation_.setEndValue(1.0);
+  animation_.setEasingCurve(QEasingCurve::InOutQuad);
+  connect(&animation_, &QVariantAnimation::valueChanged, this,
+          [this](const QVariant& value) { move(value.toDouble()); });
+  connect(&animation_, &QVariantAnimation::finished, this, [this] {
+    moving_.clear();
+    update();
+  });
+  blink_.setInterval(kBlink);
+  connect(&blink_, &QTimer::timeout, this, [this] {
+    is_swapped_ = !is_swapped_;
+    update();
+  });
+}
+
+void ResidualCloud::set_noise(std::optional<double> sigma_px) {
+  noise_ = sigma_px && *sigma_px > 0 ? sigma_px : std::nullopt;
+  update();
+}
+
+void ResidualCloud::set_before(std::vector<CloudPoint> points, const QString& title) {
+  before_ = {std::move(points), title};
+  if (reach_ <= 0) fit();
+  update();
+}
+
+void ResidualCloud::set_after(std::vector<CloudPoint> points, const QString& title) {
+  animation_.stop();
+  moving_from_ = !moving_.empty() ? moving_ : after_.points.empty() ? before_.points : after_.points;
+  moving_.clear();
+  after_ = {std::move(points), title};
+  if (reach_ <= 0) fit();
+  const bool can_move = moving_from_.size() == after_.points.size() && !after_.points.empty();
+  if (can_move && !reduced_motion_ && isVisible()) {
+    moving_ = moving_from_;
+    animation_.start();
+  }
+  update();
+}
+
+void ResidualCloud::set_live(const std::vector<CloudPoint>& points, const QString& title) {
+  animation_.stop();
+  moving_ = points;
+  after_.title = title;
+  if (reach_ <= 0) fit();
+  update();
+}
+
+void ResidualCloud::move(double share) {
+  if (moving_.size() != after_.points.size() || moving_from_.size() != moving_.size()) return;
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    const CloudPoint &from = moving_from_[i], &to = after_.points[i];
+    moving_[i] = to;
+    moving_[i].du = from.du + share * (to.du - from.du);
+    moving_[i].dv = from.dv + share * (to.dv - from.dv);
+  }
+  update();
+}
+
+void ResidualCloud::set_predicted(bool predicted) {
+  is_predicted_ = predicted;
+  update();
+}
+
+void ResidualCloud::clear_after() {
+  animation_.stop();
+  after_ = {};
+  moving_.clear();
+  is_predicted_ = false;
+  update();
+}
+
+void ResidualCloud::set_selected(ObservationId id) {
+  selected_ = id;
+  update();
+}
+
+void ResidualCloud::set_highlighted(std::vector<ObservationId> ids) {
+  std::sort(ids.begin(), ids.end());
+  highlighted_ = std::move(ids);
+  update();
+}
+
+void ResidualCloud::set_linear(bool linear) {
+  is_linear_ = linear;
+  update();
+}
+
+void ResidualCloud::set_blinking(bool blinking) {
+  if (blinking == blink_.isActive()) return;
+  is_swapped_ = blinking;
+  blinking ? blink_.start() : blink_.stop();
+  update();
+}
+
+void ResidualCloud::set_empty_text(const QString& sentence) {
+  empty_text_ = sentence;
+  update();
+}
+
+void ResidualCloud::fit() {
+  reach_ = 1.05 * std::max({largest(before_.points), largest(after_.points), largest(moving_)});
+  if (noise_ && reach_ > 0) reach_ = std::max(reach_, 5 * *noise_);  // noise alone never fills the picture
+  update();
+}
+
+double ResidualCloud::radius(double px) const {
+  if (!(reach_ > 0)) return 0;
+  const double bend = 3 * noise_.value_or(reach_ / 10);
+  if (is_linear_ || bend * 5 > reach_) return std::min(px / reach_, 1.0);
+  return std::min(std::asinh(px / bend) / std::asinh(reach_ / bend), 1.0);
+}
+
+QRectF ResidualCloud::pane(int index) const {
+  const double side = std::floor(std::min((width() - 3.0 * kGap) / 2, height() - 20.0 - 20));
+  const double left = (width() - 2 * side - kGap) / 2;
+  return {std::floor(left + index * (side + kGap)), 20.0, side, side};
+}
+
+QPointF ResidualCloud::on_screen(int index, double du, double dv) const {
+  const QRectF area = pane(index);
+  const double size = std::hypot(du, dv);
+  if (!(size > 0)) return area.center();
+  const double scale = radius(size) * area.width() / 2 / size;
+  return area.center() + QPointF(du, dv) * scale;
+}
+
+const std::vector<CloudPoint>& ResidualCloud::shown(int index) const {
+  const bool is_after = (index == 1) != is_swapped_;
+  if (!is_after) return before_.points;
+  return moving_.empty() ? after_.points : moving_;
+}
+
+const CloudPoint* ResidualCloud::point_at(const QPointF& position) const {
+  const CloudPoint* best = nullptr;
+  double nearest = kReachPixels;
+  for (int i = 0; i < 2; ++i) {
+    if (!pane(i).adjusted(-4, -4, 4, 4).contains(position)) continue;
+    for (const CloudPoint& point : shown(i)) {
+      const QPointF away = on_screen(i, point.du, point.dv) - position;
+      const double distance = std::hypot(away.x(), away.y());
+      if (distance < nearest) nearest = distance, best = &point;
+    }
+  }
+  return best;
+}
+
+void ResidualCloud::mousePressEvent(QMouseEvent* event) {
+  const CloudPoint* point = point_at(event->position());
+  if (event->button() == Qt::LeftButton && point) emit observation_selected(point->observation);
+}
+
+void ResidualCloud::mouseMoveEvent(QMouseEvent* event) {
+  const CloudPoint* point = point_at(event->position());
+  const ObservationId id = point ? point->observation : kNoObservation;
+  if (point)
+    emit read_out(tr("obs %1, marker %2, %3: %4, %5 px")
+                      .arg(QString::number(id), QString::number(point->marker),
+                           point->side == ImageSide::left ? tr("left") : tr("right"), fixed_text(point->du, 2),
+                           fixed_text(point->dv, 2)));
+  else if (hovered_ >= 0)
+    emit read_out({});
+  if (id == hovered_) return;
+  hovered_ = id;
+  update();
+  emit observation_hovered(id);
+}
+
+void ResidualCloud::leaveEvent(QEvent*) {
+  if (hovered_ < 0) return;
+  hovered_ = kNoObservation;
+  update();
+  emit observation_hovered(kNoObservation);
+  emit read_out({});
+}
+
+void ResidualCloud::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_F)
+    fit();
+  else if (event->key() == Qt::Key_L)
+    set_linear(!is_linear_);
+  else
+    QWidget::keyPressEvent(event);
+}
+
+bool ResidualCloud::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                     tr("Each dot is the residual of one corner, to the right and down in px; the rings are one and "
+                        "three sigma of the noise. F fits the axes, L makes them linear."),
+                     this);
+  return true;
+}
+
+}  // namespace handsight::widgets

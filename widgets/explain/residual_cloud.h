@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The residuals (du, dv) of all corners in px, before and after, side by side on the same axes.
+#pragma once
+
+#include <QImage>
+#include <QTimer>
+#include <QVariantAnimation>
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "widgets/cells.h"
+#include "widgets/explain/dot_stamp.h"
+
+namespace handsight::widgets {
+
+/// A corner's residual measured - predicted, px.
+struct CloudPoint {
+  ObservationId observation = kNoObservation;
+  int marker = 0;
+  ImageSide side = ImageSide::left;
+  double du = 0, dv = 0;
+};
+
+/// Painted straight into an image: 6000 points are drawn in a few ms. Beyond three sigma the distance from the middle
+/// is compressed (rings say how much), so that noise and errors of many px show on one picture; `is_linear` switches
+/// that off. The axes are locked by the larger cloud of the first `set_before`, until `fit`.
+class ResidualCloud : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ResidualCloud(QWidget* parent = nullptr);
+  void set_noise(std::optional<double> sigma_px);
+  void set_before(std::vector<CloudPoint> points, const QString& title);
+  /// Where points of the same corners were shown in this pane they move there within 160 ms.
+  void set_after(std::vector<CloudPoint> points, const QString& title);
+  /// An iteration of a running fit: as it is, at once. `points` as long as those of set_after or set_before.
+  void set_live(const std::vector<CloudPoint>& points, const QString& title);
+  void set_predicted(bool predicted);  // the right pane shows a prediction: dashed purple frame
+  void clear_after();
+  void set_selected(ObservationId id);
+  void set_highlighted(std::vector<ObservationId> ids);
+  void set_linear(bool linear);
+  void set_reduced_motion(bool reduced) { reduced_motion_ = reduced; }
+  void set_blinking(bool blinking);  // before and after alternate in both panes
+  void set_empty_text(const QString& sentence);
+  void fit();
+  double reach() const { return reach_; }  // px at the rim
+  QRectF pane(int index) const;            // 0 before, 1 after: the square with the points
+  QPointF on_screen(int pane, double du, double dv) const;
+  QSize sizeHint() const override { return {332, 172}; }
+  QSize minimumSizeHint() const override { return {220, 120}; }
+
+ signals:
+  void observation_selected(qint64 id);
+  void observation_hovered(qint64 id);
+  void read_out(const QString& text);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct Cloud {
+    std::vector<CloudPoint> points;
+    QString title;
+  };
+  void move(double share);
+  double radius(double px) const;  // px of a residual -> 0 (middle) to 1 (rim)
+  const std::vector<CloudPoint>& shown(int pane) const;
+  const CloudPoint* point_at(const QPointF& position) const;
+  void paint_pane(QPainter& painter, int index) const;
+  void paint_ground(QPainter& painter, int pane) const;
+  void paint_ring_names(QPainter& painter, const QRectF& area) const;
+  void paint_points(QImage& image, int pane) const;
+  void paint_marked(QPainter& painter, int index) const;
+
+  Cloud before_, after_;
+  std::vector<CloudPoint> moving_from_, moving_;  // of the right pane, while it moves
+  std::vector<ObservationId> highlighted_;
+  std::optional<double> noise_;
+  double reach_ = 0;
+  bool is_linear_ = false, reduced_motion_ = false, is_predicted_ = false, is_swapped_ = false;
+  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  QString empty_text_;
+  QVariantAnimation animation_;
+  QTimer blink_;
+};
+
+}  // namespace handsight::widgets

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the two clouds are painted.
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/explain/residual_cloud.h"
+#include "widgets/number_text.h"
+#include "widgets/paint_tools.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+
+void ResidualCloud::paint_ground(QPainter& painter, int index) const {
+  const Colors& c = colors();
+  const QRectF area = pane(index);
+  const QPointF middle = area.center();
+  const double half = area.width() / 2;
+  painter.setBrush(c.sunken);
+  painter.setPen(QPen(c.hairline, 1));
+  painter.drawEllipse(middle, half - 0.5, half - 0.5);
+  painter.setBrush(Qt::NoBrush);
+  if (shown(index).empty()) return;
+  painter.drawLine(QPointF(area.left(), middle.y()), QPointF(area.right(), middle.y()));
+  painter.drawLine(QPointF(middle.x(), area.top()), QPointF(middle.x(), area.bottom()));
+  for (double px = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); px < reach_; px *= 10)
+    painter.drawEllipse(middle, half * radius(px), half * radius(px));
+}
+
+void ResidualCloud::paint_ring_names(QPainter& painter, const QRectF& area) const {
+  const Colors& c = colors();
+  const double half = area.width() / 2;
+  QColor plate = c.sunken;
+  plate.setAlpha(200);
+  painter.setFont(number_font(TextRole::small));
+  painter.setBrush(Qt::NoBrush);
+  for (const double sigmas : {1.0, 3.0}) {
+    if (!noise_) break;
+    const double r = half * radius(sigmas * *noise_);
+    painter.setPen(QPen(c.ink2, 1, Qt::DashLine));
+    painter.drawEllipse(area.center(), r, r);
+    if (r < 16) continue;  // no room for its name
+    const QString name = QStringLiteral("%1 σ").arg(sigmas);
+    const double wide = QFontMetricsF(painter.font()).horizontalAdvance(name) + 6;
+    draw_plate(painter, {area.center().x() - wide / 2, area.center().y() - r - 8}, name, c.ink2, plate);
+    painter.setBrush(Qt::NoBrush);
+  }
+  painter.setPen(c.ink3);
+  for (double px = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); px < reach_; px *= 10) {
+    const double r = half * radius(px);
+    if (px > 0.7 * reach_ || (noise_ && px < 4 * *noise_) || r < 16) continue;
+    draw_plate(painter, {area.center().x() + r * 0.7071 - 2, area.center().y() + r * 0.7071 + 4},
+               with_unit_text(px, QStringLiteral("px"), 1), c.ink3, plate);
+  }
+}
+
+void ResidualCloud::paint_points(QImage& image, int index) const {
+  const double ratio = image.devicePixelRatio();
+  const std::vector<CloudPoint>& points = shown(index);
+  const std::vector<DotStamp> stamps = residual_stamps((points.size() > 3000 ? 2.2 : 3) * ratio, 200);
+  const DotStamp plain(colors().ink3, 3 * ratio);
+  for (const CloudPoint& point : points) {
+    const QPointF at = on_screen(index, point.du, point.dv) * ratio;
+    if (!noise_) {
+      plain.put(image, at.x(), at.y());
+      continue;
+    }
+    const int step = residual_step(std::hypot(point.du, point.dv) / std::sqrt(2.0) / *noise_, 2);
+    stamps[static_cast<std::size_t>(step)].put(image, at.x(), at.y());
+  }
+}
+
+void ResidualCloud::paint_marked(QPainter& painter, int index) const {
+  if (selected_ < 0 && hovered_ < 0 && highlighted_.empty()) return;
+  const Colors& c = colors();
+  painter.setBrush(Qt::NoBrush);
+  for (const CloudPoint& point : shown(index)) {
+    const bool is_selected = point.observation == selected_, is_hovered = point.observation == hovered_;
+    const bool is_high = std::binary_search(highlighted_.begin(), highlighted_.end(), point.observation);
+    if (!is_selected && !is_hovered && !is_high) continue;
+    painter.setPen(is_selected ? QPen(c.accent, 1.5) : QPen(is_hovered ? c.ink2 : c.ink1, is_hovered ? 1.5 : 1));
+    const double r = is_selected || is_hovered ? 4.5 : 3;
+    painter.drawEllipse(on_screen(index, point.du, point.dv), r, r);
+  }
+}
+
+void ResidualCloud::paint_pane(QPainter& painter, int index) const {
+  const Colors& c = colors();
+  const QRectF area = pane(index);
+  const bool is_after = (index == 1) != is_swapped_;
+  const QString title = is_after ? (after_.title.isEmpty() ? tr("after") : after_.title)
+                                 : (before_.title.isEmpty() ? tr("before") : before_.title);
+  const bool is_tried = is_after && is_predicted_;
+  painter.setFont(text_font(TextRole::small));
+  painter.setPen(is_tried ? c.candidate : c.ink2);
+  draw_text(painter, QRectF(area.left(), 0, area.width(), 18), Qt::AlignHCenter | Qt::AlignVCenter, title);
+  if (shown(index).empty()) {
+    painter.setPen(c.ink2);
+    painter.drawText(area.adjusted(kWideGap, 0, -kWideGap, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                     is_after ? tr("Try a card, or add it.") : empty_text_);
+    return;
+  }
+  paint_ring_names(painter, area);
+  paint_marked(painter, index);
+  if (!is_tried) return;
+  QPen pen(c.candidate, 2);
+  pen.setDashPattern({4, 3});
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(pen);
+  painter.drawEllipse(area.adjusted(1, 1, -1, -1));
+}
+
+void ResidualCloud::paintEvent(QPaintEvent*) {
+  const Colors& c = colors();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), c.panel);
+  if (before_.points.empty() && after_.points.empty() && moving_.empty()) {
+    draw_sentence(painter, rect(), empty_text_);
+    return;
+  }
+  for (int i = 0; i < 2; ++i) paint_ground(painter, i);
+  QImage dots = dot_canvas(size(), devicePixelRatioF());
+  for (int i = 0; i < 2; ++i) paint_points(dots, i);
+  painter.drawImage(0, 0, dots);
+  for (int i = 0; i < 2; ++i) paint_pane(painter, i);
+  painter.setFont(text_font(TextRole::small));
+  painter.setPen(c.ink3);
+  const bool is_bent = noise_ && !is_linear_ && 15 * *noise_ <= reach_;
+  const QString rim = tr("rim %1").arg(with_unit_text(reach_, QStringLiteral("px")));
+  draw_text(painter, QRectF(kGap, height() - 18.0, width() - 2.0 * kGap, 16), Qt::AlignCenter,
+            is_bent ? rim + tr(", compressed beyond 3 σ") : rim);
+  if (hasFocus()) draw_focus(painter, rect());
+}
+
+}  // namespace handsight::widgets

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wrapped text of at most so many lines. Internal to widgets/explain.
+#pragma once
+
+#include <QFont>
+#include <QPainter>
+#include <QString>
+
+namespace handsight::widgets {
+
+/// Height that the text takes at that width, at most `most_lines` lines; 0 for an empty text.
+double lines_height(const QFont& font, const QString& text, double width, int most_lines);
+
+/// Draws it from the top of the area in the painter's pen; what does not fit is shortened with "...".
+void draw_lines(QPainter& painter, const QFont& font, const QRectF& area, const QString& text, int most_lines);
+
+}  // namespace handsight::widgets

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/explain/truth_panel.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+
+#include "widgets/explain/text_lines.h"
+#include "widgets/number_text.h"
+#include "widgets/paint_tools.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+constexpr double kRow = 40;
+
+/// Sign, word and ink of a verdict.
+struct Look {
+  QString sign, word;
+  QColor ink;
+};
+
+}  // namespace
+
+TruthPanel::TruthPanel(QWidget* parent) : QWidget(parent), empty_text_(tr("This session does not know its truth.")) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAccessibleName(tr("The truth"));
+}
+
+void TruthPanel::set_rows(std::vector<TruthRow> rows, const QString& sentence) {
+  rows_ = std::move(rows);
+  sentence_ = sentence;
+  focused_ = 0;
+  setAccessibleDescription(sentence);
+  updateGeometry();
+  update();
+}
+
+void TruthPanel::set_empty_text(const QString& sentence) {
+  empty_text_ = sentence;
+  update();
+}
+
+QSize TruthPanel::minimumSizeHint() const { return {340, 96}; }
+
+QSize TruthPanel::sizeHint() const {
+  return {464,
+          static_cast<int>(top_of_rows() + kRow * static_cast<double>(std::max<std::size_t>(rows_.size(), 1)) + kGap)};
+}
+
+double TruthPanel::top_of_rows() const {
+  return kGap + lines_height(text_font(TextRole::title), sentence_, width() - 2.0 * kGap, 3) + 4 + kRowHeight;
+}
+
+QRectF TruthPanel::row_rect(int row) const {
+  return {0, top_of_rows() + row * kRow, static_cast<double>(width()), kRow};
+}
+
+void TruthPanel::paint_row(QPainter& painter, int row) const {
+  const Colors& c = colors();
+  const TruthRow& r = rows_[static_cast<std::size_t>(row)];
+  const QRectF area = row_rect(row), room = area.adjusted(kGap, 2, -kGap, -2);
+  const Look look = r.verdict == TruthVerdict::right    ? Look{QStringLiteral("✓"), tr("right"), c.good}
+                    : r.verdict == TruthVerdict::off    ? Look{QStringLiteral("≠"), tr("off"), c.care}
+                    : r.verdict == TruthVerdict::missed ? Look{QStringLiteral("✗"), tr("missed"), c.bad}
+                                                        : Look{QStringLiteral("+"), tr("not hidden"), c.bad};
+  constexpr double verdict_width = 92;
+  const double half = (room.width() - verdict_width) / 2;
+  painter.setFont(text_font(TextRole::body));
+  painter.setPen(c.ink1);
+  QString name = r.parameter.isEmpty() ? r.what : QStringLiteral("%1, %2").arg(r.what, r.parameter);
+  if (!r.unit.isEmpty()) name += QStringLiteral(" (%1)").arg(r.unit);
+  draw_text(painter, QRectF(room.left(), room.top(), room.width() - verdict_width - kGap, 18),
+            Qt::AlignLeft | Qt::AlignVCenter, name);
+  painter.setFont(number_font(TextRole::body));
+  painter.setPen(c.ink2);
+  const QRectF lower(room.left(), room.top() + 18, half, 18);
+  draw_text(painter, lower.adjusted(0, 0, -kGap, 0), Qt::AlignLeft | Qt::AlignVCenter, with_sigma_text(r.hidden, {}));
+  draw_text(painter, lower.translated(half, 0).adjusted(0, 0, -kGap, 0), Qt::AlignLeft | Qt::AlignVCenter,
+            with_sigma_text(r.found, r.sigma));
+  const QRectF verdict(room.right() - verdict_width, room.top(), verdict_width, room.height());
+  painter.setPen(look.ink);
+  painter.setFont(text_font(TextRole::body));
+  const bool has_remark = !r.remark.isEmpty();
+  draw_text(painter, has_remark ? verdict.adjusted(0, 0, 0, -18) : verdict, Qt::AlignLeft | Qt::AlignVCenter,
+            look.sign + QLatin1Char(' ') + look.word);
+  if (has_remark) {
+    painter.setFont(number_font(TextRole::small));
+    painter.setPen(c.ink2);
+    draw_text(painter, verdict.adjusted(0, 18, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, r.remark);
+  }
+  painter.setPen(QPen(c.hairline, 1));
+  painter.drawLine(area.bottomLeft(), area.bottomRight());
+  if (hasFocus() && row == focused_) draw_focus(painter, area);
+}
+
+void TruthPanel::paintEvent(QPaintEvent*) {
+  const Colors& c = colors();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), c.panel);
+  if (rows_.empty() && sentence_.isEmpty()) {
+    draw_sentence(painter, rect(), empty_text_);
+    return;
+  }
+  painter.setPen(c.ink1);
+  draw_lines(painter, text_font(TextRole::title), QRectF(kGap, kGap, width() - 2.0 * kGap, 80), sentence_, 3);
+  if (rows_.empty()) return;
+  const double head = top_of_rows() - kRowHeight, half = (width() - 2.0 * kGap - 92) / 2;
+  painter.setFont(text_font(TextRole::small));
+  painter.setPen(c.ink3);
+  draw_text(painter, QRectF(kGap, head, half, kRowHeight), Qt::AlignLeft | Qt::AlignVCenter, tr("Hidden was"));
+  draw_text(painter, QRectF(kGap + half, head, half, kRowHeight), Qt::AlignLeft | Qt::AlignVCenter, tr("Found"));
+  painter.setPen(QPen(c.control_edge, 1));
+  painter.drawLine(QPointF(0, top_of_rows() - 0.5), QPointF(width(), top_of_rows() - 0.5));
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) paint_row(painter, i);
+}
+
+void TruthPanel::mousePressEvent(QMouseEvent* event) {
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i)
+    if (event->button() == Qt::LeftButton && row_rect(i).contains(event->position())) {
+      focused_ = i;
+      update();
+      emit row_chosen(i);
+      return;
+    }
+}
+
+void TruthPanel::keyPressEvent(QKeyEvent* event) {
+  const int step = event->key() == Qt::Key_Down ? 1 : event->key() == Qt::Key_Up ? -1 : 0;
+  const bool is_enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (rows_.empty() || (step == 0 && !is_enter)) return QWidget::keyPressEvent(event);
+  focused_ = std::clamp(focused_ + step, 0, static_cast<int>(rows_.size()) - 1);
+  update();
+  if (is_enter) emit row_chosen(focused_);
+}
+
+bool TruthPanel::event(QEvent* event) {
+  if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) update();
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  QString text;
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i)
+    if (row_rect(i).contains(help->pos()))
+      text = rows_[static_cast<std::size_t>(i)].what + QLatin1Char(' ') + rows_[static_cast<std::size_t>(i)].remark;
+  QToolTip::showText(help->globalPos(), text, this);
+  return true;
+}
+
+}  // namespace handsight::widgets

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/explain/verdict_line.h"
+
+#include <QCoreApplication>
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/explain/text_lines.h"
+#include "widgets/number_text.h"
+#include "widgets/paint_tools.h"
+#include "widgets/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+constexpr double kStateWidth = 104, kNumbersWidth = 196, kBlameWidth = 208;
+
+enum class Mood { quiet, good, care, bad };
+
+Mood mood_of(SessionState state) {
+  switch (state) {
+    case SessionState::adequate:
+      return Mood::good;
+    case SessionState::missing:
+    case SessionState::unexplained:
+      return Mood::bad;
+    case SessionState::waiting:
+    case SessionState::looking:
+      return Mood::quiet;
+    default:
+      return Mood::care;
+  }
+}
+
+QString sign_of(SessionState state) {
+  switch (state) {
+    case SessionState::waiting:
+    case SessionState::looking:
+      return QStringLiteral("…");
+    case SessionState::adequate:
+      return QStringLiteral("✓");
+    case SessionState::missing:
+      return QStringLiteral("!");
+    case SessionState::ambiguous:
+      return QStringLiteral("⇄");
+    case SessionState::scatter:
+      return QStringLiteral("∴");
+    default:
+      return QStringLiteral("?");
+  }
+}
+
+QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::VerdictLine", text); }
+
+}  // namespace
+
+QString session_state_text(SessionState state) {
+  switch (state) {
+    case SessionState::waiting:
+      return said("waiting");
+    case SessionState::looking:
+      return said("looking …");
+    case SessionState::adequate:
+      return said("adequate");
+    case SessionState::missing:
+      return said("cause missing");
+    case SessionState::ambiguous:
+      return said("ambiguous");
+    case SessionState::unexplained:
+      return said("unexplained");
+    case SessionState::scatter:
+      return said("scatter");
+    case SessionState::too_few:
+      return said("too few");
+    case SessionState::noise_unknown:
+      return said("noise unknown");
+  }
+  return {};
+}
+
+VerdictLine::VerdictLine(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setAccessibleName(tr("Verdict"));
+}
+
+void VerdictLine::set_verdict(SessionVerdict verdict) {
+  verdict_ = std::move(verdict);
+  setAccessibleDescription(session_state_text(verdict_.state) + QStringLiteral(": ") + verdict_.sentence);
+  update();
+}
+
+QSize VerdictLine::sizeHint() const { return {1056, 72}; }
+QSize VerdictLine::minimumSizeHint() const { return {640, 72}; }
+
+QRectF VerdictLine::blame_area() const { return {width() - kBlameWidth - kGap, 8.0, kBlameWidth, height() - 16.0}; }
+
+QRectF VerdictLine::numbers_area() const {
+  return {blame_area().left() - kNumbersWidth - kWideGap, 8, kNumbersWidth, height() - 16.0};
+}
+
+void VerdictLine::paint_state(QPainter& painter, const QRectF& area) const {
+  const Colors& c = colors();
+  const Mood mood = mood_of(verdict_.state);
+  const QColor ink = mood == Mood::good ? c.good : mood == Mood::care ? c.care : mood == Mood::bad ? c.bad : c.ink2;
+  const QColor tint = mood == Mood::good   ? c.good_tint
+                      : mood == Mood::care ? c.care_tint
+                      : mood == Mood::bad  ? c.bad_tint
+                                           : c.sunken;
+  painter.fillRect(area, tint);
+  const QPointF middle(area.center().x(), area.top() + 26);
+  painter.setPen(QPen(ink, 2));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(middle, 14, 14);
+  painter.setFont(text_font(TextRole::title));
+  painter.drawText(QRectF(middle - QPointF(14, 14), QSizeF(28, 28)), Qt::AlignCenter, sign_of(verdict_.state));
+  painter.setFont(text_font(TextRole::body));
+  painter.drawText(QRectF(area.left(), area.bottom() - 28, area.width(), 24), Qt::AlignCenter,
+                   session_state_text(verdict_.state));
+}
+
+void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {
+  painter.setPen(colors().ink1);
+  QFont font = text_font(TextRole::title);
+  const int most = verdict_.progress.isEmpty() ? 3 : 2;
+  const auto fits = [&] {
+    return lines_height(font, verdict_.sentence, area.width(), most + 1) <=
+           (most + 0.5) * QFontMetricsF(font).lineSpacing();
+  };
+  if (!fits()) font.setWeight(QFont::Normal);
+  if (!fits()) font = text_font(TextRole::body);  // long: smaller rather than cut off
+  const int lines = most;
+  const double high = lines_height(font, verdict_.sentence, area.width(), lines);
+  const double note = verdict_.progress.isEmpty() ? 0 : 18;
+  const double top = area.center().y() - (high + note) / 2;
+  draw_lines(painter, font, QRectF(area.left(), top, area.width(), high), verdict_.sentence, lines);
+  if (verdict_.progress.isEmpty()) return;
+  painter.setFont(text_font(TextRole::small));
+  painter.setPen(colors().ink3);
+  draw_text(painter, QRectF(area.left(), top + high + 2, area.width(), 16), Qt::AlignLeft | Qt::AlignVCenter,
+            verdict_.progress);
+}
+
+void VerdictLine::paint_numbers(QPainter& painter, const QRectF& area) const {
+  const Colors& c = colors();
+  const bool has_pixels = verdict_.error_px.has_value();
+  const std::optional<double> main = has_pixels ? verdict_.error_px : verdict_.error_mm;
+  const QString unit = has_pixels ? QStringLiteral("px") : QStringLiteral("mm");
+  painter.setFont(number_font(TextRole::number));
+  painter.setPen(c.ink1);
+  QRectF upper(area.left(), area.top(), area.width(), 30), lower(area.left(), area.bottom() - 22, area.width(), 20);
+  const QString error = with_unit_text(main, unit);
+  painter.drawText(upper, Qt::AlignLeft | Qt::AlignVCenter, error);
+  upper.setLeft(upper.left() + QFontMetricsF(painter.font()).horizontalAdvance(error) + kGap);
+  if (verdict_.predicted_px) {
+    painter.setPen(c.candidate);
+    painter.setFont(number_font(TextRole::title));
+    draw_text(painter, upper, Qt::AlignLeft | Qt::AlignVCenter,
+              QStringLiteral("→ ") + with_unit_text(verdict_.predicted_px, unit));
+  } else if (has_pixels && verdict_.error_mm) {
+    painter.setPen(c.ink2);
+    painter.setFont(number_font(TextRole::title));
+    draw_text(painter, upper, Qt::AlignLeft | Qt::AlignVCenter,
+              with_unit_text(verdict_.error_mm, QStringLiteral("mm")));
+  }
+  painter.setFont(number_font(TextRole::small));
+  painter.setPen(c.ink2);
+  QString noise = tr("noise %1").arg(with_unit_text(has_pixels ? verdict_.noise_px : verdict_.noise_mm, unit));
+  if (has_pixels && verdict_.noise_mm)
+    noise += QStringLiteral(", ") + with_unit_text(verdict_.noise_mm, QStringLiteral("mm"));
+  draw_text(painter, lower, Qt::AlignLeft | Qt::AlignVCenter, noise);
+}
+
+void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
+  const Colors& c = colors();
+  painter.setFont(text_font(TextRole::small));
+  painter.setPen(c.ink2);
+  const QRectF caption(area.left(), area.top(), area.width(), 18), bar(area.left(), area.top() + 20, area.width(), 12);
+  painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter,
+                   verdict_.blame                             ? tr("cameras | body | robot")
+                   : verdict_.state == SessionState::adequate ? tr("nothing stands out of the noise")
+                                                              : tr("whose fault: not known yet"));
+  painter.fillRect(bar, c.sunken);
+  if (!verdict_.blame) return;
+  const Blame& blame = *verdict_.blame;
+  double x = bar.left();
+  const auto part = [&](double share, const QColor& color) {
+    const double wide = bar.width() * std::clamp(share, 0.0, 1.0);
+    painter.fillRect(QRectF(x, bar.top(), std::max(wide - 1, 0.0), bar.height()), color);
+    x += wide;
+  };
+  part(blame.cameras, c.blame_cameras);
+  part(blame.body, c.blame_body);
+  part(blame.robot, c.blame_robot);
+  double text_x = area.left();
+  const auto letter = [&](const QString& name, double share, const QColor& color) {
+    const QString text = QStringLiteral("%1 %2 %").arg(name).arg(std::lround(100 * share));
+    painter.fillRect(QRectF(text_x, bar.bottom() + 9, 9, 9), color);
+    painter.setPen(c.ink1);
+    const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text);
+    painter.drawText(QRectF(text_x + 13, bar.bottom() + 4, wide + 2, 19), Qt::AlignLeft | Qt::AlignVCenter, text);
+    text_x += area.width() / 3;
+  };
+  painter.setFont(number_font(TextRole::body));
+  letter(QStringLiteral("C"), blame.cameras, c.blame_cameras);
+  letter(QStringLiteral("B"), blame.body, c.blame_body);
+  letter(QStringLiteral("R"), blame.robot, c.blame_robot);
+}
+
+void VerdictLine::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), colors().panel);
+  paint_state(painter, QRectF(0, 0, kStateWidth, height()));
+  const double left = kStateWidth + kWideGap;
+  paint_sentence(painter, QRectF(left, 4, numbers_area().left() - kWideGap - left, height() - 8));
+  paint_numbers(painter, numbers_area());
+  paint_blame(painter, blame_area());
+}
+
+void VerdictLine::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && verdict_.blame && blame_area().contains(event->position()))
+    emit blame_clicked();
+}
+
+bool VerdictLine::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const QString text =
+      blame_area().contains(help->pos())
+          ? tr("How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for.")
+      : numbers_area().contains(help->pos())
+          ? tr("The error of one coordinate on observations that the fit has not seen, and the measurement's noise.")
+          : verdict_.sentence;
+  QToolTip::showText(help->globalPos(), text, this);
+  return true;
+}
+
+}  // namespace handsight::widgets

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verdict on the whole session in a sentence: how far off, against what noise, whose fault.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "widgets/blame_bar.h"
+
+namespace handsight::widgets {
+
+enum class SessionState {
+  waiting,  // nothing to judge yet
+  looking,  // a diagnosis runs
+  adequate,
+  missing,
+  ambiguous,
+  unexplained,
+  scatter,
+  too_few,
+  noise_unknown,
+};
+
+/// "adequate", "something is missing", ...: the word beside the state's icon.
+QString session_state_text(SessionState state);
+
+struct SessionVerdict {
+  SessionState state = SessionState::waiting;
+  QString sentence;                          // at most two lines at 1056 px
+  QString progress;                          // while looking: "from 40 of 100"
+  std::optional<double> error_px, noise_px;  // held out, per coordinate; absent with a tracker
+  std::optional<double> error_mm, noise_mm;  // at the hand
+  std::optional<double> predicted_px;        // with what is being tried: purple
+  std::optional<Blame> blame;                // of the whole session
+};
+
+/// 72 px high: icon and word, the sentence, the numbers in px and mm, the blame C B R.
+class VerdictLine : public QWidget {
+  Q_OBJECT
+ public:
+  explicit VerdictLine(QWidget* parent = nullptr);
+  void set_verdict(SessionVerdict verdict);
+  const SessionVerdict& verdict() const { return verdict_; }
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ signals:
+  void blame_clicked();  // "whose fault": to the Inspect workspace
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  QRectF numbers_area() const;
+  QRectF blame_area() const;
+  void paint_state(QPainter& painter, const QRectF& area) const;
+  void paint_sentence(QPainter& painter, const QRectF& area) const;
+  void paint_numbers(QPainter& painter, const QRectF& area) const;
+  void paint_blame(QPainter& painter, const QRectF& area) const;
+
+  SessionVerdict verdict_;
+};
+
+}  // namespace handsight::widgets
