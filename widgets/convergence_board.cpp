@@ -24,6 +24,13 @@ std::optional<Sample> sample_of(const ConvergencePoint& point, std::size_t plot)
   return sample;
 }
 
+std::vector<Sample> samples_of(const std::vector<ConvergencePoint>& points, std::size_t plot) {
+  std::vector<Sample> samples;
+  for (const ConvergencePoint& point : points)
+    if (const auto sample = sample_of(point, plot)) samples.push_back(*sample);
+  return samples;
+}
+
 }  // namespace
 
 ConvergenceBoard::ConvergenceBoard(QWidget* parent) : QWidget(parent) {
@@ -61,17 +68,11 @@ ConvergenceBoard::ConvergenceBoard(QWidget* parent) : QWidget(parent) {
 }
 
 void ConvergenceBoard::set_points(const std::vector<ConvergencePoint>& points) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::vector<Sample> samples;
-    for (const ConvergencePoint& point : points)
-      if (const auto sample = sample_of(point, i)) samples.push_back(*sample);
-    plots_[i]->set_samples(std::move(samples));
-  }
+  for (std::size_t i = 0; i < 4; ++i) plots_[i]->set_samples(samples_of(points, i));
 }
 
-void ConvergenceBoard::append(const ConvergencePoint& point) {
-  for (std::size_t i = 0; i < 4; ++i)
-    if (const auto sample = sample_of(point, i)) plots_[i]->append(*sample);
+void ConvergenceBoard::append(const std::vector<ConvergencePoint>& points) {
+  for (std::size_t i = 0; i < 4; ++i) plots_[i]->append(samples_of(points, i));
 }
 
 void ConvergenceBoard::set_selected(ObservationId id) {

@@ -43,6 +43,7 @@ ConvergencePlot::ConvergencePlot(const QString& quantity, const QString& unit, c
     curves_->label[i]->position->setType(QCPItemPosition::ptAbsolute);
   }
   curves_->selected = new QCPItemStraightLine(plot_);
+  curves_->selected->setLayer(marks_layer);
   plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msTop);
   plot_->axisRect()->setMargins(QMargins(64, 4, 76, 8));
   // The letters stand at the curves' ends, pushed apart where they would meet.
@@ -95,8 +96,9 @@ void ConvergencePlot::set_samples(std::vector<Sample> samples) {
   fit();
 }
 
-void ConvergencePlot::append(const Sample& sample) {
-  samples_.push_back(sample);
+void ConvergencePlot::append(const std::vector<Sample>& samples) {
+  if (samples.empty()) return;
+  samples_.insert(samples_.end(), samples.begin(), samples.end());
   fill();
   if (follows_)
     fit();
@@ -106,8 +108,8 @@ void ConvergencePlot::append(const Sample& sample) {
 
 void ConvergencePlot::set_selected(ObservationId id) {
   selected_ = id;
-  fill();
-  replot();
+  place_selected();
+  replot_marks();
 }
 
 void ConvergencePlot::set_show_settled(bool shown) {
@@ -148,6 +150,10 @@ void ConvergencePlot::fill() {
     curves_->label[i]->setVisible(!samples_.empty());
   }
   mark_settled();
+  place_selected();
+}
+
+void ConvergencePlot::place_selected() {
   const auto found =
       std::find_if(samples_.begin(), samples_.end(), [this](const Sample& s) { return s.observation == selected_; });
   curves_->selected->setVisible(found != samples_.end());

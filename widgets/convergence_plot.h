@@ -36,7 +36,7 @@ class ConvergencePlot : public PlotWidget {
   ConvergencePlot(const QString& quantity, const QString& unit, const std::array<QString, 3>& names,
                   QWidget* parent = nullptr);
   void set_samples(std::vector<Sample> samples);
-  void append(const Sample& sample);
+  void append(const std::vector<Sample>& samples);
   void set_selected(ObservationId id);  // a line at its count
   void set_show_settled(bool shown);
   void fit() override;
@@ -56,6 +56,7 @@ class ConvergencePlot : public PlotWidget {
 
  private:
   void fill();
+  void place_selected();
   void mark_settled();
   const Sample* sample_at(const QPointF& position) const;
 
@@ -74,7 +75,7 @@ class ConvergenceBoard : public QWidget {
  public:
   explicit ConvergenceBoard(QWidget* parent = nullptr);
   void set_points(const std::vector<ConvergencePoint>& points);
-  void append(const ConvergencePoint& point);
+  void append(const std::vector<ConvergencePoint>& points);
   void set_selected(ObservationId id);
   void set_empty_text(const QString& sentence);
   ConvergencePlot* plot(int index) const { return plots_[static_cast<std::size_t>(index)]; }  // 0 to 3, as read

@@ -34,10 +34,11 @@ class DecisionModel : public QAbstractListModel {
     entries = std::move(all);
     endResetModel();
   }
-  void append(const DecisionEntry& entry) {
+  void append(const std::vector<DecisionEntry>& more) {
+    if (more.empty()) return;
     const int row = static_cast<int>(entries.size());
-    beginInsertRows({}, row, row);
-    entries.push_back(entry);
+    beginInsertRows({}, row, row + static_cast<int>(more.size()) - 1);
+    entries.insert(entries.end(), more.begin(), more.end());
     endInsertRows();
   }
   int row_of(ObservationId id) const {
@@ -127,9 +128,9 @@ void DecisionList::set_entries(std::vector<DecisionEntry> entries) {
   if (before == kNoObservation) scrollToBottom();
 }
 
-void DecisionList::append(const DecisionEntry& entry) {
+void DecisionList::append(const std::vector<DecisionEntry>& entries) {
   const bool is_at_end = verticalScrollBar()->value() >= verticalScrollBar()->maximum() - kRowHeight;
-  decisions_->append(entry);
+  decisions_->append(entries);
   if (is_at_end) scrollToBottom();
 }
 

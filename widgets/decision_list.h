@@ -27,7 +27,7 @@ class DecisionList : public QListView {
  public:
   explicit DecisionList(QWidget* parent = nullptr);
   void set_entries(std::vector<DecisionEntry> entries);
-  void append(const DecisionEntry& entry);
+  void append(const std::vector<DecisionEntry>& entries);
   void set_selected(ObservationId id);
   void set_empty_text(const QString& sentence);
   int count() const;

@@ -49,6 +49,7 @@ HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::m
   }
   bars_->threshold = new QCPItemStraightLine(plot_);
   bars_->selected = new QCPItemStraightLine(plot_);
+  bars_->selected->setLayer(marks_layer);
   bars_->threshold_text = new QCPItemText(plot_);
   bars_->threshold_text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
   bars_->threshold_text->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -94,8 +95,8 @@ void HistogramPlot::set_noise(std::optional<double> sigma, const QString& unit) 
 
 void HistogramPlot::set_selected(ObservationId id) {
   selected_ = id;
-  fill();
-  replot();
+  place_selected();
+  replot_marks();
 }
 
 void HistogramPlot::set_threshold(std::optional<double> rms_over_sigma) {
@@ -129,12 +130,10 @@ void HistogramPlot::fill() {
                                 : QStringLiteral("rms (%1)").arg(unit_));
   bars_->bins.clear();
   std::map<int, int> coordinates;  // how many observations have so many
-  const ObservationCell* selected = nullptr;
   for (const ObservationCell& cell : cells_) {
     if (!counts(cell)) continue;
     bars_->bins[number_of_bin(place_of(*cell.rms_over_sigma))].push_back(cell.id);
     ++coordinates[cell.coordinates];
-    if (cell.id == selected_) selected = &cell;
   }
   const auto most = std::max_element(coordinates.begin(), coordinates.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -159,12 +158,18 @@ void HistogramPlot::fill() {
   }
   bars_->noise->setData(noise_x, noise_y, true);
   bars_->noise->setLineStyle(QCPGraph::lsStepCenter);
-  bars_->selected->setVisible(selected != nullptr);
-  if (selected) {
-    bars_->selected->point1->setCoords(place_of(*selected->rms_over_sigma), 0);
-    bars_->selected->point2->setCoords(place_of(*selected->rms_over_sigma), 1);
-  }
+  place_selected();
   place_threshold();
+}
+
+void HistogramPlot::place_selected() {
+  const auto selected =
+      std::find_if(cells_.begin(), cells_.end(), [this](const ObservationCell& cell) { return cell.id == selected_; });
+  const bool is_shown = selected != cells_.end() && counts(*selected);
+  bars_->selected->setVisible(is_shown);
+  if (!is_shown) return;
+  bars_->selected->point1->setCoords(place_of(*selected->rms_over_sigma), 0);
+  bars_->selected->point2->setCoords(place_of(*selected->rms_over_sigma), 1);
 }
 
 void HistogramPlot::fit() {

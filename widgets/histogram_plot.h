@@ -44,6 +44,7 @@ class HistogramPlot : public PlotWidget {
   struct Bars;
   void fill();
   void place_threshold();
+  void place_selected();
   int bin_at(double x) const;
   std::vector<ObservationId> ids_in(int bin) const;
 

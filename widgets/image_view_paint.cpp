@@ -15,6 +15,8 @@
 namespace handsight::widgets {
 namespace {
 
+constexpr double kShortestNamedAxis = 32;  // screen px
+
 QPainterPath cross_path(const QPointF& at, double inner, double outer) {
   QPainterPath path;
   for (const QPointF& d : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
@@ -98,6 +100,8 @@ void ImageView::paint_axes(QPainter& painter) const {
         const QPointF along = d / length * 9, side(-along.y() * 0.45, along.x() * 0.45);
         painter.drawPolygon(QPolygonF({tip + along * 0.4, tip - along * 0.6 + side, tip - along * 0.6 - side}));
       }
+      // Letters of axes shorter than themselves only cover each other.
+      if (std::hypot(tip.x() - origin.x(), tip.y() - origin.y()) < kShortestNamedAxis) continue;
       const QPointF place = tip + (axes.is_estimate ? QPointF(6, 9) : QPointF(6, -7));
       draw_plate(painter, place, axes.is_estimate ? letters[i] + QStringLiteral("′") : letters[i], colors().ink1,
                  colors().panel);

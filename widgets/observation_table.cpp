@@ -34,6 +34,7 @@ void set_up_view(QTableView& view) {
   view.viewport()->setMouseTracking(true);
   view.setWordWrap(false);
   view.setContextMenuPolicy(Qt::CustomContextMenu);
+  view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   view.setTabKeyNavigation(false);
   view.setAccessibleName(QStringLiteral("Observations"));
   view.verticalHeader()->hide();
@@ -43,7 +44,7 @@ void set_up_view(QTableView& view) {
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
   header.setMinimumSectionSize(36);
-  const std::array<int, 6> widths = {54, 50, 52, 46, 84, 72};
+  const std::array<int, 6> widths = {46, 50, 50, 50, 72, 70};
   for (std::size_t i = 0; i < widths.size(); ++i) view.setColumnWidth(static_cast<int>(i), widths[i]);
   header.setSectionResizeMode(static_cast<int>(TableColumn::reason), QHeaderView::Stretch);
 }

@@ -17,16 +17,19 @@ constexpr int kSortRole = Qt::UserRole;
 
 double sort_number(std::optional<double> value) { return value.value_or(-std::numeric_limits<double>::infinity()); }
 
+/// Two decimals as long as there is room for them.
+QString column_text(std::optional<double> value) { return fixed_text(value, value && *value >= 99.995 ? 0 : 2); }
+
 QString shown(const ObservationRow& row, TableColumn column) {
   switch (column) {
     case TableColumn::id:
       return QString::number(row.id);
     case TableColumn::pixel:
-      return fixed_text(row.rms_pixel, 2);
+      return column_text(row.rms_pixel);
     case TableColumn::millimetre:
-      return fixed_text(row.rms_mm, 2);
+      return column_text(row.rms_mm);
     case TableColumn::degree:
-      return fixed_text(row.angle_deg, 2);
+      return column_text(row.angle_deg);
     case TableColumn::worst:
       return row.worst.isEmpty() ? QStringLiteral("-") : row.worst;
     case TableColumn::state:

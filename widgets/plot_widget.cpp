@@ -25,13 +25,14 @@ PlotWidget::PlotWidget(QWidget* parent)
   layout->addWidget(plot_);
   setFocusPolicy(Qt::StrongFocus);
   plot_->setFocusPolicy(Qt::NoFocus);
-  plot_->setMinimumSize(0, 0);
+  plot_->setMinimumSize(16, 16);  // of no size at all it warns: splitters give that for a moment
   plot_->setMouseTracking(true);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setContextMenuPolicy(Qt::CustomContextMenu);
   plot_->axisRect()->setMinimumMargins(QMargins(8, 4, 10, 6));
   plot_->installEventFilter(this);
+  connect(plot_, &QCustomPlot::afterReplot, this, [this] { is_drawn_ = true; });
   connect(plot_, &QCustomPlot::customContextMenuRequested, this, &PlotWidget::show_menu);
   connect(plot_, &QCustomPlot::mouseDoubleClick, this, [this] { fit(); });
   connect(plot_->selectionRect(), &QCPSelectionRect::accepted, this, [this](const QRect& rect) {
@@ -73,7 +74,21 @@ void PlotWidget::replot() {
   empty_label_->setText(empty_text_);
   empty_label_->setVisible(is_empty());
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setVisible(!is_empty());
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  is_stale_ = !isVisible();
+  if (!is_stale_) plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotWidget::replot_marks() {
+  const bool has_room = !plot_->viewport().isEmpty() && !plot_->size().isEmpty();
+  if (isVisible() && is_drawn_ && has_room)
+    plot_->layer(marks_layer)->replot();
+  else
+    replot();
+}
+
+void PlotWidget::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (is_stale_) replot();
 }
 
 void PlotWidget::resizeEvent(QResizeEvent*) { empty_label_->setGeometry(rect().adjusted(0, 21, 0, 0)); }

@@ -54,13 +54,18 @@ class PlotWidget : public QWidget {
   void allow_brush() { has_brush_ = true; }
   void set_brush_always(bool always) { brushes_always_ = always; }
   void style_axes();
+  /// Draws everything anew, later and once; not before it is shown.
   void replot();
+  /// What only marks (what is selected or hovered) draws on: replot_marks() leaves all below as it is.
+  static constexpr const char* marks_layer = "overlay";
+  void replot_marks();
   bool is_dragging() const { return is_dragging_; }
 
   bool eventFilter(QObject* watched, QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
   QCustomPlot* plot_;
 
@@ -73,7 +78,7 @@ class PlotWidget : public QWidget {
   QLabel* empty_label_ = nullptr;
   bool has_brush_ = false, brushes_always_ = false;
   QString title_, empty_text_;
-  bool is_dragging_ = false;
+  bool is_dragging_ = false, is_stale_ = false, is_drawn_ = false;
   QPointF pressed_at_;
 };
 

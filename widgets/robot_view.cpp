@@ -9,6 +9,7 @@
 #include <QSurfaceFormat>
 #include <QToolButton>
 
+#include "widgets/paint_tools.h"
 #include "widgets/robot_view_parts.h"
 #include "widgets/theme.h"
 
@@ -27,9 +28,10 @@ void set_surface_format() {
   vtkObject::GlobalWarningDisplayOff();
 }
 
-RobotView::RobotView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_unique<Parts>(*this)) {
+RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName(QStringLiteral("Robot in 3D"));
   parts_->empty_text = QStringLiteral("No robot yet.");
   parts_->gl.window()->AddRenderer(parts_->renderer);
@@ -38,7 +40,6 @@ RobotView::RobotView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_
   lights->SetFillLightWarmth(0.5);
   lights->SetKeyToFillRatio(2.2);
   lights->AddLightsToRenderer(parts_->renderer);
-  parts_->labels = new SceneLabels(this, [this](QPainter& painter) { paint_labels(painter); });
   parts_->buttons = new QWidget(this);
   auto* row = new QHBoxLayout(parts_->buttons);
   row->setContentsMargins(0, 0, 0, 0);
@@ -74,7 +75,7 @@ void RobotView::set_robot(const Robot& robot, const std::filesystem::path& mesh_
   p.wants_fit = true;
   // Read at once, so that notes() knows; shown at the next picture.
   p.links.notes = make_robot_actors(robot, mesh_folder).notes;
-  update();
+  change();
 }
 
 const std::vector<QString>& RobotView::notes() const { return parts_->links.notes; }
@@ -82,93 +83,93 @@ const std::vector<QString>& RobotView::notes() const { return parts_->links.note
 void RobotView::set_posture(const std::vector<Rigid>& root_from_link) {
   parts_->posture = root_from_link;
   parts_->posture_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_ghost(const std::optional<std::vector<Rigid>>& root_from_link) {
   parts_->bent = root_from_link;
   parts_->ghost_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_ghost_magnification(double times) {
   parts_->ghost_times = times;
   parts_->ghost_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_cameras(std::vector<SceneCamera> cameras) {
   parts_->cameras = std::move(cameras);
   parts_->marks_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_tcp(const std::optional<Rigid>& root_from_tcp) {
   parts_->tcp = root_from_tcp;
   parts_->marks_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_tcp_est(const std::optional<Rigid>& root_from_tcp_est) {
   parts_->tcp_est = root_from_tcp_est;
   parts_->marks_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_markers(std::vector<SceneMarker> markers) {
   parts_->markers = std::move(markers);
   parts_->marks_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_arrows(std::vector<SceneArrow> arrows) {
   parts_->arrows = std::move(arrows);
   parts_->arrows_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_arrow_magnification(double times) {
   parts_->arrow_times = times;
   parts_->arrows_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_ellipsoid(const std::optional<SceneEllipsoid>& ellipsoid) {
   parts_->ellipsoid = ellipsoid;
   parts_->marks_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_selected_observation(ObservationId id) {
   if (id == parts_->selected) return;
   parts_->selected = id;
   parts_->rings_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_hovered_observation(ObservationId id) {
   if (id == parts_->hovered) return;
   parts_->hovered = id;
   parts_->rings_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_selected_joint(const QString& joint) {
   if (joint == parts_->selected_joint) return;
   parts_->selected_joint = joint;
   parts_->theme_changed = true;
-  update();
+  change();
 }
 
 void RobotView::set_empty_text(const QString& sentence) {
   parts_->empty_text = sentence;
-  parts_->labels->update();
+  update();
 }
 
 void RobotView::look(StandardView view) {
   parts_->look(view);
   parts_->wants_fit = false;
-  update();
+  change();
 }
 
 std::optional<QPointF> RobotView::to_screen(const Vector3& in_root) const { return parts_->to_screen(in_root, size()); }
@@ -180,7 +181,9 @@ std::optional<Vector3> RobotView::arrow_tip(ObservationId id) const {
 }
 
 QImage RobotView::picture() {
-  QImage image = grabFramebuffer();
+  draw(size() * devicePixelRatioF());
+  QImage image = parts_->picture;
+  if (image.isNull()) image = QImage(size() * devicePixelRatioF(), QImage::Format_RGB32), image.fill(colors().panel);
   image.setDevicePixelRatio(devicePixelRatioF());
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -188,28 +191,49 @@ QImage RobotView::picture() {
   return image;
 }
 
-void RobotView::initializeGL() { parts_->gl.initialize(); }
+void RobotView::change() {
+  parts_->is_stale = true;
+  update();
+}
 
-void RobotView::resizeGL(int, int) {
-  parts_->gl.resize();
-  parts_->labels->setGeometry(rect());
+void RobotView::draw(const QSize& size) {
+  Parts& p = *parts_;
+  if (!p.is_stale && p.picture.size() == size) return;
+  if (!p.gl.make_ready()) {
+    p.empty_text = QStringLiteral("The 3D view needs OpenGL 3.2, which this display does not offer.");
+    return;
+  }
+  p.make_ready();
+  p.picture = p.gl.picture(size);
+  p.is_stale = false;
+}
+
+void RobotView::paintEvent(QPaintEvent*) {
+  const double ratio = devicePixelRatioF();
+  draw((QSizeF(size()) * ratio).toSize());
+  QPainter painter(this);
+  if (parts_->picture.isNull()) {
+    painter.fillRect(rect(), colors().panel);
+    draw_sentence(painter, rect(), parts_->empty_text);
+    return;
+  }
+  painter.drawImage(QRectF(rect()), parts_->picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paint_labels(painter);
+}
+
+void RobotView::resizeEvent(QResizeEvent*) {
   parts_->buttons->adjustSize();
   parts_->buttons->move(width() - parts_->buttons->width() - 4, 2);
   parts_->buttons->setVisible(parts_->buttons->width() + 8 < width());
 }
 
-void RobotView::paintGL() {
-  parts_->make_ready();
-  parts_->gl.paint();
-  parts_->labels->update();
-}
-
 void RobotView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && parts_) {
     parts_->theme_changed = true;
-    update();
+    change();
   }
-  QOpenGLWidget::changeEvent(event);
+  QWidget::changeEvent(event);
 }
 
 }  // namespace handsight::widgets

@@ -2,7 +2,7 @@
 // The robot, its cameras and what they saw, in 3D.
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QWidget>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -53,7 +53,7 @@ void set_surface_format();
 
 /// Left button orbits about the z axis up, middle or Shift+left pans, wheel and right button zoom. F fits, 1 to 6 the
 /// standard views, 0 the cameras' view. Hover names what is there, click takes it.
-class RobotView : public QOpenGLWidget {
+class RobotView : public QWidget {
   Q_OBJECT
  public:
   explicit RobotView(QWidget* parent = nullptr);
@@ -97,9 +97,8 @@ class RobotView : public QOpenGLWidget {
   void read_out(const QString& text);
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
-  void resizeGL(int width, int height) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -112,6 +111,8 @@ class RobotView : public QOpenGLWidget {
 
  private:
   struct Parts;
+  void change();  // the scene: the next painting draws it anew
+  void draw(const QSize& size);
   void pick(const QPointF& position, bool take);
   void paint_labels(QPainter& painter);
   std::unique_ptr<Parts> parts_;

@@ -67,7 +67,7 @@ void RobotView::mouseMoveEvent(QMouseEvent* event) {
   if (p.button == Qt::LeftButton) p.orbit.turn(-0.008 * d.x(), 0.008 * d.y());
   if (p.button == Qt::MiddleButton) p.orbit.pan(d.x(), d.y(), height());
   if (p.button == Qt::RightButton) p.orbit.zoom(std::exp(-0.008 * d.y()));
-  update();
+  change();
 }
 
 void RobotView::mouseReleaseEvent(QMouseEvent* event) {
@@ -82,7 +82,7 @@ void RobotView::mouseDoubleClickEvent(QMouseEvent* event) {
 void RobotView::wheelEvent(QWheelEvent* event) {
   parts_->orbit.zoom(std::pow(1.15, event->angleDelta().y() / 120.0));
   event->accept();
-  update();
+  change();
 }
 
 void RobotView::leaveEvent(QEvent*) {
@@ -96,7 +96,7 @@ void RobotView::leaveEvent(QEvent*) {
 void RobotView::keyPressEvent(QKeyEvent* event) {
   Parts& p = *parts_;
   const bool is_plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-  if (!is_plain) return QOpenGLWidget::keyPressEvent(event);
+  if (!is_plain) return QWidget::keyPressEvent(event);
   switch (event->key()) {
     case Qt::Key_F:
       return look(StandardView::all);
@@ -116,24 +116,24 @@ void RobotView::keyPressEvent(QKeyEvent* event) {
       return look(StandardView::camera);
     case Qt::Key_Plus:
       p.orbit.zoom(1.15);
-      return update();
+      return change();
     case Qt::Key_Minus:
       p.orbit.zoom(1 / 1.15);
-      return update();
+      return change();
     case Qt::Key_Left:
       p.orbit.turn(0.1, 0);
-      return update();
+      return change();
     case Qt::Key_Right:
       p.orbit.turn(-0.1, 0);
-      return update();
+      return change();
     case Qt::Key_Up:
       p.orbit.turn(0, 0.1);
-      return update();
+      return change();
     case Qt::Key_Down:
       p.orbit.turn(0, -0.1);
-      return update();
+      return change();
     default:
-      QOpenGLWidget::keyPressEvent(event);
+      QWidget::keyPressEvent(event);
   }
 }
 

@@ -10,18 +10,6 @@
 
 namespace handsight::widgets {
 
-SceneLabels::SceneLabels(RobotView* view, std::function<void(QPainter&)> paint)
-    : QWidget(view), paint_(std::move(paint)) {
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setAttribute(Qt::WA_NoSystemBackground);
-}
-
-void SceneLabels::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paint_(painter);
-}
-
 void RobotView::paint_labels(QPainter& painter) {
   static const std::array<QString, 3> letters = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
   const Colors& c = colors();

@@ -5,8 +5,8 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <QImage>
 #include <array>
-#include <functional>
 
 #include "widgets/robot_view.h"
 #include "widgets/scene/gl_window.h"
@@ -18,25 +18,12 @@ class QToolButton;
 
 namespace handsight::widgets {
 
-/// Names and numbers, painted by Qt over the 3D picture.
-class SceneLabels : public QWidget {
- public:
-  explicit SceneLabels(RobotView* view, std::function<void(QPainter&)> paint);
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  std::function<void(QPainter&)> paint_;
-};
-
 struct RobotView::Parts {
-  explicit Parts(RobotView& view) : gl(view) {}
-
-  GlWindow gl;
   vtkNew<vtkRenderer> renderer;
+  GlWindow gl;
+  QImage picture;        // the scene as it was drawn last, device px
+  bool is_stale = true;  // the scene or the eye changed since
   Orbit orbit;
-  SceneLabels* labels = nullptr;
   QWidget* buttons = nullptr;
 
   Robot robot;

@@ -5,10 +5,11 @@
 #include <QFontDatabase>
 #include <QFontMetricsF>
 #include <QPalette>
-#include <QStyleFactory>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <map>
+
+#include "widgets/control_style.h"
 
 namespace handsight::widgets {
 namespace {
@@ -77,7 +78,7 @@ ThemeKind theme() { return current(); }
 
 void apply_theme(QApplication& application, ThemeKind kind) {
   current() = kind;
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new ControlStyle);
   const QPalette palette = palette_of(colors_of(kind));
   // Tool tips of Fusion read the application's palette; a style sheet would switch off the style's own drawing.
   QApplication::setPalette(palette);

@@ -17,7 +17,8 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kStairsWidth = 120, kCaption = 14;
+constexpr double kStairsWidth = 120;
+constexpr double kNumberLine = 20, kCaptionLine = 6;  // baselines above the lower edge
 
 QString ratio_text(const ErrorNumbers& numbers) {
   if (!numbers.now || !numbers.noise || *numbers.noise <= 0) return QStringLiteral("-");
@@ -158,10 +159,10 @@ void ThreeNumbers::paintEvent(QPaintEvent*) {
     const double wide = std::max(numbers.horizontalAdvance(text), small.horizontalAdvance(caption));
     painter.setFont(number_font(TextRole::number));
     painter.setPen(numbers_.is_stale ? c.ink3 : ink);
-    painter.drawText(QRectF(x, 0, wide + 1, height() - kCaption), Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter.drawText(QPointF(x, height() - kNumberLine), text);
     painter.setFont(text_font(TextRole::small));
     painter.setPen(c.ink2);
-    painter.drawText(QRectF(x, height() - kCaption - 2, wide + 1, kCaption), Qt::AlignLeft | Qt::AlignVCenter, caption);
+    painter.drawText(QPointF(x, height() - kCaptionLine), caption);
     x += wide + kWideGap;
   };
   const QString caption = numbers_.excluded_note.isEmpty()

@@ -169,8 +169,8 @@ void CalibrateWorkspace::make_layout() {
 }
 
 void CalibrateWorkspace::connect_player() {
-  connect(&player_, &Player::stepped, this, [this](const PlayedStep& played) {
-    unshown_.push_back(played);
+  connect(&player_, &Player::stepped, this, [this](const std::vector<PlayedStep>& played) {
+    unshown_.insert(unshown_.end(), played.begin(), played.end());
     if (!player_.is_playing()) {
       show_played();
     } else if (!show_timer_.isActive()) {
@@ -198,10 +198,14 @@ void CalibrateWorkspace::show_played() {
     refresh_transport();
     return;
   }
+  std::vector<widgets::ConvergencePoint> points;
+  std::vector<widgets::DecisionEntry> entries;
   for (const PlayedStep& played : unshown_) {
-    if (played.step.has_estimate && played.step.accepted) board_->append(point_of(played));
-    decisions_->append(entry_of(played));
+    if (played.step.has_estimate && played.step.accepted) points.push_back(point_of(played));
+    entries.push_back(entry_of(played));
   }
+  board_->append(points);
+  decisions_->append(entries);
   const std::int64_t last = unshown_.back().step.id;
   unshown_.clear();
   bench_.selection.select_observation(last);

@@ -42,6 +42,41 @@ std::optional<ImagePair> read_pair(const Session& session, const Observation& o,
   return ImagePair{grey_image(left.image), grey_image(right.image)};
 }
 
+/// How an observation stood against the estimate of its moment.
+InspectionRow stand_of(Player::Run& run, const Observation& o, std::size_t index, const OnlineStep& step) {
+  InspectionRow row;
+  row.id = o.id;
+  row.index = static_cast<int>(index);
+  row.is_used = step.accepted;
+  const IncrementalFit* fit = run.online.estimate();
+  if (!fit) return row;
+  Session one = run.frame;
+  one.observations = {o};
+  one.observations[0].decision = Decision::none;
+  if (step.from_images) one.observations[0].sightings = step.sightings;
+  if (step.accepted)
+    for (const Sighting& s : one.observations[0].sightings) run.known[static_cast<std::size_t>(s.marker)] = 1;
+  const Problem problem = make_problem(one, run.chain);
+  if (!problem.observations.empty())
+    inspect_observation(problem, problem.observations[0], fit->unknowns(), run.online.noise(), run.known, row);
+  return row;
+}
+
+PlayedStep play_one(Player::Run& run, std::size_t index) {
+  const Observation& o = run.session.observations[index];
+  PlayedStep played;
+  std::string refusal;
+  const auto images = read_pair(run.session, o, refusal);
+  if (refusal.empty()) {
+    played.step = run.online.add(o, images ? &*images : nullptr);
+  } else {
+    played.step.id = o.id;
+    played.step.reason = refusal;
+  }
+  played.row = stand_of(run, o, index, played.step);
+  return played;
+}
+
 }  // namespace
 
 Player::Player(Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {
@@ -50,6 +85,10 @@ Player::Player(Workbench& bench, QObject* parent) : QObject(parent), bench_(benc
   connect(&bench.document, &Document::closed, this, &Player::rewind);
   connect(&bench.document, &Document::edited, this, [this](const std::vector<std::int64_t>& ids) {
     if (!is_own_edit_ && !ids.empty()) rewind();
+  });
+  // What was under way is dropped: the online estimate would not know of it, or know too much.
+  connect(&bench.jobs, &Jobs::stopped, this, [this] {
+    if (is_busy_) rewind();
   });
 }
 
@@ -66,6 +105,7 @@ void Player::play() {
   if (is_finished()) rewind();
   is_playing_ = true;
   is_single_ = false;
+  start_clock();
   if (!holds_refit_) bench_.refit.hold();
   holds_refit_ = true;
   emit state_changed();
@@ -106,6 +146,14 @@ void Player::rewind() {
   emit state_changed();
 }
 
+std::size_t Player::due() const {
+  constexpr std::size_t most = 64;
+  if (is_single_) return 1;
+  if (per_second_ <= 0) return most;
+  const auto by_now = static_cast<std::size_t>(1e-3 * static_cast<double>(clock_.elapsed()) * per_second_) + 1;
+  return std::clamp<std::size_t>(by_now - std::min(by_now, steps_.size() - clock_from_), 1, most);
+}
+
 void Player::next() {
   if (is_busy_ || !(is_playing_ || is_single_)) return;
   if (!run_) {
@@ -122,39 +170,22 @@ void Player::next() {
   const std::size_t index = steps_.size();
   if (index >= run_->session.observations.size()) return pause();
   is_busy_ = true;
-  begun_.start();
-  bench_.jobs.start<std::shared_ptr<PlayedStep>>(
+  const std::size_t end = std::min(index + due(), run_->session.observations.size());
+  bench_.jobs.start<std::shared_ptr<std::vector<PlayedStep>>>(
       "play", tr("Playing"),
-      [run = run_, index](JobControl&) {
-        const Observation& o = run->session.observations[index];
-        auto played = std::make_shared<PlayedStep>();
-        std::string refusal;
-        const auto images = read_pair(run->session, o, refusal);
-        if (refusal.empty()) {
-          played->step = run->online.add(o, images ? &*images : nullptr);
-        } else {
-          played->step.id = o.id;
-          played->step.reason = refusal;
+      [run = run_, index, end](JobControl& control) {
+        constexpr qint64 longest = 25;  // ms: then the window may show what there is
+        auto played = std::make_shared<std::vector<PlayedStep>>();
+        QElapsedTimer begun;
+        begun.start();
+        for (std::size_t i = index; i < end && !control.is_cancelled(); ++i) {
+          if (i > index && begun.elapsed() >= longest) break;
+          played->push_back(play_one(*run, i));
         }
-        const IncrementalFit* fit = run->online.estimate();
-        played->row.id = o.id;
-        played->row.index = static_cast<int>(index);
-        played->row.is_used = played->step.accepted;
-        if (!fit) return played;
-        Session one = run->frame;
-        one.observations = {o};
-        one.observations[0].decision = Decision::none;
-        if (played->step.from_images) one.observations[0].sightings = played->step.sightings;
-        if (played->step.accepted)
-          for (const Sighting& s : one.observations[0].sightings) run->known[static_cast<std::size_t>(s.marker)] = 1;
-        const Problem problem = make_problem(one, run->chain);
-        if (!problem.observations.empty())
-          inspect_observation(problem, problem.observations[0], fit->unknowns(), run->online.noise(), run->known,
-                              played->row);
         return played;
       },
-      [this, run = run_](const std::shared_ptr<PlayedStep>& played) {
-        if (run == run_) take(played);
+      [this, run = run_](const std::shared_ptr<std::vector<PlayedStep>>& played) {
+        if (run == run_) take(std::move(*played));
       },
       [this, run = run_](const QString& sentence) {
         if (run != run_) return;
@@ -165,31 +196,49 @@ void Player::next() {
       });
 }
 
-void Player::take(std::shared_ptr<PlayedStep> played) {
+void Player::write_down(const std::vector<PlayedStep>& played) {
+  std::vector<std::pair<std::int64_t, ObservationState>> after;
+  for (const PlayedStep& p : played) {
+    const Observation* o = bench_.document.find(p.step.id);
+    if (!o || o->decision == Decision::excluded) continue;
+    Observation decided = *o;
+    keep_step(p.step, decided);
+    after.push_back({o->id, state_of(decided)});
+  }
+  if (after.empty()) return;
+  Edit edit = bench_.document.edit_of(
+      tr("played to observation %1: %2 of %3 taken").arg(after.back().first).arg(accepted_).arg(steps_.size()), after);
+  edit.joins = join_;
+  is_own_edit_ = true;
+  bench_.document.perform(std::move(edit));
+  is_own_edit_ = false;
+}
+
+void Player::take(std::vector<PlayedStep> played) {
   is_busy_ = false;
   is_single_ = false;
-  accepted_ += played->step.accepted ? 1 : 0;
-  played->accepted = accepted_;
-  steps_.push_back(*played);
-  const Observation* o = bench_.document.find(played->step.id);
-  if (o && o->decision != Decision::excluded) {
-    Observation decided = *o;
-    keep_step(played->step, decided);
-    Edit edit = bench_.document.edit_of(
-        tr("played to observation %1: %2 of %3 taken").arg(played->step.id).arg(accepted_).arg(steps_.size()),
-        {{o->id, state_of(decided)}});
-    edit.joins = join_;
-    is_own_edit_ = true;
-    bench_.document.perform(std::move(edit));
-    is_own_edit_ = false;
+  for (PlayedStep& p : played) {
+    accepted_ += p.step.accepted ? 1 : 0;
+    p.accepted = accepted_;
+    steps_.push_back(p);
   }
-  emit stepped(steps_.back());
+  write_down(played);
+  emit stepped(played);
   if (is_finished()) stop();
   emit state_changed();
-  if (is_playing_) {
-    const auto pause = per_second_ > 0 ? static_cast<qint64>(1000 / per_second_) - begun_.elapsed() : 0;
-    timer_.start(static_cast<int>(std::max<qint64>(0, pause)));
-  }
+  if (!is_playing_) return;
+  const double next_at = per_second_ > 0 ? 1e3 * static_cast<double>(steps_.size() - clock_from_) / per_second_ : 0;
+  timer_.start(std::max(0, static_cast<int>(next_at) - static_cast<int>(clock_.elapsed())));
+}
+
+void Player::set_speed(double per_second) {
+  per_second_ = per_second;
+  start_clock();
+}
+
+void Player::start_clock() {
+  clock_.start();
+  clock_from_ = steps_.size();
 }
 
 }  // namespace handsight::app

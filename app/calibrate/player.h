@@ -31,6 +31,7 @@ class Player : public QObject {
   std::size_t position() const { return steps_.size(); }  // observations decided in this play
   const std::vector<PlayedStep>& steps() const { return steps_; }
   const PlayedStep* step_of(std::int64_t id) const;
+  struct Run;
 
   /// From where it stopped; from the beginning where it was finished, or where the session was changed since.
   void play();
@@ -38,24 +39,28 @@ class Player : public QObject {
   void step();
   void rewind();
   /// Observations a second; 0: as fast as it goes.
-  void set_speed(double per_second) { per_second_ = per_second; }
+  void set_speed(double per_second);
 
  signals:
-  void stepped(const PlayedStep& step);
+  /// One or more, as many as were decided since the last time.
+  void stepped(const std::vector<PlayedStep>& steps);
   void state_changed();
   void rewound();
 
  private:
-  struct Run;
+  std::size_t due() const;  // how many observations the next job is to decide
   void next();
-  void take(std::shared_ptr<PlayedStep> step);
+  void take(std::vector<PlayedStep> played);
+  void write_down(const std::vector<PlayedStep>& played);
+  void start_clock();
   void stop();
 
   Workbench& bench_;
   std::shared_ptr<Run> run_;
   std::vector<PlayedStep> steps_;
   QTimer timer_;
-  QElapsedTimer begun_;  // of the step at hand
+  QElapsedTimer clock_;         // since playing began or its speed changed ...
+  std::size_t clock_from_ = 0;  // ... with this many decided
   double per_second_ = 10;
   std::int64_t join_ = 0;
   std::size_t accepted_ = 0;

@@ -67,6 +67,39 @@ std::string error_or_unknown(const std::optional<double>& value, bool tracker) {
   return tracker ? fmt::format("{:.3f} mm", 1e3 * *value) : fmt::format("{:.3f} px", *value);
 }
 
+Json blame_json(const Blame& blame) {
+  return {{"cameras", blame.cameras}, {"body", blame.body}, {"robot", blame.robot}};
+}
+
+Json observation_json(const ObservationBlame& o, bool tracker) {
+  const Json null = nullptr;
+  const std::string change = change_text(o.change, !tracker);
+  const char* cause = o.blame.letter == 'C' ? "cameras" : o.blame.letter == 'B' ? "body" : "robot";
+  return {{"id", o.id},
+          {"blame", blame_json(o.blame)},
+          {"cause", o.blame.letter == 0 ? null : Json(cause)},
+          {"single_change", change.empty() ? null : Json(change)},
+          {"smallest_visible_pixel", tracker ? null : number(o.smallest_visible)},
+          {"smallest_visible_m", tracker ? number(o.smallest_visible) : null}};
+}
+
+/// Those whose own fault it is: not the robot's, which a missing effect makes everybody's.
+void print_odd_observations(const Output& out, const Diagnosis& d, bool tracker) {
+  constexpr int most = 5;
+  int odd = 0;
+  for (const ObservationBlame& o : d.observations) {
+    if (o.blame.letter != 'C' && o.blame.letter != 'B') continue;
+    if (++odd > most) continue;
+    const std::string visible = o.smallest_visible
+                                    ? fmt::format(" (an error under {} here could not be seen)",
+                                                  tracker ? fmt::format("{:.1f} mm", 1e3 * *o.smallest_visible)
+                                                          : fmt::format("{:.1f} px", *o.smallest_visible))
+                                    : "";
+    out.line(fmt::format("Odd       observation {}: {}{}", o.id, change_text(o.change, !tracker), visible));
+  }
+  if (odd > most) out.line(fmt::format("          and {} more; see per_observation of --json", odd - most));
+}
+
 std::string sure(double ln_bayes_factor) {
   return ln_bayes_factor > 999 ? ">999" : fmt::format("{:.1f}", ln_bayes_factor);
 }
@@ -84,6 +117,10 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
                        d.verdict == Verdict::adequate && d.scatter > 0
                            ? fmt::format("; joints repeat to about {:.2g} mrad", 1e3 * d.scatter)
                            : ""));
+  if (d.blame.letter != 0)
+    out.line(fmt::format("Blame     robot {:.0f} %, marker body {:.0f} %, cameras {:.0f} % of what exceeds the noise",
+                         100 * d.blame.robot, 100 * d.blame.body, 100 * d.blame.cameras));
+  print_odd_observations(out, d, tracker);
   if (!d.model.wrong.empty()) out.line(fmt::format("Left out  {} wrong points", d.model.wrong.size()));
   out.line();
   out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  where", "Candidate", "ln BF", "held out", "explained"));
@@ -126,6 +163,7 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
          {"held_out_mean_m", number(d.report.held_out.mean_m)},
          {"noise_pixel", tracker ? null : number(d.noise)},
          {"noise_m", tracker ? number(d.noise) : null},
+         {"blame", blame_json(d.blame)},
          {"joint_repeatability_rad", d.scatter},
          {"threshold_ln_bayes_factor", d.threshold},
          {"lack_of_fit_p", number(d.lack_of_fit_p)}};
@@ -148,6 +186,9 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
   j["patterns"] = patterns;
   j["invisible"] = d.invisible;
   j["wrong_points"] = wrong;
+  Json observations = Json::array();
+  for (const ObservationBlame& o : d.observations) observations.push_back(observation_json(o, tracker));
+  j["per_observation"] = observations;
   return j;
 }
 
@@ -157,8 +198,9 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
     const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "- " + s.removed : "+ " + s.added;
+    const std::string instead = !s.added.empty() && !s.removed.empty() ? "in place of " + s.removed + " " : "";
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted), error_text(s.held_out),
-                         error_or_unknown(s.noise, tracker), listed(s.where)));
+                         error_or_unknown(s.noise, tracker), instead + listed(s.where)));
   }
   for (const RefusedStep& r : m.refused)
     out.line(

@@ -16,13 +16,16 @@
 #include <QTableWidget>
 #include <QTextBlock>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "document/counted.h"
+#include "export/fresh_poses.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
 #include "session/calibration_xml.h"
+#include "widgets/number_text.h"
 #include "widgets/theme.h"
 
 namespace handsight::app {
@@ -47,6 +50,12 @@ QTableWidget* plain_table(int columns, QWidget* parent) {
   table->setFrameShape(QFrame::NoFrame);
   table->setWordWrap(false);
   return table;
+}
+
+/// "hit: 4.1 of 12"
+QString fresh_text(const FreshPose& pose) {
+  return (pose.is_hit ? QObject::tr("hit: %1 of %2") : QObject::tr("miss: %1 of %2"))
+      .arg(widgets::short_text(1e3 * pose.distance), widgets::short_text(1e3 * pose.allowed));
 }
 
 }  // namespace
@@ -104,8 +113,15 @@ QWidget* ExportWorkspace::make_left() {
   layout->addWidget(motion_);
   excluded_title_ = heading(tr("Not used"), left);
   layout->addWidget(excluded_title_);
-  excluded_ = plain_table(2, left);
-  excluded_->setHorizontalHeaderLabels({tr("obs"), tr("why")});
+  fresh_ = new QLabel(left);
+  fresh_->setObjectName("fresh");
+  fresh_->setWordWrap(true);
+  layout->addWidget(fresh_);
+  excluded_ = plain_table(3, left);
+  excluded_->setObjectName("not_used");
+  excluded_->setHorizontalHeaderLabels({tr("obs"), tr("prediction, mm"), tr("why not used")});
+  excluded_->horizontalHeaderItem(1)->setToolTip(tr(
+      "How far the hand was from where the model predicts it, and how far 95 of 100 poses like the fitted ones are."));
   excluded_->horizontalHeader()->setStretchLastSection(true);
   excluded_->setWordWrap(true);
   excluded_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -260,15 +276,24 @@ void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
           ? tr("Every observation was used")
           : tr("%1 not used").arg(counted(static_cast<qint64>(unused.size()), "observation", "observations")));
   excluded_->setVisible(!unused.empty());
+  const auto fresh = fresh_poses(*model.inspection);
+  const auto hits = std::count_if(fresh.begin(), fresh.end(), [](const FreshPose& p) { return p.is_hit; });
+  fresh_->setVisible(!fresh.empty());
+  fresh_->setText(tr("Fresh poses: of %1 that the fit has not seen, %2 within the 95 % ellipsoid of those it has.")
+                      .arg(fresh.size())
+                      .arg(hits == 1 ? tr("1 lies") : tr("%1 lie").arg(hits)));
   excluded_->setRowCount(static_cast<int>(unused.size()));
   for (int r = 0; r < excluded_->rowCount(); ++r) {
     const Unused& u = unused[static_cast<std::size_t>(r)];
     excluded_->setItem(r, 0, new QTableWidgetItem(QString::number(u.id)));
     auto* why = new QTableWidgetItem(QString::fromStdString(u.reason));
     why->setToolTip(why->text());
-    excluded_->setItem(r, 1, why);
+    excluded_->setItem(r, 2, why);
+    const auto pose = std::find_if(fresh.begin(), fresh.end(), [&](const FreshPose& p) { return p.id == u.id; });
+    excluded_->setItem(r, 1, new QTableWidgetItem(pose == fresh.end() ? QStringLiteral("-") : fresh_text(*pose)));
   }
   excluded_->resizeColumnToContents(0);
+  excluded_->resizeColumnToContents(1);
   excluded_->resizeRowsToContents();
 }
 

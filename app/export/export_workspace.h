@@ -46,7 +46,7 @@ class ExportWorkspace : public Workspace {
   QTableWidget *motion_, *excluded_;
   QPlainTextEdit* xml_;
   QLineEdit* path_;
-  QLabel *excluded_title_, *empty_, *said_;
+  QLabel *fresh_, *excluded_title_, *empty_, *said_;
   QPushButton *save_, *copy_, *html_, *pdf_, *calibrate_;
   std::int64_t exported_ = -1;  // revision
 };

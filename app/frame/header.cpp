@@ -65,7 +65,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   numbers_->setObjectName("three_numbers");
 
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 2, 8, 2);
+  layout->setContentsMargins(8, 0, 8, 0);
   layout->setSpacing(8);
   layout->addWidget(session_);
   layout->addSpacing(8);
@@ -103,7 +103,7 @@ void Header::refresh_session() {
   const Document& d = bench_.document;
   const QString title = QString::fromStdString(
       d.session().title.empty() ? d.session().file.parent_path().filename().string() : d.session().title);
-  session_->setText(d.is_open() ? title + (d.is_saved() ? "" : " •") : tr("Session"));
+  session_->setText((d.is_open() ? title + (d.is_saved() ? "" : " •") : tr("Session")) + QStringLiteral("  ▾"));
   session_->setToolTip(!d.is_open()   ? tr("Open, save, close")
                        : d.is_saved() ? tr("Everything is saved in %1").arg(QString::fromStdString(d.session().file))
                                       : tr("Not yet saved in session.xml (Ctrl+S). Nothing is lost if you close."));

@@ -21,6 +21,8 @@ constexpr KeyRow rows[] = {
     {"Ctrl+Z, Ctrl+Shift+Z", "undo, do again"},
     {"Esc, Alt+←", "selection one up, the selection before"},
     {"M", "fold the model panel"},
+    {"Ctrl+K", "find an action, observation, joint, effect or key"},
+    {"Shift+Space", "one panel fills the centre (double click on its title), Esc puts it back"},
     {"Ctrl+S, Ctrl+O, Ctrl+N", "save, open, new session"},
     {"Label", ""},
     {"Click, Alt+click", "marker on the nearest corner, exactly there"},
@@ -46,6 +48,13 @@ KeyList::KeyList(QWidget* window) : QWidget(window) {
   setAttribute(Qt::WA_DeleteOnClose);
   setGeometry(window->rect());
   setFocusPolicy(Qt::StrongFocus);
+}
+
+std::vector<std::pair<QString, QString>> KeyList::keys() {
+  std::vector<std::pair<QString, QString>> all;
+  for (const KeyRow& row : rows)
+    if (row.what[0] != '\0') all.emplace_back(tr(row.keys), tr(row.what));
+  return all;
 }
 
 void KeyList::show_over(QWidget* window) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 namespace handsight::app {
 
@@ -11,6 +12,8 @@ class KeyList : public QWidget {
 
  public:
   static void show_over(QWidget* window);
+  /// Every key with what it does, headings left out.
+  static std::vector<std::pair<QString, QString>> keys();
 
  protected:
   explicit KeyList(QWidget* window);

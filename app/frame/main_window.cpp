@@ -15,6 +15,7 @@
 #include "calibrate/calibrate_workspace.h"
 #include "explain/explain_workspace.h"
 #include "export/export_workspace.h"
+#include "frame/centre_fill.h"
 #include "frame/header.h"
 #include "frame/key_list.h"
 #include "frame/model_effects.h"
@@ -101,6 +102,7 @@ void MainWindow::make_menu() {
     open_sample(QString::fromStdString(name), true);
   });
   menu_->addSeparator();
+  add(tr("&Find…"), QKeySequence(Qt::CTRL | Qt::Key_K), [this] { find(); });
   add(tr("&Keys"), QKeySequence(Qt::Key_Question), [this] { show_keys(); });
   add(tr("&Close the session"), QKeySequence::Close, [this] { bench_.document.close(); });
   add(tr("&Quit"), QKeySequence::Quit, [this] { close(); });
@@ -132,6 +134,7 @@ void MainWindow::make_pages() {
     centre_->addWidget(workspace);
     connect(workspace, &Workspace::status_changed, this, &MainWindow::refresh_rail);
   }
+  fill_ = new CentreFill(centre_);
   rail_ = new Rail(names, session);
   panel_ = new widgets::ModelPanel(session);
   panel_->setObjectName("model_panel");
@@ -175,6 +178,7 @@ void MainWindow::make_shortcuts() {
   key(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { bench_.document.redo(); });
   key(QKeySequence(Qt::CTRL | Qt::Key_Y), [this] { bench_.document.redo(); });
   key(QKeySequence(Qt::ALT | Qt::Key_Left), [this] { bench_.selection.back(); });
+  key(QKeySequence(Qt::SHIFT | Qt::Key_Space), [this] { fill_->toggle(); });
   key(QKeySequence(Qt::Key_F1), [this] { show_keys(); });
 }
 
@@ -321,6 +325,7 @@ void MainWindow::session_closed() {
 
 void MainWindow::show_workspace(int index) {
   if (!bench_.document.is_open()) return;
+  fill_->put_back();
   rail_->set_current(index);
   centre_->setCurrentIndex(index);
   fit_panel_to_workspace();
@@ -395,7 +400,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Right:
       return step(1);
     case Qt::Key_Escape:
-      return bench_.selection.up();
+      return fill_->put_back() ? void() : bench_.selection.up();
     case Qt::Key_M:
       panel_->set_folded(!panel_->is_folded());
       return;

@@ -23,6 +23,7 @@ class ReadOutLine;
 
 namespace handsight::app {
 
+class CentreFill;
 class Header;
 class Rail;
 class StartPage;
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
   void choose_session();
   void save();
   void show_keys();
+  void find();
   void session_opened();
   void session_closed();
   void refresh_panel();
@@ -71,6 +73,7 @@ class MainWindow : public QMainWindow {
   Header* header_;
   Rail* rail_;
   QStackedWidget* centre_;
+  CentreFill* fill_;
   QSplitter* splitter_;
   widgets::ModelPanel* panel_;
   widgets::ReadOutLine* read_out_;

@@ -50,6 +50,7 @@ void Jobs::start_next() {
       job->failure = QString::fromUtf8(error.what());
       if (job->failure.isEmpty()) job->failure = tr("The job failed without saying why.");
     }
+    job->work = nullptr;  // what it worked on, often a whole session, goes here: the window does not wait for it
     QMetaObject::invokeMethod(this, [this, job] { finish(job); });
   });
 }

@@ -25,15 +25,11 @@ void Labeller::start(const Session& session, const Observation& observation, Cor
   corners_ = std::move(corners);
   for (const Sighting& s : observation.sightings) {
     if (!s.left) continue;
-    LabelMarker marker;
-    marker.left = nearest(corners_.left, *s.left).value_or(free_corner(*s.left));
-    marker.left.position = *s.left;
-    if (s.right) {
-      marker.right = nearest(corners_.right, *s.right).value_or(free_corner(*s.right));
-      marker.right->position = *s.right;
-      marker.right_is_chosen = true;
-    }
-    markers_[s.marker] = marker;
+    LabelMarker& marker = markers_[s.marker];
+    marker.left = labelled_corner(corners_.left, *s.left);
+    if (!s.right) continue;
+    marker.right = labelled_corner(corners_.right, *s.right);
+    marker.right_is_chosen = true;
   }
   find_partners();
 }
@@ -49,6 +45,12 @@ std::optional<Corner> Labeller::nearest(const std::vector<Corner>& corners, cons
     if (!best || (c.position - px).squaredNorm() < (best->position - px).squaredNorm()) best = &c;
   if (!best || (best->position - px).norm() > snap_distance) return std::nullopt;
   return *best;
+}
+
+Corner Labeller::labelled_corner(const std::vector<Corner>& corners, const Vector2& px) const {
+  Corner corner = nearest(corners, px).value_or(free_corner(px));
+  corner.position = px;
+  return corner;
 }
 
 QString Labeller::point(const Vector2& px, bool free) {

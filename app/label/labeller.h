@@ -68,6 +68,8 @@ class Labeller {
 
  private:
   std::optional<Corner> nearest(const std::vector<Corner>& corners, const Vector2& px) const;
+  /// A label of the session: exactly there, with the covariance of the corner under it.
+  Corner labelled_corner(const std::vector<Corner>& corners, const Vector2& px) const;
   void find_partners();
 
   std::optional<StereoRig> rig_;

@@ -73,7 +73,12 @@ class Work {
       d_.model_options.estimated[t] = d_.model.fit.effects[base.effects.size() + t].term;
     d_.model_options.start = estimate(d_.model.fit);
     d_.noise = d_.model.fit.noise;
-    if (!stopped_) d_.report = report(d_.model.session, d_.model.fit, d_.model_options);
+    if (stopped_) return;
+    d_.report = report(d_.model.session, d_.model.fit, d_.model_options);
+    d_.observations = blame_observations(session_, d_.model.fit);
+    std::vector<ResidualParts> parts;
+    for (const ObservationBlame& o : d_.observations) parts.push_back(o.parts);
+    if (d_.noise) d_.blame = blame_of(parts, *d_.noise);
   }
 
   void rank_all() {

@@ -2,6 +2,7 @@
 // Compare the model with the measurements, see where it fails, learn what is missing.
 #pragma once
 
+#include "diagnosis/blame.h"
 #include "diagnosis/patterns.h"
 #include "diagnosis/ranking.h"
 #include "diagnosis/snooping.h"
@@ -69,6 +70,8 @@ struct Diagnosis {
   std::vector<DiagnosisCandidate> candidates;  // named and unnamed, best first
   std::vector<DiagnosisPattern> patterns;      // those that are no chance, most structured first
   std::vector<std::string> invisible;          // effects that these poses could not show
+  Blame blame;                                 // of all observations together, wrong points included
+  std::vector<ObservationBlame> observations;  // of each, in order of time
   bool stopped = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/exchange.h"
 #include "diagnosis/refitting.h"
 
 namespace handsight {
@@ -20,6 +21,13 @@ Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& optio
   o.on_progress = options.on_progress;
   o.on_iteration = options.on_iteration;
   return diagnose(session, o);
+}
+
+/// The terms of one effect that stand together, from `first` on, end there.
+std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first) {
+  std::size_t last = first + 1;
+  while (last < terms.size() && terms[last].id == terms[first].id) ++last;
+  return last;
 }
 
 /// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
@@ -80,9 +88,37 @@ void drop_what_is_no_longer_needed(const Session& session, const ImprovementOpti
   for (std::size_t first = options.estimated.size(); !change.stopped;) {
     const std::vector<EffectTerm>& terms = change.model->model_options.estimated;
     if (first >= terms.size()) return;
-    std::size_t last = first + 1;  // the terms of one effect that stand together
-    while (last < terms.size() && terms[last].id == terms[first].id) ++last;
+    const std::size_t last = end_of_group(terms, first);
     if (last == terms.size() || !drop(session, options, first, last, change)) first = last;
+  }
+}
+
+/// Names that stood in for another are exchanged; those that were added last stay.
+void exchange_names(const Session& session, const ImprovementOptions& options, ModelChange& change) {
+  const auto goes_on = [&] { return !options.on_progress || options.on_progress(0.97); };
+  for (std::size_t first = options.estimated.size(); !change.stopped;) {
+    const std::vector<EffectTerm>& terms = change.model->model_options.estimated;
+    if (first >= terms.size()) return;
+    const std::size_t last = end_of_group(terms, first);
+    if (last == terms.size()) return;
+    const std::vector<EffectTerm> removed(terms.begin() + static_cast<std::ptrdiff_t>(first),
+                                          terms.begin() + static_cast<std::ptrdiff_t>(last));
+    const auto exchange = better_name(*change.model, first, last, goes_on);
+    change.stopped = !goes_on();
+    if (exchange && !change.stopped) {
+      Diagnosis next = diagnosed_from(session, options, exchange->options.estimated, exchange->options.start);
+      change.stopped = next.stopped;
+      if (!next.stopped && held_out(next.report.held_out) <= 1.001 * held_out(change.model->report.held_out)) {
+        change.steps.push_back(step_of(next));
+        change.steps.back().added = exchange->id;
+        change.steps.back().removed = removed.front().id;
+        change.steps.back().where = places_of(exchange->terms, session);
+        change.steps.back().terms = exchange->terms;
+        change.model = std::move(next);
+        continue;  // the next group has moved here; the new name stands last
+      }
+    }
+    first = last;
   }
 }
 
@@ -122,6 +158,7 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   change.steps.back().terms = candidate.terms;
   change.model = std::move(next);
   drop_what_is_no_longer_needed(session, options, change);
+  if (!change.stopped) exchange_names(session, options, change);
   if (change.stopped) change.model.reset();
   return change;
 }

@@ -8,10 +8,10 @@ namespace handsight {
 
 /// A model on the way: the first as it was, then one per change.
 struct ImprovementStep {
-  std::string added;    // effect id; empty for the first
-  std::string removed;  // effect id, where something added before is no longer needed
+  std::string added;    // effect id; empty for the first, and where something was only taken out
+  std::string removed;  // effect id, where something added before is no longer needed, or stood in for `added`
   std::vector<std::string> where;
-  std::vector<EffectTerm> terms;  // added or removed
+  std::vector<EffectTerm> terms;  // added, else removed
   ErrorSummary fitted, held_out;
   std::optional<double> noise;  // px or m
 };
@@ -47,7 +47,8 @@ Diagnosis diagnosed(const Session& session, const ImprovementOptions& options);
 ImprovementStep step_of(const Diagnosis& model);
 
 /// Adds one candidate of model.candidates: fitted in full, diagnosed again, taken where the held-out error falls; then
-/// whatever was added before and is no longer worth its parameters is taken out.
+/// whatever was added before and is no longer worth its parameters is taken out, and what only stood in for another
+/// effect is exchanged for it.
 ModelChange add_candidate(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
                           const DiagnosisCandidate& candidate);
 /// The first of the named candidates that pass the threshold and are not refused.

@@ -66,6 +66,36 @@ TEST(ObservationStrip, OfTenThousandTheWorstShowsAndTheWheelFindsSingleCells) {
   EXPECT_EQ(strip.cell_at(strip.cell_rect(5001).center()), 5001);
 }
 
+TEST(ThreeNumbers, NothingIsCutOffAtAnyScale) {
+  ThreeNumbers three;
+  ErrorNumbers n;
+  n.now = 8.34;
+  n.noise = 0.2;
+  n.excluded_note = "7 excluded: 9.4 px";
+  three.set_numbers(n);
+  three.resize(three.sizeHint());
+  for (const double scale : {1.0, 1.5, 2.0, 3.0}) {
+    QImage image(three.size() * scale, QImage::Format_RGB32);
+    image.setDevicePixelRatio(scale);
+    image.fill(colors().window);
+    three.render(&image);
+    const auto has_ink = [&](int y) {
+      for (int x = 0; x < image.width(); ++x)
+        if (image.pixelColor(x, y) != colors().window) return true;
+      return false;
+    };
+    for (const int edge : {0, 1}) {
+      EXPECT_FALSE(has_ink(edge)) << scale;
+      EXPECT_FALSE(has_ink(image.height() - 1 - edge)) << scale;
+    }
+    // Digits of 24 px are 17 px high or more; cut off at the top they would be less.
+    int top = 0, bottom = 0;
+    while (!has_ink(top)) ++top;
+    for (bottom = top; has_ink(bottom);) ++bottom;
+    EXPECT_GE(bottom - top, 17 * scale) << scale;
+  }
+}
+
 TEST(ThreeNumbers, AClickOnAStepChoosesThatVersion) {
   ThreeNumbers three;
   ErrorNumbers n;

@@ -5,14 +5,14 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions_3_2_Core>
 #include <QOpenGLVersionFunctionsFactory>
-#include <cmath>
 
 namespace handsight::widgets {
 
-GlWindow::GlWindow(QOpenGLWidget& widget) : widget_(widget) {
+GlWindow::GlWindow() {
   window_->SetReadyForRendering(false);
   window_->SetOwnContext(false);
   // Smooth edges cost three times as much where the processor draws.
@@ -24,74 +24,82 @@ GlWindow::GlWindow(QOpenGLWidget& widget) : widget_(widget) {
   window_->AddObserver(vtkCommand::WindowIsCurrentEvent, this, &GlWindow::tell_whether_current);
 }
 
+GlWindow::~GlWindow() { release(); }
+
 void GlWindow::make_current() {
-  // Where the context is current already nothing may be done: makeCurrent would bind Qt's framebuffer under VTK.
-  if (!widget_.context() || QOpenGLContext::currentContext() == widget_.context()) return;
-  widget_.makeCurrent();
+  if (!context_ || QOpenGLContext::currentContext() == context_.get()) return;
+  context_->makeCurrent(surface_.get());
 }
 
 void GlWindow::tell_whether_current(vtkObject*, unsigned long, void* answer) {
-  const bool is_current = widget_.context() && QOpenGLContext::currentContext() == widget_.context();
+  const bool is_current = context_ && QOpenGLContext::currentContext() == context_.get();
   window_->SetIsCurrent(is_current);
   if (answer) *static_cast<bool*>(answer) = is_current;
 }
 
-void GlWindow::initialize() {
-  QObject::disconnect(context_dies_);
-  context_dies_ =
-      QObject::connect(widget_.context(), &QOpenGLContext::aboutToBeDestroyed, &widget_, [this] { release(); });
+bool GlWindow::make_ready() {
+  if (is_ready_) {
+    make_current();
+    return true;
+  }
+  if (has_failed_) return false;
+  surface_ = std::make_unique<QOffscreenSurface>();
+  surface_->create();
+  context_ = std::make_unique<QOpenGLContext>();
+  const bool is_made = context_->create() && context_->makeCurrent(surface_.get()) &&
+                       QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_2_Core>(context_.get());
+  if (!is_made) {
+    has_failed_ = true;
+    context_.reset();
+    surface_.reset();
+    return false;
+  }
   window_->SetReadyForRendering(true);
   window_->SetMapped(true);
   window_->SetIsCurrent(true);
   window_->OpenGLInit();
   is_ready_ = true;
+  return true;
 }
 
-void GlWindow::resize() {
-  const double ratio = widget_.devicePixelRatioF();
-  window_->SetSize(static_cast<int>(std::ceil(widget_.width() * ratio)),
-                   static_cast<int>(std::ceil(widget_.height() * ratio)));
-}
-
-void GlWindow::paint() {
-  if (!is_ready_) return;
+QImage GlWindow::picture(const QSize& size) {
+  if (size.isEmpty() || !make_ready()) return {};
   vtkOpenGLState* state = window_->GetState();
   state->Reset();
   state->Push();
   state->ResetFramebufferBindings();
-  resize();
+  window_->SetSize(size.width(), size.height());
   window_->Render();
-  copy_to_widget();
+  QImage image = read_pixels();
   state->Pop();
+  return image;
 }
 
-void GlWindow::copy_to_widget() {
-  widget_.makeCurrent();
-  auto* gl = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_2_Core>(widget_.context());
+QImage GlWindow::read_pixels() const {
+  auto* gl = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_2_Core>(context_.get());
   vtkOpenGLFramebufferObject* source = window_->GetDisplayFramebuffer();
-  if (!gl || !source) return;
   const int* size = window_->GetSize();
-  source->Bind(GL_READ_FRAMEBUFFER);
-  gl->glReadBuffer(GL_COLOR_ATTACHMENT0);
-  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, widget_.defaultFramebufferObject());
+  QImage image(size[0], size[1], QImage::Format_RGB32);
+  source->Bind(GL_FRAMEBUFFER);
+  // Alpha must be 1 everywhere, or what lies behind the widget shines through.
   gl->glDisable(GL_SCISSOR_TEST);
-  gl->glBlitFramebuffer(0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, widget_.defaultFramebufferObject());
-  // Alpha must be 1 everywhere, or what lies behind the widget shines through in pictures of it.
   gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   gl->glClearColor(0, 0, 0, 1);
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl->glReadBuffer(GL_COLOR_ATTACHMENT0);
+  gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl->glReadPixels(0, 0, size[0], size[1], GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, image.bits());
+  return std::move(image).mirrored(false, true);  // OpenGL begins below
 }
 
 void GlWindow::release() {
   if (!is_ready_) return;
   is_ready_ = false;
-  QObject::disconnect(context_dies_);
-  widget_.makeCurrent();
+  make_current();
   window_->SetReadyForRendering(false);
   window_->Finalize();
-  widget_.doneCurrent();
+  context_->doneCurrent();
 }
 
 }  // namespace handsight::widgets

@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK rendering into a QOpenGLWidget: VTK draws into framebuffers of its own, which are then copied into Qt's.
+// VTK rendering into a picture, on an OpenGL context of its own that is never shown.
 #pragma once
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include <QOpenGLWidget>
+#include <QImage>
+#include <memory>
+
+class QOffscreenSurface;
+class QOpenGLContext;
 
 namespace handsight::widgets {
 
-/// Debian's VTK-Qt module is built for Qt 5; this is what of it is needed. The widget calls initialize(), resize() and
-/// paint() from its own, and release() in its destructor.
+/// Debian's VTK-Qt module is built for Qt 5; this is what of it is needed. The widget paints the picture as any other:
+/// were it a QOpenGLWidget, Qt would compose the whole window by OpenGL at every change of any of its widgets, which
+/// costs three times the scene itself where the processor draws. For the window's thread.
 class GlWindow {
  public:
-  explicit GlWindow(QOpenGLWidget& widget);
+  GlWindow();
+  ~GlWindow();
   GlWindow(const GlWindow&) = delete;
   GlWindow& operator=(const GlWindow&) = delete;
 
-  void initialize();  // again after each reparenting: the context is a new one then
-  void resize();
-  void paint();
+  /// Makes the context current, at the first call also the context itself. False where the display has no OpenGL 3.2.
+  bool make_ready();
+  /// The scene in this many device px; null where make_ready() is false.
+  QImage picture(const QSize& size);
   void release();
 
   vtkGenericOpenGLRenderWindow* window() { return window_; }
@@ -27,12 +34,12 @@ class GlWindow {
  private:
   void make_current();
   void tell_whether_current(vtkObject*, unsigned long, void* answer);
-  void copy_to_widget();
+  QImage read_pixels() const;
 
-  QOpenGLWidget& widget_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
-  QMetaObject::Connection context_dies_;
-  bool is_ready_ = false;
+  std::unique_ptr<QOffscreenSurface> surface_;
+  std::unique_ptr<QOpenGLContext> context_;
+  bool is_ready_ = false, has_failed_ = false;
 };
 
 }  // namespace handsight::widgets

@@ -119,6 +119,9 @@ void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<Sce
   vtkNew<vtkDoubleArray> vectors;
   vectors->SetName("residual");
   vectors->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> sizes;
+  sizes->SetName("size");
+  sizes->SetNumberOfComponents(3);
   vtkNew<vtkUnsignedCharArray> shades;
   shades->SetName("color");
   shades->SetNumberOfComponents(3);
@@ -126,12 +129,16 @@ void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<Sce
     points->InsertNextPoint(arrow.from.data());
     const Vector3 shown = times * arrow.residual;
     vectors->InsertNextTuple(shown.data());
+    // A long one is not thicker: it would hide what it points from, and itself when it is selected.
+    const double length = shown.norm(), thickness = std::clamp(length, 0.02, 0.18);
+    sizes->InsertNextTuple3(length, thickness, thickness);
     const QColor color = residual_color(arrow.rms_over_sigma, arrow.coordinates);
     shades->InsertNextTuple3(color.red(), color.green(), color.blue());
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->GetPointData()->AddArray(vectors);
+  data->GetPointData()->AddArray(sizes);
   data->GetPointData()->SetScalars(shades);
   vtkNew<vtkArrowSource> source;
   source->SetTipResolution(10);
@@ -144,8 +151,8 @@ void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<Sce
   mapper->SetSourceConnection(source->GetOutputPort());
   mapper->SetOrientationArray("residual");
   mapper->SetOrientationModeToDirection();
-  mapper->SetScaleArray("residual");
-  mapper->SetScaleModeToScaleByMagnitude();
+  mapper->SetScaleArray("size");
+  mapper->SetScaleModeToScaleByVectorComponents();
   mapper->SetScaleFactor(1);
   mapper->SetColorModeToDefault();
   mapper->ScalarVisibilityOn();

@@ -57,6 +57,9 @@ TEST(Pictures, OfEveryWorkspace) {
   label.use();
   calibrate.set_fastest();
   ASSERT_TRUE(calibrate.play_to_the_end());
+  desk.settle();
+  auto* strip = desk.find<widgets::ObservationStrip>("strip");
+  desk.click(strip, strip->cell_rect(0).center().toPoint());  // one of those with images
   photo.take("calibrate");
   auto* tabs = desk.find<QTabWidget>("calibrate_tabs");
   const char* names[] = {"", "calibrate_objective", "calibrate_one_marker", "calibrate_own_pose"};
@@ -77,6 +80,10 @@ TEST(Pictures, OfEveryWorkspace) {
   photo.take("export");
   desk.key(Qt::Key_Question);
   photo.take("keys");
+  desk.key(Qt::Key_Escape);
+  desk.key(Qt::Key_K, Qt::ControlModifier);
+  for (const char c : {'a', 'r', 'm'}) QTest::keyClick(desk.window.windowHandle(), c);
+  photo.take("find");
 }
 
 class Explained : public testing::Test {

@@ -45,7 +45,35 @@ void look_at_buttons(QWidget* page, const QString& where) {
     if (!button->isVisible() || button->text().isEmpty() || !has_words) continue;
     EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text().remove('&')) + 4)
         << where.toStdString() << ": " << button->text().toStdString();
+    if (!button->isEnabled()) continue;
+    EXPECT_GE(contrast(button->palette().color(QPalette::ButtonText), button->palette().color(QPalette::Button)), 4.5)
+        << where.toStdString() << ": " << button->text().toStdString();
   }
+}
+
+/// Widgets of one parent, laid out beside each other, do not cover each other.
+void look_for_overlap(QWidget* page, const QString& where) {
+  const auto has_words = [](QWidget* w) { return qobject_cast<QLabel*>(w) || qobject_cast<QAbstractButton*>(w); };
+  for (QWidget* a : page->findChildren<QWidget*>()) {
+    if (!a->isVisible() || !has_words(a) || a->testAttribute(Qt::WA_TransparentForMouseEvents)) continue;
+    EXPECT_TRUE(a->parentWidget()->rect().adjusted(-1, -1, 1, 1).contains(a->geometry()))
+        << where.toStdString() << ": " << a->objectName().toStdString() << " "
+        << a->property("text").toString().toStdString() << " reaches out of what holds it";
+    for (QObject* sibling : a->parentWidget()->children()) {
+      auto* b = qobject_cast<QWidget*>(sibling);
+      if (!b || b <= a || !b->isVisible() || !has_words(b) || b->testAttribute(Qt::WA_TransparentForMouseEvents))
+        continue;
+      EXPECT_FALSE(a->geometry().intersects(b->geometry()))
+          << where.toStdString() << ": " << a->property("text").toString().toStdString() << " and "
+          << b->property("text").toString().toStdString();
+    }
+  }
+}
+
+void look_at(QWidget* page, const QString& where) {
+  look_at_labels(page, where);
+  look_at_buttons(page, where);
+  look_for_overlap(page, where);
 }
 
 void look_at_everything(widgets::ThemeKind kind) {
@@ -55,15 +83,13 @@ void look_at_everything(widgets::ThemeKind kind) {
   std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps", session,
                         std::filesystem::copy_options::recursive);
   Desk desk;
-  look_at_labels(&desk.window, "start");
-  look_at_buttons(&desk.window, "start");
+  look_at(&desk.window, "start");
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   const auto look = [&](const QString& state) {
     for (int i = 0; i < 5; ++i) {
       desk.key(Qt::Key_1 + i, Qt::ControlModifier);
       desk.settle();
-      look_at_labels(&desk.window, state + " " + QString::number(i));
-      look_at_buttons(&desk.window, state + " " + QString::number(i));
+      look_at(&desk.window, state + " " + QString::number(i));
     }
   };
   look("empty");

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Observations that the fit has not seen, predicted against measured: the honest test of what is exported.
+#pragma once
+
+#include <vector>
+
+#include "document/inspection.h"
+
+namespace handsight::app {
+
+struct FreshPose {
+  std::int64_t id = 0;
+  double distance = 0;  // m, of TCPest from the TCP that the model predicts
+  double allowed = 0;   // m, how far the 95 % ellipsoid reaches in that direction
+  bool is_hit = false;
+};
+
+/// Every observation whose hand was seen and that is not part of the fit, against the ellipsoid in which 95 % of new
+/// poses lie if they are like the n that were fitted: with S the second moments of tcp_from_tcp_est's translation over
+/// these, d' S^-1 d <= 3 n / (n - 2) F(3, n - 2; 0.95) (Hotelling). Empty with fewer than 8 fitted.
+std::vector<FreshPose> fresh_poses(const Inspection& inspection);
+
+}  // namespace handsight::app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame/find_entries.h"
+
+#include "effects/effect.h"
+#include "widgets/number_text.h"
+
+namespace handsight::app {
+
+std::vector<FindEntry> session_entries(Workbench& bench) {
+  std::vector<FindEntry> entries;
+  if (!bench.document.is_open()) return entries;
+  const Session& session = bench.document.session();
+  for (const std::string& joint : session.joints)
+    entries.push_back({QObject::tr("joint"), QString::fromStdString(joint), {}, [&bench, joint] {
+                         Selected s = bench.selection.current();
+                         s.joint = joint;
+                         bench.selection.select(s);
+                       }});
+  for (const Effect& effect : catalogue())
+    entries.push_back({QObject::tr("effect"), QString::fromStdString(effect.title), QString::fromStdString(effect.id),
+                       [&bench, check = effect.check] {
+                         emit bench.workspace_requested(3);
+                         emit bench.document.noticed(QString::fromStdString(check));
+                       }});
+  const double scale = session.is_tracker() ? 1e3 : 1;
+  const QString unit = session.is_tracker() ? QObject::tr("mm") : QObject::tr("px");
+  for (const Observation& o : session.observations) {
+    const InspectionRow* row = bench.row(o.id);
+    const QString hint = !o.reason.empty() ? QString::fromStdString(o.reason)
+                         : row && row->rms ? widgets::with_unit_text(scale * *row->rms, unit)
+                                           : QString();
+    entries.push_back({QObject::tr("observation"), QObject::tr("observation %1").arg(o.id), hint,
+                       [&bench, id = o.id] { bench.selection.select_observation(id); }});
+  }
+  return entries;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/exchange.h"
+
+#include <algorithm>
+
+#include "diagnosis/candidate_report.h"
+#include "diagnosis/refitting.h"
+
+namespace handsight {
+namespace {
+
+constexpr double clearly = 3;    // ln of a Bayes factor, odds of 20
+constexpr std::size_t most = 3;  // names that are fitted in full
+constexpr double nearly = 0.9;   // of the present name's linear evidence: full fits may turn it round
+
+/// Evidence of a full fit with the ways counted in which the effect could have sat elsewhere.
+double evidence_of(const Refit& refit, const RankedEffect& ranked) {
+  return refit.ln_bayes_factor + ranked.ln_bayes_factor - ranked.ln_best;
+}
+
+}  // namespace
+
+std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, std::size_t last,
+                                    const std::function<bool()>& goes_on) {
+  const std::vector<EffectTerm>& all = model.model_options.estimated;
+  const std::vector<EffectTerm> present(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                        all.begin() + static_cast<std::ptrdiff_t>(last));
+  const Weighing by = weighing(model.model.fit);
+  FitOptions o = model.model_options;
+  o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
+                    o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
+  set_quick(by, o);
+  o.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };
+  const CleanFit without{model.model.session, fit(model.model.session, o), {}};
+  if (without.fit.solution.stopped) return std::nullopt;
+  for (std::size_t t = 0; t < o.estimated.size(); ++t) o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
+
+  const Candidates candidates = all_candidates(without.fit.problem);
+  const LinearModel linear = linear_model(candidates.problem, estimate(without.fit), candidates.base_effects, by.noise);
+  const Ranking ranking = rank(linear, by.knowledge, candidates, {});
+  const auto own = std::find_if(ranking.effects.begin(), ranking.effects.end(),
+                                [&](const RankedEffect& r) { return r.candidate->effect->id == present.front().id; });
+  if (own == ranking.effects.end()) return std::nullopt;
+  std::optional<Refit> now;
+  std::optional<Exchange> best;
+  double best_evidence = 0;
+  for (std::size_t i = 0; i < std::min(most, ranking.effects.size()); ++i) {
+    const RankedEffect& r = ranking.effects[i];
+    if (&r == &*own) continue;
+    if (r.ln_bayes_factor < nearly * own->ln_bayes_factor || !goes_on()) break;
+    if (!now) {
+      now = refit_with(without, o, present, by);
+      best_evidence = evidence_of(*now, *own) + clearly;
+    }
+    const Refit other = refit_with(without, o, with_settled_orders(without, terms_with_values(r), by), by);
+    if (!other.fit.converged() || evidence_of(other, r) <= best_evidence) continue;
+    best_evidence = evidence_of(other, r);
+    const std::vector<EffectTerm> terms = terms_of(other.fit);
+    best = Exchange{
+        r.candidate->effect->id, {terms.end() - static_cast<std::ptrdiff_t>(other.added), terms.end()}, other.options};
+    best->options.on_iteration = nullptr;
+  }
+  return goes_on() ? best : std::nullopt;
+}
+
+}  // namespace handsight

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Playing keeps its speed, whatever the window paints meanwhile.
+#include <gtest/gtest.h>
+
+#include "app/window/pages.h"
+#include "temporary_folder.h"
+
+namespace handsight::test {
+namespace {
+
+class Play : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto session = folder.path / "thesis_simulation";
+    std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/thesis_simulation", session,
+                          std::filesystem::copy_options::recursive);
+    ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+    ASSERT_TRUE(desk.settle());
+    desk.key(Qt::Key_2, Qt::ControlModifier);
+  }
+  TemporaryFolder folder;
+  Desk desk;
+  CalibratePage calibrate{desk};
+};
+
+TEST_F(Play, TenASecondTakesTheTimeItSays) {
+  QElapsedTimer timer;
+  timer.start();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  EXPECT_GE(timer.elapsed(), 450) << "six observations, the last half a second after the first";
+  EXPECT_EQ(calibrate.decisions(), 6);
+}
+
+TEST_F(Play, AsFastAsItGoesShowsEveryDecisionAndIsOneActionToUndo) {
+  const int before = desk.document().undo_stack().index();
+  calibrate.set_fastest();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  EXPECT_EQ(calibrate.decisions(), 6);
+  EXPECT_EQ(desk.document().undo_stack().index(), before + 1);
+}
+
+TEST_F(Play, StepDecidesOneAndPlayGoesOnFromThere) {
+  desk.key(Qt::Key_Period);
+  ASSERT_TRUE(desk.wait([this] { return calibrate.decisions() == 1; }, 5000));
+  QTest::qWait(250);
+  EXPECT_EQ(calibrate.decisions(), 1);
+  calibrate.set_fastest();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  EXPECT_EQ(calibrate.decisions(), 6);
+}
+
+}  // namespace
+}  // namespace handsight::test

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Is what was hidden named, and where it sits? trial_effects COUNT [FIRST_SEED] [ROBOT] [EFFECT]
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <map>
+
+#include "fixtures/trial_sessions.h"
+
+namespace handsight::trials {
+namespace {
+
+struct Tally {
+  int trials = 0, first = 0, named = 0, joint_trials = 0, joint = 0, detected = 0;
+};
+
+void print(const std::string& name, const Tally& t) {
+  fmt::print("{:<28} {:>6} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f}\n", name, t.trials,
+             100.0 * t.first / std::max(1, t.trials), 100.0 * t.named / std::max(1, t.trials),
+             100.0 * t.joint / std::max(1, t.joint_trials), 100.0 * t.detected / std::max(1, t.trials));
+}
+
+int effect_trials(const Arguments& a) {
+  std::map<std::string, Tally> by_effect, by_noncentrality;
+  const double edges[] = {0, 10, 30, 50, 100, 1000, 1e300};
+  const char* names[] = {"a 0-10", "b 10-30", "c 30-50", "d 50-100", "e 100-1000", "f over 1000"};
+  for (int robot = 0; robot < 3; ++robot) {
+    if (a.skips(robot)) continue;
+    const Session like = robot_session(robot);
+    const Chain chain = chain_of(like);
+    for (const Effect& e : catalogue()) {
+      if (a.kind != "all" && e.id != a.kind) continue;
+      for (int i = 0; i < a.count; ++i) {
+        const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
+        std::mt19937_64 random(seed * 104729 + std::hash<std::string>{}(e.id) % 100000 + static_cast<unsigned>(robot));
+        SimulationOptions o = simulation(seed + 5000 * static_cast<std::uint64_t>(robot));
+        o.effects = random_terms(e, chain, random);
+        if (o.effects.empty()) break;
+        SimulatedSession s;
+        double lambda = 0;
+        try {
+          lambda = noncentrality_of(like, o);
+          s = simulate_session(like, o);
+        } catch (const InputError&) {
+          continue;
+        }
+        const Diagnosis d = diagnose(s.session, quick());
+        if (d.candidates.empty()) continue;
+        const DiagnosisCandidate& best = d.candidates.front();
+        const bool is_first = best.id == e.id;
+        const bool is_named =
+            is_first || std::count(best.cannot_be_told_from.begin(), best.cannot_be_told_from.end(), e.id) > 0;
+        const bool detected = d.verdict != Verdict::adequate;
+        const bool at_joint = e.scope == EffectScope::joint && o.effects.size() == 1;
+        const bool joint =
+            is_first && std::count(best.where.begin(), best.where.end(),
+                                   at_joint ? like.robot.joints[static_cast<std::size_t>(o.effects[0].joint)].name
+                                            : std::string()) > 0;
+        std::size_t bin = 0;
+        while (lambda >= edges[bin + 1]) ++bin;
+        for (Tally* t : {lambda >= 50 ? &by_effect[e.id] : nullptr, &by_noncentrality[names[bin]]}) {
+          if (!t) continue;
+          ++t->trials;
+          t->first += is_first;
+          t->named += is_named;
+          t->detected += detected;
+          t->joint_trials += at_joint && is_first;
+          t->joint += joint;
+        }
+        if (lambda >= 50 && !is_first) {
+          const auto truth =
+              std::find_if(d.candidates.begin(), d.candidates.end(), [&](const auto& c) { return c.id == e.id; });
+          fmt::print("  robot {} seed {} {} x{} lambda {:.0f}: {} ({}) {:.1f}, truth {:.1f}{}\n", robot, seed, e.id,
+                     o.effects.size(), lambda, top(d), verdict_text(d.verdict), best.ln_bayes_factor,
+                     truth == d.candidates.end() ? 0.0 : truth->ln_bayes_factor, is_named ? " (named)" : "");
+          std::fflush(stdout);
+        }
+      }
+    }
+  }
+  fmt::print("{:<28} {:>6} {:>8} {:>8} {:>8} {:>8}\n", "at noncentrality >= 50", "trials", "first %", "named %",
+             "joint %", "found %");
+  Tally all;
+  for (const auto& [name, t] : by_effect) {
+    print(name, t);
+    all.trials += t.trials, all.first += t.first, all.named += t.named, all.joint += t.joint;
+    all.joint_trials += t.joint_trials, all.detected += t.detected;
+  }
+  print("all", all);
+  for (const auto& [name, t] : by_noncentrality) print("noncentrality " + name, t);
+  return 0;
+}
+
+}  // namespace
+}  // namespace handsight::trials
+
+int main(int argc, char** argv) {
+  using namespace handsight::trials;
+  return effect_trials(arguments(argc, argv, "all"));
+}
