@@ -11,9 +11,14 @@ constexpr int ms_between_pictures = 40;
 
 QString sentence_of(const ModelChange& change) {
   QStringList parts;
-  for (const ImprovementStep& s : change.steps)
-    parts << (s.removed.empty() ? QObject::tr("added %1").arg(effect_of(s.added, s.where))
-                                : QObject::tr("took out %1, no longer needed").arg(effect_of(s.removed, s.where)));
+  for (const ImprovementStep& s : change.steps) {
+    if (s.removed.empty())
+      parts << QObject::tr("added %1").arg(effect_of(s.added, s.where));
+    else if (s.added.empty())
+      parts << QObject::tr("took out %1, no longer needed").arg(effect_of(s.removed, s.where));
+    else
+      parts << QObject::tr("exchanged %1 for %2").arg(effect_of(s.removed, {}), effect_of(s.added, s.where));
+  }
   return parts.join(", ");
 }
 

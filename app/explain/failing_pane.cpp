@@ -120,8 +120,11 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
   const std::vector<PlotKey> strongest = strongest_plots(*residuals_);
   const bool first = places_.empty();
   if (first) places_ = strongest;
+  const auto diagnosis = bench_.diagnosing.diagnosis();
+  const bool is_chance = (diagnosis && diagnosis->verdict == Verdict::adequate) || residuals_->patterns.empty() ||
+                         residuals_->patterns.front().p_value > 1e-3;
   const bool same_first =
-      strongest.empty() || std::find(places_.begin(), places_.end(), strongest.front()) != places_.end();
+      is_chance || strongest.empty() || std::find(places_.begin(), places_.end(), strongest.front()) != places_.end();
   resort_->setVisible(!same_first);
   if (first) {
     page_->set_plots(plots(*residuals_, nullptr));

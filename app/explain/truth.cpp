@@ -59,7 +59,7 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
     const EffectParameter& parameter = effect.parameters[p];
     const ShownUnit unit = shown_unit(parameter.unit);
     widgets::TruthRow row;
-    row.what = effect_of(hidden.id, place.empty() ? std::vector<std::string>{} : std::vector<std::string>{place});
+    row.what = place.empty() ? effect_of(hidden.id, {}) : QString::fromStdString(place);
     row.parameter = QString::fromStdString(parameter.name);
     row.unit = unit.unit;
     row.hidden = unit.scale * hidden.values[p];

@@ -121,7 +121,7 @@ void WhatIfSlider::refresh() {
   track_->setEnabled(has_parameter);
   if (has_parameter) track_->set_parameter(state_.parameters[at]);
   best_->setEnabled(has_parameter && state_.parameters[at].best.has_value());
-  value_->setMinimumWidth(QFontMetrics(value_->font()).horizontalAdvance(QStringLiteral("−8.88·10⁻⁸ rad/(N m)")));
+  value_->setMinimumWidth(QFontMetrics(value_->font()).horizontalAdvance(QStringLiteral("−888 µrad/(N m)")));
   value_->setText(has_parameter ? with_unit_text(value(), state_.parameters[at].unit, 3) : QStringLiteral("-"));
   set_answer(state_.answer);
 }
