@@ -100,7 +100,7 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation,
       text = QObject::tr("Agrees with the model down to the noise. ");
   }
   if (!row->what_would_mend.isEmpty()) text += QObject::tr("To be right: %1").arg(row->what_would_mend);
-  if (row->smallest_visible)
+  if (row->smallest_visible && row->blame.letter != 'R')
     text += QObject::tr(" An error of one corner under %1 here could not be seen.")
                 .arg(in_pixels ? QObject::tr("%1 px").arg(*row->smallest_visible, 0, 'f', 1)
                                : QObject::tr("%1 mm").arg(1e3 * *row->smallest_visible, 0, 'f', 1));

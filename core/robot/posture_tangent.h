@@ -7,6 +7,13 @@
 
 namespace handsight {
 
+/// The motion of a rotation w about a point.
+inline Vector6 rotation_about_point(const Vector3& w, const Vector3& point) {
+  Vector6 motion;
+  motion << point.cross(w), w;
+  return motion;
+}
+
 /// Motions are rates (v, w) of x' = v + w cross x, in the root's frame. Worked out once per posture; every direction
 /// of change then costs a few products. Derivation: docs/method.md, "Derivatives of a posture".
 class PostureTangent {
