@@ -243,6 +243,7 @@ std::shared_ptr<const ModelResiduals> Diagnosing::residuals_of(const ModelVersio
     earlier_.push_front(result);
     if (earlier_.size() > most_kept) earlier_.pop_back();
   }
+  if (!result->residuals && is_wanted_ && result == now_) return nullptr;  // they are on their way
   if (!result->residuals) result->residuals = make_residuals(*version->fit);
   return result->residuals;
 }

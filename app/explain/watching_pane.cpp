@@ -217,8 +217,9 @@ void WatchingPane::refresh_cloud() {
   }
   const Session& session = bench_.document.session();
   const auto points = [&](const ModelVersionPointer& version) {
-    const auto& views = bench_.diagnosing.residuals_of(version)->views;
-    return cloud_of(views.corners, ids_of_places(views.problem, session));
+    const auto residuals = bench_.diagnosing.residuals_of(version);
+    if (!residuals) return std::vector<widgets::CloudPoint>{};
+    return cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, session));
   };
   const auto title = [](const ModelVersionPointer& v) {
     return v->cause.isEmpty() ? QObject::tr("as opened") : v->cause;
