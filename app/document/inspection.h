@@ -6,17 +6,10 @@
 #include <QString>
 #include <unordered_map>
 
+#include "diagnosis/blame.h"
 #include "estimation/fit_report.h"
 
 namespace handsight::app {
-
-/// Whose fault an observation's error is, as shares of what exceeds the noise (0 to 1, together 1 or all 0):
-/// cameras: the two images of a marker do not fit together; body: the markers do not lie to each other as the body's
-/// do; robot: the body as a whole is not where the robot says.
-struct Blame {
-  double cameras = 0, body = 0, robot = 0;
-  char letter = 0;  // C, B or R: the cause to look at first. 0: nothing stands out of the noise
-};
 
 /// One marker of one observation, measured against predicted.
 struct MarkerResidual {
@@ -44,8 +37,9 @@ struct InspectionRow {
   int worst_camera = -1;  // 0 left, 1 right
   double worst_size = 0;  // px (m), length
   Blame blame;
-  bool outlier = false;     // stands out of the other observations
-  QString what_would_mend;  // a sentence; empty: nothing to mend
+  bool outlier = false;                    // stands out of the other observations
+  QString what_would_mend;                 // a sentence; empty: nothing to mend
+  std::optional<double> smallest_visible;  // px (m): an error of one corner below it could not be seen here
 };
 
 struct Inspection {

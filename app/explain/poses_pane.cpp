@@ -73,9 +73,9 @@ PosesPane::PosesPane(Workbench& bench, QWidget* parent) : QWidget(parent), bench
   layout->addWidget(said_);
   connect(back_, &QPushButton::clicked, this, &PosesPane::closed);
   connect(save_, &QPushButton::clicked, this, &PosesPane::save);
-  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
-    if (plan_ && row >= 0 && row < static_cast<int>(plan_->poses.size()))
-      emit pose_chosen(plan_->poses[static_cast<std::size_t>(row)].position);
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int chosen) {
+    if (plan_ && chosen >= 0 && chosen < static_cast<int>(plan_->poses.size()))
+      emit pose_chosen(plan_->poses[static_cast<std::size_t>(chosen)].position);
   });
   connect(&bench.document, &Document::opened, this, [this] {
     path_->setText(QString::fromStdString((folder(bench_.document.session()) / "poses.csv").string()));

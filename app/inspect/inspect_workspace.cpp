@@ -280,7 +280,7 @@ void InspectWorkspace::refresh_observation() {
   }));
   look_->setEnabled(row && row->worst_marker >= 0);
   relabel_->setEnabled(o && !o->left_image.empty());
-  blame_->set_sentence(blame_sentence(row, o));
+  blame_->set_sentence(blame_sentence(row, o, bench_.document.session().stereo.has_value()));
   blame_->set_blame(row && row->blame.letter != 0
                         ? std::optional(widgets::Blame{row->blame.cameras, row->blame.body, row->blame.robot})
                         : std::nullopt);

@@ -75,7 +75,7 @@ std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   return points;
 }
 
-QString blame_sentence(const InspectionRow* row, const Observation* observation) {
+QString blame_sentence(const InspectionRow* row, const Observation* observation, bool in_pixels) {
   if (!observation) return QObject::tr("Choose an observation in the strip, a plot or the 3D view.");
   if (!row) {
     if (observation->sightings.empty() && observation->decision == Decision::rejected)
@@ -100,6 +100,10 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation)
       text = QObject::tr("Agrees with the model down to the noise. ");
   }
   if (!row->what_would_mend.isEmpty()) text += QObject::tr("To be right: %1").arg(row->what_would_mend);
+  if (row->smallest_visible)
+    text += QObject::tr(" An error of one corner under %1 here could not be seen.")
+                .arg(in_pixels ? QObject::tr("%1 px").arg(*row->smallest_visible, 0, 'f', 1)
+                               : QObject::tr("%1 mm").arg(1e3 * *row->smallest_visible, 0, 'f', 1));
   if (row->at_second_look) text += QObject::tr(" (Markers from a second look with wider gates; not part of the fit.)");
   return text;
 }

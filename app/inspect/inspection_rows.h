@@ -12,7 +12,7 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench);
 std::vector<widgets::MapPoint> map_points(const Workbench& bench);
 
 /// Whose fault, in a sentence, and what would mend it.
-QString blame_sentence(const InspectionRow* row, const Observation* observation);
+QString blame_sentence(const InspectionRow* row, const Observation* observation, bool in_pixels);
 
 /// What an exclusion would change: "7 of 100. Error 9.1 -> 8.8 px; TCP->Body moves 0.3 sigma."
 QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, std::size_t excluded, std::size_t of);

@@ -139,12 +139,10 @@ ResidualParts residual_parts(const Problem& problem, const ProblemObservation& o
   ResidualParts parts;
   const StereoRig* rig = problem.rig_or_null();
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
-  double total = 0;
-  int rows = 0;
   for (const Sighting& s : o.sightings) {
     const SightingNormal normal = sighting_normal(rig, s, sensor_from_tcp * marker_at(o, u, s.marker));
-    total += normal.cost;
-    rows += normal.rows;
+    parts.total += normal.cost;
+    parts.rows += normal.rows;
     if (!rig || !s.left || !s.right) continue;
     if (const auto point = triangulate(*rig, *s.left, *s.right)) {
       parts.cameras += sighting_normal(rig, s, point->point).cost;
@@ -153,9 +151,10 @@ ResidualParts residual_parts(const Problem& problem, const ProblemObservation& o
   }
   const auto pose = estimate_body_pose(rig, o.sightings, markers_at(o, u), sensor_from_tcp);
   if (!pose) return parts;
+  parts.sensor_from_body = pose->sensor_from_body;
   parts.body = std::max(0.0, pose->cost - parts.cameras);
-  parts.body_rows = std::max(0, rows - 6 - parts.camera_rows);
-  parts.robot = std::max(0.0, total - pose->cost);
+  parts.body_rows = std::max(0, parts.rows - 6 - parts.camera_rows);
+  parts.robot = std::max(0.0, parts.total - pose->cost);
   parts.robot_rows = 6;
   return parts;
 }
@@ -214,9 +213,8 @@ SingleChange single_change(const Problem& problem, const ProblemObservation& o, 
   if (letter == 0) return change;
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
   if (letter == 'R') {
-    const auto pose = estimate_body_pose(problem.rig_or_null(), o.sightings, markers_at(o, u), sensor_from_tcp);
-    if (!pose) return change;
-    const Rigid motion = inverse(sensor_from_tcp) * pose->sensor_from_body;
+    if (!parts.sensor_from_body) return change;
+    const Rigid motion = inverse(sensor_from_tcp) * *parts.sensor_from_body;
     change.kind = SingleChange::Kind::pose;
     change.size = motion.translation.norm();
     change.angle = vector_from_rotation(motion.rotation).norm();

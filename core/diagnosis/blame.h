@@ -15,6 +15,9 @@ namespace handsight {
 struct ResidualParts {
   double cameras = 0, body = 0, robot = 0;
   int camera_rows = 0, body_rows = 0, robot_rows = 0;
+  double total = 0;  // against the model
+  int rows = 0;
+  std::optional<Rigid> sensor_from_body;  // the body's own pose, the markers in the TCP frame standing for it
 };
 
 /// Of an observation at a model's unknowns; nothing in `robot` where it does not show three markers.

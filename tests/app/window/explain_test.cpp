@@ -265,7 +265,9 @@ TEST_F(Explain, TheWholeWishOnAHundredPoses) {
   ASSERT_TRUE(explain.open());
   const double before = held_out();
   const int taken = explain.take_the_first_until_it_says_stop();
-  if (taken > 0) EXPECT_LT(held_out(), before);
+  if (taken > 0) {
+    EXPECT_LT(held_out(), before);
+  }
   EXPECT_LT(held_out() / *desk.document().model()->fit->noise, 1.25) << "down at the noise";
   desk.key(Qt::Key_5, Qt::ControlModifier);
   ASSERT_TRUE(exporting.save_as(file)) << exporting.said().toStdString();
