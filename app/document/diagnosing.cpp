@@ -3,10 +3,23 @@
 
 #include <algorithm>
 
+#include "diagnosis/clean_model.h"
+
 namespace handsight::app {
 namespace {
 
 constexpr std::size_t most_kept = 12;
+
+/// What is shown is what is judged: the model without points that are wrong whatever the robot does.
+std::shared_ptr<const ModelResiduals> residuals_without_wrong_points(const Session& session,
+                                                                     const ModelVersion& version) {
+  if (version.settings.leaves_out_wrong_points) return make_residuals(*version.fit);
+  FitOptions options;
+  options.effects = version.settings.held;
+  options.estimated = version.settings.estimated;
+  const CleanFit clean = clean_model(session, options);
+  return make_residuals(clean.wrong.empty() ? *version.fit : clean.fit);
+}
 
 /// What the numbers of a candidate, all scaled alike, make of its sigma: that of its surest number.
 double relative_sigma(const DiagnosisCandidate& c) {
@@ -169,7 +182,7 @@ void Diagnosing::start() {
           });
         };
         if (!part->residuals) {
-          part->residuals = make_residuals(*version->fit);
+          part->residuals = residuals_without_wrong_points(session, *version);
           hand_over(&Diagnosing::residuals_changed);
         }
         if (control.is_cancelled()) return false;
@@ -230,6 +243,7 @@ std::shared_ptr<const ModelResiduals> Diagnosing::residuals_of(const ModelVersio
     earlier_.push_front(result);
     if (earlier_.size() > most_kept) earlier_.pop_back();
   }
+  if (!result->residuals && is_wanted_ && result == now_) return nullptr;  // they are on their way
   if (!result->residuals) result->residuals = make_residuals(*version->fit);
   return result->residuals;
 }

@@ -59,7 +59,8 @@ class Diagnosing : public QObject {
   void take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis,
             std::shared_ptr<const ModelResiduals> residuals);
 
-  /// The residuals of any version; worked out at once where they are not known.
+  /// The residuals of any version; worked out at once where they are not known. Null while those of the present one are
+  /// on their way.
   std::shared_ptr<const ModelResiduals> residuals_of(const ModelVersionPointer& version);
 
  signals:

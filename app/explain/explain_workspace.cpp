@@ -252,70 +252,6 @@ void ExplainWorkspace::stop_trying() {
   refresh_verdict();
 }
 
-void ExplainWorkspace::open_what_if(const QString& id, int place) {
-  const Effect* effect = find_effect(id.toStdString());
-  const auto residuals = bench_.diagnosing.residuals();
-  if (!effect || !residuals || adding_.is_running()) return;
-  const Session& session = bench_.document.session();
-  if (place < 0 || what_if_id_ != effect->id) {
-    what_if_id_ = effect->id;
-    what_if_places_ = effect_terms(effect->id, residuals->views.problem.source->chain);
-    what_if_parameter_ = 0;
-    place = 0;
-    // Where the diagnosis would put it, its choices too.
-    if (const auto d = bench_.diagnosing.diagnosis())
-      for (const DiagnosisCandidate& c : d->candidates)
-        if (c.id == effect->id && !c.terms.empty())
-          for (std::size_t i = 0; i < what_if_places_.size(); ++i)
-            for (const EffectTerm& term : c.terms)
-              if (term.joint == what_if_places_[i].joint) {
-                for (std::size_t p = 0; p < term.values.size(); ++p)
-                  if (effect->parameters[p].is_choice) what_if_places_[i].values[p] = term.values[p];
-                if (term.joint == c.terms.front().joint) place = static_cast<int>(i);
-              }
-  }
-  what_if_place_ = place;
-  what_if_view_.effect = effect_view(residuals->views, {what_if_places_[static_cast<std::size_t>(place)]});
-  what_if_view_.numbers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(what_if_view_.effect.numbers.size()));
-  widgets::WhatIfState state{.id = id, .title = effect_of(effect->id, {})};
-  for (const EffectTerm& term : what_if_places_)
-    if (const std::string name = place_name(*effect, term.joint, session.robot); !name.empty())
-      state.places.push_back(QString::fromStdString(name));
-  state.place = place;
-  for (std::size_t i = 0; i < what_if_view_.effect.numbers.size(); ++i) {
-    const EffectParameter& p = effect->parameters[what_if_view_.effect.numbers[i].parameter];
-    const ShownUnit unit = shown_unit(p.unit);
-    const auto at = static_cast<Eigen::Index>(i);
-    state.parameters.push_back({.name = QString::fromStdString(p.name),
-                                .unit = unit.unit,
-                                .plausible = unit.scale * p.sigma,
-                                .best = unit.scale * what_if_view_.effect.best[at],
-                                .best_sigma = unit.scale * what_if_view_.effect.best_sigma[at],
-                                .value = unit.scale * p.sigma});
-  }
-  if (state.parameters.empty()) return;
-  what_if_parameter_ = std::min(what_if_parameter_, static_cast<int>(state.parameters.size()) - 1);
-  state.parameter = what_if_parameter_;
-  const double value = state.parameters[static_cast<std::size_t>(what_if_parameter_)].value;
-  failing_->what_if()->set_state(std::move(state));
-  failing_->what_if()->show();
-  slide_what_if(value);
-}
-
-void ExplainWorkspace::slide_what_if(double value) {
-  if (!bench_.diagnosing.residuals() || what_if_view_.effect.numbers.empty()) return;
-  const Effect& effect = *find_effect(what_if_id_);
-  const auto at = static_cast<std::size_t>(what_if_parameter_);
-  const double scale = shown_unit(effect.parameters[what_if_view_.effect.numbers[at].parameter].unit).scale;
-  what_if_view_.numbers[static_cast<Eigen::Index>(at)] = value / scale;
-  try_numbers(what_if_view_, what_if_view_.numbers, what_if_id_);
-  const bool in_pixels = !bench_.document.session().is_tracker();
-  failing_->what_if()->set_answer(
-      tr("With this the error would be %1.")
-          .arg(error_with_unit(
-              rms_left(bench_.diagnosing.residuals()->views, what_if_view_.effect, what_if_view_.numbers), in_pixels)));
-}
-
 bool ExplainWorkspace::eventFilter(QObject* watched, QEvent* event) {
   const bool is_press = event->type() == QEvent::KeyPress, is_release = event->type() == QEvent::KeyRelease;
   if ((!is_press && !is_release) || !isVisible()) return false;
@@ -373,45 +309,6 @@ void ExplainWorkspace::blink() {
     failing_->show_instead(*residuals, nullptr,
                            (blink_phase_ ? tr("Before: %1") : tr("After: %1"))
                                .arg(shown->cause.isEmpty() ? tr("as opened") : shown->cause));
-}
-
-Tour* ExplainWorkspace::tour() {
-  if (!tour_) tour_ = new Tour(window());
-  return tour_;
-}
-
-void ExplainWorkspace::start_tour() { tour()->start(tour_steps()); }
-
-std::vector<TourStep> ExplainWorkspace::tour_steps() {
-  const auto widget = [this](const char* name) { return [this, name] { return window()->findChild<QWidget*>(name); }; };
-  const auto card = [this]() -> QWidget* {
-    return missing_->cards()->count() > 0 ? missing_->cards()->card(0) : nullptr;
-  };
-  const auto index = bench_.document.undo_stack().index();
-  return {
-      {tr("This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise "
-          "is, and whose fault the difference is."),
-       widget("verdict")},
-      {tr("Where does it fail? The residual of every observation against what it follows most. Noise would stay within "
-          "the grey band; hold N to see how noise alone would look."),
-       widget("pattern_large")},
-      {tr("Nine more views of the same residuals. Click one to see it large; Shift and drag to ask what some "
-          "observations have in common."),
-       widget("pattern_page")},
-      {tr("What is missing? The likeliest cause comes first. Rest the pointer on the card: purple, dashed, everywhere, "
-          "is "
-          "what the model would do with it."),
-       card},
-      {tr("Add it: press the button on the card. The fit runs before your eyes."), card,
-       [this, index] { return bench_.document.undo_stack().index() > index && !adding_.is_running(); }},
-      {tr("The step down is the error on unseen poses. When it reaches the hatched floor, only noise is left. Ctrl+Z "
-          "takes the step back."),
-       widget("staircase")},
-      {tr("The residuals of all corners, before and after. Hold B to blink between the two on the same axes."),
-       widget("cloud")},
-      {tr("The sizes that were found stand in the model panel, with what is plausible."), widget("model_panel")},
-      {tr("A sample session knows what was hidden in it: compare."), widget("reveal")},
-  };
 }
 
 }  // namespace handsight::app

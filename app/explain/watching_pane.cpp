@@ -35,13 +35,6 @@ widgets::VersionStep step_of(const ModelVersion& version) {
           e.held_out ? shown(e.error, e.in_pixels) : std::nullopt};
 }
 
-double largest_motion(const std::vector<Rigid>& a, const std::vector<Rigid>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    largest = std::max(largest, (a[i].translation - b[i].translation).norm());
-  return largest;
-}
-
 }  // namespace
 
 WatchingPane::WatchingPane(Workbench& bench, Adding& adding, QWidget* parent)
@@ -224,13 +217,15 @@ void WatchingPane::refresh_cloud() {
   }
   const Session& session = bench_.document.session();
   const auto points = [&](const ModelVersionPointer& version) {
-    const auto& views = bench_.diagnosing.residuals_of(version)->views;
-    return cloud_of(views.corners, ids_of_places(views.problem, session));
+    const auto residuals = bench_.diagnosing.residuals_of(version);
+    if (!residuals) return std::vector<widgets::CloudPoint>{};
+    return cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, session));
   };
   const auto title = [](const ModelVersionPointer& v) {
     return v->cause.isEmpty() ? QObject::tr("as opened") : v->cause;
   };
-  cloud_->set_noise(now->fit->noise ? shown(now->fit->noise, now->inspection->in_pixels) : std::nullopt);
+  if (const auto residuals = bench_.diagnosing.residuals_of(now))
+    cloud_->set_noise(shown(residuals->views.weighing.noise, now->inspection->in_pixels));
   ModelVersionPointer first = compared_a(), second = compared_b();
   if (!first || !second) {
     // The version before this one, and this one.
@@ -282,52 +277,6 @@ void WatchingPane::take_back(int row) {
 }
 
 void WatchingPane::set_blinking(bool blinking) { cloud_->set_blinking(blinking); }
-
-void WatchingPane::show_robot() {
-  const Session& session = bench_.document.session();
-  const ModelVersionPointer now = bench_.document.shown_model();
-  const int index = selected_index();
-  if (index < 0 || !bench_.document.is_open()) return;
-  if (!robot_is_set_) {
-    robot_->set_robot(session.robot, (folder(session) / session.robot_file).parent_path());
-    robot_is_set_ = true;
-  }
-  if (!now || !now->fit) {
-    straight_ = link_motions(session, session.observations[static_cast<std::size_t>(index)].position);
-    robot_->set_posture(straight_);
-    robot_->set_ghost(std::nullopt);
-    robot_title_->setText(tr("Observation %1").arg(session.observations[static_cast<std::size_t>(index)].id));
-    return;
-  }
-  straight_ = bent_links(*now->fit->problem.source, index, {});
-  robot_->set_posture(straight_);
-  robot_->set_selected_observation(session.observations[static_cast<std::size_t>(index)].id);
-  set_ghost(bent_links(*now->fit->problem.source, index, terms_of(*now->fit)));
-}
-
-void WatchingPane::set_ghost(const std::vector<Rigid>& bent) {
-  const double largest = largest_motion(straight_, bent);
-  const Session& session = bench_.document.session();
-  const auto id = session.observations[static_cast<std::size_t>(selected_index())].id;
-  if (largest < 1e-7) {
-    robot_->set_ghost(std::nullopt);
-    robot_title_->setText(tr("Observation %1; the model bends nothing").arg(id));
-    return;
-  }
-  if (!adding_.is_running() || magnification_ <= 1) magnification_ = round_magnification(largest, 0.12);
-  robot_->set_ghost_magnification(magnification_);
-  robot_->set_ghost(bent);
-  robot_title_->setText(tr("Observation %1, bent by the model: %2 mm, drawn × %3")
-                            .arg(id)
-                            .arg(widgets::short_text(1e3 * largest))
-                            .arg(magnification_));
-}
-
-void WatchingPane::show_posture(const Eigen::VectorXd& position) {
-  robot_->set_posture(link_motions(bench_.document.session(), position));
-  robot_->set_ghost(std::nullopt);
-  robot_title_->setText(tr("The planned pose"));
-}
 
 void WatchingPane::set_prediction(const ModelResiduals* residuals, const CandidateView* view,
                                   const Eigen::VectorXd& numbers, const std::vector<EffectTerm>& terms,
@@ -389,21 +338,6 @@ void WatchingPane::picture(const FitPicture& picture) {
   bent_from_ = bent_now_.size() == picture.bent.size() ? bent_now_ : picture.bent;
   bent_to_ = picture.bent;
   bending_.start();
-}
-
-void WatchingPane::bend(double share) {
-  // Without a graphics card the robot costs more than the cloud: half as often is enough for it.
-  constexpr int ms_between_robots = 75;
-  if (share < 1 && since_robot_.isValid() && since_robot_.elapsed() < ms_between_robots) return;
-  since_robot_.start();
-  bent_now_ = bent_to_;
-  for (std::size_t i = 0; i < bent_now_.size(); ++i) {
-    const Rigid &from = bent_from_[i], &to = bent_to_[i];
-    bent_now_[i].translation = from.translation + share * (to.translation - from.translation);
-    const Vector3 turn = share * vector_from_rotation(from.rotation.transpose() * to.rotation);
-    bent_now_[i].rotation = from.rotation * rotation_from_vector<double>(turn);
-  }
-  set_ghost(bent_now_);
 }
 
 void WatchingPane::ended(bool taken, const QString& outcome) {

@@ -53,8 +53,8 @@ std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
                                    is_held ? std::nullopt : std::optional(unit.scale * f.sigmas[p]))
               .split(QString(" ± "));
       const QString name =
-          effect_of(f.term.id, place.empty() ? std::vector<std::string>{} : std::vector<std::string>{place}) + ", " +
-          QString::fromStdString(effect.parameters[p].name);
+          effect_of(f.term.id, place.empty() ? std::vector<std::string>{} : std::vector<std::string>{place}) +
+          (effect.parameters.size() > 1 ? ", " + QString::fromStdString(effect.parameters[p].name) : QString());
       lines.push_back({name, parts.value(0), is_held ? QObject::tr("held") : parts.value(1), unit.unit});
     }
   }
