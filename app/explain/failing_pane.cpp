@@ -24,6 +24,7 @@ FailingPane::FailingPane(Workbench& bench, QWidget* parent) : QWidget(parent), b
 
 void FailingPane::make_layout() {
   title_ = new QLabel(tr("Where it fails"), this);
+  title_->setFixedHeight(widgets::kControlHeight);
   title_->setFont(widgets::text_font(widgets::TextRole::title));
   resort_ = new QPushButton(tr("Order changed, sort again"), this);
   resort_->setObjectName("resort_plots");

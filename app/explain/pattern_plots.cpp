@@ -30,12 +30,16 @@ double root_mean_square(const Eigen::VectorXd& v) {
 }  // namespace
 
 std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
+  constexpr std::ptrdiff_t most_of_a_series = 3;  // nine plots of one joint's error say less than three of each
   std::vector<PlotKey> keys;
-  std::vector<std::size_t> used;
+  std::vector<std::size_t> variables, series;
   for (const Pattern& p : residuals.patterns) {
     if (keys.size() == widgets::PatternPage::kPlots) break;
-    if (std::find(used.begin(), used.end(), p.variable) != used.end()) continue;
-    used.push_back(p.variable);
+    if (std::count(variables.begin(), variables.end(), p.variable) > 0 ||
+        std::count(series.begin(), series.end(), p.series) >= most_of_a_series)
+      continue;
+    variables.push_back(p.variable);
+    series.push_back(p.series);
     keys.push_back({residuals.views.series[p.series].name, residuals.views.variables[p.variable].name});
   }
   return keys;

@@ -18,7 +18,7 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   auto* head = new QHBoxLayout;
-  head->setContentsMargins(kGap, 0, kGap, 0);
+  head->setContentsMargins(0, 0, kGap, 0);
   title_ = new QLabel(tr("What is missing"), this);
   title_->setFont(text_font(TextRole::title));
   title_->setFixedHeight(kControlHeight);
@@ -55,7 +55,7 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   why_not_->setFixedHeight(kControlHeight);
   why_not_->setMinimumWidth(why_not_->sizeHint().width() + 12);
   auto* foot = new QHBoxLayout;
-  foot->setContentsMargins(kGap, 0, kGap, 4);
+  foot->setContentsMargins(0, 0, kGap, 4);
   foot->addWidget(why_not_);
   foot->addStretch(1);
   layout->addLayout(foot);

@@ -92,7 +92,7 @@ void WhatIfTrack::paint_marks(QPainter& painter, double middle) const {
   };
   mark(-reach(), Qt::AlignLeft, short_text(-reach()));
   mark(0, Qt::AlignHCenter, QStringLiteral("0"));
-  mark(reach(), Qt::AlignRight, with_unit_text(reach(), parameter_.unit));
+  mark(reach(), Qt::AlignRight, short_text(reach()));
 }
 
 void WhatIfTrack::paintEvent(QPaintEvent*) {
