@@ -7,6 +7,8 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
+#include "diagnosis/body_rows.h"
+
 namespace handsight {
 namespace {
 
@@ -24,27 +26,16 @@ struct Parted {
 };
 
 std::optional<Parted> parted(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
-  Eigen::Index count = 0;
-  for (const Sighting& s : o.sightings) count += row_count(s);
+  const BodyRows rows = body_rows(problem, o, u);
+  const Eigen::Index count = rows.error.size();
   if (count <= 6) return std::nullopt;
   Parted p;
   p.observation = &o;
-  p.error.resize(count);
-  Eigen::MatrixXd by_body(count, 6);
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
-  Eigen::Index row = 0;
-  for (const Sighting& s : o.sightings) {
-    const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
-    const SightingResidual r = sighting_residual(problem.rig_or_null(), s, x);
-    by_body.block(row, 0, r.rows, 3) = r.by_point.topRows(r.rows);
-    by_body.block(row, 3, r.rows, 3) = -r.by_point.topRows(r.rows) * cross_matrix(x);
-    p.error.segment(row, r.rows) = r.error.head(r.rows);
-    row += r.rows;
-  }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(by_body);
+  p.error = rows.error;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows.by_body);
   const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(count, 6);
   const Rigid sensor_from_root = inverse(o.root_from_mount * u.mount_from_sensor * o.sensor_motion);
-  const Eigen::MatrixXd by_joints = q.transpose() * by_body * (adjoint(sensor_from_root) * o.motion.tcp_by_value);
+  const Eigen::MatrixXd by_joints = q.transpose() * rows.by_body * (adjoint(sensor_from_root) * o.motion.tcp_by_value);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(by_joints * by_joints.transpose());
   p.joint_variance = eigen.eigenvalues().cwiseMax(0);
   p.motions = q * eigen.eigenvectors();
