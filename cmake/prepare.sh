@@ -37,7 +37,7 @@ build() {
   if [ ! -f build/build.ninja ]; then
     cmake -S . -B build -G Ninja >build/configure.txt 2>&1 || { cat build/configure.txt; status=1; }
   fi
-  if [ $status -eq 0 ]; then ninja -C build --quiet "$1" || status=1; fi
+  if [ $status -eq 0 ]; then ninja -C build --quiet "$1" | sed '/^ninja: no work to do\.$/d' || status=1; fi
   exec 8>&-
   return $status
 }

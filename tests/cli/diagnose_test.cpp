@@ -53,7 +53,9 @@ void expect_candidate_keys(const Json& c, bool tracker) {
     EXPECT_TRUE(c.contains(key)) << key;
   for (const std::string key : {"predicted_held_out_rms", "held_out_rms"}) {
     ASSERT_TRUE(c.contains(key + "_pixel") && c.contains(key + "_m"));
-    if (tracker) EXPECT_TRUE(c[key + "_pixel"].is_null()) << key;
+    if (tracker) {
+      EXPECT_TRUE(c[key + "_pixel"].is_null()) << key;
+    }
   }
   EXPECT_TRUE(c["where"].is_array() && c["parameters"].is_array() && c["cannot_be_told_from"].is_array());
   EXPECT_TRUE(c["plausible"].is_boolean());
