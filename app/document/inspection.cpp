@@ -122,6 +122,7 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     if (row.is_used) used.push_back(parts.back());
   }
   const TypicalParts typical = typical_parts(used);
+  if (fit.noise && *fit.noise > 0) inspection.blame = blame_of(used, *fit.noise);
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
     const ProblemObservation& o = problem.observations[i];
     judge(problem, o, estimate(fit), fit.noise, parts[i], typical, inspection.rows[static_cast<std::size_t>(o.index)]);

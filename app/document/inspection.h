@@ -45,6 +45,7 @@ struct InspectionRow {
 struct Inspection {
   std::vector<InspectionRow> rows;  // one for each observation of the session, in its order
   std::optional<double> noise;      // px or m
+  Blame blame;                      // of the used observations together
   bool in_pixels = true;
 };
 

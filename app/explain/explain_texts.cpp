@@ -32,17 +32,8 @@ QString comparison_sentence(const ModelVersion& model) {
 }
 
 std::optional<widgets::Blame> session_blame(const Inspection& all) {
-  widgets::Blame sum;
-  for (const InspectionRow& row : all.rows) {
-    if (!row.is_used || !row.rms) continue;
-    const double weight = *row.rms * *row.rms * row.coordinates;
-    sum.cameras += weight * row.blame.cameras;
-    sum.body += weight * row.blame.body;
-    sum.robot += weight * row.blame.robot;
-  }
-  const double whole = sum.cameras + sum.body + sum.robot;
-  if (!(whole > 0)) return std::nullopt;
-  return widgets::Blame{sum.cameras / whole, sum.body / whole, sum.robot / whole};
+  if (all.blame.letter == 0) return std::nullopt;
+  return widgets::Blame{all.blame.cameras, all.blame.body, all.blame.robot};
 }
 
 namespace {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the strip, the model panel and the read-out line say to the document and the selection, and hear from them.
+#include "frame/header.h"
+#include "frame/main_window.h"
+#include "widgets/model_panel.h"
+#include "widgets/number_text.h"
+#include "widgets/observation_strip.h"
+#include "widgets/read_out_line.h"
+#include "widgets/three_numbers.h"
+
+namespace handsight::app {
+
+void MainWindow::connect_strip() {
+  Document& d = bench_.document;
+  strip_timer_.setSingleShot(true);
+  strip_timer_.setInterval(40);
+  connect(&strip_timer_, &QTimer::timeout, this, [this] {
+    refresh_strip();
+    refresh_rail();
+  });
+  connect(&d, &Document::edited, this, [this] {
+    if (!strip_timer_.isActive()) strip_timer_.start();
+  });
+  connect(&d, &Document::model_changed, this, [this] {
+    refresh_strip();
+    refresh_rail();
+    refresh_crumbs();
+    const ModelVersionPointer model = bench_.document.shown_model();
+    refresh_panel();
+    panel_->set_empty_text(model && !model->refusal.isEmpty() ? model->refusal : tr("Not yet fitted."));
+  });
+  connect(&d, &Document::saved_changed, this, &MainWindow::refresh_rail);
+  connect(&d, &Document::settings_changed, this, &MainWindow::refresh_panel);
+  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, &MainWindow::refresh_panel);
+  connect(&bench_, &Workbench::tried, this, &MainWindow::refresh_strip);
+  connect(&bench_.jobs, &Jobs::changed, this, [this] { panel_->set_busy(bench_.jobs.is_busy("fit")); });
+  connect(panel_, &widgets::ModelPanel::effect_toggled, &editor_, &ModelEditor::tick);
+  connect(panel_, &widgets::ModelPanel::effect_held, &editor_, &ModelEditor::hold);
+  connect(panel_, &widgets::ModelPanel::value_typed, &editor_, &ModelEditor::type);
+  connect(strip_, &widgets::ObservationStrip::observation_selected, this,
+          [this](qint64 id) { bench_.selection.select_observation(id); });
+  connect(strip_, &widgets::ObservationStrip::observations_selected, this, [this](const std::vector<qint64>& ids) {
+    bench_.selection.select_many({ids.begin(), ids.end()});
+  });
+  connect(strip_, &widgets::ObservationStrip::observation_hovered, this,
+          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  connect(&bench_.selection, &Selection::changed, this, [this] {
+    const Selected& s = bench_.selection.current();
+    strip_->set_selected(s.observation.value_or(widgets::kNoObservation));
+    const auto& many = bench_.selection.many();
+    strip_->set_highlighted(many.size() > 1 ? std::vector<widgets::ObservationId>(many.begin(), many.end())
+                                            : std::vector<widgets::ObservationId>{});
+    panel_->set_selected_joint(s.joint ? QString::fromStdString(*s.joint) : QString());
+    refresh_crumbs();
+  });
+}
+
+void MainWindow::connect_read_out() {
+  connect(&bench_.document, &Document::noticed, this,
+          [this](const QString& sentence) { read_out_->show_message(sentence); });
+  for (Jobs* jobs : {&bench_.jobs, &bench_.explaining})
+    connect(jobs, &Jobs::stopped, this, [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
+  connect(&bench_, &Workbench::pointed_at, read_out_, &widgets::ReadOutLine::set_pointer);
+  connect(header_->numbers(), &widgets::ThreeNumbers::read_out, read_out_, &widgets::ReadOutLine::set_pointer);
+  connect(&bench_.selection, &Selection::hover_changed, this, [this] {
+    const Selected& h = bench_.selection.hovered();
+    strip_->set_hovered(h.observation.value_or(widgets::kNoObservation));
+    if (!h.observation) {
+      read_out_->set_pointer({});
+      return;
+    }
+    const InspectionRow* row = bench_.row(*h.observation);
+    const double scale = row && bench_.document.session().is_tracker() ? 1e3 : 1;
+    const QString unit = bench_.document.session().is_tracker() ? tr("mm") : tr("px");
+    QString text = tr("obs %1").arg(*h.observation);
+    if (row && row->rms) text += "  " + widgets::with_unit_text(scale * *row->rms, unit);
+    if (const Observation* o = bench_.document.find(*h.observation); o && !o->reason.empty())
+      text += "  " + QString::fromStdString(o->reason);
+    read_out_->set_pointer(text);
+  });
+  connect(read_out_, &widgets::ReadOutLine::crumb_clicked, this, [this](int index) {
+    Selected s = bench_.selection.current();
+    if (index < 2) s.camera.reset();
+    if (index < 1) s.marker.reset();
+    bench_.selection.select(s);
+  });
+}
+
+}  // namespace handsight::app
