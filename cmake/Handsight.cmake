@@ -15,7 +15,7 @@ add_compile_options(-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-unused-parame
 # Binaries must give the same result on every x86-64: no contraction, no -march=native.
 add_compile_options(-ffp-contract=off)
 if(HANDSIGHT_SANITIZE)
-  add_compile_options(-fsanitize=${HANDSIGHT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined -g)
+  add_compile_options(-fsanitize=${HANDSIGHT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined -g1)
   add_link_options(-fsanitize=${HANDSIGHT_SANITIZE})
 endif()
 if(HANDSIGHT_FUZZ)
