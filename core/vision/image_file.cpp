@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/image_file.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "codec/image_codec.h"
 
 namespace handsight {
 namespace {
@@ -80,14 +82,17 @@ cv::Mat to_grey(const cv::Mat& any) {
   return grey;
 }
 
-cv::Mat decode(const std::string& bytes) {
-  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-  try {
-    // The camera's numbers hold for the sensor's pixels: an image is not turned by what its EXIF block says.
-    return cv::imdecode(buffer, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    return {};
-  }
+/// Loaded once, and kept as long as the program runs. InputError where it is not beside the program.
+const ImageCodec& image_codec() {
+  static const ImageCodec* const codec = [] {
+    void* const module = dlopen("libhandsight_image_codec.so", RTLD_NOW | RTLD_LOCAL);
+    void* const entry = module ? dlsym(module, "handsight_image_codec") : nullptr;
+    if (!entry)
+      throw InputError(
+          fmt::format("The reader of image files cannot be loaded: {}; build Handsight again.", dlerror()));
+    return reinterpret_cast<decltype(&handsight_image_codec)>(entry)();
+  }();
+  return *codec;
 }
 
 }  // namespace
@@ -97,7 +102,7 @@ Image read_image(const std::filesystem::path& file) {
   if (is_cut_off(bytes))
     throw InputError(fmt::format("{}: the image is cut off after {} bytes; copy it again from where it came.",
                                  shown_path(file), bytes.size()));
-  const cv::Mat decoded = bytes.empty() ? cv::Mat() : decode(bytes);
+  const cv::Mat decoded = bytes.empty() ? cv::Mat() : image_codec().decode(bytes);
   if (decoded.empty())
     throw InputError(fmt::format("{}: is no image that can be read ({} bytes); PNG, JPEG, PGM, BMP and TIFF can.",
                                  shown_path(file), bytes.size()));
@@ -113,8 +118,8 @@ void check_image_size(const Image& image, const Camera& camera, const std::strin
 
 void write_png(const Image& image, const std::filesystem::path& file) {
   const cv::Mat grey(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
-  std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(".png", grey, bytes, {cv::IMWRITE_PNG_COMPRESSION, 9}))
+  const std::vector<std::uint8_t> bytes = image_codec().encode_png(grey);
+  if (bytes.empty())
     throw InputError(fmt::format("{}: the image of {} x {} could not be encoded as PNG.", shown_path(file), image.width,
                                  image.height));
   replace_file(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
