@@ -238,24 +238,11 @@ void PlotWidget::wheel_over(const QPointF& position) {
 
 bool PlotWidget::eventFilter(QObject* watched, QEvent* event) {
   if (watched != plot_) return QWidget::eventFilter(watched, event);
-  const auto* mouse = static_cast<QMouseEvent*>(event);
   switch (event->type()) {
     case QEvent::MouseButtonPress:
-      setFocus(Qt::MouseFocusReason);
-      pressed_at_ = mouse->position();
-      is_dragging_ = false;
-      if (has_brush_ && mouse->button() == Qt::LeftButton)
-        plot_->setSelectionRectMode(brushes_always_ || mouse->modifiers() & Qt::ShiftModifier ? QCP::srmCustom
-                                                                                              : QCP::srmNone);
-      break;
     case QEvent::MouseMove:
-      if (mouse->buttons() && (mouse->position() - pressed_at_).manhattanLength() > 4) is_dragging_ = true;
-      if (!mouse->buttons()) emit read_out(is_empty() ? QString() : text_at(mouse->position()));
-      break;
     case QEvent::MouseButtonRelease:
-      if (!is_dragging_ && mouse->button() == Qt::LeftButton && !is_empty())
-        clicked_at(mouse->position(), mouse->modifiers());
-      is_dragging_ = false;
+      follow_mouse(*static_cast<QMouseEvent*>(event));
       break;
     case QEvent::Leave:
       text_at({-1e6, -1e6});
@@ -268,6 +255,30 @@ bool PlotWidget::eventFilter(QObject* watched, QEvent* event) {
       break;
   }
   return QWidget::eventFilter(watched, event);
+}
+
+void PlotWidget::follow_mouse(const QMouseEvent& mouse) {
+  switch (mouse.type()) {
+    case QEvent::MouseButtonPress:
+      setFocus(Qt::MouseFocusReason);
+      pressed_at_ = mouse.position();
+      is_dragging_ = false;
+      if (has_brush_ && mouse.button() == Qt::LeftButton)
+        plot_->setSelectionRectMode(brushes_always_ || mouse.modifiers() & Qt::ShiftModifier ? QCP::srmCustom
+                                                                                             : QCP::srmNone);
+      break;
+    case QEvent::MouseMove:
+      if (mouse.buttons() && (mouse.position() - pressed_at_).manhattanLength() > 4) is_dragging_ = true;
+      if (!mouse.buttons()) emit read_out(is_empty() ? QString() : text_at(mouse.position()));
+      break;
+    case QEvent::MouseButtonRelease:
+      if (!is_dragging_ && mouse.button() == Qt::LeftButton && !is_empty())
+        clicked_at(mouse.position(), mouse.modifiers());
+      is_dragging_ = false;
+      break;
+    default:
+      break;
+  }
 }
 
 void PlotWidget::changeEvent(QEvent* event) {

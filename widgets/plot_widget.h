@@ -70,6 +70,7 @@ class PlotWidget : public QWidget {
   QCustomPlot* plot_;
 
  private:
+  void follow_mouse(const QMouseEvent& mouse);
   void show_menu(const QPoint& position);
   void save_as(const QString& ending);
   void wheel_over(const QPointF& position);

@@ -89,7 +89,8 @@ WhitenedModel whiten(const LinearModel& model, double scatter, const NoiseKnowle
   for (Eigen::Index c = 0; c < model.candidates(); ++c)
     if (const Eigen::Index i = model.internal_of[static_cast<std::size_t>(c)]; i >= 0)
       shared.col(c) += model.internal.col(i).head(base);
-  w.shared = w.base.matrixL().solve(shared);
+  if (shared.cols() > 0) w.base.matrixL().solveInPlace(shared);
+  w.shared = std::move(shared);
   w.base_gradient = w.base.matrixL().solve(by_base.transpose() * w.external_error +
                                            model.internal.col(last).head(base) + model.prior_gradient);
   w.residual_squares =
