@@ -24,18 +24,18 @@ int effect_trials(const Arguments& a) {
   std::map<std::string, Tally> by_effect, by_noncentrality;
   const double edges[] = {0, 10, 30, 50, 100, 1000, 1e300};
   const char* names[] = {"a 0-10", "b 10-30", "c 30-50", "d 50-100", "e 100-1000", "f over 1000"};
-  for (int robot = 0; robot < 3; ++robot) {
+  for (int robot = 0; robot < 4; ++robot) {
     if (a.skips(robot)) continue;
-    const Session like = robot_session(robot);
-    const Chain chain = chain_of(like);
     for (const Effect& e : catalogue()) {
       if (a.kind != "all" && e.id != a.kind) continue;
       for (int i = 0; i < a.count; ++i) {
         const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
         std::mt19937_64 random(seed * 104729 + std::hash<std::string>{}(e.id) % 100000 + static_cast<unsigned>(robot));
-        SimulationOptions o = simulation(seed + 5000 * static_cast<std::uint64_t>(robot));
+        const Session like = robot_session(robot, random());
+        const Chain chain = chain_of(like);
+        SimulationOptions o = simulation(seed + 5000 * static_cast<std::uint64_t>(robot), robot);
         o.effects = random_terms(e, chain, random);
-        if (o.effects.empty()) break;
+        if (o.effects.empty()) continue;
         SimulatedSession s;
         double lambda = 0;
         try {

@@ -12,14 +12,15 @@ namespace handsight::trials {
 namespace {
 
 int null_trials(const Arguments& a) {
-  for (int robot = 0; robot < 3; ++robot) {
+  for (int robot = 0; robot < 4; ++robot) {
     if (a.skips(robot)) continue;
-    const Session like = robot_session(robot);
     int adequate = 0;
     double largest = 0, milliseconds = 0;
     std::vector<double> best;
     for (int i = 0; i < a.count; ++i) {
-      SimulationOptions o = simulation(a.first + static_cast<std::uint64_t>(i));
+      const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
+      const Session like = robot_session(robot, seed);
+      SimulationOptions o = simulation(seed, robot);
       if (a.kind == "student") o.noise = 1e-7;
       Session session = simulate_session(like, o).session;
       disturb(session, a.kind, o.seed);

@@ -87,12 +87,12 @@ int outside_trials(const Arguments& a) {
   for (const std::string kind : {"sine3", "tool", "coupling", "drift", "cubic"}) {
     if (a.kind != "all" && a.kind != kind) continue;
     int trials = 0, unexplained = 0, family = 0, right = 0, adequate = 0;
-    for (int robot = 0; robot < 3; ++robot) {
+    for (int robot = 0; robot < 4; ++robot) {
       if (a.skips(robot)) continue;
-      const Session like = robot_session(robot);
       for (int i = 0; i < a.count; ++i) {
         const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
-        const SimulatedSession s = simulate_session(like, simulation(seed));
+        const Session like = robot_session(robot, seed);
+        const SimulatedSession s = simulate_session(like, simulation(seed, robot));
         const Outside out = outside_session(like, s, kind, seed);
         const Improvement m = improve(out.session);
         const Diagnosis& d = m.last;

@@ -125,7 +125,7 @@ std::string listed_ids(const std::vector<EffectTerm>& terms) {
 
 void run_trial(const Session& like, int robot, std::uint64_t seed, std::size_t effects, Tally& tally) {
   std::mt19937_64 random(seed * 7001 + 13 * effects + static_cast<unsigned>(robot));
-  SimulationOptions o = simulation(seed + 90000);
+  SimulationOptions o = simulation(seed + 90000, robot);
   o.effects = hidden_effects(like, effects, o, random);
   const Improvement m = improve(simulate_session(like, o).session);
   const Fit& f = m.last.model.fit;
@@ -156,10 +156,12 @@ int several_trials(const Arguments& a) {
   for (std::size_t effects = 1; effects <= 3; ++effects) {
     if (std::atoi(a.kind.c_str()) > 0 && std::atoi(a.kind.c_str()) != static_cast<int>(effects)) continue;
     Tally tally;
-    for (int robot = 0; robot < 3; ++robot) {
+    for (int robot = 0; robot < 4; ++robot) {
       if (a.skips(robot)) continue;
-      const Session like = robot_session(robot);
-      for (int i = 0; i < a.count; ++i) run_trial(like, robot, a.first + static_cast<std::uint64_t>(i), effects, tally);
+      for (int i = 0; i < a.count; ++i) {
+        const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
+        run_trial(robot_session(robot, seed), robot, seed, effects, tally);
+      }
     }
     fmt::print(
         "{} effects: exact set {} of {} ({:.1f} %; of the others {} are likelier than the truth), held out in the 99 % "
