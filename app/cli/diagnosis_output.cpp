@@ -113,7 +113,7 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   if (d.verdict == Verdict::too_few_observations) return;
   out.line();
   out.line(fmt::format("Error     {} held out; noise {}{}", error_text(d.report.held_out),
-                       error_or_unknown(d.noise, tracker),
+                       error_or_unknown(d.noise, tracker) + (tracker && d.noise ? " a coordinate" : ""),
                        d.verdict == Verdict::adequate && d.scatter > 0
                            ? fmt::format("; joints repeat to about {:.2g} mrad", 1e3 * d.scatter)
                            : ""));
@@ -194,7 +194,8 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
 
 void print_improvement(const Output& out, const Session& session, const Improvement& m) {
   const bool tracker = session.is_tracker();
-  out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out", "noise"));
+  out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out",
+                       tracker ? "noise/coord." : "noise"));
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
     const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "- " + s.removed : "+ " + s.added;

@@ -103,7 +103,7 @@ void print_errors(const Output& out, const Fit& fit, const FitReport& told) {
   out.line(fmt::format("{}{} mean, {} rms, {} max fitted; {} mean held out{}", pixels ? "          " : "Error     ",
                        text_or_unknown(told.fitted.mean_m, 1e3, "mm"), text_or_unknown(told.fitted.rms_m, 1e3, "mm"),
                        text_or_unknown(told.fitted.max_m, 1e3, "mm"), text_or_unknown(told.held_out.mean_m, 1e3, "mm"),
-                       pixels ? "" : "; noise " + text_or_unknown(fit.noise, 1e3, "mm")));
+                       pixels ? "" : "; noise " + text_or_unknown(fit.noise, 1e3, "mm a coordinate")));
   if (fit.chi2_per_dof) out.line(fmt::format("          chi-squared per degree of freedom {:.2f}", *fit.chi2_per_dof));
 }
 

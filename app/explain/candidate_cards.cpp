@@ -57,7 +57,7 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Dia
   card.where = places_text(c.where);
   card.words = QString::fromStdString(effect.cause);
   const auto now = e.in_pixels ? d.report.held_out.rms_pixel : d.report.held_out.rms_m;
-  card.error = {shown(now, e.in_pixels), shown(error_left(c, e.in_pixels), e.in_pixels), shown(d.noise, e.in_pixels),
+  card.error = {shown(now, e.in_pixels), shown(error_left(c, e.in_pixels), e.in_pixels), shown(e.noise, e.in_pixels),
                 !c.held_out, e.in_pixels ? "px" : "mm"};
   card.evidence = speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
   card.sizes = effect_parameters(bench.document.session(), c.terms, c.sigmas);

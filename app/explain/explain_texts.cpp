@@ -25,10 +25,11 @@ QString comparison_sentence(const ModelVersion& model) {
   if (*e.ratio() < 1.25)
     return QObject::tr("The model agrees with the measurements down to the noise (%1 against %2).").arg(error, noise);
   const auto m = model.report->held_out.rms_m ? model.report->held_out.rms_m : model.report->fitted.rms_m;
-  const QString at_hand =
-      e.in_pixels && m ? QObject::tr(" (%1 at the hand)").arg(widgets::with_unit_text(1e3 * *m, QObject::tr("mm")))
-                       : QString();
-  return QObject::tr("The model misses by %1%2 where the noise is %3.").arg(error, at_hand, noise);
+  const auto in_mm = [](double metres) { return widgets::with_unit_text(1e3 * metres, QObject::tr("mm")); };
+  const auto noise_m = model.report->rms_of_noise_m;
+  return QObject::tr("The model misses by %1%2 where the noise is %3%4.")
+      .arg(error, e.in_pixels && m ? QObject::tr(" (%1 at the hand)").arg(in_mm(*m)) : QString(), noise,
+           e.in_pixels && m && noise_m ? QObject::tr(" (%1)").arg(in_mm(*noise_m)) : QString());
 }
 
 std::optional<widgets::Blame> session_blame(const Inspection& all) {
@@ -103,7 +104,7 @@ ErrorAndNoise judged_error(const ModelVersion& model, const Diagnosis& d) {
   ErrorAndNoise e = error_and_noise(model);
   if (d.model.wrong.empty() || model.settings.leaves_out_wrong_points) return e;
   e.error = e.in_pixels ? d.report.held_out.rms_pixel : d.report.held_out.rms_m;
-  e.noise = d.noise;
+  e.noise = d.noise ? std::optional(as_told(*d.noise, e.in_pixels)) : std::nullopt;
   return e;
 }
 
@@ -147,7 +148,8 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
   const ErrorSummary& told = d && !d->model.wrong.empty() ? d->report.held_out : model.report->held_out;
   const auto m = told.rms_m ? told.rms_m : model.report->fitted.rms_m;
   if (m) v.error_mm = 1e3 * *m;
-  if (!e.in_pixels && e.noise) v.noise_mm = 1e3 * *e.noise;
+  const auto noise_m = d && !d->model.wrong.empty() ? d->report.rms_of_noise_m : model.report->rms_of_noise_m;
+  if (noise_m) v.noise_mm = 1e3 * *noise_m;
   v.blame = session_blame(*model.inspection);
   v.state = SessionState::looking;
   if (!d) {

@@ -197,7 +197,7 @@ void WatchingPane::refresh_rows() {
     if (row.version == marked_a) a_ = static_cast<int>(i);
     if (row.version == marked_b) b_ = static_cast<int>(i);
   }
-  if (now && now->fit) state.noise = shown(now->fit->noise, in_pixels);
+  if (now && now->fit) state.noise = shown(error_and_noise(*now).noise, in_pixels);
   state.unit = in_pixels ? "px" : "mm";
   state.compared_a = a_;
   state.compared_b = b_;

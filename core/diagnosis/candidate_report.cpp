@@ -45,7 +45,8 @@ std::optional<double> predicted_held_out(const Fit& f, double noise, double gain
   if (f.rows <= f.unknowns + parameters) return std::nullopt;
   const double squares =
       std::max(f.solution.normal.data_cost() - gained * noise * noise, 0.0) / (f.rows - f.unknowns - parameters);
-  return std::sqrt(squares * (1 + static_cast<double>(f.unknowns + parameters) / f.rows));
+  const double left = std::sqrt(squares * (1 + static_cast<double>(f.unknowns + parameters) / f.rows));
+  return as_told(left, f.problem.rig.has_value());
 }
 
 bool fails_by_much(const Diagnosis& d) {

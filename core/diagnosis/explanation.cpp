@@ -17,7 +17,7 @@ std::string odds(double ln_bayes_factor) {
 std::string noise_text(const Diagnosis& d) {
   if (!d.noise) return "unknown";
   const bool tracker = d.model.session.is_tracker();
-  return tracker ? fmt::format("{:.3g} mm", 1e3 * *d.noise) : fmt::format("{:.3g} px", *d.noise);
+  return tracker ? fmt::format("{:.3g} mm a coordinate", 1e3 * *d.noise) : fmt::format("{:.3g} px", *d.noise);
 }
 
 /// "compliance of arm_2 1.2e-04 +- 3e-06 rad/(N m)"

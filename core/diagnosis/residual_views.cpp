@@ -163,7 +163,8 @@ Eigen::VectorXd numbers_of(const EffectView& view, const std::vector<EffectTerm>
 
 double rms_left(const ResidualViews& views, const EffectView& view, const Eigen::VectorXd& numbers) {
   const double squares = view.squares - 2 * view.gradient.dot(numbers) + numbers.dot(view.information * numbers);
-  return views.weighing.noise * std::sqrt(std::max(squares, 0.0) / views.degrees);
+  return as_told(views.weighing.noise * std::sqrt(std::max(squares, 0.0) / views.degrees),
+                 views.problem.rig.has_value());
 }
 
 }  // namespace handsight

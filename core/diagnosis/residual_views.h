@@ -64,7 +64,8 @@ EffectView effect_view(const ResidualViews& views, const std::vector<EffectTerm>
 /// The numbers of the terms as they stand, in the order of EffectView::numbers.
 Eigen::VectorXd numbers_of(const EffectView& view, const std::vector<EffectTerm>& terms);
 
-/// The rms of one coordinate (px or m) that would be left if the effects had these numbers and were in the model.
+/// The rms error as it is told (as_told; px or m) that would be left if the effects had these numbers and were in the
+/// model.
 double rms_left(const ResidualViews& views, const EffectView& view, const Eigen::VectorXd& numbers);
 
 }  // namespace handsight

@@ -16,6 +16,7 @@ struct Residuals {
   double squares = 0;
   int rows = 0;
   std::vector<double> lengths;
+  double length_squares_of_noise = 0;  // expected sum of their squares, m^2 per unit of noise squared
 };
 
 Residuals residuals_of(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns) {
@@ -26,10 +27,15 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
     const SightingNormal n = sighting_normal(images.rig_or_null(), s, predicted);
     residuals.squares += n.cost;
     residuals.rows += n.rows;
-    if (s.point) residuals.lengths.push_back((*s.point - predicted).norm());
+    if (s.point) {
+      residuals.lengths.push_back((*s.point - predicted).norm());
+      residuals.length_squares_of_noise += 3;
+    }
     if (!images.rig || !s.left || !s.right) continue;
-    if (const auto point = triangulate(*images.rig, *s.left, *s.right))
+    if (const auto point = triangulate(*images.rig, *s.left, *s.right)) {
       residuals.lengths.push_back((point->point - predicted).norm());
+      residuals.length_squares_of_noise += point->covariance.trace();
+    }
   }
   return residuals;
 }
@@ -136,6 +142,16 @@ ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& o
   return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
 }
 
+std::optional<double> rms_of_noise(const std::vector<Residuals>& all, std::optional<double> noise) {
+  double squares = 0, count = 0;
+  for (const Residuals& r : all) {
+    squares += r.length_squares_of_noise;
+    count += static_cast<double>(r.lengths.size());
+  }
+  if (count == 0 || !noise) return std::nullopt;
+  return *noise * std::sqrt(squares / count);
+}
+
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -208,6 +224,7 @@ FitReport report(const Session& session, const Fit& fit, const FitOptions& optio
   std::vector<Residuals> all;
   for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
   r.fitted = summary(all, images.rig.has_value());
+  r.rms_of_noise_m = rms_of_noise(all, fit.noise);
   r.held_out = held_out(images, fit, options, session.observations.size());
   const std::vector<char> out = outliers(all, fit.noise);
   for (std::size_t i = 0; i < all.size(); ++i) {

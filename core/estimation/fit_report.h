@@ -2,6 +2,8 @@
 // What a fit says to its user: residuals of every observation, what was not used and why, the held-out error.
 #pragma once
 
+#include <cmath>
+
 #include "estimation/fit.h"
 
 namespace handsight {
@@ -32,11 +34,18 @@ struct ErrorSummary {
   std::optional<double> rms_pixel, rms_m, mean_m, max_m;
 };
 
+/// What the noise of one coordinate makes of an rms error as it is told: in px it is over coordinates, in metres over
+/// the lengths of three coordinates together.
+inline double as_told(double noise, bool in_pixels) { return in_pixels ? noise : std::sqrt(3.0) * noise; }
+
 struct FitReport {
   int observations = 0;
   int used = 0;
   std::vector<Unused> rejected;  // rejected, excluded, or without markers
   ErrorSummary fitted;
+  /// What the noise alone makes of the 3D residuals' lengths, rms, m; absent where no marker is seen as a point or the
+  /// noise is unknown. Cameras see depth badly: of a small error in metres this is often the greater part.
+  std::optional<double> rms_of_noise_m;
   ErrorSummary held_out;                           // five folds over observations: floor(rank by time / 4) mod 5
   std::vector<ObservationReport> per_observation;  // of the used, in order of time
 };
