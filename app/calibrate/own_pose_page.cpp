@@ -148,11 +148,9 @@ void OwnPosePage::refresh() {
     emit changed();
     return;
   }
-  const Fit& fit = *model->fit;
-  prediction_ = predict_tcp(chain_of(bench_.document.session()), position(), terms_of(*model->fit), model->scatter,
-                            fit.tcp_from_body, fit.covariance);
+  prediction_ = predict_tcp(chain_of(bench_.document.session()), position(), model->prediction);
   const Vector3 t = prediction_->root_from_tcp_est.translation;
-  const Vector6 s = prediction_->sigma;
+  const Vector6 s = prediction_->sigma();
   result_->setText(tr("TCP at %1, %2, %3 mm (± %4, %5, %6)")
                        .arg(widgets::fixed_text(1e3 * t.x(), 1), widgets::fixed_text(1e3 * t.y(), 1),
                             widgets::fixed_text(1e3 * t.z(), 1), widgets::short_text(1e3 * s[0]),
@@ -168,7 +166,7 @@ void OwnPosePage::show(widgets::RobotView& view) {
   if (!prediction_) return;
   view.set_tcp_est(prediction_->root_from_tcp_est);
   widgets::SceneEllipsoid ellipsoid{.center = prediction_->root_from_tcp_est.translation};
-  ellipsoid.covariance = prediction_->sigma.head<3>().cwiseAbs2().asDiagonal();
+  ellipsoid.covariance = prediction_->covariance.topLeftCorner<3, 3>();
   view.set_ellipsoid(ellipsoid);
 }
 

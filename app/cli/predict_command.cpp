@@ -40,10 +40,9 @@ int run(const Options& o) {
   for (const std::string& note : source.notes) Output::note(note);
   o.output.line("      x        y        z m     moved by mm   sigma x  y  z mm       sigma rx  ry  rz deg");
   for (const Eigen::VectorXd& position : wanted_positions(o, source)) {
-    const TcpPrediction p = predict_tcp(source.chain, position, source.effects, source.scatter, source.tcp_from_body,
-                                        source.body_covariance);
+    const TcpPrediction p = predict_tcp(source.chain, position, source.model);
     const Vector3 t = p.root_from_tcp_est.translation;
-    const Vector6 s = p.sigma;
+    const Vector6 s = p.sigma();
     constexpr double degrees = 57.29577951308232;
     o.output.line(
         fmt::format("{:>8.4f} {:>8.4f} {:>8.4f} {:>12.3f}    {:>6.3f} {:>6.3f} {:>6.3f}    {:>7.4f} {:>7.4f} {:>7.4f}",
@@ -51,7 +50,7 @@ int run(const Options& o) {
                     1e3 * s[2], degrees * s[3], degrees * s[4], degrees * s[5]));
     list.push_back({{"root_from_tcp", motion(p.root_from_tcp)},
                     {"root_from_tcp_est", motion(p.root_from_tcp_est)},
-                    {"sigma", numbers(p.sigma)}});
+                    {"sigma", numbers(s)}});
   }
   o.output.json(list);
   return done;

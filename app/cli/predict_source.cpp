@@ -2,7 +2,6 @@
 #include "predict_source.h"
 
 #include "base/files.h"
-#include "base/numbers.h"
 #include "command.h"
 #include "robot/urdf.h"
 #include "session/calibration_xml.h"
@@ -21,10 +20,8 @@ PredictSource from_session(const std::string& path, const std::string& robot_fil
   PredictSource source;
   source.chain = chain_of(session);
   source.joint_names = session.joints;
-  source.scatter = tcp_scatter(fitted);
-  source.tcp_from_body = fitted.tcp_from_body;
-  source.body_covariance = fitted.covariance;
-  if (source.scatter.observations < 3)
+  source.model = prediction_model(fitted);
+  if (source.model.scatter.observations < 3)
     source.notes.push_back(
         "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "
         "sigma leaves it out.");
@@ -49,14 +46,12 @@ PredictSource from_calibration(const std::string& path, const std::string& robot
   PredictSource source;
   source.chain = chain_of(session);
   source.joint_names = c.joints;
-  for (const CalibrationEffect& e : c.effects)
-    for (const CalibrationParameter& p : e.parameters)
-      add_effect_value(fmt::format("{}:{}{}{}={}", e.id, p.of, p.of.empty() ? "" : ".", p.name, format_number(p.value)),
-                       session.robot, source.effects);
-  if (c.tcp_scatter) source.scatter = {*c.tcp_scatter, c.fit.used};
-  source.tcp_from_body = c.tcp_from_body.motion;
-  source.body_covariance = c.tcp_from_body.covariance;
+  source.model = prediction_model(c, session.robot);
   source.notes = c.notes;
+  if (!c.effects.empty() && !c.model_covariance)
+    source.notes.push_back(
+        "The file does not say how the errors of TCP->Body and of the effects go together (<model_covariance>): sigma "
+        "takes them as independent and is too large.");
   return source;
 }
 

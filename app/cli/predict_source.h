@@ -9,10 +9,7 @@ namespace handsight::cli {
 struct PredictSource {
   Chain chain;
   std::vector<std::string> joint_names;
-  std::vector<EffectTerm> effects;
-  TcpScatter scatter;
-  Rigid tcp_from_body;
-  Matrix6 body_covariance = Matrix6::Zero();
+  PredictionModel model;
   std::vector<std::string> notes;
 };
 

@@ -18,7 +18,7 @@ ErrorAndNoise error_and_noise(const ModelVersion& version) {
   result.error = of(report.held_out);
   result.held_out = result.error.has_value();
   if (!result.error) result.error = of(report.fitted);
-  result.noise = version.fit->noise;
+  if (version.fit->noise) result.noise = as_told(*version.fit->noise, result.in_pixels);
   return result;
 }
 
@@ -38,7 +38,7 @@ void tell(const Session& session, const SecondLooks& looks, std::shared_ptr<cons
   version.inspection = std::make_shared<Inspection>(inspect(session, *fitted, *told, looks));
   version.calibration = std::make_shared<Calibration>(
       calibration_of(session, *fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
-  version.scatter = tcp_scatter(*fitted);
+  version.prediction = prediction_model(*fitted);
   version.fit = std::move(fitted);
   version.report = std::move(told);
 }

@@ -24,7 +24,7 @@ struct ModelVersion {
   std::shared_ptr<const FitReport> report;         // null with the fit
   std::shared_ptr<const Inspection> inspection;    // null with the fit
   std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit
-  TcpScatter scatter;                              // of the TCP about the model
+  PredictionModel prediction;                      // where the TCP really is in other poses
   std::vector<WrongPoint> wrong_points;            // left out of the fit
   QString refusal;
   std::unordered_map<std::int64_t, int> row_of;  // observation id -> FitReport::per_observation

@@ -90,7 +90,9 @@ JobState Jobs::state() const {
   if (!running_) return {};
   JobState state{true, running_->title, running_->control.share_, {}};
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - running_->begin).count();
-  if (state.share > 0.05 && seconds > 0.5) state.seconds_left = seconds * (1 - state.share) / state.share;
+  // A guess from little of the work jumps about: the first parts of a job are not like the others.
+  if (state.share > 0.05 && seconds > (state.share > 0.2 ? 1 : 4))
+    state.seconds_left = seconds * (1 - state.share) / state.share;
   return state;
 }
 

@@ -69,6 +69,16 @@ Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTe
 /// numbers are all 0, to be estimated. InputError as below.
 std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain);
 
+/// One number of a term list.
+struct EffectNumber {
+  std::size_t term = 0, parameter = 0;
+};
+
+/// Adds to the number that a name in a file means: `of` is a joint, a marker ("2" or "marker 2"), or empty for the
+/// session scope. The term is made where it is missing. InputError names what is not known.
+EffectNumber add_effect_number(const std::string& id, const std::string& of, const std::string& name, double value,
+                               const Robot& robot, std::vector<EffectTerm>& terms);
+
 /// Parses `id:joint.parameter=value` (joint scope), `id:marker.parameter=value` with a marker's number, or
 /// `id:parameter=value` into a term list, adding to a term that is there already. InputError names what is not known
 /// and lists what is.

@@ -34,19 +34,47 @@ int joint_for(const Effect& effect, const std::string& name, const Robot& robot,
 
 int place_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
   if (effect.scope != EffectScope::marker) return joint_for(effect, name, robot, text);
+  constexpr std::string_view prefix = "marker ";  // as place_name writes it
   int marker = -1;
-  if (!read_number(name, marker) || marker < 0 || marker > 63)
+  if (!read_number(name.starts_with(prefix) ? name.substr(prefix.size()) : name, marker) || marker < 0 || marker > 63)
     throw InputError(fmt::format("Effect \"{}\": \"{}\" is no marker; write its number, 0 to 63.", text, name));
   return marker;
 }
 
-EffectTerm& term_for(const Effect& effect, int place, std::vector<EffectTerm>& terms) {
-  for (EffectTerm& term : terms)
-    if (term.id == effect.id && term.joint == place) return term;
-  return terms.emplace_back(EffectTerm{effect.id, place, std::vector<double>(effect.parameters.size(), 0.0)});
+const Effect& effect_for(const std::string& id) {
+  if (const Effect* effect = find_effect(id)) return *effect;
+  throw InputError(fmt::format("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects()));
+}
+
+std::size_t term_for(const Effect& effect, int place, std::vector<EffectTerm>& terms) {
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (terms[t].id == effect.id && terms[t].joint == place) return t;
+  terms.push_back({effect.id, place, std::vector<double>(effect.parameters.size(), 0.0)});
+  return terms.size() - 1;
+}
+
+/// `text` is what sentences call it.
+EffectNumber add_number(const Effect& effect, int place, const std::string& name, double value, const std::string& text,
+                        std::vector<EffectTerm>& terms) {
+  const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(),
+                                      [&](const EffectParameter& p) { return p.name == name; });
+  if (parameter == effect.parameters.end())
+    throw InputError(fmt::format("Effect \"{}\": {} has no parameter \"{}\".", text, effect.id, name));
+  const EffectNumber number{term_for(effect, place, terms),
+                            static_cast<std::size_t>(parameter - effect.parameters.begin())};
+  terms[number.term].values[number.parameter] += value;
+  return number;
 }
 
 }  // namespace
+
+EffectNumber add_effect_number(const std::string& id, const std::string& of, const std::string& name, double value,
+                               const Robot& robot, std::vector<EffectTerm>& terms) {
+  const Effect& effect = effect_for(id);
+  const std::string text = fmt::format("{}:{}{}{}", id, of, of.empty() ? "" : ".", name);
+  const int place = effect.scope == EffectScope::session ? -1 : place_for(effect, of, robot, text);
+  return add_number(effect, place, name, value, text, terms);
+}
 
 void add_effect_value(const std::string& text, const Robot& robot, std::vector<EffectTerm>& terms) {
   const auto colon = text.find(':');
@@ -57,9 +85,7 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
                     "joint_elasticity:arm_2.compliance=1e-4.",
                     text));
   const std::string id = text.substr(0, colon);
-  const Effect* effect = find_effect(id);
-  if (!effect)
-    throw InputError(fmt::format("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects()));
+  const Effect* const effect = &effect_for(id);
   std::string name = text.substr(colon + 1, equals - colon - 1);
   int place = -1;
   if (effect->scope != EffectScope::session) {
@@ -71,22 +97,16 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
     place = place_for(*effect, name.substr(0, dot), robot, text);
     name = name.substr(dot + 1);
   }
-  const auto parameter = std::find_if(effect->parameters.begin(), effect->parameters.end(),
-                                      [&](const EffectParameter& p) { return p.name == name; });
-  if (parameter == effect->parameters.end())
-    throw InputError(fmt::format("Effect \"{}\": {} has no parameter \"{}\".", text, id, name));
   double value = 0;
   if (!read_number(text.substr(equals + 1), value) || !std::isfinite(value))
     throw InputError(fmt::format("Effect \"{}\": \"{}\" is not a finite number.", text, text.substr(equals + 1)));
-  term_for(*effect, place, terms).values[static_cast<std::size_t>(parameter - effect->parameters.begin())] += value;
+  add_number(*effect, place, name, value, text, terms);
 }
 
 std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain) {
   const auto colon = text.find(':');
   const std::string id = text.substr(0, colon);
-  const Effect* effect = find_effect(id);
-  if (!effect)
-    throw InputError(fmt::format("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects()));
+  const Effect* const effect = &effect_for(id);
   std::vector<int> places;
   if (colon == std::string::npos) {
     places = effect_places(*effect, chain);

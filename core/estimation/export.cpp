@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/export.h"
 
+#include <algorithm>
 #include <ctime>
 
 #include "estimation/prediction.h"
@@ -16,6 +17,38 @@ std::string utc_now() {
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text;
+}
+
+/// The terms of a fit, those of one effect together, in the order in which the effects first stand.
+std::vector<std::size_t> terms_by_effect(const Fit& fit) {
+  std::vector<std::size_t> order;
+  const auto& all = fit.effects;
+  for (std::size_t first = 0; first < all.size(); ++first) {
+    if (std::find(order.begin(), order.end(), first) != order.end()) continue;
+    for (std::size_t t = first; t < all.size(); ++t)
+      if (all[t].term.id == all[first].term.id) order.push_back(t);
+  }
+  return order;
+}
+
+void set_effects(const Session& session, const Fit& fit, Calibration& c) {
+  std::vector<Eigen::Index> first_of_term{6}, place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the fit's
+  for (const FittedEffect& fitted : fit.effects)
+    first_of_term.push_back(first_of_term.back() + static_cast<Eigen::Index>(fitted.term.values.size()));
+  for (const std::size_t t : terms_by_effect(fit)) {
+    const FittedEffect& fitted = fit.effects[t];
+    const Effect& effect = *find_effect(fitted.term.id);
+    if (c.effects.empty() || c.effects.back().id != effect.id) c.effects.push_back({effect.id, {}});
+    const std::string of = place_name(effect, fitted.term.joint, session.robot);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const EffectParameter& parameter = effect.parameters[p];
+      c.effects.back().parameters.push_back(
+          {of, parameter.name, fitted.term.values[p], fitted.sigmas[p], parameter.unit});
+      place_of.push_back(first_of_term[t] + static_cast<Eigen::Index>(p));
+    }
+  }
+  if (!c.effects.empty() && fit.model_covariance.cols() == first_of_term.back())
+    c.model_covariance = fit.model_covariance(place_of, place_of);
 }
 
 }  // namespace
@@ -41,18 +74,7 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
   c.markers = fit.markers_in_body;
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) c.unseen_markers.push_back(static_cast<int>(m));
-  for (const FittedEffect& fitted : fit.effects) {
-    const EffectTerm& term = fitted.term;
-    const Effect* effect = find_effect(term.id);
-    CalibrationEffect* listed = nullptr;
-    for (CalibrationEffect& e : c.effects)
-      if (e.id == term.id) listed = &e;
-    if (!listed) listed = &c.effects.emplace_back(CalibrationEffect{term.id, {}});
-    const std::string of = place_name(*effect, term.joint, session.robot);
-    for (std::size_t p = 0; p < effect->parameters.size(); ++p)
-      listed->parameters.push_back(
-          {of, effect->parameters[p].name, term.values[p], fitted.sigmas[p], effect->parameters[p].unit});
-  }
+  set_effects(session, fit, c);
   c.tcp = session.tcp;
   c.mount = session.mount.link;
   c.gravity = session.gravity;

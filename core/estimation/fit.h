@@ -59,7 +59,9 @@ struct Fit {
   std::vector<FittedEffect> effects;     // held ones first
   std::vector<Vector3> markers_in_body;  // m; not meaningful for markers never seen (Problem::marker_is_seen)
   Eigen::MatrixXd parameter_covariance;  // problem columns
-  Eigen::MatrixXd shape_covariance;      // of the held markers' shape, problem columns; empty where markers are free
+  Eigen::MatrixXd model_covariance =
+      Matrix6::Zero();               // 6 + n: xi, then every number of `effects` in their order; held ones are 0
+  Eigen::MatrixXd shape_covariance;  // of the held markers' shape, problem columns; empty where markers are free
   CovarianceKind covariance_kind = CovarianceKind::noise;
   double residual_rms = 0;      // px or m, of one coordinate
   int rows = 0;                 // coordinates

@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/numbers.h"
+
 namespace handsight {
 namespace {
 
@@ -36,16 +38,79 @@ TcpScatter tcp_scatter(const Fit& fit) {
   return scatter;
 }
 
-TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const std::vector<EffectTerm>& effects,
-                          const TcpScatter& scatter, const Rigid& tcp_from_body, const Matrix6& body_covariance) {
+PredictionModel prediction_model(const Fit& fit) { return {terms_of(fit), tcp_scatter(fit), fit.model_covariance}; }
+
+PredictionModel prediction_model(const Calibration& calibration, const Robot& robot) {
+  PredictionModel model;
+  std::vector<EffectNumber> listed;  // where each parameter of the file stands in the model
+  std::vector<double> variances;
+  for (const CalibrationEffect& e : calibration.effects)
+    for (const CalibrationParameter& p : e.parameters) {
+      listed.push_back(add_effect_number(e.id, p.of, p.name, p.value, robot, model.effects));
+      variances.push_back(std::pow(p.sigma.value_or(0), 2));
+    }
+  if (calibration.tcp_scatter) model.scatter = {*calibration.tcp_scatter, calibration.fit.used};
+
+  std::vector<Eigen::Index> first_of_term{6}, place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the model's
+  for (const EffectTerm& term : model.effects)
+    first_of_term.push_back(first_of_term.back() + static_cast<Eigen::Index>(term.values.size()));
+  for (const EffectNumber& n : listed)
+    place_of.push_back(first_of_term[n.term] + static_cast<Eigen::Index>(n.parameter));
+  const auto count = static_cast<Eigen::Index>(place_of.size());
+  Eigen::MatrixXd of_file = Eigen::MatrixXd::Zero(count, count);
+  of_file.topLeftCorner<6, 6>() = calibration.tcp_from_body.covariance;
+  of_file.diagonal().tail(count - 6) =
+      Eigen::Map<const Eigen::VectorXd>(variances.data(), static_cast<Eigen::Index>(variances.size()));
+  if (calibration.model_covariance) of_file = *calibration.model_covariance;
+  model.covariance = Eigen::MatrixXd::Zero(first_of_term.back(), first_of_term.back());
+  model.covariance(place_of, place_of) = of_file;
+  return model;
+}
+
+namespace {
+
+/// The motion of the TCP (position m, rotation rad, root axes) for one sigma of each number of the effects, with the
+/// numbers' correlations: 6 x n. The secant over a sigma, which the solver of the springs cannot disturb.
+Eigen::MatrixXd tcp_by_sigma(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model) {
+  const Eigen::Index count = model.covariance.cols() - 6;
+  Eigen::MatrixXd by_sigma = Eigen::MatrixXd::Zero(6, count);
+  std::vector<EffectTerm> terms = model.effects;
+  Eigen::Index number = -1;
+  for (EffectTerm& term : terms)
+    for (double& value : term.values) {
+      ++number;
+      const double sigma = std::sqrt(std::max(model.covariance(6 + number, 6 + number), 0.0)), before = value;
+      if (!(sigma > 0)) continue;
+      value = before + sigma;
+      const Rigid above = root_from_tcp_with(chain, position, terms);
+      value = before - sigma;
+      const Rigid below = root_from_tcp_with(chain, position, terms);
+      value = before;
+      by_sigma.col(number) << (above.translation - below.translation) / 2,
+          vector_from_rotation(above.rotation * below.rotation.transpose()) / 2;
+    }
+  return by_sigma;
+}
+
+}  // namespace
+
+TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model) {
   TcpPrediction p;
   p.root_from_tcp = chain_ends(chain, position).root_from_tcp;
-  p.root_from_tcp_est = root_from_tcp_with(chain, position, effects);
-  // exp(xi) tcp_from_body = tcp_from_body exp(Ad xi): an error of the mount of the body moves the TCP by the inverse.
-  const Matrix6 in_tcp = scatter.covariance + body_covariance;
+  p.root_from_tcp_est = root_from_tcp_with(chain, position, model.effects);
   Matrix6 turned = Matrix6::Zero();
   turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = p.root_from_tcp_est.rotation;
-  p.sigma = (turned * in_tcp * turned.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
+  // With root_from_body = root_from_tcp exp(xi) tcp_from_body, an error of xi moves TCPest as the TCP's own would.
+  Eigen::MatrixXd by_model(6, model.covariance.cols());
+  by_model.leftCols<6>() = turned;
+  by_model.rightCols(by_model.cols() - 6) = tcp_by_sigma(chain, position, model);
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(model.covariance.cols());
+  for (Eigen::Index i = 6; i < unit.size(); ++i) {
+    const double variance = model.covariance(i, i);
+    unit[i] = variance > 0 ? 1 / std::sqrt(variance) : 0;
+  }
+  const Eigen::MatrixXd scaled = unit.asDiagonal() * model.covariance * unit.asDiagonal();
+  p.covariance = turned * model.scatter.covariance * turned.transpose() + by_model * scaled * by_model.transpose();
   return p;
 }
 

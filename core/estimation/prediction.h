@@ -3,6 +3,7 @@
 #pragma once
 
 #include "estimation/fit_report.h"
+#include "session/calibration.h"
 
 namespace handsight {
 
@@ -16,15 +17,29 @@ struct TcpScatter {
 /// show. With fewer than three such observations nothing is known of it: zero, and `observations` says so.
 TcpScatter tcp_scatter(const Fit& fit);
 
-struct TcpPrediction {
-  Rigid root_from_tcp;              // as commanded: the nominal robot
-  Rigid root_from_tcp_est;          // with the effects of the model
-  Vector6 sigma = Vector6::Zero();  // of root_from_tcp_est: position (m), then rotation (rad), about the root's axes
+/// What a prediction is made from.
+struct PredictionModel {
+  std::vector<EffectTerm> effects;
+  TcpScatter scatter;
+  Eigen::MatrixXd covariance = Matrix6::Zero();  // 6 + n: xi of TCP->Body, then every number of the effects in order
 };
 
-/// For one pose, joints in the order of the chain. sigma is the scatter of the observations about the model and the
-/// uncertainty of tcp_from_body, to which TCPest is tied, together; without observations only what is known.
-TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const std::vector<EffectTerm>& effects,
-                          const TcpScatter& scatter, const Rigid& tcp_from_body, const Matrix6& body_covariance);
+PredictionModel prediction_model(const Fit& fit);
+
+/// The same from an exported calibration. A file without <model_covariance> tells sigmas alone: TCP->Body and effects
+/// are then taken as independent, which makes sigma too large. InputError where an effect cannot be in this robot.
+PredictionModel prediction_model(const Calibration& calibration, const Robot& robot);
+
+struct TcpPrediction {
+  Rigid root_from_tcp;                   // as commanded: the nominal robot
+  Rigid root_from_tcp_est;               // with the effects of the model
+  Matrix6 covariance = Matrix6::Zero();  // of root_from_tcp_est: position (m), then rotation (rad), in root axes
+
+  Vector6 sigma() const { return covariance.diagonal().cwiseMax(0).cwiseSqrt(); }
+};
+
+/// For one pose, joints in the order of the chain. TCPest is tied to the body by the estimated TCP->Body (thesis 4.51):
+/// its covariance is the scatter of the observations about the model, and that of TCP->Body and the effects together.
+TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model);
 
 }  // namespace handsight

@@ -56,6 +56,8 @@ struct Calibration {
   std::vector<std::string> joints;     // the order of a position
   std::optional<Vector3> gravity;      // m/s^2, in the root link's frame
   std::optional<Matrix6> tcp_scatter;  // covariance of tcp_from_tcp_est (m, rad; TCP axes) over the observations
+  /// (6 + n) square: xi of tcp_from_body, then every parameter of `effects` in their order; those held have zeros.
+  std::optional<Eigen::MatrixXd> model_covariance;
   std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
 
   std::vector<std::string> notes;  // what the reader ignored, a sentence each; not written

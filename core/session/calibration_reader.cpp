@@ -32,25 +32,49 @@ Rigid read_rigid_matrix(const XmlNode& node) {
   return {rotation, matrix.topRightCorner<3, 1>()};
 }
 
-Matrix6 read_covariance(const XmlNode& node) {
-  const std::string order = find_text(node, "order").value_or("x y z rx ry rz");
-  if (split_words(order) != split_words("x y z rx ry rz"))
-    refuse(node, fmt::format("has order={}, expected order=\"x y z rx ry rz\".", in_quotes(order)));
-  const Matrix6 covariance = read_matrix<6, 6>(node);
-  // As correlations, so that neither metres and radians nor huge and tiny numbers matter. Variances far below
-  // the largest are noise of rounding: directions that a session does not show.
-  const Vector6 diagonal = covariance.diagonal();
-  const double negligible = std::max(1e-9 * diagonal.cwiseAbs().maxCoeff(), 1e-300);
-  const Vector6 inverse_sigma = diagonal.cwiseMax(negligible).cwiseSqrt().cwiseInverse();
-  const Matrix6 correlation = inverse_sigma.asDiagonal() * covariance * inverse_sigma.asDiagonal();
+/// Refuses what cannot be a covariance. Looked at as correlations, so that neither metres and radians nor huge and tiny
+/// numbers matter: `least_variances` are what counts as rounding of directions that a session does not show.
+void check_covariance(const XmlNode& node, const Eigen::MatrixXd& covariance, const Eigen::VectorXd& least_variances) {
+  const Eigen::VectorXd inverse_sigma = covariance.diagonal().cwiseMax(least_variances).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd correlation = inverse_sigma.asDiagonal() * covariance * inverse_sigma.asDiagonal();
   if (correlation.diagonal().minCoeff() < -agreement)
     refuse(node, "has a negative variance on its diagonal, expected a covariance.");
   const bool is_bounded = correlation.cwiseAbs().maxCoeff() < 1 + agreement;
   if (!is_bounded || (correlation - correlation.transpose()).cwiseAbs().maxCoeff() > agreement)
     refuse(node, "is not symmetric or has correlations beyond 1, expected a covariance.");
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(correlation, Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(correlation, Eigen::EigenvaluesOnly);
   if (eigen.eigenvalues().minCoeff() < -agreement)
     refuse(node, "has a negative variance in some direction, expected a covariance.");
+}
+
+double negligible_variance(const Eigen::VectorXd& variances) {
+  return std::max(1e-9 * variances.cwiseAbs().maxCoeff(), 1e-300);
+}
+
+void check_order(const XmlNode& node, const char* expected) {
+  const std::string order = find_text(node, "order").value_or(expected);
+  if (split_words(order) != split_words(expected))
+    refuse(node, fmt::format("has order={}, expected order=\"{}\".", in_quotes(order), expected));
+}
+
+Matrix6 read_covariance(const XmlNode& node) {
+  check_order(node, "x y z rx ry rz");
+  const Matrix6 covariance = read_matrix<6, 6>(node);
+  check_covariance(node, covariance, Vector6::Constant(negligible_variance(covariance.diagonal())));
+  return covariance;
+}
+
+/// Effects have units of their own: a number's least variance is its own.
+Eigen::MatrixXd read_model_covariance(const XmlNode& node, std::size_t effect_numbers) {
+  check_order(node, model_order);
+  const std::size_t size = 6 + effect_numbers;
+  const std::vector<double> numbers =
+      inner_numbers(node, size * size, "row by row: 6 of TCP->Body and one for each parameter of <effects>");
+  const auto rows = static_cast<Eigen::Index>(size);
+  const Eigen::MatrixXd covariance = Eigen::Map<const Eigen::MatrixXd>(numbers.data(), rows, rows).transpose();
+  Eigen::VectorXd least = Eigen::VectorXd::Constant(rows, 1e-300);
+  least.head<6>().setConstant(negligible_variance(covariance.diagonal().head<6>()));
+  check_covariance(node, covariance, least);
   return covariance;
 }
 
@@ -185,9 +209,9 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   const XmlNode root = root_of(*document, file, "handsight_calibration");
   require_version_1(root);
   Ignored ignored;
-  note_unknown(
-      ignored, root, {"version", "session", "created", "software"},
-      {"tcp_from_body", "fit", "markers", "effects", "robot", "gravity", "joints", "tcp_scatter", "mount_from_sensor"});
+  note_unknown(ignored, root, {"version", "session", "created", "software"},
+               {"tcp_from_body", "fit", "markers", "effects", "robot", "gravity", "joints", "tcp_scatter",
+                "model_covariance", "mount_from_sensor"});
   Calibration calibration;
   calibration.session = find_text(root, "session").value_or("");
   calibration.created = find_text(root, "created").value_or("");
@@ -197,6 +221,12 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   read_markers(required_child(root, "markers"), calibration, ignored);
   if (const auto effects = find_child(root, "effects")) calibration.effects = read_effects(*effects, ignored);
   read_setting(root, calibration, ignored);
+  if (const auto covariance = find_child(root, "model_covariance")) {
+    note_unknown(ignored, *covariance, {"order"}, {}, true);
+    std::size_t numbers = 0;
+    for (const CalibrationEffect& e : calibration.effects) numbers += e.parameters.size();
+    calibration.model_covariance = read_model_covariance(*covariance, numbers);
+  }
   calibration.notes = ignored_sentences(ignored, file);
   return calibration;
 }

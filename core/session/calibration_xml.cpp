@@ -95,6 +95,12 @@ void write_setting(XMLElement& root, const Calibration& calibration) {
     scatter.SetAttribute("order", "x y z rx ry rz");
     scatter.SetText(matrix_text(*calibration.tcp_scatter).c_str());
   }
+  if (calibration.model_covariance) {
+    const Eigen::MatrixXd& covariance = *calibration.model_covariance;  // symmetric: columns are rows
+    XMLElement& element = *root.InsertNewChildElement("model_covariance");
+    element.SetAttribute("order", model_order);
+    element.SetText(format_numbers({covariance.data(), static_cast<std::size_t>(covariance.size())}).c_str());
+  }
   if (calibration.mount_from_sensor) write_motion(root, "mount_from_sensor", *calibration.mount_from_sensor);
 }
 

@@ -45,6 +45,11 @@ Calibration some_calibration() {
   calibration.gravity = Vector3(0.1, 0, -9.81);
   calibration.mount_from_sensor = some_motion(2);
   calibration.tcp_scatter = some_motion(3).covariance;
+  Eigen::MatrixXd root = Eigen::MatrixXd::Identity(9, 9);  // xi, two compliances, a tilt that was held
+  root.topLeftCorner<6, 6>() = some_motion(4).covariance;
+  root.row(8).setZero();
+  root(6, 0) = 1e-3;
+  calibration.model_covariance = root * root.transpose();
   return calibration;
 }
 
@@ -92,6 +97,7 @@ void expect_same(const Calibration& a, const Calibration& b) {
   EXPECT_EQ(a.gravity, b.gravity);
   ASSERT_EQ(a.mount_from_sensor.has_value(), b.mount_from_sensor.has_value());
   EXPECT_EQ(a.tcp_scatter, b.tcp_scatter);
+  EXPECT_EQ(a.model_covariance, b.model_covariance);
   if (a.mount_from_sensor) expect_same(*a.mount_from_sensor, *b.mount_from_sensor);
 }
 
@@ -217,6 +223,15 @@ TEST(CalibrationRefuses, WhatIsWrong) {
   EXPECT_THAT(refusal("<parameter ", "<parameter of='j1' name='offset' value='1'/><parameter "),
               HasSubstr("is a second \"offset\" of \"j1\""));
   EXPECT_THAT(refusal("<fit ", "<joints>a a</joints><fit "), HasSubstr("a second time"));
+  EXPECT_THAT(refusal("<fit ", "<model_covariance>1 0 0 1</model_covariance><fit "),
+              HasSubstr("has 4 numbers, expected 49, row by row: 6 of TCP->Body and one for each parameter"));
+  std::string zeros;
+  for (int i = 0; i < 48; ++i) zeros += "0 ";
+  EXPECT_EQ(refusal("<fit ", "<model_covariance>" + zeros + "0</model_covariance><fit "), "nothing was refused");
+  EXPECT_THAT(refusal("<fit ", "<model_covariance>" + zeros + "-1</model_covariance><fit "),
+              HasSubstr("negative variance"));
+  EXPECT_THAT(refusal("<fit ", "<model_covariance>0 1" + zeros.substr(2) + "</model_covariance><fit "),
+              HasSubstr("correlations beyond 1"));
 }
 
 }  // namespace
