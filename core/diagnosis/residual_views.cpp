@@ -5,6 +5,7 @@
 #include <random>
 
 #include "diagnosis/candidates.h"
+#include "estimation/fit_report.h"
 
 namespace handsight {
 namespace {

@@ -70,14 +70,14 @@ Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTe
 std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain);
 
 /// One number of a term list.
-struct EffectNumber {
+struct NumberPlace {
   std::size_t term = 0, parameter = 0;
 };
 
 /// Adds to the number that a name in a file means: `of` is a joint, a marker ("2" or "marker 2"), or empty for the
 /// session scope. The term is made where it is missing. InputError names what is not known.
-EffectNumber add_effect_number(const std::string& id, const std::string& of, const std::string& name, double value,
-                               const Robot& robot, std::vector<EffectTerm>& terms);
+NumberPlace add_effect_number(const std::string& id, const std::string& of, const std::string& name, double value,
+                              const Robot& robot, std::vector<EffectTerm>& terms);
 
 /// Parses `id:joint.parameter=value` (joint scope), `id:marker.parameter=value` with a marker's number, or
 /// `id:parameter=value` into a term list, adding to a term that is there already. InputError names what is not known

@@ -21,20 +21,59 @@ Rigid root_from_tcp_with(const Chain& chain, const Eigen::VectorXd& position, co
 
 }  // namespace
 
-TcpScatter tcp_scatter(const Fit& fit) {
-  TcpScatter scatter;
-  Matrix6 measured = Matrix6::Zero(), noise = Matrix6::Zero();
+namespace {
+
+/// A deviation of the TCP as one observation measured it, and the covariance of that measurement.
+struct MeasuredDeviation {
+  Vector6 value;
+  Matrix6 noise;
+};
+
+std::vector<MeasuredDeviation> measured_deviations(const Fit& fit) {
+  std::vector<MeasuredDeviation> all;
   const double variance = fit.noise ? *fit.noise * *fit.noise : 0.0;
   for (const ProblemObservation& o : fit.problem.observations) {
     const auto deviation = tcp_deviation(fit.problem, o, estimate(fit));
     if (!deviation) continue;
-    Vector6 v;
-    v << deviation->tcp_from_tcp_est.translation, vector_from_rotation(deviation->tcp_from_tcp_est.rotation);
-    measured += v * v.transpose();
-    noise += variance * deviation->unit_covariance;
-    ++scatter.observations;
+    MeasuredDeviation& m = all.emplace_back();
+    m.value << deviation->tcp_from_tcp_est.translation, vector_from_rotation(deviation->tcp_from_tcp_est.rotation);
+    m.noise = variance * deviation->unit_covariance;
   }
-  if (scatter.observations >= 3) scatter.covariance = without_negative((measured - noise) / scatter.observations);
+  return all;
+}
+
+/// The covariance of deviations that were measured with noise of their own, by expectation and maximisation from the
+/// moments: the observations that know a direction well tell most about it.
+Matrix6 covariance_behind(const std::vector<MeasuredDeviation>& all) {
+  constexpr int rounds = 30;
+  constexpr std::size_t most = 200;  // more would not change what is used of it
+  const std::size_t stride = (all.size() + most - 1) / most;
+  Matrix6 measured = Matrix6::Zero(), noise = Matrix6::Zero();
+  for (const MeasuredDeviation& m : all) {
+    measured += m.value * m.value.transpose() / static_cast<double>(all.size());
+    noise += m.noise / static_cast<double>(all.size());
+  }
+  Matrix6 covariance = without_negative(measured - noise) + 1e-2 * Matrix6(measured.diagonal().asDiagonal());
+  for (int round = 0; round < rounds; ++round) {
+    Matrix6 next = Matrix6::Zero();
+    double count = 0;
+    for (std::size_t i = 0; i < all.size(); i += stride, ++count) {
+      const Eigen::LDLT<Matrix6> sum(covariance + all[i].noise);
+      const Vector6 expected = covariance * sum.solve(all[i].value);
+      next += expected * expected.transpose() + covariance - covariance * sum.solve(covariance);
+    }
+    covariance = without_negative((next + next.transpose()) / (2 * count));
+  }
+  return covariance;
+}
+
+}  // namespace
+
+TcpScatter tcp_scatter(const Fit& fit) {
+  const std::vector<MeasuredDeviation> all = measured_deviations(fit);
+  TcpScatter scatter{.observations = static_cast<int>(all.size())};
+  const bool agrees = fit.covariance_kind == CovarianceKind::noise;
+  if (scatter.observations >= 3 && !agrees) scatter.covariance = covariance_behind(all);
   return scatter;
 }
 
@@ -42,7 +81,7 @@ PredictionModel prediction_model(const Fit& fit) { return {terms_of(fit), tcp_sc
 
 PredictionModel prediction_model(const Calibration& calibration, const Robot& robot) {
   PredictionModel model;
-  std::vector<EffectNumber> listed;  // where each parameter of the file stands in the model
+  std::vector<NumberPlace> listed;  // where each parameter of the file stands in the model
   std::vector<double> variances;
   for (const CalibrationEffect& e : calibration.effects)
     for (const CalibrationParameter& p : e.parameters) {
@@ -54,7 +93,7 @@ PredictionModel prediction_model(const Calibration& calibration, const Robot& ro
   std::vector<Eigen::Index> first_of_term{6}, place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the model's
   for (const EffectTerm& term : model.effects)
     first_of_term.push_back(first_of_term.back() + static_cast<Eigen::Index>(term.values.size()));
-  for (const EffectNumber& n : listed)
+  for (const NumberPlace& n : listed)
     place_of.push_back(first_of_term[n.term] + static_cast<Eigen::Index>(n.parameter));
   const auto count = static_cast<Eigen::Index>(place_of.size());
   Eigen::MatrixXd of_file = Eigen::MatrixXd::Zero(count, count);

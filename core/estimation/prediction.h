@@ -13,8 +13,9 @@ struct TcpScatter {
   int observations = 0;                  // that showed three markers
 };
 
-/// Second moments of tcp_from_tcp_est over the observations, less what the noise of the measurement alone would
-/// show. With fewer than three such observations nothing is known of it: zero, and `observations` says so.
+/// The covariance of tcp_from_tcp_est over the observations behind the noise with which each was measured (maximum
+/// likelihood); zero where the model agrees with the measurements down to the noise (CovarianceKind::noise). With fewer
+/// than three such observations nothing is known of it: zero, and `observations` says so.
 TcpScatter tcp_scatter(const Fit& fit);
 
 /// What a prediction is made from.
