@@ -5,6 +5,7 @@
 
 #include "diagnosis/explanation.h"
 #include "diagnosis/refitting.h"
+#include "diagnosis/robot_check.h"
 #include "fit_output.h"
 #include "json_values.h"
 
@@ -40,6 +41,16 @@ std::string unnamed_id(const Variable& v) {
   }
 }
 
+Json check_json(const DiagnosisCandidate& c) {
+  if (!c.check) return nullptr;
+  return {{"text", find_effect(c.id)->check},
+          {"prediction", prediction_text(*c.check)},
+          {"value", number(c.check->value)},
+          {"sigma", number(c.check->sigma)},
+          {"unit", c.check->unit},
+          {"observation", c.check->observation ? Json(*c.check->observation) : Json(nullptr)}};
+}
+
 Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
   const bool tracker = session.is_tracker();
   const Json null = nullptr;
@@ -57,6 +68,7 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
          {"plausible", c.plausible},
          {"noncentrality_of_plausible_size", number(c.visibility)},
          {"cannot_be_told_from", c.cannot_be_told_from},
+         {"check", check_json(c)},
          {"explanation", c.explanation}};
   if (c.unnamed) j["variable"] = c.unnamed->localiser.variable->name;
   return j;

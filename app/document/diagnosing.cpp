@@ -21,36 +21,6 @@ std::shared_ptr<const ModelResiduals> residuals_without_wrong_points(const Sessi
   return make_residuals(clean.wrong.empty() ? *version.fit : clean.fit);
 }
 
-/// What the numbers of a candidate, all scaled alike, make of its sigma: that of its surest number.
-double relative_sigma(const DiagnosisCandidate& c) {
-  double least = 1;
-  for (std::size_t t = 0; t < c.terms.size() && t < c.sigmas.size(); ++t)
-    for (std::size_t p = 0; p < c.sigmas[t].size(); ++p)
-      if (c.sigmas[t][p] > 0 && c.terms[t].values[p] != 0)
-        least = std::min(least, c.sigmas[t][p] / std::abs(c.terms[t].values[p]));
-  return least;
-}
-
-CandidateCheck check_of_candidate(const Diagnosis& d, const DiagnosisCandidate& c) {
-  Problem without = d.model.fit.problem;
-  hold_effects(without);
-  Problem with = without;
-  with.terms.insert(with.terms.end(), c.terms.begin(), c.terms.end());
-  place_observations(with);
-  const Rigid mount = estimate(d.model.fit).mount_from_sensor;
-  CandidateCheck check;
-  for (std::size_t i = 0; i < with.observations.size(); ++i) {
-    const Rigid before = sensor_from_tcp_at(without.observations[i], mount);
-    const Rigid after = sensor_from_tcp_at(with.observations[i], mount);
-    const double distance = (after.translation - before.translation).norm();
-    if (distance <= check.distance) continue;
-    check.distance = distance;
-    check.observation = d.model.session.observations[static_cast<std::size_t>(with.observations[i].index)].id;
-  }
-  check.sigma = relative_sigma(c) * check.distance;
-  return check;
-}
-
 /// Does an unnamed curve lead while names pass as well? Then only going on shows whether they explain it.
 bool is_open(const Diagnosis& d) {
   return is_outdone(d) && std::any_of(d.candidates.begin(), d.candidates.end(), [&](const DiagnosisCandidate& c) {
@@ -117,11 +87,6 @@ std::shared_ptr<const CandidateView> Diagnosing::view_of(const std::string& id) 
   return found == now_->views.end() ? nullptr : found->second;
 }
 
-std::optional<CandidateCheck> Diagnosing::check_of(const std::string& id) const {
-  if (!now_ || !now_->checks.contains(id)) return std::nullopt;
-  return now_->checks.at(id);
-}
-
 Diagnosing::ResultPointer Diagnosing::known(const ModelVersionPointer& version) const {
   for (const ResultPointer& result : earlier_)
     if (same_fit(*result->version, *version)) return result;
@@ -169,12 +134,10 @@ void Diagnosing::start() {
         const auto hand_over = [this, result, part, &control](void (Diagnosing::*changed)()) {
           if (control.is_cancelled()) return;
           post([this, result, changed, residuals = part->residuals, diagnosis = part->diagnosis, views = part->views,
-                checks = part->checks, has_views = part->has_views, is_decided = part->is_decided,
-                names_lead_on = part->names_lead_on] {
+                has_views = part->has_views, is_decided = part->is_decided, names_lead_on = part->names_lead_on] {
             result->residuals = residuals;
             result->diagnosis = diagnosis;
             result->views = views;
-            result->checks = checks;
             result->has_views = has_views;
             result->is_decided = is_decided;
             result->names_lead_on = names_lead_on;
@@ -213,7 +176,6 @@ void Diagnosing::start() {
           view->numbers = numbers_of(view->effect, c.terms);
           view->rms_left = rms_left(part->residuals->views, view->effect, view->numbers);
           part->views[c.id] = view;
-          if (part->views.size() <= 6) part->checks[c.id] = check_of_candidate(*part->diagnosis, c);
           if (part->views.size() == 3) hand_over(&Diagnosing::views_changed);
         }
         part->has_views = true;

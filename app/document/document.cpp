@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/document.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "document/counted.h"
+#include "document/effect_words.h"
 #include "session/session_xml.h"
 
 namespace handsight::app {
@@ -46,6 +49,7 @@ void Document::open(const std::filesystem::path& path) {
   journal_ = std::move(journal);
   session_ = std::move(session);
   settings_ = {};
+  readings_.clear();
   index_of_.clear();
   for (std::size_t i = 0; i < session_.observations.size(); ++i)
     index_of_[session_.observations[i].id] = static_cast<int>(i);
@@ -65,8 +69,8 @@ void Document::open(const std::filesystem::path& path) {
 
 void Document::close() {
   if (!journal_) return;
-  // What session.xml cannot hold (the model's effects) stays in the journal.
-  if (stack_.isClean() && settings_ == ModelSettings{}) {
+  // What session.xml cannot hold (the model's effects, what was measured) stays in the journal.
+  if (stack_.isClean() && settings_ == ModelSettings{} && readings_.empty()) {
     try {
       journal_->clear(digest_of(read_file(session_.file)));
     } catch (const InputError&) {
@@ -79,6 +83,7 @@ void Document::close() {
   shown_.reset();
   second_looks_.clear();
   session_ = {};
+  readings_.clear();
   index_of_.clear();
   ++revision_;
   emit closed();
@@ -102,6 +107,21 @@ Edit Document::edit_of(const QString& sentence,
     if (observation && !same_state(state_of(*observation), state))
       edit.observations.push_back({id, state_of(*observation), state});
   }
+  return edit;
+}
+
+const RobotReading* Document::reading_of(const std::string& effect) const {
+  const auto found = readings_.find(effect);
+  return found == readings_.end() ? nullptr : &found->second;
+}
+
+Edit Document::edit_of_reading(const std::string& effect, const std::optional<RobotReading>& reading) const {
+  const RobotReading* known = reading_of(effect);
+  if (!known && !reading) return {};
+  if (known && reading && *known == *reading) return {};
+  Edit edit{.sentence = reading ? tr("measured for %1").arg(effect_of(effect, {}))
+                                : tr("forgot what was measured for %1").arg(effect_of(effect, {}))};
+  edit.reading = ReadingEdit{effect, known ? std::optional(*known) : std::nullopt, reading};
   return edit;
 }
 
@@ -177,6 +197,15 @@ void Document::save() {
 
 void Document::apply(const Edit& edit, bool forward) {
   if (edit.settings) settings_ = forward ? edit.settings->after : edit.settings->before;
+  if (edit.reading) {
+    const std::optional<RobotReading>& reading = forward ? edit.reading->after : edit.reading->before;
+    readings_.erase(edit.reading->effect);
+    if (reading) readings_[edit.reading->effect] = *reading;
+  }
+  if (edit.only_reads()) {  // the model stays what it is
+    if (!is_replaying_) emit readings_changed();
+    return;
+  }
   if (!applies_) return;
   std::vector<std::int64_t> ids;
   for (const ObservationEdit& o : edit.observations) {
@@ -222,8 +251,10 @@ void Document::replay(const JournalContents& contents) {
 }
 
 ModelVersionPointer Document::model() const {
-  const auto found = versions_.find(stack_.index());
-  return found != versions_.end() && found->second->revision == revision_ ? found->second : nullptr;
+  // Fitted here, or before or after actions that leave the model as it is.
+  for (const auto& [index, version] : versions_)
+    if (version->revision == revision_) return version;
+  return nullptr;
 }
 
 void Document::show_version(const ModelVersionPointer& version) {
@@ -238,6 +269,8 @@ std::vector<ModelVersionPointer> Document::versions() const {
     const auto found = versions_.find(i);
     list.push_back(found == versions_.end() ? nullptr : found->second);
   }
+  const ModelVersionPointer now = model();
+  if (now && std::find(list.begin(), list.end(), now) == list.end()) list.back() = now;
   return list;
 }
 

@@ -66,6 +66,12 @@ class Document : public QObject {
   const SecondLooks& second_looks() const { return second_looks_; }
   void take_second_looks(const SecondLooks& looks);
 
+  /// What was measured on the real robot, by effect; null where nothing was.
+  const RobotReading* reading_of(const std::string& effect) const;
+  const std::map<std::string, RobotReading>& readings() const { return readings_; }
+  /// Remembers what was measured (absent: forgets it). Empty where that changes nothing.
+  Edit edit_of_reading(const std::string& effect, const std::optional<RobotReading>& reading) const;
+
   /// A new number for Edit::joins.
   std::int64_t new_join() { return ++last_join_; }
 
@@ -78,6 +84,7 @@ class Document : public QObject {
   /// Observations changed (labels, decisions). Empty: none, only settings.
   void edited(const std::vector<std::int64_t>& ids);
   void settings_changed();
+  void readings_changed();
   void model_changed();
   void saved_changed(bool is_saved);
   /// A sentence for the read-out line.
@@ -94,6 +101,7 @@ class Document : public QObject {
 
   Session session_;
   ModelSettings settings_;
+  std::map<std::string, RobotReading> readings_;
   std::unordered_map<std::int64_t, int> index_of_;
   std::unique_ptr<Journal> journal_;
   QUndoStack stack_;

@@ -97,6 +97,36 @@ ModelSettings parse_settings(const Json& json) {
   return s;
 }
 
+Json reading_json(const std::optional<RobotReading>& reading) {
+  if (!reading) return nullptr;
+  const CheckPrediction& p = reading->predicted;
+  return {{"value", reading->value},
+          {"sigma", reading->sigma},
+          {"predicted",
+           {{"before", p.before},
+            {"after", p.after},
+            {"value", p.value},
+            {"sigma", p.sigma},
+            {"unit", p.unit},
+            {"observation", p.observation ? Json(*p.observation) : Json(nullptr)}}}};
+}
+
+std::optional<RobotReading> parse_reading_json(const std::string& effect, const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  RobotReading reading{effect, json.at("value").get<double>(), json.at("sigma").get<double>(), {}};
+  const Json& p = json.at("predicted");
+  reading.predicted = {p.at("before").get<std::string>(), p.at("after").get<std::string>(), p.at("value").get<double>(),
+                       p.at("sigma").get<double>(),       p.at("unit").get<std::string>(),  std::nullopt};
+  if (!p.at("observation").is_null()) reading.predicted.observation = p.at("observation").get<std::int64_t>();
+  return reading;
+}
+
+ReadingEdit parse_reading_edit(const Json& json) {
+  const std::string effect = json.at("effect").get<std::string>();
+  if (!find_effect(effect)) throw InputError("The journal holds an effect that this version does not know.");
+  return {effect, parse_reading_json(effect, json.at("before")), parse_reading_json(effect, json.at("after"))};
+}
+
 }  // namespace
 
 bool ModelSettings::operator==(const ModelSettings& o) const {
@@ -136,6 +166,7 @@ Edit joined(Edit earlier, const Edit& later) {
   }
   if (later.settings)
     earlier.settings = {earlier.settings ? earlier.settings->before : later.settings->before, later.settings->after};
+  if (later.reading) earlier.reading = later.reading;  // readings never join others
   return earlier;
 }
 
@@ -148,6 +179,10 @@ std::string edit_text(const Edit& edit) {
   if (edit.settings)
     json["settings"] = {{"before", settings_json(edit.settings->before)},
                         {"after", settings_json(edit.settings->after)}};
+  if (edit.reading)
+    json["reading"] = {{"effect", edit.reading->effect},
+                       {"before", reading_json(edit.reading->before)},
+                       {"after", reading_json(edit.reading->after)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -162,6 +197,7 @@ Edit parse_edit(const std::string& text) {
           {o.at("id").get<std::int64_t>(), parse_state(o.at("before")), parse_state(o.at("after"))});
     if (json.contains("settings"))
       edit.settings = {parse_settings(json["settings"].at("before")), parse_settings(json["settings"].at("after"))};
+    if (json.contains("reading")) edit.reading = parse_reading_edit(json["reading"]);
     return edit;
   } catch (const Json::exception&) {
     throw InputError("A line of the journal is no action that this version understands.");

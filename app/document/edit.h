@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "document/robot_reading.h"
 #include "estimation/fit.h"
 #include "session/session.h"
 
@@ -44,15 +45,24 @@ struct SettingsEdit {
   ModelSettings before, after;
 };
 
+/// What was measured for one cause; absent: nothing.
+struct ReadingEdit {
+  std::string effect;
+  std::optional<RobotReading> before, after;
+};
+
 /// One action. `sentence` says what was done in the past tense without a subject: "excluded observation 7".
 struct Edit {
   QString sentence;
   std::vector<ObservationEdit> observations;
   std::optional<SettingsEdit> settings;
+  std::optional<ReadingEdit> reading;
   /// Actions with the same number, pushed one after the other, are one action to undo: a drag, a play. 0: alone.
   std::int64_t joins = 0;
 
-  bool is_empty() const { return observations.empty() && !settings; }
+  bool is_empty() const { return observations.empty() && !settings && !reading; }
+  /// Does it leave the model as it is?
+  bool only_reads() const { return observations.empty() && !settings && reading; }
 };
 
 /// `later` follows `earlier`: both as one, with the later sentence.

@@ -134,7 +134,8 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
     return end(false, tr("Stopped. Everything is as before."));
   for (const RefusedStep& r : change.refused)
     refused_.push_back({r.id, r.where, refusal_sentence(*run.before, run.candidate),
-                        bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index()});
+                        bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index(),
+                        bench_.document.revision()});
   if (!outcome.version) return end(false, refusal_sentence(*run.before, run.candidate));
   is_running_ = false;  // the document's own changes are no reason to stop
   const QString sentence = outcome.version->cause;

@@ -93,6 +93,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
     });
   connect(&bench.document, &Document::edited, this, &Header::refresh_session);
   connect(&bench.document, &Document::settings_changed, this, &Header::refresh_session);
+  connect(&bench.document, &Document::readings_changed, this, &Header::refresh_session);
   connect(&bench.document, &Document::saved_changed, this, &Header::refresh_session);
   connect(&bench, &Workbench::tried, this, &Header::refresh_numbers);
   refresh_session();

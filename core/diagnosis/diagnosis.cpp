@@ -10,6 +10,7 @@
 #include "diagnosis/explanation.h"
 #include "diagnosis/judging.h"
 #include "diagnosis/refitting.h"
+#include "diagnosis/robot_check.h"
 #include "diagnosis/threshold.h"
 
 namespace handsight {
@@ -43,7 +44,10 @@ class Work {
     if (stopped_ || !goes_on(0.95)) return stopped();
     tell_apart();
     judge(session_, weighing_.knowledge.known, fits_, d_);
-    for (DiagnosisCandidate& c : d_.candidates) c.explanation = explain(c, d_, session_);
+    for (DiagnosisCandidate& c : d_.candidates) {
+      if (c.ln_bayes_factor >= d_.threshold) c.check = predicted_check(d_, c);
+      c.explanation = explain(c, d_, session_);
+    }
     return std::move(d_);
   }
 

@@ -10,6 +10,7 @@
 #include "cli/cli_runner.h"
 #include "cli/hidden_sessions.h"
 #include "document/effect_words.h"
+#include "export/report.h"
 #include "session/calibration_xml.h"
 #include "temporary_folder.h"
 #include "widgets/explain/cost_curve.h"
@@ -18,6 +19,7 @@
 #include "widgets/explain/version_list.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/explain/what_if_track.h"
+#include "widgets/number_text.h"
 #include "widgets/scatter_plot.h"
 #include "widgets/three_numbers.h"
 
@@ -189,6 +191,45 @@ TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
   EXPECT_TRUE(effects_in_the_model().empty());
   while (desk.document().undo_stack().canUndo()) desk.key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(desk.document().settings() == app::ModelSettings{});
+}
+
+TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
+  open("hidden_3");
+  const auto model = desk.document().model();
+  const auto first = [this] { return explain.cards()->card(0); };
+  ASSERT_TRUE(first()->state().check_number);
+  const QString predicted = first()->state().check_number->prediction;
+  EXPECT_TRUE(predicted.contains("1 kg makes the hand drop by")) << predicted.toStdString();
+  const auto told = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json()["candidates"][0];
+  const double value = told["check"]["value"].get<double>(), sigma = told["check"]["sigma"].get<double>();
+  EXPECT_TRUE(predicted.contains(widgets::with_sigma_text(1e3 * value, 1e3 * sigma))) << predicted.toStdString();
+  const auto type = [&](const QString& text) {
+    desk.type_into(first()->measured_field(), text);
+    desk.key(Qt::Key_Return);
+  };
+  type(QString::number(1e3 * (value + sigma), 'f', 4) + " +- " + QString::number(1e3 * sigma, 'f', 4));
+  EXPECT_TRUE(first()->state().check_number->is_inside);
+  EXPECT_TRUE(first()->state().check_number->answer.startsWith("Inside: 0.7 sigma"))
+      << first()->state().check_number->answer.toStdString();
+  EXPECT_EQ(desk.document().undo_stack().index(), 1);
+  EXPECT_EQ(desk.document().model(), model) << "nothing is fitted for it";
+  type("0.00");
+  EXPECT_TRUE(first()->state().check_number->answer.startsWith("Outside"));
+  type("one");
+  EXPECT_TRUE(first()->state().check_number->answer.startsWith("That is no number"));
+  EXPECT_EQ(desk.document().undo_stack().index(), 2);
+
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(first()->state().check_number->is_inside);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  EXPECT_TRUE(first()->state().check_number->is_inside) << "remembered with the session";
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const QString report = app::report_html(desk.document(), *desk.document().model(), {});
+  EXPECT_TRUE(report.contains("Checked on the robot"));
+  EXPECT_TRUE(report.contains("Inside: 0.7 sigma from the prediction"));
 }
 
 TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
