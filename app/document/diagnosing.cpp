@@ -3,23 +3,10 @@
 
 #include <algorithm>
 
-#include "diagnosis/clean_model.h"
-
 namespace handsight::app {
 namespace {
 
 constexpr std::size_t most_kept = 12;
-
-/// What is shown is what is judged: the model without points that are wrong whatever the robot does.
-std::shared_ptr<const ModelResiduals> residuals_without_wrong_points(const Session& session,
-                                                                     const ModelVersion& version) {
-  if (version.settings.leaves_out_wrong_points) return make_residuals(*version.fit);
-  FitOptions options;
-  options.effects = version.settings.held;
-  options.estimated = version.settings.estimated;
-  const CleanFit clean = clean_model(session, options);
-  return make_residuals(clean.wrong.empty() ? *version.fit : clean.fit);
-}
 
 /// Does an unnamed curve lead while names pass as well? Then only going on shows whether they explain it.
 bool is_open(const Diagnosis& d) {
@@ -145,7 +132,7 @@ void Diagnosing::start() {
           });
         };
         if (!part->residuals) {
-          part->residuals = residuals_without_wrong_points(session, *version);
+          part->residuals = make_residuals(*version->fit);
           hand_over(&Diagnosing::residuals_changed);
         }
         if (control.is_cancelled()) return false;

@@ -85,7 +85,6 @@ Json settings_json(const ModelSettings& s) {
   if (!s.estimated.empty()) json["estimated"] = terms_json(s.estimated);
   if (!s.held.empty()) json["held"] = terms_json(s.held);
   if (s.by_hand > 0) json["by_hand"] = s.by_hand;
-  if (s.leaves_out_wrong_points) json["leaves_out_wrong_points"] = true;
   return json;
 }
 
@@ -93,7 +92,6 @@ ModelSettings parse_settings(const Json& json) {
   ModelSettings s{static_cast<Objective>(within(json.at("objective"), 0, 2)), json.at("fix_markers").get<bool>(),
                   parse_terms(json, "estimated"), parse_terms(json, "held")};
   s.by_hand = std::clamp(json.value("by_hand", 0), 0, static_cast<int>(s.estimated.size()));
-  s.leaves_out_wrong_points = json.value("leaves_out_wrong_points", false);
   return s;
 }
 
@@ -136,7 +134,7 @@ bool ModelSettings::operator==(const ModelSettings& o) const {
     });
   };
   return objective == o.objective && fix_markers == o.fix_markers && same(estimated, o.estimated) &&
-         same(held, o.held) && by_hand == o.by_hand && leaves_out_wrong_points == o.leaves_out_wrong_points;
+         same(held, o.held) && by_hand == o.by_hand;
 }
 
 ObservationState state_of(const Observation& observation) {

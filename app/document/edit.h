@@ -35,7 +35,6 @@ struct ModelSettings {
   std::vector<EffectTerm> estimated;  // effects of the model, from these values on
   std::vector<EffectTerm> held;       // at these values
   int by_hand = 0;                    // of `estimated`, from the front: ticked by the user, so Explain leaves them in
-  bool leaves_out_wrong_points = false;
 
   bool has_effects() const { return !estimated.empty() || !held.empty(); }
   bool operator==(const ModelSettings& other) const;

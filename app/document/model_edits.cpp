@@ -18,7 +18,6 @@ ModelSettings settings_with_values(const Document& document) {
 
 Edit edit_to(const Document& document, ModelSettings after, const QString& sentence) {
   Edit edit{.sentence = sentence};
-  if (!after.has_effects()) after.leaves_out_wrong_points = false;
   if (!(after == document.settings())) edit.settings = SettingsEdit{document.settings(), std::move(after)};
   return edit;
 }
@@ -42,7 +41,6 @@ Edit with_effect(const Document& document, const std::vector<EffectTerm>& terms)
   if (terms.empty()) return {};
   ModelSettings after = settings_with_values(document);
   insert_by_hand(after, terms);
-  after.leaves_out_wrong_points = true;
   return edit_to(document, after,
                  QObject::tr("added %1").arg(effect_of(terms.front().id, places_of(terms, document.session()))));
 }
@@ -52,7 +50,6 @@ ModelSettings with_estimated(ModelSettings after, const std::vector<EffectTerm>&
   after.by_hand = std::min(after.by_hand, static_cast<int>(estimated.size()));
   after.objective = Objective::image;
   after.fix_markers = false;
-  after.leaves_out_wrong_points = true;
   return after;
 }
 

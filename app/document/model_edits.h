@@ -6,7 +6,7 @@
 
 namespace handsight::app {
 
-/// Estimates these terms too, ticked by hand. Wrong points are left out from the first effect on.
+/// Estimates these terms too, ticked by hand.
 Edit with_effect(const Document& document, const std::vector<EffectTerm>& terms);
 
 /// Settings with the estimated terms that Explain arrived at, fitted as it fits.

@@ -35,7 +35,10 @@ void tell(const Session& session, const SecondLooks& looks, std::shared_ptr<cons
           std::shared_ptr<const FitReport> told, ModelVersion& version) {
   for (std::size_t i = 0; i < told->per_observation.size(); ++i)
     version.row_of[told->per_observation[i].id] = static_cast<int>(i);
-  version.inspection = std::make_shared<Inspection>(inspect(session, *fitted, *told, looks));
+  auto inspection = std::make_shared<Inspection>(inspect(session, *fitted, *told, looks));
+  // A point that is wrong whatever the robot does makes its observation odd, though the fit no longer holds it.
+  for (const WrongPoint& w : version.wrong_points) inspection->rows[static_cast<std::size_t>(w.index)].outlier = true;
+  version.inspection = std::move(inspection);
   version.calibration = std::make_shared<Calibration>(
       calibration_of(session, *fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
   version.scatter = tcp_scatter(*fitted);
@@ -95,8 +98,7 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
   version->options = options_of(settings);
   try {
     check_places(session, settings);
-    CleanFit clean = settings.leaves_out_wrong_points ? clean_model(session, version->options)
-                                                      : CleanFit{session, fit(session, version->options), {}};
+    CleanFit clean = clean_model(session, version->options);
     version->wrong_points = clean.wrong;
     version->options.estimated = with_values_of(clean.fit, settings).estimated;
     if (settings.has_effects()) version->options.start = estimate(clean.fit);

@@ -8,6 +8,7 @@
 #include "diagnosis/diagnosis.h"
 #include "document/document.h"
 #include "session/calibration_xml.h"
+#include "session/session_xml.h"
 #include "temporary_folder.h"
 
 namespace handsight::app {
@@ -26,7 +27,6 @@ class EffectsTest : public testing::Test {
     ModelSettings settings = document.settings();
     settings.estimated = {{"joint_elasticity", find_joint(robot, "right_arm_2"), {1e-4}}};
     settings.held = {{"joint_elasticity", find_joint(robot, "right_arm_1"), {1.0 / 3.0 * 3.7e-4}}};
-    settings.leaves_out_wrong_points = true;
     return settings;
   }
   void perform(const ModelSettings& after) {
@@ -113,6 +113,22 @@ TEST_F(EffectsTest, AVersionMadeOfADiagnosisIsTheOneThatWouldBeFitted) {
   const auto made = fitted();
   EXPECT_NEAR(*of_diagnosis->report->held_out.rms_pixel, *made->report->held_out.rms_pixel, 1e-7);
   EXPECT_EQ(of_diagnosis->wrong_points.size(), made->wrong_points.size());
+}
+
+TEST(VersionsWithWrongPoints, AreWhatADiagnosisFitsFromTheFirstOn) {
+  const Session session = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / "hidden_7");
+  const Diagnosis d = diagnose(session, {.refitted = 0});
+  ASSERT_GT(d.model.wrong.size(), 20U);
+  const auto made = make_version(session, {}, 0, "");
+  EXPECT_EQ(made->wrong_points.size(), d.model.wrong.size());
+  EXPECT_EQ(*made->report->held_out.rms_pixel, *d.report.held_out.rms_pixel);
+  EXPECT_EQ(made->fit->tcp_from_body.translation, d.model.fit.tcp_from_body.translation);
+  for (const WrongPoint& w : made->wrong_points)
+    EXPECT_TRUE(made->inspection->rows[static_cast<std::size_t>(w.index)].outlier) << "odd for Inspect: " << w.id;
+  // Inspect still shows how far they are off.
+  double worst = 0;
+  for (const InspectionRow& row : made->inspection->rows) worst = std::max(worst, row.worst_size);
+  EXPECT_GT(worst, 5);
 }
 
 TEST_F(EffectsTest, AnEffectAtAPlaceThatTheRobotDoesNotHaveIsSaid) {

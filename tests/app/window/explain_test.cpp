@@ -232,6 +232,21 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   EXPECT_TRUE(report.contains("Inside: 0.7 sigma from the prediction"));
 }
 
+TEST_F(Explain, TheNumbersAreWithoutWrongPointsFromTheStartAndSaySo) {
+  open("hidden_7");
+  const auto d = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json();
+  const widgets::ErrorNumbers& now = desk.find<widgets::ThreeNumbers>("three_numbers")->numbers();
+  EXPECT_NEAR(*now.now, d["held_out_rms_pixel"].get<double>(), 1e-9);
+  EXPECT_NEAR(*now.noise, d["noise_pixel"].get<double>(), 1e-9);
+  EXPECT_NEAR(*explain.verdict().error_px, *now.now, 1e-12) << "one definition everywhere";
+  EXPECT_NEAR(*desk.find<widgets::Staircase>("staircase")->state().versions[0].held_out, *now.now, 1e-12);
+  // The second figure stays, and says how much is left out.
+  const QString count = QString::number(d["wrong_points"].size());
+  EXPECT_TRUE(now.excluded_note.startsWith("with " + count + " points set aside: ")) << now.excluded_note.toStdString();
+  const double with_them = now.excluded_note.section(' ', -2, -2).toDouble();
+  EXPECT_GT(with_them, 2 * *now.now);
+}
+
 TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
   open("hidden_3");
   auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");
