@@ -30,21 +30,6 @@ std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit) {
   return made;
 }
 
-bool same_fit(const ModelVersion& a, const ModelVersion& b) {
-  if (!a.fit || !b.fit) return false;
-  const auto same_terms = [](const Fit& x, const Fit& y) {
-    return std::equal(x.effects.begin(), x.effects.end(), y.effects.begin(), y.effects.end(),
-                      [](const FittedEffect& p, const FittedEffect& q) {
-                        return p.term.id == q.term.id && p.term.joint == q.term.joint;
-                      });
-  };
-  const double rms = std::max(a.fit->residual_rms, 1e-12);
-  return same_terms(*a.fit, *b.fit) && a.fit->rows == b.fit->rows && a.settings.held.size() == b.settings.held.size() &&
-         a.settings.by_hand == b.settings.by_hand && a.settings.objective == b.settings.objective &&
-         std::abs(a.fit->residual_rms - b.fit->residual_rms) < 1e-7 * rms &&
-         (a.fit->tcp_from_body.translation - b.fit->tcp_from_body.translation).norm() < 1e-8;
-}
-
 Diagnosing::Diagnosing(Document& document, Jobs& jobs, QObject* parent)
     : QObject(parent), document_(document), jobs_(jobs) {
   connect(&document, &Document::model_changed, this, &Diagnosing::follow);

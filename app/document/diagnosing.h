@@ -86,7 +86,4 @@ class Diagnosing : public QObject {
   std::atomic<double> share_{0};
 };
 
-/// Do two versions hold the same fit of the same observations?
-bool same_fit(const ModelVersion& a, const ModelVersion& b);
-
 }  // namespace handsight::app

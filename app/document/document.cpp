@@ -14,13 +14,20 @@ namespace handsight::app {
 class EditCommand : public QUndoCommand {
  public:
   EditCommand(Document& document, Edit edit) : document_(document), edit_(std::move(edit)) { setText(edit_.sentence); }
-  void redo() override { document_.apply(edit_, true); }
-  void undo() override { document_.apply(edit_, false); }
+  void redo() override {
+    if (after_ == 0) {
+      before_ = document_.state_;
+      after_ = edit_.only_reads() ? before_ : ++document_.last_state_;
+    }
+    document_.apply(edit_, true, after_);
+  }
+  void undo() override { document_.apply(edit_, false, before_); }
   int id() const override { return edit_.joins == 0 ? -1 : 1; }
   bool mergeWith(const QUndoCommand* other) override {
     const auto& later = static_cast<const EditCommand&>(*other);
     if (later.edit_.joins != edit_.joins) return false;
     edit_ = joined(std::move(edit_), later.edit_);
+    after_ = later.after_;
     setText(edit_.sentence);
     return true;
   }
@@ -28,6 +35,7 @@ class EditCommand : public QUndoCommand {
  private:
   Document& document_;
   Edit edit_;
+  std::int64_t before_ = 0, after_ = 0;  // states of the document
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -53,7 +61,7 @@ void Document::open(const std::filesystem::path& path) {
   index_of_.clear();
   for (std::size_t i = 0; i < session_.observations.size(); ++i)
     index_of_[session_.observations[i].id] = static_cast<int>(i);
-  ++revision_;
+  state_ = ++last_state_;
   const JournalContents contents = journal_->take_contents();
   replay(contents);
   emit opened();
@@ -85,7 +93,7 @@ void Document::close() {
   session_ = {};
   readings_.clear();
   index_of_.clear();
-  ++revision_;
+  state_ = ++last_state_;
   emit closed();
 }
 
@@ -195,7 +203,8 @@ void Document::save() {
   emit noticed(tr("Saved in %1").arg(QString::fromStdString(session_.file.string())));
 }
 
-void Document::apply(const Edit& edit, bool forward) {
+void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
+  state_ = becomes;
   if (edit.settings) settings_ = forward ? edit.settings->after : edit.settings->before;
   if (edit.reading) {
     const std::optional<RobotReading>& reading = forward ? edit.reading->after : edit.reading->before;
@@ -218,7 +227,6 @@ void Document::apply(const Edit& edit, bool forward) {
     observation.reason = state.reason;
     ids.push_back(o.id);
   }
-  ++revision_;
   if (is_replaying_) return;
   if (edit.settings) emit settings_changed();
   emit edited(ids);
@@ -251,9 +259,15 @@ void Document::replay(const JournalContents& contents) {
 }
 
 ModelVersionPointer Document::model() const {
-  // Fitted here, or before or after actions that leave the model as it is.
+  // Fitted here, or at another index that has the same state: before or after actions that leave the model as it is.
   for (const auto& [index, version] : versions_)
-    if (version->revision == revision_) return version;
+    if (version->revision == revision()) return version;
+  return nullptr;
+}
+
+ModelVersionPointer Document::model_before_second_looks() const {
+  for (const auto& [index, version] : versions_)
+    if (state_in(version->revision) == state_) return version;
   return nullptr;
 }
 
@@ -276,12 +290,12 @@ std::vector<ModelVersionPointer> Document::versions() const {
 
 void Document::take_second_looks(const SecondLooks& looks) {
   for (const auto& [id, sightings] : looks) second_looks_[id] = sightings;
-  ++revision_;
+  ++looks_;
   emit edited({});
 }
 
 void Document::take_version(const ModelVersionPointer& version) {
-  if (!version || version->revision != revision_) return;
+  if (!version || version->revision != revision()) return;
   versions_[stack_.index()] = version;
   shown_ = version;
   emit model_changed();

@@ -340,13 +340,14 @@ void WatchingPane::picture(const FitPicture& picture) {
   bending_.start();
 }
 
-void WatchingPane::ended(bool taken, const QString& outcome) {
-  cost_->finish(taken                               ? tr("settled after %1 iterations").arg(cost_->count())
-                : outcome.startsWith(tr("Stopped")) ? tr("stopped")
-                                                    : tr("not taken"));
+void WatchingPane::ended(AdditionEnd end) {
+  const bool is_taken = end == AdditionEnd::taken;
+  cost_->finish(is_taken                      ? tr("settled after %1 iterations").arg(cost_->count())
+                : end == AdditionEnd::stopped ? tr("stopped")
+                                              : tr("not taken"));
   bending_.stop();
   refresh();
-  if (!taken && !outcome.startsWith(tr("Stopped"))) return;
+  if (!is_taken && end != AdditionEnd::stopped) return;
   // The step is what counts now; the curve stays a click away.
   left_->setCurrentIndex(tab_stairs);
   tabs_->button(tab_stairs)->setChecked(true);

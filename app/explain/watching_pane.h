@@ -58,7 +58,7 @@ class WatchingPane : public QWidget {
   void compare(int a, int b);
   void take_back(int row);
   void began(const QString& what);
-  void ended(bool taken, const QString& outcome);
+  void ended(AdditionEnd end);
   void picture(const FitPicture& picture);
   void bend(double share);  // of the way from one picture of a fit to the next
   void set_ghost(const std::vector<Rigid>& bent);

@@ -28,6 +28,12 @@ struct DiagnosisOptions {
   std::function<bool(double done)> on_progress;
 };
 
+/// Where a fit stood after an iteration.
+struct FitIteration {
+  double cost = 0;  // squares, px^2 or m^2
+  Unknowns unknowns;
+};
+
 /// What a check with the real robot is predicted to read, on top of the model as it is (robot_check.h).
 struct CheckPrediction {
   std::string before, after;                // the sentence round the number
@@ -43,6 +49,7 @@ struct DiagnosisCandidate {
   std::vector<EffectTerm> terms;   // with values: of the full fit where there was one, else linear
   std::vector<std::vector<double>> sigmas;
   Eigen::MatrixXd covariance;          // of the terms' numbers that are no choices, in their order
+  std::vector<FitIteration> path;      // of the full fit, from the linear estimate on
   std::optional<FitOptions> full_fit;  // after the full fit: the model with these terms, at its answer
   double ln_bayes_factor = 0;
   double p_value = 1;

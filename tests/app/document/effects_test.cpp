@@ -115,6 +115,43 @@ TEST_F(EffectsTest, AVersionMadeOfADiagnosisIsTheOneThatWouldBeFitted) {
   EXPECT_EQ(of_diagnosis->wrong_points.size(), made->wrong_points.size());
 }
 
+TEST_F(EffectsTest, AStateThatComesBackHasItsModelAgain) {
+  const auto first = fitted();
+  document.take_version(first);
+  const std::int64_t before = document.revision();
+  perform(with_springs());
+  EXPECT_EQ(document.model(), nullptr);
+  const auto second = fitted();
+  document.take_version(second);
+  document.undo();
+  EXPECT_EQ(document.revision(), before);
+  EXPECT_EQ(document.model(), first) << "to the last digit";
+  document.redo();
+  EXPECT_EQ(document.model(), second);
+  // Another action in its place is another state.
+  document.undo();
+  ModelSettings other = with_springs();
+  other.held.clear();
+  perform(other);
+  EXPECT_EQ(document.model(), nullptr);
+  EXPECT_NE(document.revision(), second->revision);
+  // A fit of a state that is gone is not taken.
+  document.take_version(second);
+  EXPECT_EQ(document.model(), nullptr);
+}
+
+TEST_F(EffectsTest, ASecondLookKeepsTheFit) {
+  const auto first = fitted();
+  document.take_version(first);
+  document.take_second_looks({{document.session().observations.front().id, {}}});
+  EXPECT_EQ(document.model(), nullptr);
+  ASSERT_EQ(document.model_before_second_looks(), first);
+  const auto again = inspected_again(document.session(), *first, document.revision(), document.second_looks());
+  EXPECT_TRUE(same_fit(*first, *again));
+  document.take_version(again);
+  EXPECT_EQ(document.model(), again);
+}
+
 TEST(VersionsWithWrongPoints, AreWhatADiagnosisFitsFromTheFirstOn) {
   const Session session = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / "hidden_7");
   const Diagnosis d = diagnose(session, {.refitted = 0});
