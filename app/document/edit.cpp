@@ -60,9 +60,21 @@ ObservationState parse_state(const Json& json) {
   return state;
 }
 
+bool holds_a_number(const EffectTerm& t) {
+  return std::any_of(t.held.begin(), t.held.end(), [](char held) { return held != 0; });
+}
+
+bool same_term(const EffectTerm& a, const EffectTerm& b) {
+  if (a.id != b.id || a.joint != b.joint || a.values != b.values) return false;
+  return (!holds_a_number(a) && !holds_a_number(b)) || a.held == b.held;
+}
+
 Json terms_json(const std::vector<EffectTerm>& terms) {
   Json list = Json::array();
-  for (const EffectTerm& t : terms) list.push_back({{"id", t.id}, {"place", t.joint}, {"values", t.values}});
+  for (const EffectTerm& t : terms) {
+    list.push_back({{"id", t.id}, {"place", t.joint}, {"values", t.values}});
+    if (holds_a_number(t)) list.back()["held"] = std::vector<int>(t.held.begin(), t.held.end());
+  }
   return list;
 }
 
@@ -70,10 +82,13 @@ std::vector<EffectTerm> parse_terms(const Json& settings, const char* key) {
   std::vector<EffectTerm> terms;
   if (!settings.contains(key)) return terms;
   for (const Json& one : settings.at(key)) {
-    const EffectTerm term{one.at("id").get<std::string>(), within(one.at("place"), -1, 1 << 20),
-                          one.at("values").get<std::vector<double>>()};
+    EffectTerm term{one.at("id").get<std::string>(), within(one.at("place"), -1, 1 << 20),
+                    one.at("values").get<std::vector<double>>()};
+    if (one.contains("held"))
+      for (const int held : one["held"].get<std::vector<int>>()) term.held.push_back(held != 0 ? 1 : 0);
     const Effect* effect = find_effect(term.id);
-    if (!effect || effect->parameters.size() != term.values.size())
+    if (!effect || effect->parameters.size() != term.values.size() ||
+        (!term.held.empty() && term.held.size() != term.values.size()))
       throw InputError("The journal holds an effect that this version does not know.");
     terms.push_back(term);
   }
@@ -129,9 +144,7 @@ ReadingEdit parse_reading_edit(const Json& json) {
 
 bool ModelSettings::operator==(const ModelSettings& o) const {
   const auto same = [](const std::vector<EffectTerm>& a, const std::vector<EffectTerm>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const EffectTerm& x, const EffectTerm& y) {
-      return x.id == y.id && x.joint == y.joint && x.values == y.values;
-    });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_term);
   };
   return objective == o.objective && fix_markers == o.fix_markers && same(estimated, o.estimated) &&
          same(held, o.held) && by_hand == o.by_hand;

@@ -32,7 +32,7 @@ struct ObservationEdit {
 struct ModelSettings {
   Objective objective = Objective::image;
   bool fix_markers = false;
-  std::vector<EffectTerm> estimated;  // effects of the model, from these values on
+  std::vector<EffectTerm> estimated;  // effects of the model, from these values on; single numbers may be held
   std::vector<EffectTerm> held;       // at these values
   int by_hand = 0;                    // of `estimated`, from the front: ticked by the user, so Explain leaves them in
 

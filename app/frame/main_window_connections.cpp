@@ -36,6 +36,7 @@ void MainWindow::connect_strip() {
   connect(&bench_.jobs, &Jobs::changed, this, [this] { panel_->set_busy(bench_.jobs.is_busy("fit")); });
   connect(panel_, &widgets::ModelPanel::effect_toggled, &editor_, &ModelEditor::tick);
   connect(panel_, &widgets::ModelPanel::effect_held, &editor_, &ModelEditor::hold);
+  connect(panel_, &widgets::ModelPanel::number_held, &editor_, &ModelEditor::hold_number);
   connect(panel_, &widgets::ModelPanel::value_typed, &editor_, &ModelEditor::type);
   connect(strip_, &widgets::ObservationStrip::observation_selected, this,
           [this](qint64 id) { bench_.selection.select_observation(id); });

@@ -67,7 +67,14 @@ struct EffectTerm {
   std::string id;
   int joint = -1;  // the place: index into robot.joints, or the marker; -1 for the session scope
   std::vector<double> values;
+  std::vector<char> held =
+      {};  // per parameter, not 0: where the term is estimated, this number stays; empty: none does
 };
+
+/// Does a fit that estimates the term move this number?
+inline bool is_free(const Effect& effect, const EffectTerm& term, std::size_t parameter) {
+  return !effect.parameters[parameter].is_choice && (parameter >= term.held.size() || term.held[parameter] == 0);
+}
 
 /// The places where an effect may sit in this chain.
 std::vector<int> effect_places(const Effect& effect, const Chain& chain);

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "diagnosis/diagnosis.h"
 #include "document/document.h"
+#include "document/model_edits.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
@@ -113,6 +114,43 @@ TEST_F(EffectsTest, AVersionMadeOfADiagnosisIsTheOneThatWouldBeFitted) {
   const auto made = fitted();
   EXPECT_NEAR(*of_diagnosis->report->held_out.rms_pixel, *made->report->held_out.rms_pixel, 1e-7);
   EXPECT_EQ(of_diagnosis->wrong_points.size(), made->wrong_points.size());
+}
+
+TEST_F(EffectsTest, SingleNumbersAreHeldTypedAndFreed) {
+  ModelSettings settings = with_springs();
+  settings.estimated.insert(settings.estimated.begin(), settings.held.begin(), settings.held.end());
+  settings.held.clear();
+  perform(settings);
+  document.take_version(fitted());
+  const double arm_2 = document.model()->fit->effects[1].term.values[0];
+
+  document.perform(with_number_held(document, "joint_elasticity", 0, true));
+  EXPECT_EQ(document.undo_stack().undoText(), "held the compliance of joint elasticity of right_arm_1");
+  document.perform(with_value(document, "joint_elasticity", 0, 3e-4));
+  const ModelSettings now = document.settings();
+  ASSERT_EQ(now.estimated.size(), 2U) << "the other is still estimated, and the order is kept";
+  EXPECT_EQ(now.by_hand, 2);
+  EXPECT_EQ(now.estimated[0].values[0], 3e-4);
+  EXPECT_TRUE(with_value(document, "joint_elasticity", 1, 3e-4).is_empty()) << "what is estimated cannot be typed";
+  const auto version = fitted();
+  EXPECT_EQ(version->fit->effects[0].term.values[0], 3e-4);
+  EXPECT_EQ(version->fit->effects[0].sigmas[0], 0);
+  EXPECT_GT(version->fit->effects[1].sigmas[0], 0);
+  EXPECT_GT(std::abs(version->fit->effects[1].term.values[0] - arm_2), 1e-7) << "it makes up for it";
+  const Edit edit{.sentence = "x", .settings = SettingsEdit{{}, now}};
+  EXPECT_EQ(parse_edit(edit_text(edit)).settings->after, now);
+
+  // The last one too: the whole effect is held, as by its button; one freed again leaves the others.
+  document.perform(with_number_held(document, "joint_elasticity", 1, true));
+  EXPECT_EQ(document.settings().held.size(), 2U);
+  EXPECT_TRUE(document.settings().estimated.empty());
+  document.perform(with_number_held(document, "joint_elasticity", 1, false));
+  EXPECT_TRUE(document.settings().held.empty());
+  ASSERT_EQ(document.settings().estimated.size(), 2U);
+  EXPECT_EQ(document.settings().estimated[0].values[0], 3e-4);
+  EXPECT_FALSE(with_value(document, "joint_elasticity", 0, 1e-4).is_empty());
+  document.undo_all();
+  EXPECT_EQ(document.settings(), ModelSettings{});
 }
 
 TEST_F(EffectsTest, AStateThatComesBackHasItsModelAgain) {

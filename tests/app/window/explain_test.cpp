@@ -183,6 +183,22 @@ TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
     QTest::qWait(20);
     return widget;
   };
+  // One number, and the others go on being estimated.
+  desk.click(reach("hold_joint_elasticity_1"));
+  ASSERT_TRUE(explain.is_settled());
+  ASSERT_EQ(desk.document().settings().estimated.size(), 3U);
+  auto* second = qobject_cast<QLineEdit*>(reach("value_joint_elasticity_1"));
+  ASSERT_NE(second, nullptr);
+  desk.type_into(second, "200");
+  desk.key(Qt::Key_Return);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_DOUBLE_EQ(desk.document().model()->fit->effects[1].term.values[0], 2e-4);
+  EXPECT_EQ(desk.document().model()->fit->effects[1].sigmas[0], 0);
+  EXPECT_GT(desk.document().model()->fit->effects[0].sigmas[0], 0);
+  desk.click(reach("hold_joint_elasticity_1"));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_LT(held_out(), 0.25) << "free again, it comes back";
+
   desk.click(reach("hold_joint_elasticity"));
   ASSERT_TRUE(explain.is_settled());
   ASSERT_EQ(desk.document().settings().held.size(), 3U);
