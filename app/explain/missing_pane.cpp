@@ -120,10 +120,7 @@ void MissingPane::connect_all() {
     show_cards();
     cards_->set_can_add(false);
   });
-  connect(&adding_, &Adding::ended, this, [this] {
-    cards_->set_can_add(true);
-    refresh();
-  });
+  connect(&adding_, &Adding::ended, this, [this] { cards_->set_can_add(true); });  // the workspace refreshes
   connect(&bench_.document, &Document::opened, this, [this] {
     show_cards();
     shown_for_.reset();

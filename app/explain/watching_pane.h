@@ -51,6 +51,7 @@ class WatchingPane : public QWidget {
     const Refusal* refusal = nullptr;
     int index = 0;  // of the undo stack
   };
+  enum Tab { tab_stairs, tab_versions, tab_fit };
   void make_layout();
   void connect_all();
   void refresh_rows();

@@ -29,12 +29,7 @@ namespace {
 
 class Explain : public testing::Test {
  protected:
-  std::filesystem::path copy_of(const std::string& name) {
-    const auto copy = folder.path / name;
-    std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name, copy,
-                          std::filesystem::copy_options::recursive);
-    return copy;
-  }
+  std::filesystem::path copy_of(const std::string& name) { return copy_of_sample(folder.path, name); }
   void open(const std::string& name) {
     desk.window.resize(1440, 900);
     session = copy_of(name);
@@ -116,6 +111,8 @@ TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
   ASSERT_TRUE(explain.is_settled());
   EXPECT_EQ(held_out(), after);
 
+  desk.press_button("tab_fit");
+  EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2);
   desk.press_button("tab_versions");
   auto* versions = desk.find<widgets::VersionList>("versions");
   desk.click(versions->view()->viewport(), versions->letter_rect(0, false).center());
@@ -227,19 +224,15 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   const auto told = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json()["candidates"][0];
   const double value = told["check"]["value"].get<double>(), sigma = told["check"]["sigma"].get<double>();
   EXPECT_TRUE(predicted.contains(widgets::with_sigma_text(1e3 * value, 1e3 * sigma))) << predicted.toStdString();
-  const auto type = [&](const QString& text) {
-    desk.type_into(first()->measured_field(), text);
-    desk.key(Qt::Key_Return);
-  };
-  type(QString::number(1e3 * (value + sigma), 'f', 4) + " +- " + QString::number(1e3 * sigma, 'f', 4));
+  explain.measure(QString::number(1e3 * (value + sigma), 'f', 4) + " +- " + QString::number(1e3 * sigma, 'f', 4));
   EXPECT_TRUE(first()->state().check_number->is_inside);
   EXPECT_TRUE(first()->state().check_number->answer.startsWith("Inside: 0.7 sigma"))
       << first()->state().check_number->answer.toStdString();
   EXPECT_EQ(desk.document().undo_stack().index(), 1);
   EXPECT_EQ(desk.document().model(), model) << "nothing is fitted for it";
-  type("0.00");
+  explain.measure("0.00");
   EXPECT_TRUE(first()->state().check_number->answer.startsWith("Outside"));
-  type("one");
+  explain.measure("one");
   EXPECT_TRUE(first()->state().check_number->answer.startsWith("That is no number"));
   EXPECT_EQ(desk.document().undo_stack().index(), 2);
 
@@ -267,19 +260,14 @@ TEST_F(Explain, TheNumbersAreWithoutWrongPointsFromTheStartAndSaySo) {
   // The second figure stays, and says how much is left out.
   const QString count = QString::number(d["wrong_points"].size());
   EXPECT_TRUE(now.excluded_note.startsWith("with " + count + " points set aside: ")) << now.excluded_note.toStdString();
-  const double with_them = now.excluded_note.section(' ', -2, -2).toDouble();
+  const double with_them = QString(now.excluded_note).replace(QChar(0x00A0), ' ').section(' ', -2, -2).toDouble();
   EXPECT_GT(with_them, 2 * *now.now);
 }
 
 TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
   open("hidden_3");
   auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");
-  QWindow* top = desk.window.windowHandle();
-  const QPoint a = plot->mapTo(&desk.window, QPoint(plot->width() * 6 / 10, 30));
-  const QPoint b = plot->mapTo(&desk.window, QPoint(plot->width() - 20, plot->height() - 40));
-  QTest::mousePress(top, Qt::LeftButton, Qt::ShiftModifier, a);
-  for (int i = 1; i <= 8; ++i) QTest::mouseMove(top, a + (b - a) * i / 8), QTest::qWait(2);
-  QTest::mouseRelease(top, Qt::LeftButton, Qt::ShiftModifier, b);
+  desk.drag(plot, {plot->width() * 6 / 10, 30}, {plot->width() - 20, plot->height() - 40}, Qt::ShiftModifier);
   ASSERT_GT(desk.window.bench().selection.many().size(), 1U);
   auto* common = desk.find<QPushButton>("common");
   ASSERT_TRUE(common->isVisible());
@@ -308,6 +296,30 @@ TEST_F(Explain, AnEffectOfAnySizeCanBeTriedWithTheSlider) {
     if (button->text() == "Close") desk.click(button);
   EXPECT_FALSE(slider->isVisible());
   EXPECT_FALSE(desk.window.bench().predicted_error());
+}
+
+TEST_F(Explain, TheSliderFollowsWhenObservationsGo) {
+  open("hidden_3");
+  desk.click(explain.cards()->card(0)->what_if_button());
+  auto* slider = desk.find<widgets::WhatIfSlider>("what_if");
+  ASSERT_TRUE(slider->isVisible());
+  slider->track()->setFocus();
+  desk.key(Qt::Key_B);
+  const double best = slider->value(), left = *desk.window.bench().predicted_error();
+  InspectPage inspect{desk};
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  ASSERT_TRUE(desk.settle());
+  inspect.click_row(0);
+  desk.press_button("exclude");
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  ASSERT_TRUE(slider->isVisible());
+  EXPECT_EQ(slider->value(), best) << "its size stays";
+  slider->track()->setFocus();
+  desk.key(Qt::Key_B);
+  EXPECT_NE(slider->value(), best) << "and what fits best is of the observations that are left";
+  EXPECT_NEAR(slider->value(), best, 0.1 * std::abs(best));
+  EXPECT_NEAR(*desk.window.bench().predicted_error(), left, 0.1 * left);
 }
 
 TEST_F(Explain, TheTourLeadsToTheMissingEffect) {
