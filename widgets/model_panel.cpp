@@ -22,12 +22,44 @@
 namespace handsight::widgets {
 namespace {
 
+/// A lock, closed where the number is held.
+class HoldButton : public QToolButton {
+ public:
+  HoldButton(bool is_held, QWidget* parent) : QToolButton(parent) {
+    setAutoRaise(true);
+    setCheckable(true);
+    setChecked(is_held);
+    setFixedSize(kHoldWidth, 24);
+    setToolTip(is_held ? QStringLiteral("Held: the fit leaves it where it is. Press to estimate it again")
+                       : QStringLiteral("Hold this number: the fit leaves it where it is, and it can be typed"));
+  }
+  static constexpr int kHoldWidth = 24;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QToolButton::paintEvent(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor ink = isChecked() ? colors().ink1 : underMouse() || hasFocus() ? colors().ink2 : colors().control_edge;
+    const QRectF body(width() / 2.0 - 4.5, height() / 2.0 - 1, 9, 7);
+    painter.setPen(QPen(ink, 1.5));
+    painter.setBrush(isChecked() ? QBrush(ink) : QBrush(Qt::NoBrush));
+    painter.drawRect(body);
+    painter.setBrush(Qt::NoBrush);
+    const QRectF bow(body.center().x() - 3 + (isChecked() ? 0 : 3), body.top() - 6, 6, 10);
+    painter.drawArc(bow, 0, 180 * 16);
+    painter.drawLine(QPointF(bow.left(), bow.center().y()), QPointF(bow.left(), body.top()));
+    if (isChecked()) painter.drawLine(QPointF(bow.right(), bow.center().y()), QPointF(bow.right(), body.top()));
+  }
+};
+
 /// One parameter: name, value with sigma and unit, and the bar against what is plausible.
 class ParameterRow : public QWidget {
  public:
-  ParameterRow(ModelParameter parameter, bool is_candidate, bool is_selected, bool is_typed, QWidget* parent)
+  ParameterRow(ModelParameter parameter, bool is_candidate, bool is_selected, QWidget* parent)
       : QWidget(parent), parameter_(std::move(parameter)), is_candidate_(is_candidate), is_selected_(is_selected) {
-    if (is_typed) {
+    if (parameter_.can_hold) hold_ = new HoldButton(parameter_.is_held, this);
+    if (parameter_.is_held) {
       field_ = new QLineEdit(parameter_.value ? QString::number(*parameter_.value, 'g', 6) : QString(), this);
       field_->setAlignment(Qt::AlignRight);
       field_->setFont(number_font(TextRole::small));
@@ -37,12 +69,14 @@ class ParameterRow : public QWidget {
   }
 
   QLineEdit* field() const { return field_; }
+  QToolButton* hold() const { return hold_; }
 
  protected:
   void resizeEvent(QResizeEvent*) override {
+    if (hold_) hold_->move(width() - HoldButton::kHoldWidth, bar_top() - (field_ ? 26 : 24));
     if (!field_) return;
     const int unit = QFontMetrics(number_font(TextRole::small)).horizontalAdvance(parameter_.unit) + 8;
-    field_->setGeometry(width() - 88 - unit, bar_top() - 26, 88, 24);
+    field_->setGeometry(text_width() - 88 - unit, bar_top() - 26, 88, 24);
   }
   void paintEvent(QPaintEvent*) override {
     const Colors& c = colors();
@@ -50,17 +84,17 @@ class ParameterRow : public QWidget {
     painter.setRenderHint(QPainter::Antialiasing);
     if (is_selected_) painter.fillRect(rect(), c.selected_row);
     const bool is_long = !parameter_.of.isEmpty();
-    const QRectF line(0, is_long ? 18 : 0, width(), field_ ? 26 : 20);
+    const QRectF line(0, is_long ? 18 : 0, text_width(), field_ ? 26 : 20);
     painter.setFont(number_font(TextRole::small));
     const QString text = field_ ? parameter_.unit : value();
     double wide = std::min(QFontMetricsF(painter.font()).horizontalAdvance(text) + 2, line.width() * 0.72);
     painter.setPen(is_candidate_ ? c.candidate : c.ink1);
     draw_text(painter, line.adjusted(line.width() - wide, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, text);
-    if (field_) wide = width() - field_->x();
+    if (field_) wide = text_width() - field_->x();
     painter.setFont(text_font(TextRole::small));
     painter.setPen(c.ink2);
     if (is_long) {
-      draw_text(painter, QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter, parameter_.of);
+      draw_text(painter, QRectF(0, 0, text_width(), 20), Qt::AlignLeft | Qt::AlignVCenter, parameter_.of);
       draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, parameter_.name);
     } else {
       draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, name());
@@ -92,6 +126,8 @@ class ParameterRow : public QWidget {
     painter.setBrush(ink);
     painter.drawRect(QRectF(x_of(value) - 1.5, bar.top() - 1, 3, bar.height() + 2));
   }
+  /// Left of the lock.
+  int text_width() const { return width() - (hold_ ? HoldButton::kHoldWidth : 0); }
   /// A joint's name takes a line of its own above the parameter's.
   int bar_top() const { return (parameter_.of.isEmpty() ? 22 : 40) + (field_ ? 6 : 0); }
   QString name() const {
@@ -109,6 +145,7 @@ class ParameterRow : public QWidget {
   ModelParameter parameter_;
   bool is_candidate_, is_selected_;
   QLineEdit* field_ = nullptr;
+  HoldButton* hold_ = nullptr;
 };
 
 }  // namespace
@@ -261,16 +298,22 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
 void ModelPanel::add_parameter(const ModelEffect& effect, int index, QWidget* box) {
   const ModelParameter& parameter = effect.parameters[static_cast<std::size_t>(index)];
   const bool is_selected = !parameter.of.isEmpty() && parameter.of == selected_joint_;
-  const bool is_typed = effect.is_held && !parameter.is_choice;
-  auto* row = new ParameterRow(parameter, effect.is_candidate, is_selected, is_typed, box);
+  auto* row = new ParameterRow(parameter, effect.is_candidate, is_selected, box);
   row->setProperty("joint", parameter.of);
   row->installEventFilter(this);
   if (!parameter.of.isEmpty()) row->setCursor(Qt::PointingHandCursor);
   box->layout()->addWidget(row);
-  if (!is_typed) return;
+  const QString whose = (parameter.of + ' ' + parameter.name).trimmed();
+  if (QToolButton* hold = row->hold()) {
+    hold->setObjectName(QStringLiteral("hold_%1_%2").arg(effect.id).arg(index));
+    hold->setAccessibleName(tr("Hold %1").arg(whose));
+    connect(hold, &QToolButton::clicked, this,
+            [this, id = effect.id, index](bool held) { emit number_held(id, index, held); });
+  }
   QLineEdit* field = row->field();
+  if (!field) return;
   field->setObjectName(QStringLiteral("value_%1_%2").arg(effect.id).arg(index));
-  field->setAccessibleName(parameter.of + ' ' + parameter.name);
+  field->setAccessibleName(whose);
   connect(field, &QLineEdit::editingFinished, this, [this, field, id = effect.id, index, before = field->text()] {
     bool is_number = false;
     const double value = QString(field->text()).replace(QChar(0x2212), '-').toDouble(&is_number);

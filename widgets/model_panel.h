@@ -19,6 +19,8 @@ struct ModelParameter {
   std::optional<double> value, sigma;  // in `unit`
   QString unit;
   std::optional<double> plausible;  // one standard deviation of what is plausible; absent: no bar
+  bool can_hold = false;            // offers to hold it, or to estimate it again
+  bool is_held = false;             // typed, not estimated
   bool is_choice = false;           // a choice (from which observation on): neither estimated nor typed
 };
 
@@ -30,8 +32,8 @@ struct ModelEffect {
   bool is_permanent = false;  // no check box: always part of the model
   bool can_change = true;     // false: the check box is disabled, `note` says why
   bool is_candidate = false;  // being tried: purple
-  bool can_hold = false;      // offers to hold its numbers, or to estimate them again
-  bool is_held = false;       // its numbers are typed, not estimated
+  bool can_hold = false;      // offers to hold all its numbers, or to estimate them again
+  bool is_held = false;       // all its numbers are held
   QString note;               // a sentence: "implausible ...", "cannot be seen on these poses"
   bool note_is_warning = false;
   std::vector<ModelParameter> parameters;
@@ -54,7 +56,8 @@ class ModelPanel : public QFrame {
  signals:
   void effect_toggled(const QString& id, bool in_model);
   void effect_held(const QString& id, bool held);
-  void value_typed(const QString& id, int parameter, double value);  // of a held effect, in the parameter's unit
+  void number_held(const QString& id, int parameter, bool held);
+  void value_typed(const QString& id, int parameter, double value);  // of a held number, in the parameter's unit
   void effect_chosen(const QString& id);                             // its title was clicked
   void effect_hovered(const QString& id);                            // empty: left
   void joint_selected(const QString& joint);                         // the `of` of a parameter was clicked

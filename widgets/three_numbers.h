@@ -20,7 +20,7 @@ struct ErrorNumbers {
   std::optional<double> now, noise;  // held out; of one coordinate
   std::optional<double> predicted;   // with a candidate that is being tried: shown purple and dashed
   QString unit = "px";
-  QString excluded_note;              // "7 excluded: 8.1 px", shown beside the first number for good
+  QString excluded_note;              // "with 7 excluded: 8.1 px", shown beside the first number for good
   bool is_stale = false;              // a fit runs: the numbers belong to what was
   std::vector<VersionStep> versions;  // oldest first
   int current = -1;                   // the version that is shown; -1: the last

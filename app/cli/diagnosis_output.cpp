@@ -5,6 +5,7 @@
 
 #include "diagnosis/explanation.h"
 #include "diagnosis/refitting.h"
+#include "diagnosis/robot_check.h"
 #include "fit_output.h"
 #include "json_values.h"
 
@@ -40,6 +41,16 @@ std::string unnamed_id(const Variable& v) {
   }
 }
 
+Json check_json(const DiagnosisCandidate& c) {
+  if (!c.check) return nullptr;
+  return {{"text", find_effect(c.id)->check},
+          {"prediction", prediction_text(*c.check)},
+          {"value", number(c.check->value)},
+          {"sigma", number(c.check->sigma)},
+          {"unit", c.check->unit},
+          {"observation", c.check->observation ? Json(*c.check->observation) : Json(nullptr)}};
+}
+
 Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
   const bool tracker = session.is_tracker();
   const Json null = nullptr;
@@ -57,6 +68,7 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
          {"plausible", c.plausible},
          {"noncentrality_of_plausible_size", number(c.visibility)},
          {"cannot_be_told_from", c.cannot_be_told_from},
+         {"check", check_json(c)},
          {"explanation", c.explanation}};
   if (c.unnamed) j["variable"] = c.unnamed->localiser.variable->name;
   return j;
@@ -167,7 +179,7 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
          {"joint_repeatability_rad", d.scatter},
          {"threshold_ln_bayes_factor", d.threshold},
          {"lack_of_fit_p", number(d.lack_of_fit_p)}};
-  Json candidates = Json::array(), patterns = Json::array(), wrong = Json::array();
+  Json candidates = Json::array(), patterns = Json::array();
   for (const DiagnosisCandidate& c : d.candidates) candidates.push_back(candidate_json(session, c));
   for (const DiagnosisPattern& p : d.patterns)
     patterns.push_back({{"residual", p.residual.name},
@@ -175,21 +187,26 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
                         {"unit", p.residual.unit + " against " + p.against.unit},
                         {"strength", number(p.strength)},
                         {"p_value", number(p.p_value)}});
-  for (const WrongPoint& w : d.model.wrong)
-    wrong.push_back({{"id", w.id},
-                     {"marker", w.marker},
-                     {"seen_by", w.camera == SeenBy::left    ? "left"
-                                 : w.camera == SeenBy::right ? "right"
-                                                             : "tracker"},
-                     {"off_by", w.distance}});
   j["candidates"] = candidates;
   j["patterns"] = patterns;
   j["invisible"] = d.invisible;
-  j["wrong_points"] = wrong;
+  j["wrong_points"] = wrong_points_json(d.model.wrong);
   Json observations = Json::array();
   for (const ObservationBlame& o : d.observations) observations.push_back(observation_json(o, tracker));
   j["per_observation"] = observations;
   return j;
+}
+
+Json wrong_points_json(const std::vector<WrongPoint>& wrong) {
+  Json list = Json::array();
+  for (const WrongPoint& w : wrong)
+    list.push_back({{"id", w.id},
+                    {"marker", w.marker},
+                    {"seen_by", w.camera == SeenBy::left    ? "left"
+                                : w.camera == SeenBy::right ? "right"
+                                                            : "tracker"},
+                    {"off_by", w.distance}});
+  return list;
 }
 
 void print_improvement(const Output& out, const Session& session, const Improvement& m) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include "command.h"
+#include "diagnosis/clean_model.h"
 #include "diagnosis_output.h"
 #include "estimation/export.h"
 #include "estimation/fit_report.h"
@@ -12,7 +15,7 @@ namespace {
 struct Options {
   std::string session, objective = "image", loss = "none", export_file;
   std::vector<std::string> effects;
-  bool fix_markers = false;
+  bool fix_markers = false, without_wrong_points = false;
   Output output;
 };
 
@@ -25,10 +28,16 @@ int run(const Options& o) {
   options.loss = o.loss == "huber" ? Loss::huber : o.loss == "cauchy" ? Loss::cauchy : Loss::none;
   options.fix_markers = o.fix_markers;
   add_effects(o.effects, session, options.effects, options.estimated);
-  const Fit result = fit(session, options);
-  const FitReport told = report(session, result, options);
+  const CleanFit clean =
+      o.without_wrong_points ? clean_model(session, options) : CleanFit{session, fit(session, options), {}};
+  const Fit& result = clean.fit;
+  const FitReport told = report(clean.session, result, options);
   print_fit(o.output, session, result, told, options);
-  o.output.json(fit_json(session, result, told, options));
+  if (!clean.wrong.empty())
+    o.output.line(fmt::format("Left out: {} wrong points (wrong_points of --json)", clean.wrong.size()));
+  Json json = fit_json(session, result, told, options);
+  if (o.without_wrong_points) json["wrong_points"] = wrong_points_json(clean.wrong);
+  o.output.json(json);
   if (!o.export_file.empty()) {
     write_calibration(o.export_file, calibration_of(session, result, told, options, "handsight " HANDSIGHT_VERSION));
     o.output.line("Written: " + o.export_file);
@@ -47,6 +56,8 @@ Command add_fit(CLI::App& app) {
   command->add_option("--loss", options->loss, "Robust loss: none, huber or cauchy")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
   command->add_flag("--fix-markers", options->fix_markers, "Hold the body's shape at the average of the observations");
+  command->add_flag("--without-wrong-points", options->without_wrong_points,
+                    "Leave out single points that are wrong whatever the robot does, as diagnose and the window do");
   command->add_option("--effects", options->effects,
                       "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
   command->add_option("--export", options->export_file, "Write the calibration XML");

@@ -3,53 +3,10 @@
 
 #include <algorithm>
 
-#include "diagnosis/clean_model.h"
-
 namespace handsight::app {
 namespace {
 
 constexpr std::size_t most_kept = 12;
-
-/// What is shown is what is judged: the model without points that are wrong whatever the robot does.
-std::shared_ptr<const ModelResiduals> residuals_without_wrong_points(const Session& session,
-                                                                     const ModelVersion& version) {
-  if (version.settings.leaves_out_wrong_points) return make_residuals(*version.fit);
-  FitOptions options;
-  options.effects = version.settings.held;
-  options.estimated = version.settings.estimated;
-  const CleanFit clean = clean_model(session, options);
-  return make_residuals(clean.wrong.empty() ? *version.fit : clean.fit);
-}
-
-/// What the numbers of a candidate, all scaled alike, make of its sigma: that of its surest number.
-double relative_sigma(const DiagnosisCandidate& c) {
-  double least = 1;
-  for (std::size_t t = 0; t < c.terms.size() && t < c.sigmas.size(); ++t)
-    for (std::size_t p = 0; p < c.sigmas[t].size(); ++p)
-      if (c.sigmas[t][p] > 0 && c.terms[t].values[p] != 0)
-        least = std::min(least, c.sigmas[t][p] / std::abs(c.terms[t].values[p]));
-  return least;
-}
-
-CandidateCheck check_of_candidate(const Diagnosis& d, const DiagnosisCandidate& c) {
-  Problem without = d.model.fit.problem;
-  hold_effects(without);
-  Problem with = without;
-  with.terms.insert(with.terms.end(), c.terms.begin(), c.terms.end());
-  place_observations(with);
-  const Rigid mount = estimate(d.model.fit).mount_from_sensor;
-  CandidateCheck check;
-  for (std::size_t i = 0; i < with.observations.size(); ++i) {
-    const Rigid before = sensor_from_tcp_at(without.observations[i], mount);
-    const Rigid after = sensor_from_tcp_at(with.observations[i], mount);
-    const double distance = (after.translation - before.translation).norm();
-    if (distance <= check.distance) continue;
-    check.distance = distance;
-    check.observation = d.model.session.observations[static_cast<std::size_t>(with.observations[i].index)].id;
-  }
-  check.sigma = relative_sigma(c) * check.distance;
-  return check;
-}
 
 /// Does an unnamed curve lead while names pass as well? Then only going on shows whether they explain it.
 bool is_open(const Diagnosis& d) {
@@ -71,21 +28,6 @@ std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit) {
   made->views = residual_views(fit);
   made->patterns = find_patterns(made->views.series, made->views.variables);
   return made;
-}
-
-bool same_fit(const ModelVersion& a, const ModelVersion& b) {
-  if (!a.fit || !b.fit) return false;
-  const auto same_terms = [](const Fit& x, const Fit& y) {
-    return std::equal(x.effects.begin(), x.effects.end(), y.effects.begin(), y.effects.end(),
-                      [](const FittedEffect& p, const FittedEffect& q) {
-                        return p.term.id == q.term.id && p.term.joint == q.term.joint;
-                      });
-  };
-  const double rms = std::max(a.fit->residual_rms, 1e-12);
-  return same_terms(*a.fit, *b.fit) && a.fit->rows == b.fit->rows && a.settings.held.size() == b.settings.held.size() &&
-         a.settings.by_hand == b.settings.by_hand && a.settings.objective == b.settings.objective &&
-         std::abs(a.fit->residual_rms - b.fit->residual_rms) < 1e-7 * rms &&
-         (a.fit->tcp_from_body.translation - b.fit->tcp_from_body.translation).norm() < 1e-8;
 }
 
 Diagnosing::Diagnosing(Document& document, Jobs& jobs, QObject* parent)
@@ -115,11 +57,6 @@ std::shared_ptr<const CandidateView> Diagnosing::view_of(const std::string& id) 
   if (!now_) return nullptr;
   const auto found = now_->views.find(id);
   return found == now_->views.end() ? nullptr : found->second;
-}
-
-std::optional<CandidateCheck> Diagnosing::check_of(const std::string& id) const {
-  if (!now_ || !now_->checks.contains(id)) return std::nullopt;
-  return now_->checks.at(id);
 }
 
 Diagnosing::ResultPointer Diagnosing::known(const ModelVersionPointer& version) const {
@@ -169,12 +106,10 @@ void Diagnosing::start() {
         const auto hand_over = [this, result, part, &control](void (Diagnosing::*changed)()) {
           if (control.is_cancelled()) return;
           post([this, result, changed, residuals = part->residuals, diagnosis = part->diagnosis, views = part->views,
-                checks = part->checks, has_views = part->has_views, is_decided = part->is_decided,
-                names_lead_on = part->names_lead_on] {
+                has_views = part->has_views, is_decided = part->is_decided, names_lead_on = part->names_lead_on] {
             result->residuals = residuals;
             result->diagnosis = diagnosis;
             result->views = views;
-            result->checks = checks;
             result->has_views = has_views;
             result->is_decided = is_decided;
             result->names_lead_on = names_lead_on;
@@ -182,7 +117,7 @@ void Diagnosing::start() {
           });
         };
         if (!part->residuals) {
-          part->residuals = residuals_without_wrong_points(session, *version);
+          part->residuals = make_residuals(*version->fit);
           hand_over(&Diagnosing::residuals_changed);
         }
         if (control.is_cancelled()) return false;
@@ -213,7 +148,6 @@ void Diagnosing::start() {
           view->numbers = numbers_of(view->effect, c.terms);
           view->rms_left = rms_left(part->residuals->views, view->effect, view->numbers);
           part->views[c.id] = view;
-          if (part->views.size() <= 6) part->checks[c.id] = check_of_candidate(*part->diagnosis, c);
           if (part->views.size() == 3) hand_over(&Diagnosing::views_changed);
         }
         part->has_views = true;

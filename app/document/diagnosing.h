@@ -29,12 +29,6 @@ struct CandidateView {
   double rms_left = 0;      // px or m, of one coordinate, fitted
 };
 
-/// Where a candidate moves the hand most: a check with the real robot.
-struct CandidateCheck {
-  std::int64_t observation = 0;
-  double distance = 0, sigma = 0;  // m, of the TCP against the sensor
-};
-
 class Diagnosing : public QObject {
   Q_OBJECT
 
@@ -51,7 +45,6 @@ class Diagnosing : public QObject {
   bool names_lead_on() const { return now_ && now_->names_lead_on; }
   /// By effect, of the present diagnosis; null where it was not worked out (yet).
   std::shared_ptr<const CandidateView> view_of(const std::string& id) const;
-  std::optional<CandidateCheck> check_of(const std::string& id) const;
   bool is_running() const { return jobs_.is_busy("diagnosis"); }
   double share() const { return share_; }
 
@@ -75,7 +68,6 @@ class Diagnosing : public QObject {
     std::shared_ptr<const ModelResiduals> residuals;
     std::shared_ptr<const Diagnosis> diagnosis;
     std::map<std::string, std::shared_ptr<const CandidateView>> views;
-    std::map<std::string, CandidateCheck> checks;
     bool is_decided = false;  // the diagnosis, and where an unnamed curve leads, whether names lead on
     bool names_lead_on = false;
     bool has_views = false;
@@ -93,8 +85,5 @@ class Diagnosing : public QObject {
   bool is_wanted_ = false;
   std::atomic<double> share_{0};
 };
-
-/// Do two versions hold the same fit of the same observations?
-bool same_fit(const ModelVersion& a, const ModelVersion& b);
 
 }  // namespace handsight::app

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/document.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "document/counted.h"
+#include "document/effect_words.h"
 #include "session/session_xml.h"
 
 namespace handsight::app {
@@ -11,13 +14,20 @@ namespace handsight::app {
 class EditCommand : public QUndoCommand {
  public:
   EditCommand(Document& document, Edit edit) : document_(document), edit_(std::move(edit)) { setText(edit_.sentence); }
-  void redo() override { document_.apply(edit_, true); }
-  void undo() override { document_.apply(edit_, false); }
+  void redo() override {
+    if (after_ == 0) {
+      before_ = document_.state_;
+      after_ = edit_.only_reads() ? before_ : ++document_.last_state_;
+    }
+    document_.apply(edit_, true, after_);
+  }
+  void undo() override { document_.apply(edit_, false, before_); }
   int id() const override { return edit_.joins == 0 ? -1 : 1; }
   bool mergeWith(const QUndoCommand* other) override {
     const auto& later = static_cast<const EditCommand&>(*other);
     if (later.edit_.joins != edit_.joins) return false;
     edit_ = joined(std::move(edit_), later.edit_);
+    after_ = later.after_;
     setText(edit_.sentence);
     return true;
   }
@@ -25,6 +35,7 @@ class EditCommand : public QUndoCommand {
  private:
   Document& document_;
   Edit edit_;
+  std::int64_t before_ = 0, after_ = 0;  // states of the document
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -46,10 +57,11 @@ void Document::open(const std::filesystem::path& path) {
   journal_ = std::move(journal);
   session_ = std::move(session);
   settings_ = {};
+  readings_.clear();
   index_of_.clear();
   for (std::size_t i = 0; i < session_.observations.size(); ++i)
     index_of_[session_.observations[i].id] = static_cast<int>(i);
-  ++revision_;
+  state_ = ++last_state_;
   const JournalContents contents = journal_->take_contents();
   replay(contents);
   emit opened();
@@ -65,8 +77,8 @@ void Document::open(const std::filesystem::path& path) {
 
 void Document::close() {
   if (!journal_) return;
-  // What session.xml cannot hold (the model's effects) stays in the journal.
-  if (stack_.isClean() && settings_ == ModelSettings{}) {
+  // What session.xml cannot hold (the model's effects, what was measured) stays in the journal.
+  if (stack_.isClean() && settings_ == ModelSettings{} && readings_.empty()) {
     try {
       journal_->clear(digest_of(read_file(session_.file)));
     } catch (const InputError&) {
@@ -79,8 +91,9 @@ void Document::close() {
   shown_.reset();
   second_looks_.clear();
   session_ = {};
+  readings_.clear();
   index_of_.clear();
-  ++revision_;
+  state_ = ++last_state_;
   emit closed();
 }
 
@@ -102,6 +115,21 @@ Edit Document::edit_of(const QString& sentence,
     if (observation && !same_state(state_of(*observation), state))
       edit.observations.push_back({id, state_of(*observation), state});
   }
+  return edit;
+}
+
+const RobotReading* Document::reading_of(const std::string& effect) const {
+  const auto found = readings_.find(effect);
+  return found == readings_.end() ? nullptr : &found->second;
+}
+
+Edit Document::edit_of_reading(const std::string& effect, const std::optional<RobotReading>& reading) const {
+  const RobotReading* known = reading_of(effect);
+  if (!known && !reading) return {};
+  if (known && reading && *known == *reading) return {};
+  Edit edit{.sentence = reading ? tr("measured for %1").arg(effect_of(effect, {}))
+                                : tr("forgot what was measured for %1").arg(effect_of(effect, {}))};
+  edit.reading = ReadingEdit{effect, known ? std::optional(*known) : std::nullopt, reading};
   return edit;
 }
 
@@ -175,8 +203,18 @@ void Document::save() {
   emit noticed(tr("Saved in %1").arg(QString::fromStdString(session_.file.string())));
 }
 
-void Document::apply(const Edit& edit, bool forward) {
+void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
+  state_ = becomes;
   if (edit.settings) settings_ = forward ? edit.settings->after : edit.settings->before;
+  if (edit.reading) {
+    const std::optional<RobotReading>& reading = forward ? edit.reading->after : edit.reading->before;
+    readings_.erase(edit.reading->effect);
+    if (reading) readings_[edit.reading->effect] = *reading;
+  }
+  if (edit.only_reads()) {  // the model stays what it is
+    if (!is_replaying_) emit readings_changed();
+    return;
+  }
   if (!applies_) return;
   std::vector<std::int64_t> ids;
   for (const ObservationEdit& o : edit.observations) {
@@ -189,7 +227,6 @@ void Document::apply(const Edit& edit, bool forward) {
     observation.reason = state.reason;
     ids.push_back(o.id);
   }
-  ++revision_;
   if (is_replaying_) return;
   if (edit.settings) emit settings_changed();
   emit edited(ids);
@@ -222,8 +259,16 @@ void Document::replay(const JournalContents& contents) {
 }
 
 ModelVersionPointer Document::model() const {
-  const auto found = versions_.find(stack_.index());
-  return found != versions_.end() && found->second->revision == revision_ ? found->second : nullptr;
+  // Fitted here, or at another index that has the same state: before or after actions that leave the model as it is.
+  for (const auto& [index, version] : versions_)
+    if (version->revision == revision()) return version;
+  return nullptr;
+}
+
+ModelVersionPointer Document::model_before_second_looks() const {
+  for (const auto& [index, version] : versions_)
+    if (state_in(version->revision) == state_) return version;
+  return nullptr;
 }
 
 void Document::show_version(const ModelVersionPointer& version) {
@@ -238,17 +283,19 @@ std::vector<ModelVersionPointer> Document::versions() const {
     const auto found = versions_.find(i);
     list.push_back(found == versions_.end() ? nullptr : found->second);
   }
+  const ModelVersionPointer now = model();
+  if (now && std::find(list.begin(), list.end(), now) == list.end()) list.back() = now;
   return list;
 }
 
 void Document::take_second_looks(const SecondLooks& looks) {
   for (const auto& [id, sightings] : looks) second_looks_[id] = sightings;
-  ++revision_;
+  ++looks_;
   emit edited({});
 }
 
 void Document::take_version(const ModelVersionPointer& version) {
-  if (!version || version->revision != revision_) return;
+  if (!version || version->revision != revision()) return;
   versions_[stack_.index()] = version;
   shown_ = version;
   emit model_changed();

@@ -48,11 +48,14 @@ class Document : public QObject {
   void save();
   bool is_saved() const { return stack_.isClean(); }
 
-  /// Counts every change of state; a result made for an older one is stale.
-  std::int64_t revision() const { return revision_; }
+  /// The present state of session and settings, and how often second looks came in; undone, it is the same again. A
+  /// result made for another one is stale.
+  std::int64_t revision() const { return state_ * most_looks + looks_; }
 
   /// The model of the present state; null until it is fitted.
   ModelVersionPointer model() const;
+  /// Of the present state, but told before the second looks came in; null where there is none.
+  ModelVersionPointer model_before_second_looks() const;
   /// The last one that was fitted, which may be of an earlier state: what the window shows meanwhile. Null before.
   ModelVersionPointer shown_model() const { return shown_; }
   /// Shows a version that was fitted earlier, until the next fit.
@@ -66,6 +69,12 @@ class Document : public QObject {
   const SecondLooks& second_looks() const { return second_looks_; }
   void take_second_looks(const SecondLooks& looks);
 
+  /// What was measured on the real robot, by effect; null where nothing was.
+  const RobotReading* reading_of(const std::string& effect) const;
+  const std::map<std::string, RobotReading>& readings() const { return readings_; }
+  /// Remembers what was measured (absent: forgets it). Empty where that changes nothing.
+  Edit edit_of_reading(const std::string& effect, const std::optional<RobotReading>& reading) const;
+
   /// A new number for Edit::joins.
   std::int64_t new_join() { return ++last_join_; }
 
@@ -78,6 +87,7 @@ class Document : public QObject {
   /// Observations changed (labels, decisions). Empty: none, only settings.
   void edited(const std::vector<std::int64_t>& ids);
   void settings_changed();
+  void readings_changed();
   void model_changed();
   void saved_changed(bool is_saved);
   /// A sentence for the read-out line.
@@ -85,7 +95,9 @@ class Document : public QObject {
 
  private:
   friend class EditCommand;
-  void apply(const Edit& edit, bool forward);
+  void apply(const Edit& edit, bool forward, std::int64_t becomes);
+  static constexpr std::int64_t most_looks = 1 << 20;
+  static std::int64_t state_in(std::int64_t revision) { return revision / most_looks; }
   void replay(const JournalContents& contents);
   bool write_down(const JournalEntry& entry);
   void push(Edit edit);
@@ -94,13 +106,14 @@ class Document : public QObject {
 
   Session session_;
   ModelSettings settings_;
+  std::map<std::string, RobotReading> readings_;
   std::unordered_map<std::int64_t, int> index_of_;
   std::unique_ptr<Journal> journal_;
   QUndoStack stack_;
   std::map<int, ModelVersionPointer> versions_;  // by index of the undo stack
   ModelVersionPointer shown_;
   SecondLooks second_looks_;
-  std::int64_t revision_ = 0;
+  std::int64_t state_ = 0, last_state_ = 0, looks_ = 0;
   std::int64_t last_join_ = 0;
   bool is_replaying_ = false;
   bool applies_ = true;  // false while entries are replayed that session.xml already holds

@@ -60,9 +60,21 @@ ObservationState parse_state(const Json& json) {
   return state;
 }
 
+bool holds_a_number(const EffectTerm& t) {
+  return std::any_of(t.held.begin(), t.held.end(), [](char held) { return held != 0; });
+}
+
+bool same_term(const EffectTerm& a, const EffectTerm& b) {
+  if (a.id != b.id || a.joint != b.joint || a.values != b.values) return false;
+  return (!holds_a_number(a) && !holds_a_number(b)) || a.held == b.held;
+}
+
 Json terms_json(const std::vector<EffectTerm>& terms) {
   Json list = Json::array();
-  for (const EffectTerm& t : terms) list.push_back({{"id", t.id}, {"place", t.joint}, {"values", t.values}});
+  for (const EffectTerm& t : terms) {
+    list.push_back({{"id", t.id}, {"place", t.joint}, {"values", t.values}});
+    if (holds_a_number(t)) list.back()["held"] = std::vector<int>(t.held.begin(), t.held.end());
+  }
   return list;
 }
 
@@ -70,10 +82,13 @@ std::vector<EffectTerm> parse_terms(const Json& settings, const char* key) {
   std::vector<EffectTerm> terms;
   if (!settings.contains(key)) return terms;
   for (const Json& one : settings.at(key)) {
-    const EffectTerm term{one.at("id").get<std::string>(), within(one.at("place"), -1, 1 << 20),
-                          one.at("values").get<std::vector<double>>()};
+    EffectTerm term{one.at("id").get<std::string>(), within(one.at("place"), -1, 1 << 20),
+                    one.at("values").get<std::vector<double>>()};
+    if (one.contains("held"))
+      for (const int held : one["held"].get<std::vector<int>>()) term.held.push_back(held != 0 ? 1 : 0);
     const Effect* effect = find_effect(term.id);
-    if (!effect || effect->parameters.size() != term.values.size())
+    if (!effect || effect->parameters.size() != term.values.size() ||
+        (!term.held.empty() && term.held.size() != term.values.size()))
       throw InputError("The journal holds an effect that this version does not know.");
     terms.push_back(term);
   }
@@ -85,7 +100,6 @@ Json settings_json(const ModelSettings& s) {
   if (!s.estimated.empty()) json["estimated"] = terms_json(s.estimated);
   if (!s.held.empty()) json["held"] = terms_json(s.held);
   if (s.by_hand > 0) json["by_hand"] = s.by_hand;
-  if (s.leaves_out_wrong_points) json["leaves_out_wrong_points"] = true;
   return json;
 }
 
@@ -93,20 +107,47 @@ ModelSettings parse_settings(const Json& json) {
   ModelSettings s{static_cast<Objective>(within(json.at("objective"), 0, 2)), json.at("fix_markers").get<bool>(),
                   parse_terms(json, "estimated"), parse_terms(json, "held")};
   s.by_hand = std::clamp(json.value("by_hand", 0), 0, static_cast<int>(s.estimated.size()));
-  s.leaves_out_wrong_points = json.value("leaves_out_wrong_points", false);
   return s;
+}
+
+Json reading_json(const std::optional<RobotReading>& reading) {
+  if (!reading) return nullptr;
+  const CheckPrediction& p = reading->predicted;
+  return {{"value", reading->value},
+          {"sigma", reading->sigma},
+          {"predicted",
+           {{"before", p.before},
+            {"after", p.after},
+            {"value", p.value},
+            {"sigma", p.sigma},
+            {"unit", p.unit},
+            {"observation", p.observation ? Json(*p.observation) : Json(nullptr)}}}};
+}
+
+std::optional<RobotReading> parse_reading_json(const std::string& effect, const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  RobotReading reading{effect, json.at("value").get<double>(), json.at("sigma").get<double>(), {}};
+  const Json& p = json.at("predicted");
+  reading.predicted = {p.at("before").get<std::string>(), p.at("after").get<std::string>(), p.at("value").get<double>(),
+                       p.at("sigma").get<double>(),       p.at("unit").get<std::string>(),  std::nullopt};
+  if (!p.at("observation").is_null()) reading.predicted.observation = p.at("observation").get<std::int64_t>();
+  return reading;
+}
+
+ReadingEdit parse_reading_edit(const Json& json) {
+  const std::string effect = json.at("effect").get<std::string>();
+  if (!find_effect(effect)) throw InputError("The journal holds an effect that this version does not know.");
+  return {effect, parse_reading_json(effect, json.at("before")), parse_reading_json(effect, json.at("after"))};
 }
 
 }  // namespace
 
 bool ModelSettings::operator==(const ModelSettings& o) const {
   const auto same = [](const std::vector<EffectTerm>& a, const std::vector<EffectTerm>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const EffectTerm& x, const EffectTerm& y) {
-      return x.id == y.id && x.joint == y.joint && x.values == y.values;
-    });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_term);
   };
   return objective == o.objective && fix_markers == o.fix_markers && same(estimated, o.estimated) &&
-         same(held, o.held) && by_hand == o.by_hand && leaves_out_wrong_points == o.leaves_out_wrong_points;
+         same(held, o.held) && by_hand == o.by_hand;
 }
 
 ObservationState state_of(const Observation& observation) {
@@ -136,6 +177,7 @@ Edit joined(Edit earlier, const Edit& later) {
   }
   if (later.settings)
     earlier.settings = {earlier.settings ? earlier.settings->before : later.settings->before, later.settings->after};
+  if (later.reading) earlier.reading = later.reading;  // readings never join others
   return earlier;
 }
 
@@ -148,6 +190,10 @@ std::string edit_text(const Edit& edit) {
   if (edit.settings)
     json["settings"] = {{"before", settings_json(edit.settings->before)},
                         {"after", settings_json(edit.settings->after)}};
+  if (edit.reading)
+    json["reading"] = {{"effect", edit.reading->effect},
+                       {"before", reading_json(edit.reading->before)},
+                       {"after", reading_json(edit.reading->after)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -162,6 +208,7 @@ Edit parse_edit(const std::string& text) {
           {o.at("id").get<std::int64_t>(), parse_state(o.at("before")), parse_state(o.at("after"))});
     if (json.contains("settings"))
       edit.settings = {parse_settings(json["settings"].at("before")), parse_settings(json["settings"].at("after"))};
+    if (json.contains("reading")) edit.reading = parse_reading_edit(json["reading"]);
     return edit;
   } catch (const Json::exception&) {
     throw InputError("A line of the journal is no action that this version understands.");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "document/robot_reading.h"
 #include "estimation/fit.h"
 #include "session/session.h"
 
@@ -31,10 +32,9 @@ struct ObservationEdit {
 struct ModelSettings {
   Objective objective = Objective::image;
   bool fix_markers = false;
-  std::vector<EffectTerm> estimated;  // effects of the model, from these values on
+  std::vector<EffectTerm> estimated;  // effects of the model, from these values on; single numbers may be held
   std::vector<EffectTerm> held;       // at these values
   int by_hand = 0;                    // of `estimated`, from the front: ticked by the user, so Explain leaves them in
-  bool leaves_out_wrong_points = false;
 
   bool has_effects() const { return !estimated.empty() || !held.empty(); }
   bool operator==(const ModelSettings& other) const;
@@ -44,15 +44,24 @@ struct SettingsEdit {
   ModelSettings before, after;
 };
 
+/// What was measured for one cause; absent: nothing.
+struct ReadingEdit {
+  std::string effect;
+  std::optional<RobotReading> before, after;
+};
+
 /// One action. `sentence` says what was done in the past tense without a subject: "excluded observation 7".
 struct Edit {
   QString sentence;
   std::vector<ObservationEdit> observations;
   std::optional<SettingsEdit> settings;
+  std::optional<ReadingEdit> reading;
   /// Actions with the same number, pushed one after the other, are one action to undo: a drag, a play. 0: alone.
   std::int64_t joins = 0;
 
-  bool is_empty() const { return observations.empty() && !settings; }
+  bool is_empty() const { return observations.empty() && !settings && !reading; }
+  /// Does it leave the model as it is?
+  bool only_reads() const { return observations.empty() && !settings && reading; }
 };
 
 /// `later` follows `earlier`: both as one, with the later sentence.

@@ -18,7 +18,6 @@ ModelSettings settings_with_values(const Document& document) {
 
 Edit edit_to(const Document& document, ModelSettings after, const QString& sentence) {
   Edit edit{.sentence = sentence};
-  if (!after.has_effects()) after.leaves_out_wrong_points = false;
   if (!(after == document.settings())) edit.settings = SettingsEdit{document.settings(), std::move(after)};
   return edit;
 }
@@ -42,7 +41,6 @@ Edit with_effect(const Document& document, const std::vector<EffectTerm>& terms)
   if (terms.empty()) return {};
   ModelSettings after = settings_with_values(document);
   insert_by_hand(after, terms);
-  after.leaves_out_wrong_points = true;
   return edit_to(document, after,
                  QObject::tr("added %1").arg(effect_of(terms.front().id, places_of(terms, document.session()))));
 }
@@ -52,7 +50,6 @@ ModelSettings with_estimated(ModelSettings after, const std::vector<EffectTerm>&
   after.by_hand = std::min(after.by_hand, static_cast<int>(estimated.size()));
   after.objective = Objective::image;
   after.fix_markers = false;
-  after.leaves_out_wrong_points = true;
   return after;
 }
 
@@ -67,8 +64,9 @@ Edit without_effect(const Document& document, const std::string& id) {
 
 Edit with_effect_held(const Document& document, const std::string& id, bool held) {
   ModelSettings after = settings_with_values(document);
-  const std::vector<EffectTerm> terms = terms_of_effect(held ? after.estimated : after.held, id);
+  std::vector<EffectTerm> terms = terms_of_effect(held ? after.estimated : after.held, id);
   if (terms.empty()) return {};
+  for (EffectTerm& term : terms) term.held.clear();  // all of them or none
   if (held) {
     erase_estimated(after, id);
     after.held.insert(after.held.end(), terms.begin(), terms.end());
@@ -81,26 +79,85 @@ Edit with_effect_held(const Document& document, const std::string& id, bool held
                  held ? QObject::tr("held %1").arg(name) : QObject::tr("estimated %1 again").arg(name));
 }
 
-Edit with_value(const Document& document, const std::string& id, std::size_t number, double value) {
-  ModelSettings after = document.settings();
-  std::size_t first = 0;
-  for (EffectTerm& term : after.held) {
-    if (term.id != id) continue;
-    if (number < first + term.values.size()) {
-      term.values[number - first] = value;
-      const Effect& effect = *find_effect(id);
-      const EffectParameter& p = effect.parameters[number - first];
-      const ShownUnit shown = shown_unit(p.unit);
-      return edit_to(document, after,
-                     QObject::tr("held %1 at %2 %3 %4")
-                         .arg(effect_of(id, places_of({term}, document.session())), QString::fromStdString(p.name))
-                         .arg(shown.scale * value, 0, 'g', 4)
-                         .arg(shown.unit)
-                         .trimmed());
+namespace {
+
+/// One number of an effect, by its place among all its numbers, term by term.
+struct NumberPlace {
+  EffectTerm* term;
+  std::size_t parameter;
+};
+
+std::optional<NumberPlace> find_number(ModelSettings& settings, const std::string& id, std::size_t number) {
+  for (auto* terms : {&settings.held, &settings.estimated})
+    for (EffectTerm& term : *terms) {
+      if (term.id != id) continue;
+      if (number < term.values.size()) return NumberPlace{&term, number};
+      number -= term.values.size();
     }
-    first += term.values.size();
+  return std::nullopt;
+}
+
+bool holds_all(const EffectTerm& term) {
+  const Effect& effect = *find_effect(term.id);
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    if (is_free(effect, term, p)) return false;
+  return true;
+}
+
+/// All terms of an effect among those that are estimated by hand, in their order; whole effects that were held hold
+/// every number now.
+void bring_by_hand(ModelSettings& settings, const std::string& id) {
+  std::vector<EffectTerm> terms = terms_of_effect(settings.held, id);
+  for (EffectTerm& term : terms) term.held.assign(term.values.size(), 1);
+  for (const EffectTerm& term : terms_of_effect(settings.estimated, id)) terms.push_back(term);
+  std::erase_if(settings.held, [&](const EffectTerm& t) { return t.id == id; });
+  erase_estimated(settings, id);
+  insert_by_hand(settings, terms);
+}
+
+QString number_text(const Document& document, const NumberPlace& place) {
+  const Effect& effect = *find_effect(place.term->id);
+  return QObject::tr("the %1 of %2")
+      .arg(QString::fromStdString(effect.parameters[place.parameter].name),
+           effect_of(effect.id, places_of({*place.term}, document.session())));
+}
+
+}  // namespace
+
+Edit with_number_held(const Document& document, const std::string& id, std::size_t number, bool held) {
+  ModelSettings after = settings_with_values(document);
+  bring_by_hand(after, id);
+  const auto place = find_number(after, id, number);
+  if (!place || find_effect(id)->parameters[place->parameter].is_choice) return {};
+  place->term->held.resize(place->term->values.size(), 0);
+  place->term->held[place->parameter] = held ? 1 : 0;
+  const QString name = number_text(document, *place);
+  std::vector<EffectTerm> terms = terms_of_effect(after.estimated, id);
+  if (std::all_of(terms.begin(), terms.end(), holds_all)) {
+    erase_estimated(after, id);
+    for (EffectTerm& term : terms) term.held.clear();
+    after.held.insert(after.held.end(), terms.begin(), terms.end());
   }
-  return {};
+  return edit_to(document, after,
+                 held ? QObject::tr("held %1").arg(name) : QObject::tr("estimated %1 again").arg(name));
+}
+
+Edit with_value(const Document& document, const std::string& id, std::size_t number, double value) {
+  ModelSettings after = settings_with_values(document);
+  const auto place = find_number(after, id, number);
+  if (!place) return {};
+  const Effect& effect = *find_effect(id);
+  const bool is_in_held = !terms_of_effect(after.held, id).empty();
+  const EffectParameter& p = effect.parameters[place->parameter];
+  if (p.is_choice || (!is_in_held && is_free(effect, *place->term, place->parameter))) return {};
+  place->term->values[place->parameter] = value;
+  const ShownUnit shown = shown_unit(p.unit);
+  return edit_to(document, after,
+                 QObject::tr("held %1 at %2 %3")
+                     .arg(number_text(document, *place))
+                     .arg(shown.scale * value, 0, 'g', 4)
+                     .arg(shown.unit)
+                     .trimmed());
 }
 
 std::vector<EffectTerm> best_places(const Session& session, const ModelSettings& settings, const std::string& id) {

@@ -6,7 +6,7 @@
 
 namespace handsight::app {
 
-/// Estimates these terms too, ticked by hand. Wrong points are left out from the first effect on.
+/// Estimates these terms too, ticked by hand.
 Edit with_effect(const Document& document, const std::vector<EffectTerm>& terms);
 
 /// Settings with the estimated terms that Explain arrived at, fitted as it fits.
@@ -18,7 +18,11 @@ Edit without_effect(const Document& document, const std::string& id);
 /// Holds an effect at its present numbers, or estimates it again from there.
 Edit with_effect_held(const Document& document, const std::string& id, bool held);
 
-/// A held effect with another number: the `number`-th of all its numbers, term by term, in the effect's own unit.
+/// Holds one number of an effect where it is, or estimates it again: the `number`-th of all its numbers, term by term.
+/// Its effect counts as ticked by hand then.
+Edit with_number_held(const Document& document, const std::string& id, std::size_t number, bool held);
+
+/// A held number set to another: the `number`-th of all its numbers, term by term, in the effect's own unit.
 Edit with_value(const Document& document, const std::string& id, std::size_t number, double value);
 
 /// Where the effect explains most in the session as the model of these settings leaves it; its choices set. Slow: for

@@ -30,17 +30,25 @@ Vector6 origin_sigma(const Fit& fit) {
 
 namespace {
 
+std::shared_ptr<const Inspection> inspection_of(const Session& session, const SecondLooks& looks,
+                                                const ModelVersion& version) {
+  auto inspection = std::make_shared<Inspection>(inspect(session, *version.fit, *version.report, looks));
+  // A point that is wrong whatever the robot does makes its observation odd, though the fit no longer holds it.
+  for (const WrongPoint& w : version.wrong_points) inspection->rows[static_cast<std::size_t>(w.index)].outlier = true;
+  return inspection;
+}
+
 /// Everything that a fit says, of a session with all its points.
 void tell(const Session& session, const SecondLooks& looks, std::shared_ptr<const Fit> fitted,
           std::shared_ptr<const FitReport> told, ModelVersion& version) {
   for (std::size_t i = 0; i < told->per_observation.size(); ++i)
     version.row_of[told->per_observation[i].id] = static_cast<int>(i);
-  version.inspection = std::make_shared<Inspection>(inspect(session, *fitted, *told, looks));
   version.calibration = std::make_shared<Calibration>(
       calibration_of(session, *fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
   version.prediction = prediction_model(*fitted);
   version.fit = std::move(fitted);
   version.report = std::move(told);
+  version.inspection = inspection_of(session, looks, version);
 }
 
 FitOptions options_of(const ModelSettings& settings) {
@@ -74,8 +82,8 @@ ModelSettings with_values_of(const Fit& fit, ModelSettings settings) {
   return settings;
 }
 
-ModelVersionPointer version_of(const Session& session, const Diagnosis& d, const ModelSettings& settings,
-                               std::int64_t revision, QString cause, const SecondLooks& looks) {
+std::shared_ptr<ModelVersion> version_of(const Session& session, const Diagnosis& d, const ModelSettings& settings,
+                                         std::int64_t revision, QString cause, const SecondLooks& looks) {
   auto version = std::make_shared<ModelVersion>();
   version->revision = revision;
   version->cause = std::move(cause);
@@ -83,6 +91,14 @@ ModelVersionPointer version_of(const Session& session, const Diagnosis& d, const
   version->options = d.model_options;
   version->wrong_points = d.model.wrong;
   tell(session, looks, std::make_shared<Fit>(d.model.fit), std::make_shared<FitReport>(d.report), *version);
+  return version;
+}
+
+ModelVersionPointer inspected_again(const Session& session, const ModelVersion& before, std::int64_t revision,
+                                    const SecondLooks& looks) {
+  auto version = std::make_shared<ModelVersion>(before);
+  version->revision = revision;
+  version->inspection = inspection_of(session, looks, before);
   return version;
 }
 
@@ -95,8 +111,7 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
   version->options = options_of(settings);
   try {
     check_places(session, settings);
-    CleanFit clean = settings.leaves_out_wrong_points ? clean_model(session, version->options)
-                                                      : CleanFit{session, fit(session, version->options), {}};
+    CleanFit clean = clean_model(session, version->options);
     version->wrong_points = clean.wrong;
     version->options.estimated = with_values_of(clean.fit, settings).estimated;
     if (settings.has_effects()) version->options.start = estimate(clean.fit);

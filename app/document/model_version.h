@@ -56,8 +56,16 @@ Vector6 origin_sigma(const Fit& fit);
 ModelSettings with_values_of(const Fit& fit, ModelSettings settings);
 
 /// The version that a diagnosis has fitted already: of these settings, without its wrong points.
-ModelVersionPointer version_of(const Session& session, const Diagnosis& diagnosis, const ModelSettings& settings,
-                               std::int64_t revision, QString cause, const SecondLooks& looks = {});
+std::shared_ptr<ModelVersion> version_of(const Session& session, const Diagnosis& diagnosis,
+                                         const ModelSettings& settings, std::int64_t revision, QString cause,
+                                         const SecondLooks& looks = {});
+
+/// The same fit, held against observations that a second look found.
+ModelVersionPointer inspected_again(const Session& session, const ModelVersion& version, std::int64_t revision,
+                                    const SecondLooks& looks);
+
+/// Do two versions hold the same fit?
+inline bool same_fit(const ModelVersion& a, const ModelVersion& b) { return a.fit && a.fit == b.fit; }
 
 /// Fits a session and reports; a refusal of the fit becomes the version's sentence.
 ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,

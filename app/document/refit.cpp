@@ -23,22 +23,33 @@ Refit::Refit(Document& document, Jobs& jobs, QObject* parent) : QObject(parent),
 void Refit::hold() { ++holds_; }
 
 void Refit::release() {
-  if (--holds_ == 0 && document_.is_open() && !document_.model()) schedule();
+  const bool is_told = document_.model() && document_.model() == document_.shown_model();
+  if (--holds_ == 0 && document_.is_open() && !is_told) schedule();
 }
 
 void Refit::schedule() {
   if (holds_ == 0) timer_.start();
 }
 
+/// A state that was fitted before: undone, or done again.
+void Refit::show(const ModelVersionPointer& known) {
+  jobs_.cancel("fit");
+  document_.show_version(known);
+}
+
 void Refit::start() {
-  if (!document_.is_open() || document_.model()) return;
+  if (!document_.is_open()) return;
+  if (const ModelVersionPointer known = document_.model()) return show(known);
   const Session& session = document_.session();
   const auto used = std::count_if(session.observations.begin(), session.observations.end(), is_used);
   const QString cause = document_.undo_stack().undoText();
   jobs_.start<ModelVersionPointer>(
       "fit", tr("Fitting %1").arg(counted(used, "observation", "observations")),
       [copy = session, settings = document_.settings(), revision = document_.revision(), cause,
-       looks = document_.second_looks()](JobControl&) { return make_version(copy, settings, revision, cause, looks); },
+       looks = document_.second_looks(), before = document_.model_before_second_looks()](JobControl&) {
+        return before && before->fit ? inspected_again(copy, *before, revision, looks)
+                                     : make_version(copy, settings, revision, cause, looks);
+      },
       [this](const ModelVersionPointer& version) { document_.take_version(version); },
       [this](const QString& sentence) { emit document_.noticed(sentence); });
 }

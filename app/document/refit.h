@@ -24,6 +24,7 @@ class Refit : public QObject {
  private:
   void schedule();
   void start();
+  void show(const ModelVersionPointer& known);
 
   Document& document_;
   Jobs& jobs_;

@@ -7,7 +7,7 @@
 namespace handsight::app {
 namespace {
 
-constexpr int ms_between_pictures = 40;
+constexpr int ms_between_pictures = 120;  // from one to the next the cloud moves on
 
 QString sentence_of(const ModelChange& change) {
   QStringList parts;
@@ -22,29 +22,18 @@ QString sentence_of(const ModelChange& change) {
   return parts.join(", ");
 }
 
-/// The candidate's full fit is known already, and the model's next fit starts from it. For the eye the same fit runs
-/// from where the model stands now, with the candidate at nothing.
-void watch_it_come(const Diagnosis& before, const DiagnosisCandidate& candidate, int observation, FitWatch& watch,
-                   JobControl& control) {
-  FitOptions options = before.model_options;
-  for (EffectTerm term : candidate.terms) {
-    const Effect& effect = *find_effect(term.id);
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice) term.values[p] = 0;
-    options.estimated.push_back(std::move(term));
-  }
-  options.start = estimate(before.model.fit);
-  watch.begin(before.model.session, options.effects, options.estimated, observation);
-  options.on_iteration = [&](int iteration, double cost, const Unknowns& unknowns) {
-    watch.iteration(iteration, cost, unknowns);
-    return !control.is_cancelled();
-  };
+/// For the eye the candidate's full fit, as the diagnosis ran it: from the model as it stands over the linear estimate
+/// to the answer, from which the model's next fit starts.
+void show_the_fit(const Diagnosis& before, const DiagnosisCandidate& candidate, int observation, FitWatch& watch) {
+  std::vector<EffectTerm> estimated = before.model_options.estimated;
+  estimated.insert(estimated.end(), candidate.terms.begin(), candidate.terms.end());
+  watch.begin(before.model.session, before.model_options.effects, estimated, observation);
   Unknowns start = estimate(before.model.fit);
   const Eigen::Index known = start.effects.size();
   start.effects.conservativeResize(watch.effect_count());
   start.effects.tail(watch.effect_count() - known).setZero();
-  watch.iteration(0, before.model.fit.solution.normal.data_cost(), start);
-  fit(before.model.session, options);
+  watch.iteration(before.model.fit.solution.normal.data_cost(), start);
+  for (const FitIteration& i : candidate.path) watch.iteration(i.cost, i.unknowns);
 }
 
 QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c) {
@@ -59,17 +48,17 @@ QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c) {
 Adding::Adding(Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {
   timer_.setInterval(ms_between_pictures);
   timer_.setTimerType(Qt::PreciseTimer);
-  connect(&timer_, &QTimer::timeout, this, &Adding::show_news);
+  connect(&timer_, &QTimer::timeout, this, [this] { show_news(false); });
   connect(&bench.document, &Document::opened, this, [this] { refused_.clear(); });
   const auto look = [this] {
-    if (is_running_ && !bench_.explaining.is_busy("add")) end(false, tr("Stopped. Everything is as before."));
+    if (is_running_ && !is_taking_ && !bench_.explaining.is_busy("add")) stop();
   };
   connect(&bench.explaining, &Jobs::stopped, this, look);
   connect(&bench.explaining, &Jobs::changed, this, look);
   connect(&bench.document, &Document::closed, this, look);
   // What changes the model meanwhile makes the addition stale.
   const auto stale = [this] {
-    if (is_running_) bench_.explaining.cancel("add");
+    if (is_running_ && !is_taking_) bench_.explaining.cancel("add");
   };
   connect(&bench.document, &Document::edited, this, stale);
   connect(&bench.document, &Document::settings_changed, this, stale);
@@ -95,7 +84,7 @@ void Adding::add(const std::string& id) {
       "add", tr("Adding %1").arg(name),
       [session = bench_.document.session(), settings, run, observation, watch = watch_,
        looks = bench_.document.second_looks()](JobControl& control) {
-        watch_it_come(*run.before, run.candidate, observation, *watch, control);
+        show_the_fit(*run.before, run.candidate, observation, *watch);
         ImprovementOptions options;
         options.effects = settings.held;
         options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
@@ -106,20 +95,22 @@ void Adding::add(const std::string& id) {
         options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
         Outcome outcome{add_candidate(session, options, *run.before, run.candidate)};
         if (outcome.change.model) {
-          const Diagnosis& made = *outcome.change.model;
+          outcome.model = std::make_shared<const Diagnosis>(std::move(*outcome.change.model));
+          outcome.change.model.reset();
+          const Diagnosis& made = *outcome.model;
           outcome.version = version_of(session, made, with_estimated(settings, made.model_options.estimated),
-                                       run.revision + 1, sentence_of(outcome.change), looks);
+                                       run.revision, sentence_of(outcome.change), looks);
           outcome.residuals = make_residuals(*outcome.version->fit);
         }
         return outcome;
       },
       [this, run](const Outcome& outcome) { finish(run, outcome); },
-      [this](const QString& sentence) { end(false, sentence); });
+      [this](const QString& sentence) { end(AdditionEnd::failed, sentence); });
 }
 
-void Adding::show_news() {
+void Adding::show_news(bool is_end) {
   if (!watch_) return;
-  const FitWatch::News news = watch_->fetch();
+  const FitWatch::News news = watch_->fetch(is_end);
   for (const auto& [iteration, rms] : news.costs) emit iterated(iteration, rms);
   skipped_ += news.skipped;
   if (!news.picture) return;
@@ -128,30 +119,37 @@ void Adding::show_news() {
 }
 
 void Adding::finish(const Run& run, const Outcome& outcome) {
-  show_news();
+  show_news(true);
   const ModelChange& change = outcome.change;
-  if (change.stopped || run.revision != bench_.document.revision())
-    return end(false, tr("Stopped. Everything is as before."));
+  if (change.stopped || run.revision != bench_.document.revision()) return stop();
   for (const RefusedStep& r : change.refused)
     refused_.push_back({r.id, r.where, refusal_sentence(*run.before, run.candidate),
-                        bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index()});
-  if (!outcome.version) return end(false, refusal_sentence(*run.before, run.candidate));
-  is_running_ = false;  // the document's own changes are no reason to stop
-  const QString sentence = outcome.version->cause;
-  bench_.diagnosing.take(outcome.version, std::make_shared<const Diagnosis>(*change.model), outcome.residuals);
+                        bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index(),
+                        bench_.document.revision()});
+  if (!outcome.version) return end(AdditionEnd::refused, refusal_sentence(*run.before, run.candidate));
+  const std::shared_ptr<ModelVersion>& version = outcome.version;
+  is_taking_ = true;
   bench_.document.perform(
-      {.sentence = sentence, .settings = SettingsEdit{bench_.document.settings(), outcome.version->settings}});
-  bench_.document.take_version(outcome.version);
-  is_running_ = true;
-  end(true, sentence.left(1).toUpper() + sentence.mid(1) + '.');
+      {.sentence = version->cause, .settings = SettingsEdit{bench_.document.settings(), version->settings}});
+  if (!(bench_.document.settings() == version->settings)) {
+    is_taking_ = false;
+    return end(AdditionEnd::failed, tr("Not added: it could not be written down; make room on the disk."));
+  }
+  version->revision = bench_.document.revision();
+  bench_.diagnosing.take(version, outcome.model, outcome.residuals);
+  bench_.document.take_version(version);
+  is_taking_ = false;
+  end(AdditionEnd::taken, version->cause.left(1).toUpper() + version->cause.mid(1) + '.');
 }
 
-void Adding::end(bool taken, const QString& outcome) {
+void Adding::stop() { end(AdditionEnd::stopped, tr("Stopped. Everything is as before.")); }
+
+void Adding::end(AdditionEnd end, const QString& sentence) {
   if (!is_running_) return;
   timer_.stop();
   is_running_ = false;
-  emit bench_.document.noticed(outcome);
-  emit ended(taken, outcome);
+  emit bench_.document.noticed(sentence);
+  emit ended(end, sentence);
 }
 
 }  // namespace handsight::app

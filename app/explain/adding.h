@@ -10,6 +10,14 @@
 
 namespace handsight::app {
 
+/// How an addition ended.
+enum class AdditionEnd {
+  taken,
+  refused,  // it would not make the model better on unseen observations
+  stopped,  // by the user, or by an action that made it stale
+  failed    // it could not be worked out, or not be written down
+};
+
 class Adding : public QObject {
   Q_OBJECT
 
@@ -28,8 +36,7 @@ class Adding : public QObject {
   void began(const QString& what);
   void iterated(int iteration, double rms);  // px or mm
   void pictured(const FitPicture& picture);
-  /// `outcome` is a sentence.
-  void ended(bool taken, const QString& outcome);
+  void ended(handsight::app::AdditionEnd end, const QString& sentence);
 
  private:
   struct Run {
@@ -38,19 +45,22 @@ class Adding : public QObject {
     std::int64_t revision = 0;
   };
   struct Outcome {
-    ModelChange change;
-    ModelVersionPointer version;  // null where nothing was taken
+    ModelChange change;                      // its model is handed on:
+    std::shared_ptr<const Diagnosis> model;  // null where nothing was taken
+    std::shared_ptr<ModelVersion> version;   // null where nothing was taken
     std::shared_ptr<const ModelResiduals> residuals;
   };
-  void show_news();
+  void show_news(bool is_end);
   void finish(const Run& run, const Outcome& outcome);
-  void end(bool taken, const QString& outcome);
+  void stop();
+  void end(AdditionEnd end, const QString& sentence);
 
   Workbench& bench_;
   std::shared_ptr<FitWatch> watch_;
   QTimer timer_;
   std::vector<Refusal> refused_;
   bool is_running_ = false;
+  bool is_taking_ = false;  // the document is being changed by what was found
   int pictures_ = 0, skipped_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include "document/effect_words.h"
 #include "explain/explain_texts.h"
+#include "explain/robot_checks.h"
 #include "frame/model_effects.h"
 #include "widgets/number_text.h"
 
@@ -41,15 +42,6 @@ QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
   return {};
 }
 
-QString check_text(const Effect& effect, const std::optional<CandidateCheck>& check) {
-  QString text = QString::fromStdString(effect.check);
-  if (!check || check->distance < 1e-5) return text;
-  return text + ' ' +
-         QObject::tr("By how much: in the pose of observation %1 it moves the hand by %2 mm.")
-             .arg(check->observation)
-             .arg(widgets::with_sigma_text(1e3 * check->distance, std::max(1e3 * check->sigma, 1e-3)));
-}
-
 CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ErrorAndNoise& e) {
   const Effect& effect = *find_effect(c.id);
   CardState card{.id = QString::fromStdString(c.id), .effect = c.id};
@@ -66,7 +58,8 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Dia
   for (const std::string& id : c.cannot_be_told_from) others << effect_of(id, {});
   card.cannot_be_told_from = others.join(", ");
   card.can_show_poses = !others.isEmpty();
-  card.check = check_text(effect, bench.diagnosing.check_of(c.id));
+  card.check = QString::fromStdString(effect.check);
+  card.check_number = card_check(c.check, bench.document.reading_of(c.id));
   if (!c.plausible)
     card.caution = QObject::tr("Its size is more than three times what is plausible. Probably another cause.");
   return card;
@@ -111,13 +104,19 @@ std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnos
   }
 }
 
-const Refusal* refusal_of(const std::string& id, int index, const std::vector<Refusal>& refused) {
+const Refusal* refusal_of(const std::string& id, const Document& document, const std::vector<Refusal>& refused) {
   for (const Refusal& r : refused)
-    if (r.id == id && r.index == index) return &r;
+    if (r.id == id && still_stands(r, document)) return &r;
   return nullptr;
 }
 
 }  // namespace
+
+bool still_stands(const Refusal& refusal, const Document& document) {
+  const QUndoStack& stack = document.undo_stack();
+  return refusal.revision == document.revision() ||
+         (refusal.index == stack.index() && refusal.before == stack.undoText());
+}
 
 std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
                                        const std::vector<Refusal>& refused) {
@@ -127,12 +126,11 @@ std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersio
   const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations ||
                      (is_outdone(d) && !bench.diagnosing.names_lead_on());
   if (honest && stops) cards.push_back(*honest);
-  const int index = bench.document.undo_stack().index();
   for (const DiagnosisCandidate& c : d.candidates) {
     if (c.unnamed || stops) continue;
     if (c.ln_bayes_factor < d.threshold || cards.size() >= most_cards) break;
     cards.push_back(card_of(c, bench, d, e));
-    if (const Refusal* r = refusal_of(c.id, index, refused)) {
+    if (const Refusal* r = refusal_of(c.id, bench.document, refused)) {
       cards.back().can_add = false;
       cards.back().why_not = r->reason;
     }
@@ -163,6 +161,7 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
       row.verdict = EffectVerdict::in_model;
       row.where = places_text(places_of(in_model, session));
       row.reason = QObject::tr("It is estimated with the rest; the model panel shows its size.");
+      if (const RobotReading* reading = bench.document.reading_of(effect.id)) row.reason = reading_text(*reading);
     } else if (candidate == d.candidates.end()) {
       row.verdict = d.verdict == Verdict::too_few_observations ? EffectVerdict::unknown : EffectVerdict::cannot_be_seen;
       row.reason = row.verdict == EffectVerdict::unknown ? QObject::tr("Too few observations to tell.")
@@ -186,11 +185,10 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
       row.verdict = EffectVerdict::no_sign;
       row.reason = QObject::tr("Nothing in the residuals speaks for it beyond chance.");
     }
-    for (const Refusal& r : refused)
-      if (r.id == effect.id && r.index == bench.document.undo_stack().index()) {
-        row.verdict = EffectVerdict::worse;
-        row.reason = r.reason;
-      }
+    if (const Refusal* r = refusal_of(effect.id, bench.document, refused)) {
+      row.verdict = EffectVerdict::worse;
+      row.reason = r->reason;
+    }
     rows.push_back(row);
   }
   return rows;

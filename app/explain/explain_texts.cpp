@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/explain_texts.h"
 
-#include "document/counted.h"
 #include "document/effect_words.h"
 #include "widgets/number_text.h"
 
@@ -99,25 +98,9 @@ QString unexplained_sentence(const Diagnosis& d, const ErrorAndNoise& e) {
            e.noise ? error_with_unit(*e.noise, e.in_pixels) : QObject::tr("unknown"), what_is_left_follows(d));
 }
 
-/// The error and the noise that a verdict is about: without wrong points, which the fit may still hold.
-ErrorAndNoise judged_error(const ModelVersion& model, const Diagnosis& d) {
-  ErrorAndNoise e = error_and_noise(model);
-  if (d.model.wrong.empty() || model.settings.leaves_out_wrong_points) return e;
-  e.error = e.in_pixels ? d.report.held_out.rms_pixel : d.report.held_out.rms_m;
-  e.noise = d.noise ? std::optional(as_told(*d.noise, e.in_pixels)) : std::nullopt;
-  return e;
-}
-
-/// "Apart from 24 wrong points: ", where the numbers at the top still hold them.
-QString apart_from_wrong_points(const ModelVersion& model, const Diagnosis& d) {
-  if (d.model.wrong.empty() || model.settings.leaves_out_wrong_points) return {};
-  return QObject::tr("Apart from %1: ")
-      .arg(counted(static_cast<qint64>(d.model.wrong.size()), "wrong point", "wrong points"));
-}
-
 QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const std::optional<widgets::Blame>& blame) {
   const DiagnosisCandidate& best = *best_named(d);
-  const ErrorAndNoise e = judged_error(model, d);
+  const ErrorAndNoise e = error_and_noise(model);
   // How many mm that is at the hand stands beside it.
   QString first = e.error && e.noise
                       ? QObject::tr("The model misses by %1 where the noise is %2.")
@@ -140,16 +123,14 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
   widgets::SessionVerdict v;
   v.sentence = comparison_sentence(model);
   if (!model.fit) return v;
-  const ErrorAndNoise e = d ? judged_error(model, *d) : error_and_noise(model);
+  const ErrorAndNoise e = error_and_noise(model);
   if (e.in_pixels) {
     v.error_px = e.error;
     v.noise_px = e.noise;
   }
-  const ErrorSummary& told = d && !d->model.wrong.empty() ? d->report.held_out : model.report->held_out;
-  const auto m = told.rms_m ? told.rms_m : model.report->fitted.rms_m;
+  const auto m = model.report->held_out.rms_m ? model.report->held_out.rms_m : model.report->fitted.rms_m;
   if (m) v.error_mm = 1e3 * *m;
-  const auto noise_m = d && !d->model.wrong.empty() ? d->report.rms_of_noise_m : model.report->rms_of_noise_m;
-  if (noise_m) v.noise_mm = 1e3 * *noise_m;
+  if (model.report->rms_of_noise_m) v.noise_mm = 1e3 * *model.report->rms_of_noise_m;
   v.blame = session_blame(*model.inspection);
   v.state = SessionState::looking;
   if (!d) {
@@ -182,8 +163,6 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
       v.sentence = lacks_noise(*d) ? comparison_sentence(model) : unexplained_sentence(*d, e);
       break;
   }
-  const QString apart = apart_from_wrong_points(model, *d);
-  if (!apart.isEmpty()) v.sentence = apart + v.sentence.left(1).toLower() + v.sentence.mid(1);
   return v;
 }
 

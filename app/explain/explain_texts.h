@@ -15,9 +15,13 @@ struct Refusal {
   std::string id;
   std::vector<std::string> where;
   QString reason;
-  QString before;  // the action after which it was tried
-  int index = 0;   // of the undo stack
+  QString before;             // the action after which it was tried
+  int index = 0;              // of the undo stack
+  std::int64_t revision = 0;  // of the document
 };
+
+/// Was it tried on the model as it is now?
+bool still_stands(const Refusal& refusal, const Document& document);
 
 /// "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px."
 QString comparison_sentence(const ModelVersion& model);

@@ -57,6 +57,15 @@ void ExplainWorkspace::open_what_if(const QString& id, int place) {
   slide_what_if(value);
 }
 
+/// The same slider over other residuals: the view of the effect belongs to those that it was made of.
+void ExplainWorkspace::renew_what_if() {
+  if (!failing_->what_if()->isVisibleTo(this) || !bench_.diagnosing.residuals() || adding_.is_running()) return;
+  const double value = failing_->what_if()->value();
+  open_what_if(QString::fromStdString(what_if_id_), what_if_place_);
+  failing_->what_if()->set_value(value);
+  slide_what_if(value);
+}
+
 void ExplainWorkspace::slide_what_if(double value) {
   if (!bench_.diagnosing.residuals() || what_if_view_.effect.numbers.empty()) return;
   const Effect& effect = *find_effect(what_if_id_);

@@ -3,8 +3,6 @@
 
 #include <QApplication>
 #include <QHBoxLayout>
-#include <QKeyEvent>
-#include <QLineEdit>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,23 +14,16 @@
 #include "explain/watching_pane.h"
 #include "widgets/explain/candidate_list.h"
 #include "widgets/explain/verdict_line.h"
-#include "widgets/explain/version_list.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/number_text.h"
 
 namespace handsight::app {
-namespace {
-
-constexpr int blink_ms = 500;
-
-}  // namespace
-
 ExplainWorkspace::ExplainWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent), adding_(bench) {
   setObjectName("explain");
   make_layout();
   connect_panes();
   connect_bench();
-  blink_.setInterval(blink_ms);
+  blink_.setInterval(500);
   connect(&blink_, &QTimer::timeout, this, &ExplainWorkspace::blink);
   qApp->installEventFilter(this);
 }
@@ -101,7 +92,9 @@ void ExplainWorkspace::connect_panes() {
     stop_trying();
     refresh_verdict();
   });
-  connect(&adding_, &Adding::ended, this, [this] { refresh_all(); });
+  connect(&adding_, &Adding::ended, this, &ExplainWorkspace::refresh_in_turns);
+  in_turns_.setInterval(0);
+  connect(&in_turns_, &QTimer::timeout, this, &ExplainWorkspace::refresh_next);
   using widgets::WhatIfSlider;
   WhatIfSlider* slider = failing_->what_if();
   connect(slider, &WhatIfSlider::changed, this, &ExplainWorkspace::slide_what_if);
@@ -125,13 +118,17 @@ void ExplainWorkspace::connect_bench() {
     failing_->what_if()->hide();
     stop_trying();
   });
-  connect(&bench_.document, &Document::closed, this, [this] { failing_->show_residuals(nullptr, true); });
+  connect(&bench_.document, &Document::closed, this, [this] {
+    in_turns_.stop();
+    failing_->show_residuals(nullptr, true);
+  });
   connect(&bench_.document, &Document::model_changed, this, [this] {
     emit status_changed();
     if (is_active()) refresh_all();
   });
   connect(&d, &Diagnosing::residuals_changed, this, [this] {
     if (is_active()) refresh_all();
+    renew_what_if();
   });
   connect(&d, &Diagnosing::diagnosis_changed, this, [this] {
     emit status_changed();
@@ -184,20 +181,40 @@ void ExplainWorkspace::hideEvent(QHideEvent* event) {
   Workspace::hideEvent(event);
 }
 
+void ExplainWorkspace::refresh_in_turns() {
+  if (!bench_.document.is_open()) return;
+  refresh_verdict();
+  missing_->refresh();
+  turn_ = 0;
+  in_turns_.start();
+}
+
+void ExplainWorkspace::refresh_next() {
+  if (turn_++ == 0) return refresh_plots();
+  in_turns_.stop();
+  watching_->refresh();
+  if (tour_) tour_->look();
+}
+
 void ExplainWorkspace::refresh_all() {
   if (!bench_.document.is_open()) return;
-  const ModelVersionPointer model = bench_.document.shown_model();
   refresh_verdict();
   if (adding_.is_running()) return;
+  in_turns_.stop();
+  refresh_plots();
+  missing_->refresh();
+  watching_->refresh();
+  if (tour_) tour_->look();
+}
+
+void ExplainWorkspace::refresh_plots() {
+  const ModelVersionPointer model = bench_.document.shown_model();
   std::shared_ptr<const ModelResiduals> residuals = bench_.diagnosing.residuals();
   if (model && model != bench_.document.model() && model->fit) residuals = bench_.diagnosing.residuals_of(model);
   if (residuals || !model || !model->fit) {
     failing_->show_residuals(residuals, is_fresh_);
     is_fresh_ = is_fresh_ && !residuals;
   }
-  missing_->refresh();
-  watching_->refresh();
-  if (tour_) tour_->look();
 }
 
 void ExplainWorkspace::refresh_verdict() {
@@ -250,65 +267,6 @@ void ExplainWorkspace::stop_trying() {
   failing_->set_prediction(nullptr, {});
   watching_->set_prediction(nullptr, nullptr, {}, {}, {});
   refresh_verdict();
-}
-
-bool ExplainWorkspace::eventFilter(QObject* watched, QEvent* event) {
-  const bool is_press = event->type() == QEvent::KeyPress, is_release = event->type() == QEvent::KeyRelease;
-  if ((!is_press && !is_release) || !isVisible()) return false;
-  auto* key = static_cast<QKeyEvent*>(event);
-  if ((key->key() != Qt::Key_N && key->key() != Qt::Key_B) || key->modifiers() != Qt::NoModifier) return false;
-  auto* widget = qobject_cast<QWidget*>(watched);
-  if (!widget || widget->window() != window()) return false;
-  // Where letters are typed, or mean something of their own, they are not ours.
-  const QWidget* focus = QApplication::focusWidget();
-  for (const QWidget* w = focus; w; w = w->parentWidget())
-    if (qobject_cast<const QLineEdit*>(w) || qobject_cast<const widgets::VersionList*>(w) ||
-        qobject_cast<const widgets::Staircase*>(w) || qobject_cast<const widgets::WhatIfSlider*>(w))
-      return false;
-  if (key->isAutoRepeat()) return true;
-  if (key->key() == Qt::Key_N) hold_noise(is_press);
-  if (key->key() == Qt::Key_B) hold_blink(is_press);
-  return true;
-}
-
-void ExplainWorkspace::hold_noise(bool held) {
-  if (held == shows_noise_ || (held && !failing_->residuals())) return;
-  shows_noise_ = held;
-  if (!held) return failing_->show_measured_again();
-  const auto values = noise_alone(failing_->residuals()->views, noise_seed_++);
-  failing_->show_instead(*failing_->residuals(), &values,
-                         tr("Noise alone on the same poses, draw %1").arg(noise_seed_ - 1));
-}
-
-void ExplainWorkspace::hold_blink(bool held) {
-  if (held == blink_.isActive()) return;
-  watching_->set_blinking(held);
-  if (held) {
-    blink_phase_ = false;
-    blink_.start();
-    return blink();
-  }
-  blink_.stop();
-  failing_->show_measured_again();
-}
-
-void ExplainWorkspace::blink() {
-  ModelVersionPointer a = watching_->compared_a(), b = watching_->compared_b();
-  if (!a || !b) {
-    b = bench_.document.shown_model();
-    a = nullptr;
-    for (const ModelVersionPointer& version : bench_.document.versions()) {
-      if (version == b) break;
-      if (version && version->fit) a = version;
-    }
-  }
-  if (!a || !b) return;
-  blink_phase_ = !blink_phase_;
-  const ModelVersionPointer& shown = blink_phase_ ? a : b;
-  if (const auto residuals = bench_.diagnosing.residuals_of(shown))
-    failing_->show_instead(*residuals, nullptr,
-                           (blink_phase_ ? tr("Before: %1") : tr("After: %1"))
-                               .arg(shown->cause.isEmpty() ? tr("as opened") : shown->cause));
 }
 
 }  // namespace handsight::app

@@ -39,11 +39,16 @@ class ExplainWorkspace : public Workspace {
   void connect_panes();
   void connect_bench();
   void refresh_all();
+  /// The same one pane after the other, so that the window answers in between.
+  void refresh_in_turns();
+  void refresh_next();
+  void refresh_plots();
   void refresh_verdict();
   void try_candidate(const QString& id);
   void try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const std::string& id);
   void stop_trying();
   void open_what_if(const QString& id, int place = -1);
+  void renew_what_if();
   void slide_what_if(double value);
   void hold_noise(bool held);
   void hold_blink(bool held);
@@ -66,7 +71,8 @@ class ExplainWorkspace : public Workspace {
   CandidateView what_if_view_;
   std::uint64_t noise_seed_ = 1;
   bool shows_noise_ = false;
-  QTimer blink_;
+  QTimer blink_, in_turns_;
+  int turn_ = 0;
   bool blink_phase_ = false;
 };
 

@@ -64,6 +64,8 @@ void FailingPane::make_layout() {
 }
 
 void FailingPane::connect_all() {
+  shows_timer_.setInterval(0);
+  connect(&shows_timer_, &QTimer::timeout, this, &FailingPane::find_next_shows);
   connect(page_, &PatternPage::plot_selected, this, &FailingPane::choose_plot);
   connect(resort_, &QPushButton::clicked, this, &FailingPane::resort);
   const auto hover = [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); };
@@ -94,8 +96,9 @@ std::vector<widgets::PatternPlot> FailingPane::plots(const ModelResiduals& resid
     auto plot = pattern_plot(key, residuals, bench_, values);
     if (!plot) continue;
     if (!values && &residuals == residuals_.get()) {
-      if (!shows_.contains(plot->id)) shows_[plot->id] = effects_that_show(key, residuals, bench_.diagnosing);
-      plot->shows = shows_[plot->id];
+      const auto found = shows_.find(key);
+      if (found == shows_.end() && !shows_timer_.isActive()) shows_timer_.start();
+      if (found != shows_.end()) plot->shows = found->second;
     }
     list.push_back(std::move(*plot));
   }
@@ -105,6 +108,7 @@ std::vector<widgets::PatternPlot> FailingPane::plots(const ModelResiduals& resid
 void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals, bool fresh) {
   residuals_ = std::move(residuals);
   shows_.clear();
+  is_instead_ = false;
   if (fresh) {
     places_.clear();
     resort_->hide();
@@ -151,7 +155,17 @@ void FailingPane::resort() {
 
 void FailingPane::refresh_shows() {
   shows_.clear();
-  if (residuals_ && !places_.empty()) page_->update_plots(plots(*residuals_, nullptr));
+  shows_timer_.start();
+}
+
+void FailingPane::find_next_shows() {
+  for (const PlotKey& key : places_)
+    if (residuals_ && !shows_.contains(key)) {
+      shows_[key] = effects_that_show(key, *residuals_, bench_.diagnosing);
+      return;
+    }
+  shows_timer_.stop();
+  if (residuals_ && !is_instead_) page_->update_plots(plots(*residuals_, nullptr));
 }
 
 void FailingPane::choose_plot(int place) {
@@ -177,6 +191,7 @@ void FailingPane::fill_large() {
 void FailingPane::show_instead(const ModelResiduals& residuals, const std::vector<Eigen::VectorXd>* values,
                                const QString& title) {
   if (places_.empty()) return;
+  is_instead_ = true;
   page_->update_plots(plots(residuals, values));
   const auto plot = pattern_plot(places_[static_cast<std::size_t>(chosen_)], residuals, bench_, values);
   if (!plot) return;
@@ -186,6 +201,7 @@ void FailingPane::show_instead(const ModelResiduals& residuals, const std::vecto
 }
 
 void FailingPane::show_measured_again() {
+  is_instead_ = false;
   if (!residuals_ || places_.empty()) return;
   page_->update_plots(plots(*residuals_, nullptr));
   fill_large();

@@ -3,7 +3,9 @@
 // and the what-if slider.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
+#include <map>
 
 #include "explain/pattern_plots.h"
 
@@ -44,6 +46,7 @@ class FailingPane : public QWidget {
   void connect_all();
   void choose_plot(int place);
   void fill_large();
+  void find_next_shows();
   void resort();
   void look_for_common();
   std::vector<widgets::PatternPlot> plots(const ModelResiduals& residuals, const std::vector<Eigen::VectorXd>* values);
@@ -52,7 +55,9 @@ class FailingPane : public QWidget {
   std::shared_ptr<const ModelResiduals> residuals_;
   std::vector<PlotKey> places_;
   std::vector<std::vector<widgets::TrendPoint>> predictions_;
-  std::map<QString, QString> shows_;  // by plot: the effects that show there
+  std::map<PlotKey, QString> shows_;  // the effects that show there
+  bool is_instead_ = false;           // other points are shown while a key is held
+  QTimer shows_timer_;                // finds them, one plot a turn: with a thousand observations it takes a while
   int chosen_ = 0;
   std::string common_variable_;
   widgets::ScatterPlot* large_;

@@ -37,33 +37,42 @@ void FitWatch::begin(const Session& session, const std::vector<EffectTerm>& held
   for (const ProblemObservation& o : problem_->observations)
     for (const Sighting& s : o.sightings) rows_ += row_count(s);
   const std::lock_guard lock(mutex_);
-  news_ = {};
+  costs_.clear();
+  shots_.clear();
+  skipped_ = 0;
 }
 
-void FitWatch::iteration(int, double cost, const Unknowns& unknowns) {
-  constexpr std::size_t most_waiting = 8;
+void FitWatch::iteration(double cost, const Unknowns& unknowns) {
+  constexpr std::size_t most_waiting = 24;  // longer than the fits that are seen, and a bound all the same
   const double rms = std::sqrt(cost / std::max(rows_, 1));
+  const int number = running_++;
   bool has_room = false;
   {
     const std::lock_guard lock(mutex_);
-    news_.costs.push_back({running_++, problem_ && !problem_->rig ? 1e3 * rms : rms});
-    has_room = pictures_.size() < most_waiting;
-    if (!has_room) ++news_.skipped;
+    costs_.push_back({number, problem_ && !problem_->rig ? 1e3 * rms : rms});
+    has_room = shots_.size() < most_waiting;
+    if (!has_room) ++skipped_;
   }
   if (!problem_ || !has_room || unknowns.effects.size() != problem_->effect_count()) return;
   FitPicture picture;
   picture.cloud = cloud_of(corner_residuals(*problem_, unknowns), ids_);
   picture.bent = bent_links(*problem_->source, observation_, terms_with(*problem_, unknowns.effects));
   const std::lock_guard lock(mutex_);
-  pictures_.push_back(std::move(picture));
+  shots_.push_back({number, std::move(picture)});
 }
 
-FitWatch::News FitWatch::fetch() {
+FitWatch::News FitWatch::fetch(bool is_end) {
   const std::lock_guard lock(mutex_);
-  News news = std::exchange(news_, {});
-  if (pictures_.empty()) return news;
-  news.picture = std::move(pictures_.front());
-  pictures_.pop_front();
+  News news;
+  news.skipped = std::exchange(skipped_, 0);
+  if (is_end && shots_.size() > 1) shots_.erase(shots_.begin(), shots_.end() - 1);
+  while (!costs_.empty() && (is_end || shots_.empty() || costs_.front().first <= shots_.front().iteration)) {
+    news.costs.push_back(costs_.front());
+    costs_.pop_front();
+  }
+  if (shots_.empty()) return news;
+  news.picture = std::move(shots_.front().picture);
+  shots_.pop_front();
   return news;
 }
 

@@ -20,29 +20,34 @@ struct FitPicture {
 
 class FitWatch {
  public:
-  /// A fit of this session with these effects is about to run; the robot is shown in that observation.
+  /// Iterations of a fit of this session with these effects follow; the robot is shown in that observation.
   void begin(const Session& session, const std::vector<EffectTerm>& held, const std::vector<EffectTerm>& estimated,
              int observation);
 
   Eigen::Index effect_count() const { return problem_ ? problem_->effect_count() : 0; }
   /// In the fit's thread: one iteration.
-  void iteration(int number, double cost, const Unknowns& unknowns);
+  void iteration(double cost, const Unknowns& unknowns);
 
   struct News {
     std::vector<std::pair<int, double>> costs;  // iteration and rms of one coordinate since the last time
-    std::optional<FitPicture> picture;          // the oldest that was not shown yet
-    int skipped = 0;                            // pictures for which there was no room
+    std::optional<FitPicture> picture;
+    int skipped = 0;  // pictures for which there was no room
   };
-  /// In the window's thread: what came since the last time.
-  News fetch();
+  /// In the window's thread: the next picture with the costs up to it; or, at the end, all that is left with the last.
+  News fetch(bool is_end = false);
 
  private:
   std::optional<Problem> problem_;
   std::vector<std::int64_t> ids_;  // per place
   int rows_ = 1, observation_ = 0, running_ = 0;
   std::mutex mutex_;
-  News news_;
-  std::deque<FitPicture> pictures_;
+  struct Shot {
+    int iteration;
+    FitPicture picture;
+  };
+  std::deque<std::pair<int, double>> costs_;
+  std::deque<Shot> shots_;
+  int skipped_ = 0;
 };
 
 /// Residuals as points of the cloud. `ids` per place of the problem.

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "explain/poses_pane.h"
+#include "explain/robot_checks.h"
 #include "explain/truth.h"
 #include "widgets/explain/candidate_list.h"
 #include "widgets/explain/effect_table.h"
@@ -86,6 +87,13 @@ void MissingPane::connect_all() {
   connect(cards_, &CandidateList::add, this, [this](const QString& id) { adding_.add(id.toStdString()); });
   connect(cards_, &CandidateList::what_if, this, &MissingPane::what_if);
   connect(cards_, &CandidateList::show_poses, this, [this](const QString& id) { show_poses(id.toStdString()); });
+  connect(cards_, &CandidateList::measured, this, [this](const QString& id, const QString& text) {
+    const auto diagnosis = bench_.diagnosing.diagnosis();
+    if (!diagnosis) return;
+    const QString refusal = take_reading(bench_.document, *diagnosis, id.toStdString(), text);
+    if (!refusal.isEmpty()) cards_->set_measured_note(id, refusal);
+  });
+  connect(&bench_.document, &Document::readings_changed, this, &MissingPane::refresh);
   connect(cards_, &CandidateList::why_not_requested, this, [this] { pages_->setCurrentWidget(table_page_); });
   connect(cards_, &CandidateList::action, this, [this](const QString& action) {
     if (action == "plan") show_poses({});
@@ -112,10 +120,7 @@ void MissingPane::connect_all() {
     show_cards();
     cards_->set_can_add(false);
   });
-  connect(&adding_, &Adding::ended, this, [this] {
-    cards_->set_can_add(true);
-    refresh();
-  });
+  connect(&adding_, &Adding::ended, this, [this] { cards_->set_can_add(true); });  // the workspace refreshes
   connect(&bench_.document, &Document::opened, this, [this] {
     show_cards();
     shown_for_.reset();

@@ -86,7 +86,9 @@ std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const Model
   const auto found = find(key, residuals.views);
   if (!found || found->series >= view.series.size()) return {};
   const double scale = shown_unit(residuals.views.series[found->series].unit).scale;
-  return trend_of(residuals.views.variables[found->variable].values, scale * (view.series[found->series] * numbers));
+  const Eigen::VectorXd& x = residuals.views.variables[found->variable].values;
+  if (view.series[found->series].rows() != x.size()) return {};  // of a version with other observations
+  return trend_of(x, scale * (view.series[found->series] * numbers));
 }
 
 QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing) {
@@ -98,7 +100,9 @@ QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, c
   std::vector<std::pair<double, QString>> list;
   for (const DiagnosisCandidate& c : diagnosis->candidates) {
     const auto view = c.unnamed ? nullptr : diagnosing.view_of(c.id);
-    if (!view) continue;
+    // Where an earlier version is shown, the views are of another one, maybe of other observations.
+    if (!view || found->series >= view->effect.series.size() || view->effect.series[found->series].rows() != x.size())
+      continue;
     Eigen::VectorXd plausible(static_cast<Eigen::Index>(view->effect.numbers.size()));
     for (std::size_t i = 0; i < view->effect.numbers.size(); ++i)
       plausible[static_cast<Eigen::Index>(i)] = view->effect.numbers[i].plausible;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/watching_pane.h"
 
+#include <QAbstractButton>
 #include <QButtonGroup>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QStackedWidget>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "document/bent_robot.h"
@@ -21,8 +18,6 @@
 namespace handsight::app {
 namespace {
 
-enum Tab { tab_stairs, tab_versions, tab_fit };
-
 std::optional<double> shown(std::optional<double> error, bool in_pixels) {
   return error ? std::optional(in_pixels ? *error : 1e3 * *error) : std::nullopt;
 }
@@ -36,114 +31,6 @@ widgets::VersionStep step_of(const ModelVersion& version) {
 }
 
 }  // namespace
-
-WatchingPane::WatchingPane(Workbench& bench, Adding& adding, QWidget* parent)
-    : QWidget(parent), bench_(bench), adding_(adding) {
-  make_layout();
-  connect_all();
-  bending_.setDuration(160);
-  bending_.setStartValue(0.0);
-  bending_.setEndValue(1.0);
-  connect(&bending_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
-    if (adding_.is_running()) bend(share.toDouble());
-  });
-}
-
-void WatchingPane::make_layout() {
-  stairs_ = new widgets::Staircase(this);
-  stairs_->setObjectName("staircase");
-  stairs_->set_empty_text(tr("The error of every version of the model comes here."));
-  versions_ = new widgets::VersionList(this);
-  versions_->setObjectName("versions");
-  cost_ = new widgets::CostCurve(this);
-  cost_->setObjectName("cost");
-  cost_->set_empty_text(tr("Add a candidate, and its fit is drawn here as it runs."));
-  left_ = new QStackedWidget(this);
-  left_->addWidget(stairs_);
-  left_->addWidget(versions_);
-  left_->addWidget(cost_);
-  tabs_ = new QButtonGroup(this);
-  auto* tabs = new QHBoxLayout;
-  tabs->setSpacing(0);
-  const std::pair<const char*, QString> names[] = {
-      {"tab_stairs", tr("Staircase")}, {"tab_versions", tr("Versions")}, {"tab_fit", tr("Fit")}};
-  for (int i = 0; i < 3; ++i) {
-    auto* b = new QToolButton(this);
-    b->setObjectName(names[i].first);
-    b->setText(names[i].second);
-    b->setCheckable(true);
-    b->setAutoRaise(true);
-    tabs_->addButton(b, i);
-    tabs->addWidget(b);
-  }
-  tabs->addStretch(1);
-  tabs_->button(tab_stairs)->setChecked(true);
-  auto* left = new QVBoxLayout;
-  left->setSpacing(0);
-  left->addLayout(tabs);
-  left->addWidget(left_, 1);
-
-  cloud_ = new widgets::ResidualCloud(this);
-  cloud_->setObjectName("cloud");
-  cloud_->set_empty_text(tr("The residual of every corner comes here."));
-  robot_ = new widgets::RobotView(this);
-  robot_->setObjectName("ghost_robot");
-  robot_title_ = new QLabel(this);
-  robot_title_->setObjectName("ghost_title");
-  robot_title_->setFont(widgets::text_font(widgets::TextRole::small));
-  robot_title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  auto* right = new QVBoxLayout;
-  right->setSpacing(0);
-  right->addWidget(robot_title_);
-  right->addWidget(robot_, 1);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addLayout(left, 332);
-  layout->addWidget(cloud_, 332);
-  layout->addLayout(right, 380);
-  setMinimumSize(620, 150);
-}
-
-void WatchingPane::connect_all() {
-  using widgets::Staircase;
-  using widgets::VersionList;
-  connect(tabs_, &QButtonGroup::idClicked, left_, &QStackedWidget::setCurrentIndex);
-  const auto choose = [this](int row) {
-    if (const auto version = version_at(row)) emit version_chosen(version);
-  };
-  connect(stairs_, &Staircase::version_selected, this, choose);
-  connect(versions_, &VersionList::version_selected, this, choose);
-  connect(stairs_, &Staircase::compared, this, &WatchingPane::compare);
-  connect(versions_, &VersionList::compared, this, &WatchingPane::compare);
-  connect(versions_, &VersionList::take_back_requested, this, &WatchingPane::take_back);
-  connect(stairs_, &Staircase::read_out, &bench_, &Workbench::pointed_at);
-  connect(cost_, &widgets::CostCurve::read_out, &bench_, &Workbench::pointed_at);
-  connect(cloud_, &widgets::ResidualCloud::read_out, &bench_, &Workbench::pointed_at);
-  connect(cloud_, &widgets::ResidualCloud::observation_selected, this,
-          [this](qint64 id) { bench_.selection.select_observation(id); });
-  connect(robot_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
-  connect(&adding_, &Adding::began, this, &WatchingPane::began);
-  connect(&adding_, &Adding::iterated, cost_, &widgets::CostCurve::append);
-  connect(&adding_, &Adding::pictured, this, &WatchingPane::picture);
-  connect(&adding_, &Adding::ended, this, &WatchingPane::ended);
-  connect(&bench_.document, &Document::opened, this, [this] {
-    robot_is_set_ = false;
-    a_ = b_ = -1;
-    rows_.clear();
-    cost_->start({}, {});
-    left_->setCurrentIndex(tab_stairs);
-    tabs_->button(tab_stairs)->setChecked(true);
-  });
-  connect(&bench_.selection, &Selection::changed, this, [this] {
-    if (!isVisible()) return;
-    cloud_->set_selected(bench_.selection.current().observation.value_or(widgets::kNoObservation));
-    const auto& many = bench_.selection.many();
-    cloud_->set_highlighted(many.size() > 1 ? std::vector<widgets::ObservationId>(many.begin(), many.end())
-                                            : std::vector<widgets::ObservationId>{});
-    show_robot();
-  });
-}
 
 ModelVersionPointer WatchingPane::version_at(int row) const {
   return row >= 0 && row < static_cast<int>(rows_.size()) ? rows_[static_cast<std::size_t>(row)].version : nullptr;
@@ -310,8 +197,8 @@ void WatchingPane::set_prediction(const ModelResiduals* residuals, const Candida
 void WatchingPane::began(const QString&) {
   const bool in_pixels = !bench_.document.session().is_tracker();
   stairs_->set_preview(std::nullopt);
-  refresh_cloud();
   cloud_->set_predicted(false);
+  cloud_->clear_after();
   show_robot();
   magnification_ = 1;
   bent_now_.clear();
@@ -340,13 +227,13 @@ void WatchingPane::picture(const FitPicture& picture) {
   bending_.start();
 }
 
-void WatchingPane::ended(bool taken, const QString& outcome) {
-  cost_->finish(taken                               ? tr("settled after %1 iterations").arg(cost_->count())
-                : outcome.startsWith(tr("Stopped")) ? tr("stopped")
-                                                    : tr("not taken"));
-  bending_.stop();
-  refresh();
-  if (!taken && !outcome.startsWith(tr("Stopped"))) return;
+void WatchingPane::ended(AdditionEnd end) {
+  const bool is_taken = end == AdditionEnd::taken;
+  cost_->finish(is_taken                      ? tr("settled after %1 iterations").arg(cost_->count() - 1)
+                : end == AdditionEnd::stopped ? tr("stopped")
+                                              : tr("not taken"));
+  bending_.stop();  // the workspace shows what is the case now
+  if (!is_taken && end != AdditionEnd::stopped) return;
   // The step is what counts now; the curve stays a click away.
   left_->setCurrentIndex(tab_stairs);
   tabs_->button(tab_stairs)->setChecked(true);

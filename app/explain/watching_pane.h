@@ -51,6 +51,7 @@ class WatchingPane : public QWidget {
     const Refusal* refusal = nullptr;
     int index = 0;  // of the undo stack
   };
+  enum Tab { tab_stairs, tab_versions, tab_fit };
   void make_layout();
   void connect_all();
   void refresh_rows();
@@ -58,7 +59,7 @@ class WatchingPane : public QWidget {
   void compare(int a, int b);
   void take_back(int row);
   void began(const QString& what);
-  void ended(bool taken, const QString& outcome);
+  void ended(AdditionEnd end);
   void picture(const FitPicture& picture);
   void bend(double share);  // of the way from one picture of a fit to the next
   void set_ghost(const std::vector<Rigid>& bent);

@@ -9,7 +9,9 @@
 #include <QUrl>
 #include <functional>
 
+#include "document/effect_words.h"
 #include "explain/explain_texts.h"
+#include "explain/robot_checks.h"
 #include "export/export_texts.h"
 #include "frame/model_effects.h"
 #include "widgets/number_text.h"
@@ -78,6 +80,18 @@ QString decisions_part(const ModelVersion& model) {
          wrong;
 }
 
+QString checks_part(const Document& document) {
+  std::vector<QStringList> rows;
+  for (const auto& [effect, r] : document.readings())
+    rows.push_back({effect_title(effect), check_number_text(r.predicted.value, r.predicted.sigma, r.predicted.unit),
+                    check_number_text(r.value, r.sigma, r.predicted.unit),
+                    QString::fromStdString(answer_check(r.predicted, r.value, r.sigma).text)});
+  if (rows.empty()) return {};
+  return "<h2>" + QObject::tr("Checked on the robot") + "</h2>\n" +
+         table({QObject::tr("Cause"), QObject::tr("Predicted"), QObject::tr("Measured"), QObject::tr("What it says")},
+               rows);
+}
+
 QString actions_part(const Document& document) {
   const QUndoStack& stack = document.undo_stack();
   if (stack.index() == 0) return {};
@@ -105,7 +119,7 @@ QString body(const Document& document, const ModelVersion& model, const std::vec
   text += numbers_part(document, model);
   for (std::size_t i = 0; i < pictures.size(); ++i)
     text += "<p>" + pictures[i].caption.toHtmlEscaped() + "<br/><img width=\"560\" src=\"" + source(i) + "\"/></p>\n";
-  return text + decisions_part(model) + actions_part(document);
+  return text + decisions_part(model) + checks_part(document) + actions_part(document);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "document/counted.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 #include "widgets/three_numbers.h"
@@ -14,7 +15,8 @@
 namespace handsight::app {
 namespace {
 
-/// The error of all labelled observations, the excluded ones too; nothing where none is excluded.
+/// The error with everything that is left out of the fit (excluded observations, points that are wrong whatever the
+/// robot does), and how much that is; nothing where nothing is left out.
 QString excluded_note(const Workbench& bench, double scale, const QString& unit) {
   const Inspection* all = bench.inspection();
   if (!all) return {};
@@ -27,10 +29,15 @@ QString excluded_note(const Workbench& bench, double scale, const QString& unit)
     squares += *row.rms * *row.rms * row.coordinates;
     coordinates += row.coordinates;
   }
-  if (excluded == 0 || coordinates == 0) return {};
-  return QObject::tr("with %1 excluded: %2")
-      .arg(excluded)
-      .arg(widgets::with_unit_text(scale * std::sqrt(squares / coordinates), unit));
+  const ModelVersionPointer model = bench.document.shown_model();
+  const auto wrong = static_cast<qint64>(model ? model->wrong_points.size() : 0);
+  if (excluded + wrong == 0 || coordinates == 0) return {};
+  QStringList left_out;
+  if (excluded > 0) left_out << QObject::tr("%1 excluded").arg(excluded);
+  if (wrong > 0) left_out << QObject::tr("%1 set aside").arg(counted(wrong, "point", "points"));
+  return QObject::tr("with %1: %2")
+      .arg(left_out.join(QObject::tr(" and ")),
+           widgets::with_unit_text(scale * std::sqrt(squares / coordinates), unit));
 }
 
 }  // namespace
@@ -93,6 +100,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
     });
   connect(&bench.document, &Document::edited, this, &Header::refresh_session);
   connect(&bench.document, &Document::settings_changed, this, &Header::refresh_session);
+  connect(&bench.document, &Document::readings_changed, this, &Header::refresh_session);
   connect(&bench.document, &Document::saved_changed, this, &Header::refresh_session);
   connect(&bench, &Workbench::tried, this, &Header::refresh_numbers);
   refresh_session();

@@ -2,7 +2,6 @@
 #include "frame/main_window.h"
 
 #include <QCloseEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
@@ -11,7 +10,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "base/error.h"
 #include "calibrate/calibrate_workspace.h"
 #include "explain/explain_workspace.h"
 #include "export/export_workspace.h"
@@ -28,38 +26,9 @@
 #include "widgets/number_text.h"
 #include "widgets/observation_strip.h"
 #include "widgets/read_out_line.h"
-#include "widgets/three_numbers.h"
 #include "wizard/session_wizard.h"
 
 namespace handsight::app {
-
-namespace {
-
-bool is_decided(const Session& s) {
-  return std::any_of(s.observations.begin(), s.observations.end(),
-                     [](const Observation& o) { return o.decision == Decision::accepted; });
-}
-
-/// Is there nothing that a play could start from: no labels, or images of which none is labelled?
-bool wants_labels(const Session& s) {
-  bool any_labels = false, any_images = false;
-  for (const Observation& o : s.observations) {
-    if (!o.left_image.empty() && !o.sightings.empty()) return false;
-    any_labels = any_labels || !o.sightings.empty();
-    any_images = any_images || !o.left_image.empty();
-  }
-  return any_images ? !is_decided(s) : !any_labels;
-}
-
-/// Labels without images, enough to ask what is missing: there is nothing to label, and play would only repeat it.
-bool wants_explaining(const Session& s) {
-  constexpr std::ptrdiff_t fewest = 10;
-  const bool any_images = std::any_of(s.observations.begin(), s.observations.end(),
-                                      [](const Observation& o) { return !o.left_image.empty(); });
-  return !any_images && std::count_if(s.observations.begin(), s.observations.end(), is_used) >= fewest;
-}
-
-}  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle(tr("Handsight"));
@@ -180,71 +149,6 @@ void MainWindow::make_shortcuts() {
   key(QKeySequence(Qt::ALT | Qt::Key_Left), [this] { bench_.selection.back(); });
   key(QKeySequence(Qt::SHIFT | Qt::Key_Space), [this] { fill_->toggle(); });
   key(QKeySequence(Qt::Key_F1), [this] { show_keys(); });
-}
-
-bool MainWindow::open(const QString& path) {
-  try {
-    bench_.document.open(std::filesystem::path(path.toStdString()));
-    return true;
-  } catch (const std::exception& error) {
-    const QString sentence = QString::fromStdString(error.what());
-    start_->set_refusal(sentence);
-    read_out_->show_message(sentence);
-    return false;
-  }
-}
-
-bool MainWindow::open_sample(const QString& name, bool fresh) {
-  try {
-    for (const SampleSession& sample : sample_sessions())
-      if (QString::fromStdString(sample.name) == name)
-        return open(QString::fromStdString((fresh ? fresh_copy(sample) : working_copy(sample)).string()));
-    throw InputError(fmt::format("There is no sample session \"{}\".", name.toStdString()));
-  } catch (const InputError& error) {
-    start_->set_refusal(QString::fromStdString(error.what()));
-    return false;
-  }
-}
-
-void MainWindow::choose_session() {
-  auto* dialog = new QFileDialog(this, tr("Open a session"), {}, tr("Sessions (*.xml)"));
-  dialog->setObjectName("open_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
-  dialog->open();
-}
-
-void MainWindow::save() {
-  if (!bench_.document.is_open()) return;
-  try {
-    bench_.document.save();
-  } catch (const InputError& error) {
-    read_out_->show_message(QString::fromStdString(error.what()));
-  }
-}
-
-void MainWindow::session_opened() {
-  const Session& s = bench_.document.session();
-  const QString title = QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
-  setWindowTitle(tr("%1 - Handsight").arg(title));
-  remember_session(s.file, title);
-  start_->set_refusal({});
-  pages_->setCurrentIndex(1);
-  strip_->set_selected(widgets::kNoObservation);
-  refresh_strip();
-  panel_->set_effects({});
-  panel_->set_empty_text(tr("Not yet fitted."));
-  bench_.selection.select_observation(s.observations.front().id);
-  show_workspace(wants_labels(s) ? 0 : wants_explaining(s) ? 3 : is_decided(s) ? 2 : 1);
-  refresh_rail();
-}
-
-void MainWindow::session_closed() {
-  setWindowTitle(tr("Handsight"));
-  start_->refresh();
-  pages_->setCurrentIndex(0);
-  strip_->set_cells({});
 }
 
 void MainWindow::show_workspace(int index) {

@@ -80,6 +80,7 @@ class MainWindow : public QMainWindow {
   widgets::ObservationStrip* strip_;
   std::vector<Workspace*> workspaces_;
   QTimer strip_timer_;  // a play edits many times a second
+  QTimer panel_timer_;  // one action may tell several times
   bool panel_folded_by_user_ = false;
 };
 

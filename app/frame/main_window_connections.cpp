@@ -18,6 +18,9 @@ void MainWindow::connect_strip() {
     refresh_strip();
     refresh_rail();
   });
+  panel_timer_.setSingleShot(true);
+  panel_timer_.setInterval(0);
+  connect(&panel_timer_, &QTimer::timeout, this, &MainWindow::refresh_panel);
   connect(&d, &Document::edited, this, [this] {
     if (!strip_timer_.isActive()) strip_timer_.start();
   });
@@ -26,16 +29,17 @@ void MainWindow::connect_strip() {
     refresh_rail();
     refresh_crumbs();
     const ModelVersionPointer model = bench_.document.shown_model();
-    refresh_panel();
+    panel_timer_.start();
     panel_->set_empty_text(model && !model->refusal.isEmpty() ? model->refusal : tr("Not yet fitted."));
   });
   connect(&d, &Document::saved_changed, this, &MainWindow::refresh_rail);
-  connect(&d, &Document::settings_changed, this, &MainWindow::refresh_panel);
-  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, &MainWindow::refresh_panel);
+  connect(&d, &Document::settings_changed, this, [this] { panel_timer_.start(); });
+  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, [this] { panel_timer_.start(); });
   connect(&bench_, &Workbench::tried, this, &MainWindow::refresh_strip);
   connect(&bench_.jobs, &Jobs::changed, this, [this] { panel_->set_busy(bench_.jobs.is_busy("fit")); });
   connect(panel_, &widgets::ModelPanel::effect_toggled, &editor_, &ModelEditor::tick);
   connect(panel_, &widgets::ModelPanel::effect_held, &editor_, &ModelEditor::hold);
+  connect(panel_, &widgets::ModelPanel::number_held, &editor_, &ModelEditor::hold_number);
   connect(panel_, &widgets::ModelPanel::value_typed, &editor_, &ModelEditor::type);
   connect(strip_, &widgets::ObservationStrip::observation_selected, this,
           [this](qint64 id) { bench_.selection.select_observation(id); });

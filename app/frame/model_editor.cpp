@@ -31,6 +31,11 @@ void ModelEditor::hold(const QString& id, bool held) {
   bench_.document.perform(with_effect_held(bench_.document, id.toStdString(), held));
 }
 
+void ModelEditor::hold_number(const QString& id, int number, bool held) {
+  if (number < 0) return;
+  bench_.document.perform(with_number_held(bench_.document, id.toStdString(), static_cast<std::size_t>(number), held));
+}
+
 void ModelEditor::type(const QString& id, int number, double value) {
   const Effect* effect = find_effect(id.toStdString());
   if (!effect || number < 0 || effect->parameters.empty()) return;

@@ -17,7 +17,9 @@ class ModelEditor : public QObject {
   /// Adds an effect, estimated, where it explains most, or takes it out everywhere.
   void tick(const QString& id, bool in_model);
   void hold(const QString& id, bool held);
-  /// The number of a held effect, in the unit that the panel shows.
+  /// One of all the effect's numbers, as the panel counts them.
+  void hold_number(const QString& id, int number, bool held);
+  /// A held number, in the unit that the panel shows.
   void type(const QString& id, int number, double value);
 
  private:

@@ -46,11 +46,16 @@ widgets::ModelEffect catalogue_effect(const Effect& e, const Document& document,
       for (EffectTerm& term : terms)
         for (const FittedEffect& fitted : model->fit->effects)
           if (fitted.term.id == term.id && fitted.term.joint == term.joint) {
-            term.values = fitted.term.values;
+            for (std::size_t p = 0; p < term.values.size(); ++p)
+              if (is_free(e, term, p)) term.values[p] = fitted.term.values[p];  // those that are held may be newer
             sigmas.push_back(fitted.sigmas);
           }
     if (sigmas.size() != terms.size()) sigmas.clear();
     shown.parameters = effect_parameters(session, terms, sigmas);
+    for (widgets::ModelParameter& p : shown.parameters) {
+      p.can_hold = !p.is_choice;
+      p.is_held = !p.is_choice && (p.is_held || shown.is_held);
+    }
     const bool is_beyond = std::any_of(shown.parameters.begin(), shown.parameters.end(), [](const auto& p) {
       return p.value && p.plausible && std::abs(*p.value) > 3 * *p.plausible;
     });
@@ -85,6 +90,7 @@ std::vector<widgets::ModelParameter> effect_parameters(const Session& session, c
       widgets::ModelParameter row{.of = of, .name = QString::fromStdString(number.name), .unit = unit.unit};
       row.value = unit.scale * terms[t].values[p];
       row.is_choice = number.is_choice;
+      row.is_held = !number.is_choice && !is_free(effect, terms[t], p);
       if (!number.is_choice) row.plausible = unit.scale * number.sigma;
       if (t < sigmas.size() && sigmas[t][p] > 0) row.sigma = unit.scale * sigmas[t][p];
       list.push_back(row);

@@ -25,6 +25,16 @@ std::vector<std::vector<double>> sigmas_of(const RankedEffect& r) {
   return sigmas;
 }
 
+/// Of the candidate's numbers in their own units.
+Eigen::MatrixXd covariance_of(const RankedEffect& r) {
+  Eigen::VectorXd sizes(r.estimate.value.size());
+  Eigen::Index i = 0;
+  for (std::size_t unit = 0; unit < r.units.size(); ++unit)
+    for (const EffectParameter& p : r.candidate->effect->parameters)
+      if (!p.is_choice) sizes[i++] = p.sigma;
+  return sizes.asDiagonal() * r.estimate.covariance * sizes.asDiagonal();
+}
+
 /// Every number within three of its plausible sizes.
 bool is_plausible(const std::vector<EffectTerm>& terms) {
   for (const EffectTerm& term : terms) {
@@ -74,6 +84,7 @@ DiagnosisCandidate candidate_of(const RankedEffect& r, const Diagnosis& d, const
   c.id = r.candidate->effect->id;
   c.terms = terms_with_values(r);
   c.sigmas = sigmas_of(r);
+  c.covariance = covariance_of(r);
   c.where = places_of(c.terms, session);
   c.ln_bayes_factor = r.ln_bayes_factor;
   c.p_value = p_of(r.gained_squares, r.parameters);
@@ -101,10 +112,15 @@ void take_refit(const Refit& r, const RankedEffect& ranked, const Diagnosis& d, 
   c.full_fit = r.options;
   c.terms.clear();
   c.sigmas.clear();
-  for (std::size_t t = r.fit.effects.size() - r.added; t < r.fit.effects.size(); ++t) {
+  const std::size_t first = r.fit.effects.size() - r.added;
+  for (std::size_t t = first; t < r.fit.effects.size(); ++t) {
     c.terms.push_back(r.fit.effects[t].term);
     c.sigmas.push_back(r.fit.effects[t].sigmas);
   }
+  const std::vector<EffectColumn>& columns = r.fit.problem.columns_of_effects;
+  const auto added =
+      std::count_if(columns.begin(), columns.end(), [&](const EffectColumn& e) { return e.term >= first; });
+  c.covariance = r.fit.parameter_covariance.bottomRightCorner(added, added);
   c.where = places_of(c.terms, session);
   const Fit& before = d.model.fit;
   const double gained =

@@ -31,9 +31,7 @@ std::optional<CleanFit> with_an_explanation(const Session& session, const FitOpt
   return std::nullopt;
 }
 
-}  // namespace
-
-CleanFit clean_model(const Session& session, const FitOptions& options) {
+CleanFit clean_of_images(const Session& session, const FitOptions& options) {
   CleanFit clean = clean_fit(session, options);
   if (clean.wrong.size() < fewest_wrong || clean.fit.solution.stopped) return clean;
   auto explained = with_an_explanation(session, options, clean);
@@ -41,6 +39,19 @@ CleanFit clean_model(const Session& session, const FitOptions& options) {
   clean.session = std::move(explained->session);
   clean.wrong = std::move(explained->wrong);
   clean.fit = fit(clean.session, options);
+  return clean;
+}
+
+}  // namespace
+
+CleanFit clean_model(const Session& session, const FitOptions& options) {
+  FitOptions of_images = options;
+  of_images.objective = Objective::image;
+  of_images.fix_markers = false;
+  of_images.loss = Loss::none;
+  CleanFit clean = clean_of_images(session, of_images);
+  const bool is_other = options.objective != Objective::image || options.fix_markers || options.loss != Loss::none;
+  if (is_other && !clean.fit.solution.stopped) clean.fit = fit(clean.session, options);
   return clean;
 }
 

@@ -7,7 +7,8 @@
 namespace handsight {
 
 /// As clean_fit, but points that an effect of the catalogue would make right (of single markers, of the cameras) stay
-/// in. What diagnose() and improve() fit.
+/// in. What diagnose() and improve() fit, and the window. Which points are wrong is found with the image objective and
+/// free markers; the fit of the rest is that of the options.
 CleanFit clean_model(const Session& session, const FitOptions& options);
 
 }  // namespace handsight

@@ -10,6 +10,7 @@
 #include "diagnosis/explanation.h"
 #include "diagnosis/judging.h"
 #include "diagnosis/refitting.h"
+#include "diagnosis/robot_check.h"
 #include "diagnosis/threshold.h"
 
 namespace handsight {
@@ -43,7 +44,10 @@ class Work {
     if (stopped_ || !goes_on(0.95)) return stopped();
     tell_apart();
     judge(session_, weighing_.knowledge.known, fits_, d_);
-    for (DiagnosisCandidate& c : d_.candidates) c.explanation = explain(c, d_, session_);
+    for (DiagnosisCandidate& c : d_.candidates) {
+      if (c.ln_bayes_factor >= d_.threshold) c.check = predicted_check(d_, c);
+      c.explanation = explain(c, d_, session_);
+    }
     return std::move(d_);
   }
 
@@ -157,6 +161,7 @@ class Work {
     drop_idle_places(r);
     if (stopped_) return;
     take_refit(r, ranked(c.id), d_, weighing_, session_, c);
+    c.path = std::move(path_);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
     fits_[c.id] = std::move(r);
   }
@@ -164,7 +169,11 @@ class Work {
   /// With a stop request asked for at every iteration.
   Refit refitted(const std::vector<EffectTerm>& terms) {
     FitOptions options = d_.model_options;
-    if (options_.on_progress) options.on_iteration = [this](int, double, const Unknowns&) { return goes_on(done_); };
+    path_.clear();
+    options.on_iteration = [this](int, double cost, const Unknowns& unknowns) {
+      path_.push_back({cost, unknowns});
+      return goes_on(done_);
+    };
     Refit r = refit_with(d_.model, options, terms, weighing_);
     r.options.on_iteration = nullptr;
     return r;
@@ -184,8 +193,13 @@ class Work {
       if (z2 > 6 + 2 * numbers) kept.push_back(e.term);
     }
     if (kept.empty() || kept.size() == r.added) return;
+    const std::vector<FitIteration> path = path_;
     Refit fewer = refitted(kept);
-    if (fewer.fit.converged() && fewer.ln_bayes_factor > r.ln_bayes_factor - ln_of_idle) r = std::move(fewer);
+    if (fewer.fit.converged() && fewer.ln_bayes_factor > r.ln_bayes_factor - ln_of_idle) {
+      r = std::move(fewer);
+    } else {
+      path_ = path;
+    }
   }
 
   /// Which effects are nearly the same term on these poses, or too near in evidence.
@@ -219,6 +233,7 @@ class Work {
   Ranking ranking_;
   std::optional<WhitenedModel> plain_;
   std::map<std::string, Refit> fits_;
+  std::vector<FitIteration> path_;  // of the last refit
   double done_ = 0;
   bool stopped_ = false;
 };

@@ -28,12 +28,28 @@ struct DiagnosisOptions {
   std::function<bool(double done)> on_progress;
 };
 
+/// Where a fit stood after an iteration.
+struct FitIteration {
+  double cost = 0;  // squares, px^2 or m^2
+  Unknowns unknowns;
+};
+
+/// What a check with the real robot is predicted to read, on top of the model as it is (robot_check.h).
+struct CheckPrediction {
+  std::string before, after;                // the sentence round the number
+  double value = 0, sigma = 0;              // in `unit`
+  std::string unit;                         // as in the catalogue: m, rad, kg, px, 1
+  std::optional<std::int64_t> observation;  // whose pose is to be taken
+};
+
 /// Something of the catalogue, or an unnamed curve, that may be missing.
 struct DiagnosisCandidate {
   std::string id;                  // of an effect; empty: unnamed
   std::vector<std::string> where;  // joints, markers, "observation 37"; of an unnamed curve the joint that it follows
   std::vector<EffectTerm> terms;   // with values: of the full fit where there was one, else linear
   std::vector<std::vector<double>> sigmas;
+  Eigen::MatrixXd covariance;          // of the terms' numbers that are no choices, in their order
+  std::vector<FitIteration> path;      // of the full fit, from the linear estimate on
   std::optional<FitOptions> full_fit;  // after the full fit: the model with these terms, at its answer
   double ln_bayes_factor = 0;
   double p_value = 1;
@@ -45,6 +61,7 @@ struct DiagnosisCandidate {
   std::optional<ErrorSummary> held_out;      // after the full fit
   std::optional<double> explained;           // share of the excess over the noise
   std::vector<std::string> cannot_be_told_from;
+  std::optional<CheckPrediction> check;  // of the candidates that pass the threshold
   std::string explanation;
   std::optional<RankedLocaliser> unnamed;
 };

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "diagnosis/robot_check.h"
+
 namespace handsight {
 namespace {
 
@@ -100,7 +102,8 @@ std::string explain(const DiagnosisCandidate& c, const Diagnosis& d, const Sessi
   if (!c.plausible) text += " Its size is more than three times what is plausible.";
   if (!c.cannot_be_told_from.empty())
     text += " On these poses it cannot be told from " + listed(c.cannot_be_told_from) + ".";
-  return text + " Check: " + effect.check;
+  text += " Check: " + effect.check;
+  return c.check ? text + " " + prediction_text(*c.check) : text;
 }
 
 std::string too_few_text(int observations, int degrees, int unknowns) {

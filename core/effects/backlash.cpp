@@ -19,6 +19,7 @@ Effect backlash() {
       "torque.";
   effect.visibility = "Not where the torque never changes its sign: there it is an offset.";
   effect.check = "Hold the motor and rock the link by hand in both directions; read the play at the hand.";
+  effect.check_reads = CheckReads::two_sides;
   effect.source = "Slotine and Li; Khalil and Dombre 2002";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"gap", "rad", 1e-3}};

@@ -18,6 +18,7 @@ Effect base_tilt() {
   effect.cause = "The robot does not stand level: gravity comes from another direction than the model says.";
   effect.visibility = "Only through elasticity: in a model without springs it cannot be seen.";
   effect.check = "Lay a spirit level on the robot's base.";
+  effect.check_reads = CheckReads::number;
   effect.source = "Authors of the calibration of DLR Justin, who read gravity from an IMU";
   effect.scope = EffectScope::session;
   effect.parameters = {{"rx", "rad", 0.02}, {"ry", "rad", 0.02}};

@@ -17,6 +17,7 @@ Effect body_slip() {
   effect.cause = "The marker body moved on the hand at some moment: something knocked it.";
   effect.visibility = "From one observation on; needs some observations before and after.";
   effect.check = "Look whether the markers still sit where they were glued.";
+  effect.check_reads = CheckReads::number;
   effect.source = "Step change in a series; Baarda 1968";
   effect.scope = EffectScope::session;
   effect.parameters = {{"x", "m", 1.5e-3},           {"y", "m", 1.5e-3},    {"z", "m", 1.5e-3},

@@ -22,6 +22,7 @@ Effect camera_intrinsics() {
       "turned, or the lens was knocked.";
   effect.visibility = "Needs the range of depth and the corners of the images.";
   effect.check = "Calibrate the cameras again with a board.";
+  effect.check_reads = CheckReads::number;
   effect.source = "Zhang 2000";
   effect.scope = EffectScope::session;
   effect.parameters = {{"left_fx", "px", 2.5},  {"left_fy", "px", 2.5},  {"left_cx", "px", 4},  {"left_cy", "px", 4},

@@ -23,12 +23,25 @@ struct EffectParameter {
   std::vector<double> choices = {};  // the alternatives; empty: the orders of all observations
 };
 
+/// What the check with the real robot reads, so that the model can predict it (diagnosis/robot_check.h).
+enum class CheckReads {
+  number,        // a number of the effect itself, of the first parameter's unit: a mass, an angle, a shift
+  drop,          // how much more the hand drops once a known mass hangs on it
+  turn,          // how much further the joint turns between two marks than it reads
+  two_sides,     // how far the hand moves between the two flanks, or the two directions of approach
+  start_to_end,  // how far the hand has moved in the same pose once the session is over
+  place,         // how far the hand is beside where the model has it
+  epipolar,      // how far matched points lie off the epipolar line
+  image,         // how far image points lie from where the calibration has them
+};
+
 struct Effect {
   std::string id;
   std::string title;
   std::string cause;       // what happens, in words
   std::string visibility;  // where it can be seen and where not
   std::string check;       // a cheap check with the real robot
+  CheckReads check_reads = CheckReads::place;
   std::string source;
   EffectScope scope = EffectScope::joint;
   std::vector<EffectParameter> parameters;
@@ -54,7 +67,14 @@ struct EffectTerm {
   std::string id;
   int joint = -1;  // the place: index into robot.joints, or the marker; -1 for the session scope
   std::vector<double> values;
+  std::vector<char> held =
+      {};  // per parameter, not 0: where the term is estimated, this number stays; empty: none does
 };
+
+/// Does a fit that estimates the term move this number?
+inline bool is_free(const Effect& effect, const EffectTerm& term, std::size_t parameter) {
+  return !effect.parameters[parameter].is_choice && (parameter >= term.held.size() || term.held[parameter] == 0);
+}
 
 /// The places where an effect may sit in this chain.
 std::vector<int> effect_places(const Effect& effect, const Chain& chain);

@@ -22,6 +22,7 @@ Effect encoder_eccentricity() {
       "Always a pair of sine and cosine; needs about half a turn of the joint to be told from a scale or an "
       "offset.";
   effect.check = "Turn the joint by a full turn against an index table.";
+  effect.check_reads = CheckReads::turn;
   effect.source = "Standard error model of angular encoders";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"sine", "rad", 2e-3}, {"cosine", "rad", 2e-3}};

@@ -17,6 +17,7 @@ Effect friction_hysteresis() {
   effect.cause = "Friction holds the joint back: it stops short on the side that it came from.";
   effect.visibility = "Poses must be approached from both sides.";
   effect.check = "Drive to one pose from above and from below and compare where the hand is.";
+  effect.check_reads = CheckReads::two_sides;
   effect.source = "Armstrong-Helouvry 1991";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"gap", "rad", 1e-3}};

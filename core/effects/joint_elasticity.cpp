@@ -22,6 +22,7 @@ Effect joint_elasticity() {
       "Seen where the joint's gravity torque changes between poses; not at joints without torque. A link's "
       "torsion along the joint's axis is the same term.";
   effect.check = "Hold the arm stretched out, hang a known mass on the hand, and measure by how much the hand drops.";
+  effect.check_reads = CheckReads::drop;
   effect.source = "Khalil and Besnard 2002; thesis (4.43)";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"compliance", "rad/(N m)", 1e-4}};

@@ -21,6 +21,7 @@ Effect joint_offset() {
       "Seen where the joint moves the hand against the cameras; not where it only turns the body (wrist "
       "roll) or the camera (head tilt) as a whole.";
   effect.check = "Drive the joint to its mechanical stop or mark and read its angle.";
+  effect.check_reads = CheckReads::number;
   effect.source = "Craig, Introduction to Robotics; Hollerbach and Wampler 1996";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"offset", "rad", 5e-3}};

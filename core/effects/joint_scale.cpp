@@ -19,6 +19,7 @@ Effect joint_scale() {
       "angle.";
   effect.visibility = "Needs a wide range of the angle; over a small range an eccentric encoder looks alike.";
   effect.check = "Turn the joint over its whole range between two marks of known angle.";
+  effect.check_reads = CheckReads::turn;
   effect.source = "Hollerbach and Wampler 1996";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"scale", "1", 2e-3}};

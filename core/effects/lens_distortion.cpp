@@ -20,6 +20,7 @@ Effect lens_distortion() {
   effect.cause = "The distortion of the lenses is not that of the calibration.";
   effect.visibility = "Needs markers far from the images' middle.";
   effect.check = "Look at a straight edge near the border of the undistorted image.";
+  effect.check_reads = CheckReads::image;
   effect.source = "Brown 1971";
   effect.scope = EffectScope::session;
   effect.parameters = {{"left_k1", "1", 0.03},  {"left_k2", "1", 0.03},  {"left_p1", "1", 1e-3},

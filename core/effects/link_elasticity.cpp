@@ -20,7 +20,8 @@ Effect link_elasticity() {
   effect.visibility =
       "Only the part across the axes on both sides of the joint is its own; along the axis it is joint "
       "elasticity.";
-  effect.check = "Push the stretched link sideways with a known force and measure how far the hand gives way.";
+  effect.check = "Stretch the arm out, hang a known mass on the hand, and measure by how much the hand drops.";
+  effect.check_reads = CheckReads::drop;
   effect.source = "Caenen and Angue 1990; Khalil and Besnard 2002";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"compliance", "rad/(N m)", 3e-5}};

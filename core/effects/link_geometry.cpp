@@ -30,6 +30,7 @@ Effect link_geometry() {
       "Alone it is the whole geometry, four numbers a joint; a large offset of one joint is better called "
       "joint offset.";
   effect.check = "Measure the axis with a dial gauge or a tracker while only this joint turns.";
+  effect.check_reads = CheckReads::number;
   effect.source = "Hayati and Mirmirani 1985; Craig 1989";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"tu", "m", 1e-3}, {"tw", "m", 1e-3}, {"ru", "rad", 3e-3}, {"rw", "rad", 3e-3}};

@@ -17,6 +17,7 @@ Effect marker_slip() {
   effect.cause = "One marker came loose and moved on the hand.";
   effect.visibility = "From one observation on; seen in the side lengths of the markers.";
   effect.check = "Press the marker down and compare its distances to the others.";
+  effect.check_reads = CheckReads::number;
   effect.source = "Step change in a series; Baarda 1968";
   effect.scope = EffectScope::marker;
   effect.parameters = {{"x", "m", 2e-3}, {"y", "m", 2e-3}, {"z", "m", 2e-3}, {"k", "observation", 1, true}};

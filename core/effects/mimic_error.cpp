@@ -20,6 +20,7 @@ Effect mimic_error() {
   effect.check =
       "Move the followed joints through their range and lay a level on the link that ought to keep its "
       "direction.";
+  effect.check_reads = CheckReads::number;
   effect.source = "Error of a coupling ratio and its zero";
   effect.scope = EffectScope::mimic_joint;
   effect.parameters = {{"error", "1", 5e-3}, {"offset", "rad", 5e-3}};

@@ -20,7 +20,9 @@ Effect mimic_linkage() {
   effect.visibility =
       "Only through elasticity. Wrong names imitate it: nonlinear springs, a centre of mass, a scale, a "
       "ratio.";
-  effect.check = "Load the link behind the coupled joint and watch whether the joints before it give way.";
+  effect.check =
+      "Hang a known mass on the hand and measure by how much it drops: the joints before the coupled one give way too.";
+  effect.check_reads = CheckReads::drop;
   effect.source = "Virtual work on a coupled joint; tendon of the torso of DLR Justin";
   effect.scope = EffectScope::mimic_joint;
   effect.parameters = {{"share", "1", 1}};

@@ -28,6 +28,7 @@ Effect mount_drift() {
       "gives way.";
   effect.visibility = "The order of the poses must not follow their posture.";
   effect.check = "Come back to the first pose at the end.";
+  effect.check_reads = CheckReads::start_to_end;
   effect.source = "Common in photogrammetry";
   effect.scope = EffectScope::session;
   effect.parameters = {{"x", "m", 1e-3},

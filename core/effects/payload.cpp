@@ -21,6 +21,7 @@ Effect payload() {
       "springs are loaded differently.";
   effect.visibility = "Only through elasticity: in a model without springs it cannot be seen.";
   effect.check = "Weigh the hand with everything on it.";
+  effect.check_reads = CheckReads::number;
   effect.source = "Swevers et al. 2007";
   effect.scope = EffectScope::session;
   effect.parameters = {

@@ -17,6 +17,7 @@ Effect stereo_rig() {
   effect.cause = "The right camera has moved against the left one since the stereo calibration.";
   effect.visibility = "Near to the principal points; needs a range of depth and the corners of the images.";
   effect.check = "Look at the epipolar distances of any matched points: they ought to be zero.";
+  effect.check_reads = CheckReads::epipolar;
   effect.source = "Hartley and Zisserman";
   effect.scope = EffectScope::session;
   effect.parameters = {{"x", "m", 1e-3},    {"y", "m", 1e-3},    {"z", "m", 1e-3},

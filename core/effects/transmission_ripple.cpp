@@ -22,6 +22,7 @@ Effect transmission_ripple() {
       "does.";
   effect.visibility = "Needs a quarter turn or more; other orders only where they are asked for.";
   effect.check = "Turn the joint slowly by a full turn and compare motor and joint angle.";
+  effect.check_reads = CheckReads::turn;
   effect.source = "Tuttle 1992 on harmonic drives";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"sine", "rad", 1e-3}, {"cosine", "rad", 1e-3}};

@@ -17,7 +17,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   for (const EffectTerm& term : estimated) {
     const Effect& effect = *find_effect(term.id);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice)
+      if (is_free(effect, term, p))
         problem.columns_of_effects.push_back({problem.terms.size(), p, effect.parameters[p].sigma});
     problem.terms.push_back(term);
   }

@@ -84,7 +84,8 @@ struct Problem {
 };
 
 /// The used observations of a session in order of time (then id), whatever the order in memory. `held` effects move
-/// the chain at their values; `estimated` ones start at theirs, and their numbers become columns.
+/// the chain at their values; `estimated` ones start at theirs, and their numbers, but for those that
+/// are held one by one, become columns.
 Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held = {},
                      const std::vector<EffectTerm>& estimated = {});
 

@@ -185,6 +185,21 @@ TEST_F(Diagnose, WrongCornersAreFoundAndTheNoiseIsStillRight) {
   EXPECT_LE(false_alarms, 0.03 * 640);
 }
 
+TEST_F(Diagnose, AFitWithoutWrongPointsIsTheOneThatIsDiagnosed) {
+  const std::string session = sample_session("hidden_7").string();
+  const Json d = run(session).json();
+  const Json fit = run_cli(folder.path, {"fit", session, "--without-wrong-points", "--json", "-"}).json();
+  EXPECT_EQ(fit["wrong_points"], d["wrong_points"]);
+  EXPECT_EQ(fit["held_out_rms_pixel"], d["held_out_rms_pixel"]);
+  const Json with = run_cli(folder.path, {"fit", session, "--json", "-"}).json();
+  EXPECT_GT(with["held_out_rms_pixel"].get<double>(), 2 * d["held_out_rms_pixel"].get<double>());
+  // The same points, whatever is made of the rest.
+  const Json camera =
+      run_cli(folder.path, {"fit", session, "--without-wrong-points", "--objective", "camera", "--json", "-"}).json();
+  EXPECT_EQ(camera["wrong_points"], d["wrong_points"]);
+  EXPECT_EQ(camera["objective"], "camera");
+}
+
 TEST_F(Diagnose, DeclaredNoiseIsUsedAndUndeclaredNoiseIsEstimated) {
   const auto session = copy_of("hidden_1");
   const Json declared = run(session).json();

@@ -65,6 +65,20 @@ TEST(Diagnosis, NamesWhatIsHiddenAndWhere) {
   }
 }
 
+TEST(Diagnosis, TheBestCandidatesFitCanBeFollowed) {
+  const Diagnosis d = diagnose(simulated({{"joint_elasticity", 2, {1e-4}}}, 7), quick());
+  const DiagnosisCandidate& best = d.candidates.front();
+  ASSERT_TRUE(best.refitted);
+  ASSERT_GE(best.path.size(), 1u);
+  EXPECT_LT(best.path.back().cost, d.model.fit.solution.normal.data_cost());
+  for (std::size_t i = 1; i < best.path.size(); ++i) EXPECT_LE(best.path[i].cost, best.path[i - 1].cost);
+  // It ends at the candidate's numbers.
+  Eigen::Index number = best.path.back().unknowns.effects.size() - static_cast<Eigen::Index>(best.covariance.rows());
+  for (const EffectTerm& term : best.terms)
+    EXPECT_EQ(term.values[0], best.path.back().unknowns.effects[number++]) << "joint " << term.joint;
+  EXPECT_EQ(number, best.path.back().unknowns.effects.size());
+}
+
 TEST(Diagnosis, IsHonestWhenNothingIsMissing) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Diagnosis d = diagnose(simulated({}, seed), quick());

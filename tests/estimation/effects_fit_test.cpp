@@ -165,6 +165,30 @@ TEST(EffectFit, TheHeldOutErrorFallsToTheNoiseOnceTheEffectIsFitted) {
   EXPECT_LT(*report(session, after, with).held_out.rms_pixel, 0.23);
 }
 
+TEST(EffectFit, SingleNumbersCanBeHeld) {
+  SimulationOptions options;
+  options.observations = 40;
+  options.effects = {{"encoder_eccentricity", 1, {1.5e-3, -2e-3}}};
+  const Session session = simulate_session(torso_session(), options).session;
+  const auto fitted = [&](std::vector<char> held, double cosine) {
+    return fit(session, {.estimated = {{"encoder_eccentricity", 1, {0, cosine}, std::move(held)}}});
+  };
+  const Fit free = fitted({}, 0), at_truth = fitted({0, 1}, -2e-3), at_nothing = fitted({0, 1}, 0);
+  ASSERT_EQ(free.problem.effect_count(), 2);
+  ASSERT_EQ(at_truth.problem.effect_count(), 1);
+  EXPECT_EQ(at_truth.effects[0].term.values[1], -2e-3) << "to the last digit";
+  EXPECT_EQ(at_truth.effects[0].sigmas[1], 0);
+  EXPECT_NEAR(at_truth.effects[0].term.values[0], 1.5e-3, 4 * at_truth.effects[0].sigmas[0]);
+  EXPECT_LE(at_truth.effects[0].sigmas[0], free.effects[0].sigmas[0]) << "what is known makes the rest no less sure";
+  EXPECT_GT(at_nothing.residual_rms, 1.5 * free.residual_rms);
+  // All held one by one is the same as held.
+  const Fit all = fit(session, {.estimated = {{"encoder_eccentricity", 1, {1e-3, -1e-3}, {1, 1}}}});
+  const Fit whole = fit(session, {.effects = {{"encoder_eccentricity", 1, {1e-3, -1e-3}}}});
+  EXPECT_EQ(all.problem.effect_count(), 0);
+  EXPECT_NEAR(all.residual_rms, whole.residual_rms, 1e-12);
+  EXPECT_LT((all.tcp_from_body.translation - whole.tcp_from_body.translation).norm(), 1e-9);
+}
+
 TEST(EffectFit, StopsWhereItsCallbackSaysSo) {
   SimulationOptions options;
   options.observations = 20;

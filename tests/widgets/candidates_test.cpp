@@ -48,6 +48,55 @@ TEST(CandidateCard, HoverTriesAndEnterAdds) {
   EXPECT_EQ(add[1][0].toString(), "payload");
 }
 
+CardState card_with_a_check() {
+  CardState card = test::elasticity_card();
+  card.check_number =
+      CardCheck{"In the pose of observation 37 1 kg makes the hand drop by 1.40 ± 0.20 mm.", "mm", {}, {}};
+  return card;
+}
+
+TEST(CandidateCard, WhatWasMeasuredIsToldOnceAndDoesNotAdd) {
+  CandidateList list;
+  list.set_cards({card_with_a_check(), test::predicted_card()}, CardOrder::fresh);
+  test::show(list, {464, 700});
+  list.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&list));
+  QSignalSpy measured(&list, &CandidateList::measured), add(&list, &CandidateList::add);
+  CandidateCard* card = list.card(0);
+  EXPECT_FALSE(list.card(1)->measured_field()->isVisible()) << "no number, no field";
+  const int height = card->height();
+  test::click(card->measured_field(), card->measured_field()->rect().center());
+  QTest::keyClicks(card->measured_field(), "1.3 +- 0.1");
+  QTest::keyClick(card->measured_field(), Qt::Key_Return);
+  ASSERT_EQ(measured.size(), 1);
+  EXPECT_EQ(measured[0][0].toString(), card->state().id);
+  EXPECT_EQ(measured[0][1].toString(), "1.3 +- 0.1");
+  EXPECT_EQ(add.size(), 0);
+  EXPECT_TRUE(card->hasFocus());
+  // The answer comes; nothing on the card moves.
+  CardState answered = card_with_a_check();
+  answered.check_number->measured = "1.30 ± 0.10";
+  answered.check_number->answer = "Inside: 0.4 sigma from the prediction. That speaks for this cause.";
+  answered.check_number->is_inside = true;
+  list.set_cards({answered, test::predicted_card()}, CardOrder::kept);
+  EXPECT_EQ(card->measured_field()->text(), "1.30 ± 0.10");
+  EXPECT_EQ(card->height(), height);
+  list.setFocus();
+  EXPECT_EQ(measured.size(), 1);
+}
+
+TEST(CandidateCard, WhatIsBeingTypedIsNotOverwritten) {
+  CandidateList list;
+  list.set_cards({card_with_a_check()}, CardOrder::fresh);
+  test::show(list, {464, 700});
+  CandidateCard* card = list.card(0);
+  QTest::keyClicks(card->measured_field(), "1.");
+  list.set_cards({card_with_a_check()}, CardOrder::kept);
+  EXPECT_EQ(card->measured_field()->text(), "1.");
+  list.set_measured_note(card->state().id, "That is no number.");
+  EXPECT_EQ(card->state().check_number->answer, "That is no number.");
+}
+
 TEST(CandidateCard, FocusTriesAsHoverDoesAndStaysWithinTheCard) {
   CandidateList list;
   list.set_cards({test::elasticity_card(), test::predicted_card()}, CardOrder::fresh);

@@ -88,6 +88,18 @@ TEST(PatternPage, AxesAreLockedUntilFitted) {
   EXPECT_NE(page.on_screen(0, 10, 3), before);
 }
 
+TEST(PatternPage, PlotsMayGoWhileOneIsBrushed) {
+  PatternPage page;
+  page.set_plots(test::nine_patterns(40));
+  test::show(page, {600, 300});
+  QSignalSpy many(&page, &PatternPage::observations_selected);
+  const QPoint from = page.plot_rect(8).center().toPoint();
+  QTest::mousePress(&page, Qt::LeftButton, Qt::ShiftModifier, from);
+  page.update_plots({page.plots()[0]});
+  QTest::mouseRelease(&page, Qt::LeftButton, Qt::ShiftModifier, from + QPoint(10, 10));
+  EXPECT_EQ(many.size(), 0) << "nothing of a plot that is gone";
+}
+
 TEST(PatternPage, NoiseNeverFillsAPlot) {
   PatternPage page;
   PatternPlot plot = test::nine_patterns(40)[0];
@@ -161,6 +173,8 @@ TEST(CostCurve, GrowsPointByPoint) {
   EXPECT_FALSE(curve.is_running());
   curve.start("rms", "px");
   EXPECT_EQ(curve.count(), 0);
+  curve.clear();
+  EXPECT_FALSE(curve.is_running()) << "no fit starts where there is none";
 }
 
 TEST(ResidualCloud, BothPanesHaveTheSameLockedAxes) {

@@ -146,6 +146,45 @@ TEST(ModelPanel, TickingAsksAndChangesNothingElse) {
   EXPECT_EQ(panel.width(), 36);
 }
 
+TEST(ModelPanel, EveryNumberCanBeHeldAndTyped) {
+  ModelPanel panel;
+  ModelEffect wheel{"encoder_eccentricity", "Encoder eccentricity", {}, true};
+  wheel.can_hold = true;
+  for (const char* name : {"sine", "cosine"})
+    wheel.parameters.push_back(
+        {.of = "arm_2", .name = name, .value = 1.5, .sigma = 0.1, .unit = "mrad", .plausible = 2.0, .can_hold = true});
+  wheel.parameters[1].is_held = true;
+  wheel.parameters[1].sigma.reset();
+  panel.set_effects({wheel});
+  test::show(panel, {288, 400});
+  QSignalSpy held(&panel, &ModelPanel::number_held), typed(&panel, &ModelPanel::value_typed);
+  auto* free_lock = panel.findChild<QAbstractButton*>("hold_encoder_eccentricity_0");
+  auto* closed_lock = panel.findChild<QAbstractButton*>("hold_encoder_eccentricity_1");
+  ASSERT_TRUE(free_lock && closed_lock);
+  EXPECT_FALSE(free_lock->isChecked());
+  EXPECT_TRUE(closed_lock->isChecked());
+  EXPECT_FALSE(panel.findChild<QLineEdit*>("value_encoder_eccentricity_0")) << "the fit's own";
+  test::click(free_lock, free_lock->rect().center());
+  ASSERT_EQ(held.size(), 1);
+  EXPECT_EQ(held[0][1].toInt(), 0);
+  EXPECT_TRUE(held[0][2].toBool());
+  closed_lock->setFocus();
+  QTest::keyClick(closed_lock, Qt::Key_Space);
+  ASSERT_EQ(held.size(), 2);
+  EXPECT_EQ(held[1][1].toInt(), 1);
+  EXPECT_FALSE(held[1][2].toBool());
+  auto* field = panel.findChild<QLineEdit*>("value_encoder_eccentricity_1");
+  ASSERT_TRUE(field);
+  EXPECT_FALSE(field->geometry().intersects(closed_lock->geometry()));
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "-2.5");
+  QTest::keyClick(field, Qt::Key_Return);
+  ASSERT_EQ(typed.size(), 1);
+  EXPECT_EQ(typed[0][1].toInt(), 1);
+  EXPECT_EQ(typed[0][2].toDouble(), -2.5);
+}
+
 TEST(DecisionList, ClickSelectsAndSetterIsSilent) {
   DecisionList list;
   list.set_entries({{1, CellState::used, {}, 0.2, 1.0, 12}, {2, CellState::rejected, "too near", {}, {}, 12}});

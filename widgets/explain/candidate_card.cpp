@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
@@ -65,10 +66,22 @@ CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   add_->setText(tr("Add"));
   what_if_->setText(tr("What if"));
   poses_->setText(tr("Poses that would tell"));
+  measured_ = new QLineEdit(this);
+  measured_->setObjectName(QStringLiteral("measured"));
+  measured_->setFont(number_font(TextRole::body));
+  measured_->setAlignment(Qt::AlignRight);
+  measured_->setAccessibleName(tr("Measured on the robot"));
+  measured_->setToolTip(tr("What the real robot shows, with what it may be off by: 1.3 ± 0.1"));
+  measured_->installEventFilter(this);
+  connect(measured_, &QLineEdit::editingFinished, this, &CandidateCard::take_measured);
+  connect(measured_, &QLineEdit::textEdited, this, [this] {
+    if (state_.check_number) state_.check_number->answer.clear();
+    update();
+  });
 }
 
 void CandidateCard::set_state(CardState state) {
-  state_ = std::move(state);
+  const std::optional<CardCheck> before = std::exchange(state_, std::move(state)).check_number;
   const bool is_candidate = state_.kind == CardKind::candidate;
   add_->setVisible(is_candidate);
   add_->setEnabled(state_.can_add);
@@ -80,8 +93,37 @@ void CandidateCard::set_state(CardState state) {
   setAccessibleName(state_.where.isEmpty() ? state_.title : tr("%1 of %2").arg(state_.title, state_.where));
   QString description = state_.words;
   if (is_candidate) description += QLatin1Char(' ') + error_left_text(state_.error);
+  if (state_.check_number) description += QLatin1Char(' ') + state_.check_number->prediction;
   setAccessibleDescription(description);
+  show_check(before);
   place_buttons();
+  update();
+}
+
+void CandidateCard::show_check(const std::optional<CardCheck>& before) {
+  measured_->setVisible(state_.kind == CardKind::candidate && state_.check_number.has_value());
+  if (!state_.check_number) return measured_->clear();
+  CardCheck& check = *state_.check_number;
+  // What is being typed is not overwritten by news of something else.
+  if (before && measured_->isModified() && before->measured == check.measured) {
+    check.answer = before->answer;
+    check.is_inside = before->is_inside;
+    return;
+  }
+  measured_->setText(check.measured);
+}
+
+void CandidateCard::take_measured() {
+  if (!measured_->isModified()) return;
+  measured_->setModified(false);
+  emit measured(state_.id, measured_->text());
+}
+
+void CandidateCard::set_measured_note(const QString& sentence) {
+  if (!state_.check_number) return;
+  state_.check_number->answer = sentence;
+  state_.check_number->is_inside = false;
+  measured_->setModified(true);  // it is still to be taken
   update();
 }
 
@@ -114,6 +156,7 @@ int CandidateCard::heightForWidth(int width) const { return static_cast<int>(lay
 void CandidateCard::place_buttons() {
   const CardLayout layout = lay_out(state_, width());
   if (height() != static_cast<int>(layout.height)) setFixedHeight(static_cast<int>(layout.height));
+  measured_->setGeometry(layout.field.toRect());
   const std::array<QPushButton*, 4> buttons = {add_, action_, what_if_, poses_};
   const auto wide = [](const QPushButton* button) {
     return std::max(QFontMetrics(button->font()).horizontalAdvance(button->text()) + 28, 72);
@@ -186,6 +229,13 @@ void CandidateCard::focusOutEvent(QFocusEvent* event) {
 }
 
 bool CandidateCard::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == measured_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {  // takes the number, and does not add the candidate
+      setFocus(Qt::OtherFocusReason);  // which takes what was typed; and undo is the window's again
+      return true;
+    }
+  }
   if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
     QMetaObject::invokeMethod(this, &CandidateCard::look_at_attention, Qt::QueuedConnection);
   return QFrame::eventFilter(watched, event);
@@ -225,6 +275,8 @@ bool CandidateCard::event(QEvent* event) {
     text = state_.evidence;
   else if (layout.check.contains(help->pos()))
     text = state_.check;
+  else if (layout.prediction.contains(help->pos()) || layout.answer.contains(help->pos()))
+    text = state_.check_number->prediction + QLatin1Char(' ') + state_.check_number->answer;
   for (std::size_t i = 0; i < layout.sizes.size() && i < state_.sizes.size(); ++i)
     if (layout.sizes[i].contains(help->pos()))
       text = tr("%1 %2: the size that the fit wants, against what is plausible (± %3).")

@@ -9,8 +9,8 @@
 
 #include "widgets/model_panel.h"
 
+class QLineEdit;
 class QPushButton;
-class QLabel;
 
 namespace handsight::widgets {
 
@@ -21,6 +21,15 @@ struct ErrorLeft {
   std::optional<double> now, left, noise;
   bool is_predicted = false;  // not fitted in full: the bar is dashed
   QString unit = "px";
+};
+
+/// A check with the real robot as numbers: predicted, measured, and what that says.
+struct CardCheck {
+  QString prediction;  // "In the pose of observation 37 1 kg makes the hand drop by 1.40 ± 0.20 mm more than ..."
+  QString unit;        // of what is typed
+  QString measured;    // "1.30 ± 0.05"; empty: nothing yet
+  QString answer;      // "Inside: 0.5 sigma from the prediction. That speaks for this cause."
+  bool is_inside = false;
 };
 
 struct CardState {
@@ -35,7 +44,8 @@ struct CardState {
   std::vector<ModelParameter> sizes;  // value with sigma against what is plausible
   QString cannot_be_told_from;        // "payload, base tilt"; empty: nothing
   QString check;                      // a cheap check with the robot
-  QString caution;                    // "The fit wants 4 kg; 1 kg is plausible."
+  std::optional<CardCheck> check_number;
+  QString caution;  // "The fit wants 4 kg; 1 kg is plausible."
   bool can_add = true;
   QString why_not;  // where it cannot be added: the button's tool tip, and shown
   bool can_what_if = true, can_show_poses = false;
@@ -58,6 +68,9 @@ class CandidateCard : public QFrame {
   QPushButton* poses_button() const { return poses_; }
   QPushButton* what_if_button() const { return what_if_; }
   QPushButton* action_button() const { return action_; }
+  QLineEdit* measured_field() const { return measured_; }
+  /// Why what was typed was not taken; until it is typed again.
+  void set_measured_note(const QString& sentence);
 
  signals:
   void preview(const QString& id);
@@ -66,6 +79,7 @@ class CandidateCard : public QFrame {
   void show_poses(const QString& id);
   void what_if(const QString& id);
   void action(const QString& action_id);
+  void measured(const QString& id, const QString& text);  // typed; empty: it is to be forgotten
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -81,11 +95,14 @@ class CandidateCard : public QFrame {
 
  private:
   void place_buttons();
+  void show_check(const std::optional<CardCheck>& before);
+  void take_measured();
   void look_at_attention();  // hover or focus came or went
 
   CardState state_;
   bool is_main_ = false, is_previewed_ = false, is_hovered_ = false, is_attended_ = false;
   QPushButton *add_ = nullptr, *what_if_ = nullptr, *poses_ = nullptr, *action_ = nullptr;
+  QLineEdit* measured_ = nullptr;
 };
 
 }  // namespace handsight::widgets

@@ -15,12 +15,15 @@ namespace handsight::widgets {
 namespace {
 
 constexpr double kMargin = 10, kDrawing = 96, kSizeRow = 18, kErrorRow = 20, kLeast = 168;
+constexpr double kFieldHeight = 24, kFieldWidth = 116;
 constexpr int kMostSizes = 4;
 
 QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::CandidateCard", text); }
 
 QFont body() { return text_font(TextRole::body); }
 QFont small() { return text_font(TextRole::small); }
+
+QString measured_label() { return said("Measured"); }
 
 /// The sign, ink and ground of an honest card.
 struct Honest {
@@ -154,6 +157,21 @@ void paint_size(QPainter& painter, const ModelParameter& p, const QString& name,
     paint_plausible(painter, p, QRectF(row.right() - bar, row.center().y() - 3, bar, 6));
 }
 
+/// The prediction, and what the measured number says of it; the field itself is a widget.
+void paint_check(QPainter& painter, const CardCheck& check, const CardLayout& l) {
+  const Colors& c = colors();
+  painter.setPen(c.ink1);
+  draw_lines(painter, small(), l.prediction, check.prediction, 3);
+  painter.setFont(small());
+  painter.setPen(c.ink2);
+  draw_text(painter, l.measured_label, Qt::AlignLeft | Qt::AlignVCenter, measured_label());
+  draw_text(painter, l.unit, Qt::AlignLeft | Qt::AlignVCenter, check.unit);
+  const bool is_hint = check.answer.isEmpty();
+  painter.setPen(is_hint ? c.ink3 : check.is_inside ? c.good : c.bad);
+  draw_lines(painter, small(), l.answer, is_hint ? said("Try it on the robot and type what it shows.") : check.answer,
+             2);
+}
+
 void paint_more(QPainter& painter, const QRectF& row, std::size_t hidden) {
   painter.setFont(small());
   painter.setPen(colors().ink3);
@@ -181,7 +199,7 @@ QString error_left_text(const ErrorLeft& error) {
 CardLayout lay_out(const CardState& state, double width) {
   CardLayout l;
   l.drawing = {kMargin, kMargin, kDrawing, kDrawing};
-  const double left = l.drawing.right() + 12, wide = width - left - kMargin;
+  double left = l.drawing.right() + 12, wide = width - left - kMargin;
   l.title = {left, kMargin - 2, wide, 22};
   double y = l.title.bottom() + 2;
   const auto text = [&](const QFont& font, const QString& said_text, int most_lines) {
@@ -203,7 +221,22 @@ CardLayout lay_out(const CardState& state, double width) {
   for (std::size_t i = 0; i < rows; ++i, y += kSizeRow) l.sizes.push_back({left, y, wide, kSizeRow});
   if (rows > 0) y += 3;
   l.told_from = text(small(), told_from_text(state), 2);
+  if (state.check_number && y > l.drawing.bottom()) {  // below the drawing there is room
+    left = kMargin;
+    wide = width - 2 * kMargin;
+  }
   l.check = text(small(), check_text(state), 2);
+  if (state.check_number && !is_honest) {
+    l.prediction = text(small(), state.check_number->prediction, 3);
+    const double label = QFontMetricsF(small()).horizontalAdvance(measured_label()) + kGap;
+    l.measured_label = {left, y, label, kFieldHeight};
+    l.field = {left + label, y, kFieldWidth, kFieldHeight};
+    l.unit = {l.field.right() + kGap, y, wide - label - kFieldWidth - kGap, kFieldHeight};
+    y += kFieldHeight + 3;
+    // As high as any answer, so that nothing moves away under the pointer when it comes.
+    l.answer = {left, y, wide, 2 * QFontMetricsF(small()).lineSpacing()};
+    y += l.answer.height() + 3;
+  }
   const bool has_buttons = !is_honest || !state.action.isEmpty();
   y = std::max(y, kLeast - kMargin - (has_buttons ? kControlHeight + 4 : 0));
   if (has_buttons) {
@@ -238,6 +271,7 @@ void paint_card(QPainter& painter, const CardState& state, const CardLayout& l) 
   draw_lines(painter, small(), l.told_from, told_from_text(state), 2);
   painter.setPen(c.ink2);
   draw_lines(painter, small(), l.check, check_text(state), 2);
+  if (!l.field.isEmpty()) paint_check(painter, *state.check_number, l);
 }
 
 }  // namespace handsight::widgets

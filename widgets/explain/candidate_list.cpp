@@ -85,6 +85,7 @@ CandidateCard* CandidateList::make_card() {
   connect(card, &CandidateCard::show_poses, this, &CandidateList::show_poses);
   connect(card, &CandidateCard::what_if, this, &CandidateList::what_if);
   connect(card, &CandidateCard::action, this, &CandidateList::action);
+  connect(card, &CandidateCard::measured, this, &CandidateList::measured);
   return card;
 }
 
@@ -160,6 +161,11 @@ void CandidateList::set_progress(const QString& text) {
 
 void CandidateList::set_previewed(const QString& id) {
   for (CandidateCard* card : cards_) card->set_previewed(!id.isEmpty() && card->state().id == id);
+}
+
+void CandidateList::set_measured_note(const QString& id, const QString& sentence) {
+  for (CandidateCard* card : cards_)
+    if (card->state().id == id) card->set_measured_note(sentence);
 }
 
 void CandidateList::set_empty_text(const QString& sentence) { empty_->setText(sentence); }

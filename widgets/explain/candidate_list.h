@@ -26,7 +26,8 @@ class CandidateList : public QWidget {
   void set_progress(const QString& text);  // "from 40 of 100"; empty: done
   void set_previewed(const QString& id);   // the card that is shown as tried; empty: none
   void set_empty_text(const QString& sentence);
-  void set_can_add(bool can_add);  // false while a fit runs
+  void set_can_add(bool can_add);                                      // false while a fit runs
+  void set_measured_note(const QString& id, const QString& sentence);  // why what was typed was not taken
   CandidateCard* card(int index) const;
   int count() const { return static_cast<int>(cards_.size()); }
   std::vector<QString> shown() const;  // ids in the order shown
@@ -41,6 +42,7 @@ class CandidateList : public QWidget {
   void show_poses(const QString& id);
   void what_if(const QString& id);
   void action(const QString& action_id);
+  void measured(const QString& id, const QString& text);
   void why_not_requested();  // the table of all effects
 
  protected:

@@ -35,6 +35,11 @@ void CostCurve::start(const QString& quantity, const QString& unit) {
   update();
 }
 
+void CostCurve::clear() {
+  start({}, {});
+  is_running_ = false;
+}
+
 void CostCurve::append(int iteration, double cost) {
   if (!std::isfinite(cost) || cost <= 0) return;
   points_.push_back({iteration, cost});

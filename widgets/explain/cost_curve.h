@@ -15,6 +15,7 @@ class CostCurve : public QWidget {
   explicit CostCurve(QWidget* parent = nullptr);
   /// A new fit: an empty curve. `quantity` says what the cost is: "rms of the coordinates", with its unit.
   void start(const QString& quantity, const QString& unit);
+  void clear();  // no fit, as at first
   void append(int iteration, double cost);
   void finish(const QString& outcome);         // "settled after 7 iterations", "stopped"; shown at the curve's end
   void set_floor(std::optional<double> cost);  // hatched: what noise alone leaves

@@ -62,7 +62,9 @@ void PatternPage::update_plots(std::vector<PatternPlot> plots) {
   for (std::size_t i = 0; i < plots.size(); ++i)
     if (i >= plots_.size() || plots_[i].id != plots[i].id) ranges_[i] = range_of(plots[i]);
   plots_ = std::move(plots);
-  if (selected_plot_ >= static_cast<int>(plots_.size())) selected_plot_ = -1;
+  const int count = static_cast<int>(plots_.size());
+  for (int* place : {&selected_plot_, &hovered_plot_, &brushing_})
+    if (*place >= count) *place = -1;
   update();
 }
 

@@ -40,7 +40,7 @@ VersionList::VersionList(QWidget* parent) : QWidget(parent) {
   layout->addWidget(comparison_);
   take_back_ = new QPushButton(tr("Take back to here"), this);
   take_back_->setFixedHeight(kControlHeight);
-  take_back_->setToolTip(tr("Makes the version that is shown the model again; Ctrl+Z undoes it"));
+  take_back_->setToolTip(tr("Undoes every action after the version that is shown; Ctrl+Shift+Z does them again"));
   take_back_->setMinimumWidth(take_back_->sizeHint().width() + 12);
   auto* foot = new QHBoxLayout;
   foot->setContentsMargins(kGap, 0, kGap, 4);

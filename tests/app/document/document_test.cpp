@@ -151,7 +151,10 @@ TEST(Edits, ReadBackBitForBit) {
   b.sightings.push_back({0, std::nullopt, Vector2(-0.1, 7), Vector3(0.1, 0.2, 0.3), MarkedBy::tracker});
   b.decision = Decision::rejected;
   b.reason = "\"quoted\"\n and \xc3\xa4";
-  const Edit edit{"d\xc3\xa9placé", {{7, a, b}}, SettingsEdit{{}, {Objective::angle_axis, true}}, 12};
+  const Edit edit{.sentence = "d\xc3\xa9placé",
+                  .observations = {{7, a, b}},
+                  .settings = SettingsEdit{{}, {Objective::angle_axis, true}},
+                  .joins = 12};
   const Edit again = parse_edit(edit_text(edit));
   EXPECT_EQ(again.sentence, edit.sentence);
   EXPECT_EQ(again.joins, 12);

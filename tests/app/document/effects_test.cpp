@@ -7,7 +7,9 @@
 #include "base/files.h"
 #include "diagnosis/diagnosis.h"
 #include "document/document.h"
+#include "document/model_edits.h"
 #include "session/calibration_xml.h"
+#include "session/session_xml.h"
 #include "temporary_folder.h"
 
 namespace handsight::app {
@@ -26,7 +28,6 @@ class EffectsTest : public testing::Test {
     ModelSettings settings = document.settings();
     settings.estimated = {{"joint_elasticity", find_joint(robot, "right_arm_2"), {1e-4}}};
     settings.held = {{"joint_elasticity", find_joint(robot, "right_arm_1"), {1.0 / 3.0 * 3.7e-4}}};
-    settings.leaves_out_wrong_points = true;
     return settings;
   }
   void perform(const ModelSettings& after) {
@@ -113,6 +114,96 @@ TEST_F(EffectsTest, AVersionMadeOfADiagnosisIsTheOneThatWouldBeFitted) {
   const auto made = fitted();
   EXPECT_NEAR(*of_diagnosis->report->held_out.rms_pixel, *made->report->held_out.rms_pixel, 1e-7);
   EXPECT_EQ(of_diagnosis->wrong_points.size(), made->wrong_points.size());
+}
+
+TEST_F(EffectsTest, SingleNumbersAreHeldTypedAndFreed) {
+  ModelSettings settings = with_springs();
+  settings.estimated.insert(settings.estimated.begin(), settings.held.begin(), settings.held.end());
+  settings.held.clear();
+  perform(settings);
+  document.take_version(fitted());
+  const double arm_2 = document.model()->fit->effects[1].term.values[0];
+
+  document.perform(with_number_held(document, "joint_elasticity", 0, true));
+  EXPECT_EQ(document.undo_stack().undoText(), "held the compliance of joint elasticity of right_arm_1");
+  document.perform(with_value(document, "joint_elasticity", 0, 3e-4));
+  const ModelSettings now = document.settings();
+  ASSERT_EQ(now.estimated.size(), 2U) << "the other is still estimated, and the order is kept";
+  EXPECT_EQ(now.by_hand, 2);
+  EXPECT_EQ(now.estimated[0].values[0], 3e-4);
+  EXPECT_TRUE(with_value(document, "joint_elasticity", 1, 3e-4).is_empty()) << "what is estimated cannot be typed";
+  const auto version = fitted();
+  EXPECT_EQ(version->fit->effects[0].term.values[0], 3e-4);
+  EXPECT_EQ(version->fit->effects[0].sigmas[0], 0);
+  EXPECT_GT(version->fit->effects[1].sigmas[0], 0);
+  EXPECT_GT(std::abs(version->fit->effects[1].term.values[0] - arm_2), 1e-7) << "it makes up for it";
+  const Edit edit{.sentence = "x", .settings = SettingsEdit{{}, now}};
+  EXPECT_EQ(parse_edit(edit_text(edit)).settings->after, now);
+
+  // The last one too: the whole effect is held, as by its button; one freed again leaves the others.
+  document.perform(with_number_held(document, "joint_elasticity", 1, true));
+  EXPECT_EQ(document.settings().held.size(), 2U);
+  EXPECT_TRUE(document.settings().estimated.empty());
+  document.perform(with_number_held(document, "joint_elasticity", 1, false));
+  EXPECT_TRUE(document.settings().held.empty());
+  ASSERT_EQ(document.settings().estimated.size(), 2U);
+  EXPECT_EQ(document.settings().estimated[0].values[0], 3e-4);
+  EXPECT_FALSE(with_value(document, "joint_elasticity", 0, 1e-4).is_empty());
+  document.undo_all();
+  EXPECT_EQ(document.settings(), ModelSettings{});
+}
+
+TEST_F(EffectsTest, AStateThatComesBackHasItsModelAgain) {
+  const auto first = fitted();
+  document.take_version(first);
+  const std::int64_t before = document.revision();
+  perform(with_springs());
+  EXPECT_EQ(document.model(), nullptr);
+  const auto second = fitted();
+  document.take_version(second);
+  document.undo();
+  EXPECT_EQ(document.revision(), before);
+  EXPECT_EQ(document.model(), first) << "to the last digit";
+  document.redo();
+  EXPECT_EQ(document.model(), second);
+  // Another action in its place is another state.
+  document.undo();
+  ModelSettings other = with_springs();
+  other.held.clear();
+  perform(other);
+  EXPECT_EQ(document.model(), nullptr);
+  EXPECT_NE(document.revision(), second->revision);
+  // A fit of a state that is gone is not taken.
+  document.take_version(second);
+  EXPECT_EQ(document.model(), nullptr);
+}
+
+TEST_F(EffectsTest, ASecondLookKeepsTheFit) {
+  const auto first = fitted();
+  document.take_version(first);
+  document.take_second_looks({{document.session().observations.front().id, {}}});
+  EXPECT_EQ(document.model(), nullptr);
+  ASSERT_EQ(document.model_before_second_looks(), first);
+  const auto again = inspected_again(document.session(), *first, document.revision(), document.second_looks());
+  EXPECT_TRUE(same_fit(*first, *again));
+  document.take_version(again);
+  EXPECT_EQ(document.model(), again);
+}
+
+TEST(VersionsWithWrongPoints, AreWhatADiagnosisFitsFromTheFirstOn) {
+  const Session session = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / "hidden_7");
+  const Diagnosis d = diagnose(session, {.refitted = 0});
+  ASSERT_GT(d.model.wrong.size(), 20U);
+  const auto made = make_version(session, {}, 0, "");
+  EXPECT_EQ(made->wrong_points.size(), d.model.wrong.size());
+  EXPECT_EQ(*made->report->held_out.rms_pixel, *d.report.held_out.rms_pixel);
+  EXPECT_EQ(made->fit->tcp_from_body.translation, d.model.fit.tcp_from_body.translation);
+  for (const WrongPoint& w : made->wrong_points)
+    EXPECT_TRUE(made->inspection->rows[static_cast<std::size_t>(w.index)].outlier) << "odd for Inspect: " << w.id;
+  // Inspect still shows how far they are off.
+  double worst = 0;
+  for (const InspectionRow& row : made->inspection->rows) worst = std::max(worst, row.worst_size);
+  EXPECT_GT(worst, 5);
 }
 
 TEST_F(EffectsTest, AnEffectAtAPlaceThatTheRobotDoesNotHaveIsSaid) {

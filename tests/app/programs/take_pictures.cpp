@@ -108,24 +108,22 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   photo.take("explain");
   rest_on(explain.cards()->card(0), QPoint(20, 20));
   photo.take_now("explain_preview");
+  explain.measure("1.0");
+  photo.take_now("explain_check");
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
   desk.click(explain.cards()->card(0)->what_if_button());
   photo.take_now("explain_what_if");
   desk.find<widgets::WhatIfSlider>("what_if")->setFocus();
   for (auto* button : desk.find<QWidget>("what_if")->findChildren<QAbstractButton*>())
     if (button->accessibleName().contains("lose") || button->text().contains("lose")) desk.click(button);
   auto* plot = desk.find<QWidget>("pattern_large");
-  QWindow* top = desk.window.windowHandle();
-  const QPoint a = plot->mapTo(&desk.window, QPoint(plot->width() * 6 / 10, 30));
-  const QPoint b = plot->mapTo(&desk.window, QPoint(plot->width() - 20, plot->height() - 40));
-  QTest::mousePress(top, Qt::LeftButton, Qt::ShiftModifier, a);
-  for (int i = 1; i <= 8; ++i) QTest::mouseMove(top, a + (b - a) * i / 8), QTest::qWait(2);
-  QTest::mouseRelease(top, Qt::LeftButton, Qt::ShiftModifier, b);
+  desk.drag(plot, {plot->width() * 6 / 10, 30}, {plot->width() - 20, plot->height() - 40}, Qt::ShiftModifier);
   photo.take_now("explain_common");
   desk.key(Qt::Key_Escape);
   plot->setFocus();
-  QTest::keyPress(top, Qt::Key_N);
+  QTest::keyPress(desk.window.windowHandle(), Qt::Key_N);
   photo.take_now("explain_noise");
-  QTest::keyRelease(top, Qt::Key_N);
+  QTest::keyRelease(desk.window.windowHandle(), Qt::Key_N);
   desk.click(explain.cards()->why_not_button());
   photo.take_now("explain_why_not");
   desk.press_button("table_back");
@@ -141,6 +139,12 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   desk.press_button("reveal");
   photo.take_now("explain_truth");
   desk.press_button("truth_back");
+  auto* lock = desk.find<QWidget>("hold_joint_elasticity_1");
+  for (auto* area : desk.find<QWidget>("model_panel")->findChildren<QScrollArea*>()) area->ensureWidgetVisible(lock);
+  QTest::qWait(20);
+  desk.click(lock);
+  ASSERT_TRUE(explain.is_settled());
+  photo.take_now("explain_held");
   desk.key(Qt::Key_5, Qt::ControlModifier);
   photo.take("export_effects");
 }

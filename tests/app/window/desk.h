@@ -14,6 +14,14 @@
 
 namespace handsight::test {
 
+/// A sample session that a test may change.
+inline std::filesystem::path copy_of_sample(const std::filesystem::path& folder, const std::string& name) {
+  const auto copy = folder / name;
+  std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name, copy,
+                        std::filesystem::copy_options::recursive);
+  return copy;
+}
+
 class Desk {
  public:
   Desk() {
@@ -46,15 +54,15 @@ class Desk {
     ASSERT_TRUE(button->isEnabled()) << name << " cannot be pressed";
     click(button);
   }
-  void drag(QWidget* widget, const QPoint& from, const QPoint& to) {
+  void drag(QWidget* widget, const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
     QWindow* top = widget->window()->windowHandle();
     const QPoint a = widget->mapTo(widget->window(), from), b = widget->mapTo(widget->window(), to);
-    QTest::mousePress(top, Qt::LeftButton, {}, a);
+    QTest::mousePress(top, Qt::LeftButton, keys, a);
     for (int i = 1; i <= 8; ++i) {
       QTest::mouseMove(top, a + (b - a) * i / 8);
       QTest::qWait(2);
     }
-    QTest::mouseRelease(top, Qt::LeftButton, {}, b);
+    QTest::mouseRelease(top, Qt::LeftButton, keys, b);
     QTest::qWait(5);
   }
   void key(int key, Qt::KeyboardModifiers keys = {}) {

@@ -4,12 +4,14 @@
 
 #include <QListView>
 #include <QScrollArea>
+#include <QSignalSpy>
 
 #include "app/window/pages.h"
 #include "base/files.h"
 #include "cli/cli_runner.h"
 #include "cli/hidden_sessions.h"
 #include "document/effect_words.h"
+#include "export/report.h"
 #include "session/calibration_xml.h"
 #include "temporary_folder.h"
 #include "widgets/explain/cost_curve.h"
@@ -18,6 +20,7 @@
 #include "widgets/explain/version_list.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/explain/what_if_track.h"
+#include "widgets/number_text.h"
 #include "widgets/scatter_plot.h"
 #include "widgets/three_numbers.h"
 
@@ -26,12 +29,7 @@ namespace {
 
 class Explain : public testing::Test {
  protected:
-  std::filesystem::path copy_of(const std::string& name) {
-    const auto copy = folder.path / name;
-    std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name, copy,
-                          std::filesystem::copy_options::recursive);
-    return copy;
-  }
+  std::filesystem::path copy_of(const std::string& name) { return copy_of_sample(folder.path, name); }
   void open(const std::string& name) {
     desk.window.resize(1440, 900);
     session = copy_of(name);
@@ -87,10 +85,14 @@ INSTANTIATE_TEST_SUITE_P(All, HiddenSession, testing::Range(1, 9));
 TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
   open("hidden_3");
   const double before = held_out();
+  const auto model_before = desk.document().model();
   EXPECT_EQ(explain.verdict().state, widgets::SessionState::missing);
+  QSignalSpy ends(&explain.workspace()->adding(), &app::Adding::ended);
   explain.press_add();
   ASSERT_TRUE(explain.is_settled());
   const double after = held_out();
+  ASSERT_EQ(ends.size(), 1);
+  EXPECT_EQ(ends[0][0].value<app::AdditionEnd>(), app::AdditionEnd::taken);
   EXPECT_LT(after, 0.1 * before);
   EXPECT_EQ(explain.verdict().state, widgets::SessionState::adequate);
   auto* numbers = desk.find<widgets::ThreeNumbers>("three_numbers");
@@ -102,13 +104,15 @@ TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
 
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(explain.is_settled());
-  EXPECT_NEAR(held_out(), before, 1e-9);
+  EXPECT_EQ(desk.document().model(), model_before) << "the very same, nothing is fitted again";
   EXPECT_TRUE(desk.document().settings() == app::ModelSettings{});
   EXPECT_TRUE(explain.can_add_first());
   desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(explain.is_settled());
-  EXPECT_NEAR(held_out(), after, 1e-7);
+  EXPECT_EQ(held_out(), after);
 
+  desk.press_button("tab_fit");
+  EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2);
   desk.press_button("tab_versions");
   auto* versions = desk.find<widgets::VersionList>("versions");
   desk.click(versions->view()->viewport(), versions->letter_rect(0, false).center());
@@ -123,6 +127,7 @@ TEST_F(Explain, StoppedInTheMiddleOfAFitTheStateBeforeIsBack) {
   open("hidden_3");
   const auto model = desk.document().model();
   const std::string journal_before = session_digest();
+  QSignalSpy ends(&explain.workspace()->adding(), &app::Adding::ended);
   explain.press_add();
   ASSERT_TRUE(explain.workspace()->adding().is_running());
   auto* cancel = desk.find<QAbstractButton>("cancel");
@@ -134,6 +139,8 @@ TEST_F(Explain, StoppedInTheMiddleOfAFitTheStateBeforeIsBack) {
   EXPECT_EQ(desk.document().model(), model);
   EXPECT_TRUE(explain.can_add_first());
   EXPECT_EQ(session_digest(), journal_before);
+  ASSERT_EQ(ends.size(), 1);
+  EXPECT_EQ(ends[0][0].value<app::AdditionEnd>(), app::AdditionEnd::stopped);
 }
 
 TEST_F(Explain, LookingAtACardShowsWhatItWouldDoAndChangesNothing) {
@@ -173,6 +180,22 @@ TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
     QTest::qWait(20);
     return widget;
   };
+  // One number, and the others go on being estimated.
+  desk.click(reach("hold_joint_elasticity_1"));
+  ASSERT_TRUE(explain.is_settled());
+  ASSERT_EQ(desk.document().settings().estimated.size(), 3U);
+  auto* second = qobject_cast<QLineEdit*>(reach("value_joint_elasticity_1"));
+  ASSERT_NE(second, nullptr);
+  desk.type_into(second, "200");
+  desk.key(Qt::Key_Return);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_DOUBLE_EQ(desk.document().model()->fit->effects[1].term.values[0], 2e-4);
+  EXPECT_EQ(desk.document().model()->fit->effects[1].sigmas[0], 0);
+  EXPECT_GT(desk.document().model()->fit->effects[0].sigmas[0], 0);
+  desk.click(reach("hold_joint_elasticity_1"));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_LT(held_out(), 0.25) << "free again, it comes back";
+
   desk.click(reach("hold_joint_elasticity"));
   ASSERT_TRUE(explain.is_settled());
   ASSERT_EQ(desk.document().settings().held.size(), 3U);
@@ -191,15 +214,60 @@ TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
   EXPECT_TRUE(desk.document().settings() == app::ModelSettings{});
 }
 
+TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
+  open("hidden_3");
+  const auto model = desk.document().model();
+  const auto first = [this] { return explain.cards()->card(0); };
+  ASSERT_TRUE(first()->state().check_number);
+  const QString predicted = first()->state().check_number->prediction;
+  EXPECT_TRUE(predicted.contains("1 kg makes the hand drop by")) << predicted.toStdString();
+  const auto told = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json()["candidates"][0];
+  const double value = told["check"]["value"].get<double>(), sigma = told["check"]["sigma"].get<double>();
+  EXPECT_TRUE(predicted.contains(widgets::with_sigma_text(1e3 * value, 1e3 * sigma))) << predicted.toStdString();
+  explain.measure(QString::number(1e3 * (value + sigma), 'f', 4) + " +- " + QString::number(1e3 * sigma, 'f', 4));
+  EXPECT_TRUE(first()->state().check_number->is_inside);
+  EXPECT_TRUE(first()->state().check_number->answer.startsWith("Inside: 0.7 sigma"))
+      << first()->state().check_number->answer.toStdString();
+  EXPECT_EQ(desk.document().undo_stack().index(), 1);
+  EXPECT_EQ(desk.document().model(), model) << "nothing is fitted for it";
+  explain.measure("0.00");
+  EXPECT_TRUE(first()->state().check_number->answer.startsWith("Outside"));
+  explain.measure("one");
+  EXPECT_TRUE(first()->state().check_number->answer.startsWith("That is no number"));
+  EXPECT_EQ(desk.document().undo_stack().index(), 2);
+
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(first()->state().check_number->is_inside);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  EXPECT_TRUE(first()->state().check_number->is_inside) << "remembered with the session";
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const QString report = app::report_html(desk.document(), *desk.document().model(), {});
+  EXPECT_TRUE(report.contains("Checked on the robot"));
+  EXPECT_TRUE(report.contains("Inside: 0.7 sigma from the prediction"));
+}
+
+TEST_F(Explain, TheNumbersAreWithoutWrongPointsFromTheStartAndSaySo) {
+  open("hidden_7");
+  const auto d = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json();
+  const widgets::ErrorNumbers& now = desk.find<widgets::ThreeNumbers>("three_numbers")->numbers();
+  EXPECT_NEAR(*now.now, d["held_out_rms_pixel"].get<double>(), 1e-9);
+  EXPECT_NEAR(*now.noise, d["noise_pixel"].get<double>(), 1e-9);
+  EXPECT_NEAR(*explain.verdict().error_px, *now.now, 1e-12) << "one definition everywhere";
+  EXPECT_NEAR(*desk.find<widgets::Staircase>("staircase")->state().versions[0].held_out, *now.now, 1e-12);
+  // The second figure stays, and says how much is left out.
+  const QString count = QString::number(d["wrong_points"].size());
+  EXPECT_TRUE(now.excluded_note.startsWith("with " + count + " points set aside: ")) << now.excluded_note.toStdString();
+  const double with_them = QString(now.excluded_note).replace(QChar(0x00A0), ' ').section(' ', -2, -2).toDouble();
+  EXPECT_GT(with_them, 2 * *now.now);
+}
+
 TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
   open("hidden_3");
   auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");
-  QWindow* top = desk.window.windowHandle();
-  const QPoint a = plot->mapTo(&desk.window, QPoint(plot->width() * 6 / 10, 30));
-  const QPoint b = plot->mapTo(&desk.window, QPoint(plot->width() - 20, plot->height() - 40));
-  QTest::mousePress(top, Qt::LeftButton, Qt::ShiftModifier, a);
-  for (int i = 1; i <= 8; ++i) QTest::mouseMove(top, a + (b - a) * i / 8), QTest::qWait(2);
-  QTest::mouseRelease(top, Qt::LeftButton, Qt::ShiftModifier, b);
+  desk.drag(plot, {plot->width() * 6 / 10, 30}, {plot->width() - 20, plot->height() - 40}, Qt::ShiftModifier);
   ASSERT_GT(desk.window.bench().selection.many().size(), 1U);
   auto* common = desk.find<QPushButton>("common");
   ASSERT_TRUE(common->isVisible());
@@ -228,6 +296,30 @@ TEST_F(Explain, AnEffectOfAnySizeCanBeTriedWithTheSlider) {
     if (button->text() == "Close") desk.click(button);
   EXPECT_FALSE(slider->isVisible());
   EXPECT_FALSE(desk.window.bench().predicted_error());
+}
+
+TEST_F(Explain, TheSliderFollowsWhenObservationsGo) {
+  open("hidden_3");
+  desk.click(explain.cards()->card(0)->what_if_button());
+  auto* slider = desk.find<widgets::WhatIfSlider>("what_if");
+  ASSERT_TRUE(slider->isVisible());
+  slider->track()->setFocus();
+  desk.key(Qt::Key_B);
+  const double best = slider->value(), left = *desk.window.bench().predicted_error();
+  InspectPage inspect{desk};
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  ASSERT_TRUE(desk.settle());
+  inspect.click_row(0);
+  desk.press_button("exclude");
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  ASSERT_TRUE(slider->isVisible());
+  EXPECT_EQ(slider->value(), best) << "its size stays";
+  slider->track()->setFocus();
+  desk.key(Qt::Key_B);
+  EXPECT_NE(slider->value(), best) << "and what fits best is of the observations that are left";
+  EXPECT_NEAR(slider->value(), best, 0.1 * std::abs(best));
+  EXPECT_NEAR(*desk.window.bench().predicted_error(), left, 0.1 * left);
 }
 
 TEST_F(Explain, TheTourLeadsToTheMissingEffect) {

@@ -112,6 +112,14 @@ struct ExplainPage {
   bool can_add_first() {
     return cards()->count() > 0 && first().kind == widgets::CardKind::candidate && first().can_add;
   }
+  /// Types what the robot showed into the first card, and Enter.
+  void measure(const QString& text) {
+    QLineEdit* field = cards()->card(0)->measured_field();
+    for (auto* area : cards()->findChildren<QScrollArea*>()) area->ensureWidgetVisible(field);
+    QTest::qWait(20);
+    desk.type_into(field, text);
+    desk.key(Qt::Key_Return);
+  }
   /// Scrolls a card to where the pointer can reach it, and presses its button.
   void press_add(int card = 0) {
     QPushButton* add = cards()->card(card)->add_button();

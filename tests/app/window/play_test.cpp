@@ -11,9 +11,7 @@ namespace {
 class Play : public testing::Test {
  protected:
   void SetUp() override {
-    const auto session = folder.path / "thesis_simulation";
-    std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/thesis_simulation", session,
-                          std::filesystem::copy_options::recursive);
+    const auto session = copy_of_sample(folder.path, "thesis_simulation");
     ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
     ASSERT_TRUE(desk.settle());
     desk.key(Qt::Key_2, Qt::ControlModifier);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/robot_readings.h"
+
+namespace handsight {
+namespace {
+
+constexpr double test_mass = 1;  // kg
+
+Eigen::VectorXd one(double x) { return Eigen::VectorXd::Constant(1, x); }
+
+/// The hand with every joint that has play, or is held back by friction, on one of its two sides.
+std::optional<Vector3> on_side(Circumstances c, const Terms& terms, double side) {
+  c.approach.setConstant(side);
+  Sites sites = moved_sites(c, terms);
+  for (JointChange& joint : sites.robot.joints) {
+    joint.angle += side * joint.gap;
+    joint.gap = 0;
+  }
+  const ObservedEnds observed = observed_ends(c, sites);
+  if (!observed.ends.converged) return std::nullopt;
+  return observed.ends.root_from_tcp.translation;
+}
+
+}  // namespace
+
+Circumstances at_rest(Circumstances c) {
+  c.velocity.setZero();
+  return c;
+}
+
+ReadValue drop(const Circumstances& c, const Terms& terms) {
+  Sites sites = moved_sites(c, terms);
+  const ObservedEnds empty = observed_ends(c, sites);
+  sites.robot.payload_link = c.chain->tcp_link;
+  sites.robot.payload_mass += test_mass;
+  const ObservedEnds loaded = observed_ends(c, sites);
+  if (!empty.ends.converged || !loaded.ends.converged || !(c.chain->gravity.norm() > 0)) return std::nullopt;
+  const Vector3 motion = loaded.ends.root_from_tcp.translation - empty.ends.root_from_tcp.translation;
+  return one(c.chain->gravity.normalized().dot(motion));
+}
+
+ReadValue between_sides(const Circumstances& c, const Terms& terms) {
+  const auto up = on_side(c, terms, 1), down = on_side(c, terms, -1);
+  if (!up || !down) return std::nullopt;
+  return Eigen::VectorXd(*up - *down);
+}
+
+ReadValue hand_in_sensor(const Circumstances& c, const Terms& terms, const Rigid& mount) {
+  const ObservedEnds o = observed_ends(c, moved_sites(c, terms));
+  if (!o.ends.converged) return std::nullopt;
+  return Eigen::VectorXd(sensor_from_tcp(o.ends, mount * o.mount_motion).translation);
+}
+
+ReadValue from_start_to_end(const Circumstances& c, const Terms& terms, const Rigid& mount) {
+  Circumstances first = c, last = c;
+  first.elapsed = 0;
+  last.elapsed = c.duration;
+  const ReadValue start = hand_in_sensor(first, terms, mount), end = hand_in_sensor(last, terms, mount);
+  if (!start || !end) return std::nullopt;
+  return Eigen::VectorXd(*end - *start);
+}
+
+double angle_error(const Circumstances& circumstances, const Terms& terms, int joint, double q) {
+  Circumstances c = at_rest(circumstances);
+  c.sensor[joint] = q;
+  const Sites sites = moved_sites(c, terms);
+  return sites.robot.joints.empty() ? 0 : sites.robot.joints[static_cast<std::size_t>(joint)].angle;
+}
+
+ReadValue off_epipolar_line(const StereoRig& nominal, const StereoRig& rig, const Vector3& x) {
+  const auto left = undistort(nominal.left, project(rig.left, x));
+  const auto right = undistort(nominal.right, project(rig.right, rig.right_from_left * x));
+  if (!left || !right) return std::nullopt;
+  return one(epipolar_distance(nominal, essential_matrix(nominal), *left, *right));
+}
+
+ReadValue image_points(const StereoRig& rig, const Vector3& x) {
+  Eigen::VectorXd both(4);
+  both << project(rig.left, x), project(rig.right, rig.right_from_left * x);
+  return both;
+}
+
+}  // namespace handsight
