@@ -50,9 +50,18 @@ QString short_text(std::optional<double> value, int digits) {
   return fixed_text(value, std::max(digits - 1 - exponent, 0));
 }
 
+/// 1.200 as 1.2 and 47.00 as 47: a number that is exact shows no doubt of its last digits.
+static QString exact_text(double value) {
+  QString text = short_text(value, 4);
+  if (!text.contains('.') || text.contains(QChar(0x00B7))) return text;
+  while (text.endsWith('0')) text.chop(1);
+  if (text.endsWith('.')) text.chop(1);
+  return text;
+}
+
 QString with_sigma_text(std::optional<double> value, std::optional<double> sigma) {
   if (!is_known(value)) return kUnknown;
-  if (!is_known(sigma) || *sigma <= 0) return short_text(value, 4);
+  if (!is_known(sigma) || *sigma <= 0) return exact_text(*value);
   const int sigma_exponent = exponent_of(*sigma, 2);
   const int exponent = std::max(exponent_of(*value, 2), sigma_exponent);
   const QString plus_minus = QStringLiteral(" ± ");

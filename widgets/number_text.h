@@ -14,7 +14,7 @@ QString fixed_text(std::optional<double> value, int decimals);
 /// 10).
 QString short_text(std::optional<double> value, int digits = 2);
 
-/// "12.34 ± 0.05": sigma to two digits, the value to the same place; the value alone to four digits without a sigma.
+/// "12.34 ± 0.05": sigma to two digits, the value to the same place; an exact value (no sigma) to at most four digits.
 QString with_sigma_text(std::optional<double> value, std::optional<double> sigma);
 
 /// A value with its unit in one word: "9.1 px", "-" where it is not known.

@@ -27,6 +27,13 @@ double root_mean_square(const Eigen::VectorXd& v) {
   return v.size() ? std::sqrt(v.squaredNorm() / static_cast<double>(v.size())) : 0;
 }
 
+/// Time and the order of the observations, two angles that a mimic joint ties: plots against them are the same picture.
+bool tell_the_same(const Variable& a, const Variable& b) {
+  if (a.values.size() != b.values.size() || a.values.size() < 3) return false;
+  const Eigen::VectorXd x = a.values.array() - a.values.mean(), y = b.values.array() - b.values.mean();
+  return std::abs(x.dot(y)) > 0.999 * x.norm() * y.norm();
+}
+
 }  // namespace
 
 std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
@@ -35,7 +42,10 @@ std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
   std::vector<std::size_t> variables, series;
   for (const Pattern& p : residuals.patterns) {
     if (keys.size() == widgets::PatternPage::kPlots) break;
-    if (std::count(variables.begin(), variables.end(), p.variable) > 0 ||
+    const auto is_same = [&](std::size_t other) {
+      return tell_the_same(residuals.views.variables[other], residuals.views.variables[p.variable]);
+    };
+    if (std::any_of(variables.begin(), variables.end(), is_same) ||
         std::count(series.begin(), series.end(), p.series) >= most_of_a_series)
       continue;
     variables.push_back(p.variable);

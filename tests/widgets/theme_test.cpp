@@ -62,6 +62,9 @@ TEST(NumberText, SigmaHasTwoDigitsAndTheValueTheSamePlace) {
   EXPECT_EQ(with_sigma_text(-103.2, 1.6), QString("−103.2 ± 1.6"));
   EXPECT_EQ(with_sigma_text(1.18e-4, 3e-6), QString("(1.180 ± 0.030)·10⁻⁴"));
   EXPECT_EQ(with_sigma_text(std::nullopt, 1.0), QString("-"));
+  EXPECT_EQ(with_sigma_text(47.0, std::nullopt), QString("47"));  // exact: held, chosen, a truth
+  EXPECT_EQ(with_sigma_text(-0.8, 0.0), QString("−0.8"));
+  EXPECT_EQ(with_sigma_text(1200.0, std::nullopt), QString("1200"));
 }
 
 TEST(NumberText, NothingUglyIsEverShown) {

@@ -30,8 +30,8 @@ PatternPage::PatternPage(QWidget* parent)
   setAccessibleName(tr("Nine patterns of the residual"));
 }
 
-QSize PatternPage::sizeHint() const { return {592, 230}; }
-QSize PatternPage::minimumSizeHint() const { return {592, 3 * 72 + 2 * static_cast<int>(kGapBetween)}; }
+QSize PatternPage::sizeHint() const { return {592, 250}; }
+QSize PatternPage::minimumSizeHint() const { return {592, 3 * 80 + 2 * static_cast<int>(kGapBetween)}; }
 
 PatternPage::Range PatternPage::range_of(const PatternPlot& plot) {
   Range r{1e300, -1e300, 1e300, -1e300};
@@ -118,7 +118,7 @@ QRectF PatternPage::plot_rect(int place) const {
           std::floor(tall)};
 }
 
-QRectF PatternPage::canvas(int place) const { return plot_rect(place).adjusted(6, 18, -6, -17); }
+QRectF PatternPage::canvas(int place) const { return plot_rect(place).adjusted(6, 18, -6, -30); }
 
 QPointF PatternPage::on_screen(int place, double x, double y) const {
   const Range& r = ranges_[static_cast<std::size_t>(place)];

@@ -26,23 +26,22 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
     draw_text(painter, room, Qt::AlignLeft | Qt::AlignVCenter,
               metrics.horizontalAdvance(sentence) <= room.width() ? sentence : alone);
   };
-  QRectF head(cell.left(), cell.top(), cell.width(), 16), foot(cell.left(), cell.bottom() - 16, cell.width(), 16);
-  painter.setPen(c.ink1);
-  draw_text(painter, head, Qt::AlignLeft | Qt::AlignVCenter, plot.what);
-  head.setLeft(head.left() + metrics.horizontalAdvance(plot.what) + 8);
-  painter.setPen(c.ink3);
-  if (!plot.shows.isEmpty() && head.width() > 30) worded(tr("shows: %1").arg(plot.shows), plot.shows, head);
+  const QRectF head(cell.left(), cell.top(), cell.width(), 16), last(cell.left(), cell.bottom() - 15, cell.width(), 15);
+  const QRectF foot(cell.left(), last.top() - 14, cell.width(), 15);
   // The strength: a bar that is filled as far as the residual follows.
-  const QRectF mark(foot.right() - 30, foot.top() + 5, 30, 7);
+  const QRectF mark(head.right() - 30, head.top() + 5, 30, 7);
+  painter.setPen(c.ink1);
+  draw_text(painter, head.adjusted(0, 0, -34, 0), Qt::AlignLeft | Qt::AlignVCenter, plot.what);
   painter.setPen(QPen(plot.is_chance ? c.hairline : c.control_edge, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(mark.adjusted(0.5, 0.5, -0.5, -0.5));
   if (!plot.is_chance)
     painter.fillRect(QRectF(mark.left(), mark.top(), mark.width() * std::clamp(plot.strength, 0.0, 1.0), mark.height()),
                      c.ink2);
-  foot.setRight(mark.left() - 4);
   painter.setPen(c.ink2);
   worded(tr("against %1").arg(plot.against), plot.against, foot);
+  painter.setPen(c.ink3);
+  if (!plot.shows.isEmpty()) worded(tr("shows %1").arg(plot.shows), plot.shows, last);
 }
 
 void PatternPage::paint_curves(QPainter& painter, int place) const {
