@@ -230,7 +230,7 @@ TEST(CalibrationRefuses, WhatIsWrong) {
   EXPECT_EQ(refusal("<fit ", "<model_covariance>" + zeros + "0</model_covariance><fit "), "nothing was refused");
   EXPECT_THAT(refusal("<fit ", "<model_covariance>" + zeros + "-1</model_covariance><fit "),
               HasSubstr("negative variance"));
-  EXPECT_THAT(refusal("<fit ", "<model_covariance>0 1 " + zeros.substr(4) + "</model_covariance><fit "),
+  EXPECT_THAT(refusal("<fit ", "<model_covariance>0 1 " + zeros.substr(4) + "0</model_covariance><fit "),
               HasSubstr("correlations beyond 1"));
 }
 
