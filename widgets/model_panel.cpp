@@ -76,7 +76,7 @@ class ParameterRow : public QWidget {
     if (hold_) hold_->move(width() - HoldButton::kHoldWidth, bar_top() - (field_ ? 26 : 24));
     if (!field_) return;
     const int unit = QFontMetrics(number_font(TextRole::small)).horizontalAdvance(parameter_.unit) + 8;
-    field_->setGeometry(text_width() - 88 - unit, bar_top() - 26, 88, 24);
+    field_->setGeometry(text_width() - 70 - unit, bar_top() - 26, 70, 24);
   }
   void paintEvent(QPaintEvent*) override {
     const Colors& c = colors();
