@@ -203,6 +203,7 @@ void RobotView::draw(const QSize& size) {
     p.empty_text = QStringLiteral("The 3D view needs OpenGL 3.2, which this display does not offer.");
     return;
   }
+  p.aspect = size.height() > 0 ? static_cast<double>(size.width()) / size.height() : 1;
   p.make_ready();
   p.picture = p.gl.picture(size);
   p.is_stale = false;

@@ -106,7 +106,7 @@ void RobotView::Parts::make_arrows() {
   arrows_changed = rings_changed = false;
 }
 
-std::pair<Vector3, double> RobotView::Parts::extent() const {
+std::pair<Vector3, Vector3> RobotView::Parts::extent() const {
   Vector3 low(1e300, 1e300, 1e300), high = -low;
   for (const LinkActor& part : links.parts) {
     const double* bounds = part.actor->GetBounds();
@@ -117,16 +117,16 @@ std::pair<Vector3, double> RobotView::Parts::extent() const {
     low = low.cwiseMin(arrow.from);
     high = high.cwiseMax(arrow.from);
   }
-  if (low.x() > high.x()) return {Vector3(0, 0, 0.5), 1.0};
-  return {(low + high) / 2, (high - low).norm() / 2};
+  if (low.x() > high.x()) return {Vector3(-0.5, -0.5, 0), Vector3(0.5, 0.5, 1)};
+  return {low, high};
 }
 
 void RobotView::Parts::look(StandardView view) {
-  const auto [center, radius] = extent();
-  const auto from = [&, middle = center, size = radius](double azimuth, double elevation) {
+  const auto from = [this](double azimuth, double elevation) {
     orbit.azimuth = azimuth;
     orbit.elevation = elevation;
-    orbit.see(middle, 0.74 * size);
+    const auto [low, high] = extent();
+    orbit.see_box(low, high, aspect);
   };
   switch (view) {
     case StandardView::front:

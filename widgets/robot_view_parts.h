@@ -45,6 +45,7 @@ struct RobotView::Parts {
   bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, arrows_changed = true,
        rings_changed = true, theme_changed = true;
   bool wants_fit = true;
+  double aspect = 1.3;  // width over height of the view
 
   // What the pointer does.
   Qt::MouseButton button = Qt::NoButton;
@@ -59,8 +60,8 @@ struct RobotView::Parts {
   void set_colors();
   bool has_robot() const { return !robot.links.empty(); }
   const SceneArrow* arrow_of(ObservationId id) const;
-  /// Middle and radius of a ball round robot and arrows.
-  std::pair<Vector3, double> extent() const;
+  /// The corners of the box round robot and arrows, m, root frame.
+  std::pair<Vector3, Vector3> extent() const;
   void look(StandardView view);
   std::optional<QPointF> to_screen(const Vector3& in_root, const QSizeF& size) const;
   /// The observation whose arrow is under a position; kNoObservation where there is none.

@@ -58,6 +58,25 @@ TEST_F(RobotViewTest, ShowsTheRobotInBothThemesAndAfterReparenting) {
   view_.setParent(nullptr);
 }
 
+TEST_F(RobotViewTest, TheWholeRobotIsSeenInViewsOfAnyShapeBelowTheButtons) {
+  for (const QSize size : {QSize(370, 178), QSize(460, 400), QSize(300, 600)}) {
+    test::show(view_, size);
+    for (const StandardView view : {StandardView::all, StandardView::front, StandardView::left, StandardView::top}) {
+      view_.look(view);
+      view_.picture();
+      constexpr double most = 0.95;
+      for (const Rigid& link : data_.posture(0)) {
+        const auto at = view_.to_screen(link.translation);
+        ASSERT_TRUE(at);
+        EXPECT_GT(at->x(), (1 - most) * size.width());
+        EXPECT_LT(at->x(), most * size.width());
+        EXPECT_GT(at->y(), (1 - most) * size.height());
+        EXPECT_LT(at->y(), most * size.height());
+      }
+    }
+  }
+}
+
 TEST_F(RobotViewTest, ClickOnAnArrowChoosesItsObservation) {
   const Vector3 from = data_.root_from_tcp(0).translation + Vector3(0, 0, 0.5);
   view_.set_arrows(

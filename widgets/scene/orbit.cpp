@@ -36,6 +36,22 @@ void Orbit::see(const Vector3& center, double radius) {
   distance = std::clamp(std::max(radius, 0.02) / std::sin(view_angle / 2 * M_PI / 180), 0.05, 50.0);
 }
 
+void Orbit::see_box(const Vector3& low, const Vector3& high, double aspect) {
+  constexpr double used = 0.84;  // of the view: buttons lie along its upper edge
+  const double up_slope = used * std::tan(view_angle / 2 * M_PI / 180), right_slope = up_slope * std::max(aspect, 0.1);
+  target = (low + high) / 2;
+  const Vector3 forward = direction(), right = forward.cross(Vector3::UnitZ()).normalized(), up = right.cross(forward);
+  distance = 0.05;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3 at =
+        Vector3(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(), corner & 4 ? high.z() : low.z()) -
+        target;
+    const double aside = std::max(std::abs(up.dot(at)) / up_slope, std::abs(right.dot(at)) / right_slope);
+    distance = std::max(distance, aside - forward.dot(at));
+  }
+  distance = std::min(distance, 50.0);
+}
+
 void Orbit::apply(vtkCamera& camera) const {
   camera.SetViewAngle(view_angle);
   camera.SetFocalPoint(target.data());

@@ -22,6 +22,9 @@ struct Orbit {
   void zoom(double factor);
   /// Far enough away to see a ball round a point.
   void see(const Vector3& center, double radius);
+  /// The nearest from which a box (m, root frame) is seen whole in a view `aspect` times as wide as high, with room
+  /// round it.
+  void see_box(const Vector3& low, const Vector3& high, double aspect);
   /// From the eye to the target.
   Vector3 direction() const;
   Vector3 eye() const;
