@@ -43,11 +43,11 @@ widgets::ConvergencePoint point_of(const PlayedStep& played) {
   return p;
 }
 
-widgets::DecisionEntry entry_of(const PlayedStep& played) {
+widgets::DecisionEntry entry_of(const PlayedStep& played, const DisplayUnits& units) {
   widgets::DecisionEntry e{.id = played.step.id, .reason = QString::fromStdString(played.step.reason)};
   e.state = played.step.accepted ? widgets::CellState::used : widgets::CellState::rejected;
   if (!played.row.markers.empty()) {
-    e.rms_pixel = played.row.rms;
+    e.size = units.shown(size_of(played.row));
     e.rms_over_sigma = played.row.ratio;
     e.coordinates = played.row.coordinates;
   }
@@ -202,7 +202,7 @@ void CalibrateWorkspace::show_played() {
   std::vector<widgets::DecisionEntry> entries;
   for (const PlayedStep& played : unshown_) {
     if (played.step.has_estimate && played.step.accepted) points.push_back(point_of(played));
-    entries.push_back(entry_of(played));
+    entries.push_back(entry_of(played, bench_.units));
   }
   board_->append(points);
   decisions_->append(entries);
@@ -256,6 +256,13 @@ void CalibrateWorkspace::connect_selection() {
   connect(&bench_.document, &Document::model_changed, this, [this] {
     is_stale_ = true;
     if (is_active()) refresh_model();
+  });
+  connect(&bench_.units, &DisplayUnits::changed, this, [this] {
+    show_played();
+    std::vector<widgets::DecisionEntry> entries;
+    for (const PlayedStep& played : player_.steps()) entries.push_back(entry_of(played, bench_.units));
+    decisions_->set_entries(std::move(entries));
+    if (is_active()) refresh_observation();
   });
   connect(own_pose_, &OwnPosePage::changed, this, [this] {
     if (is_active()) refresh_observation();

@@ -19,6 +19,7 @@ namespace handsight::widgets {
 class ModelPanel;
 class ObservationStrip;
 class ReadOutLine;
+class UnitSwitch;
 }  // namespace handsight::widgets
 
 namespace handsight::app {
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
   void make_shortcuts();
   void connect_strip();
   void connect_read_out();
+  void connect_units();
   void choose_session();
   void save();
   void show_keys();
@@ -78,6 +80,7 @@ class MainWindow : public QMainWindow {
   widgets::ModelPanel* panel_;
   widgets::ReadOutLine* read_out_;
   widgets::ObservationStrip* strip_;
+  widgets::UnitSwitch* units_;
   std::vector<Workspace*> workspaces_;
   QTimer strip_timer_;  // a play edits many times a second
   QTimer panel_timer_;  // one action may tell several times

@@ -27,6 +27,12 @@ void MainWindow::find() {
       const auto& many = bench_.selection.many();
       bench_.include({many.begin(), many.end()});
     });
+    const std::pair<DisplayUnits::Unit, QString> units[] = {
+        {DisplayUnits::Unit::pixel, tr("Sizes in px")},
+        {DisplayUnits::Unit::millimetre, tr("Sizes in mm at the hand")},
+        {DisplayUnits::Unit::sigma, tr("Sizes in σ (sigma), residual over noise")}};
+    for (const auto& [unit, text] : units)
+      if (bench_.units.has(unit)) action(text, tr("U"), [this, unit = unit] { bench_.units.choose(unit); });
     action(tr("Fold the model panel"), tr("M"), [this] { panel_->set_folded(!panel_->is_folded()); });
   }
   for (QAction* a : menu_->actions())

@@ -74,6 +74,13 @@ TEST(Pictures, OfEveryWorkspace) {
   auto* inspect_tabs = desk.find<QTabWidget>("inspect_tabs");
   desk.click(inspect_tabs->tabBar(), inspect_tabs->tabBar()->tabRect(1).center());
   photo.take("inspect_map");
+  desk.key(Qt::Key_U);
+  photo.take("inspect_map_mm");
+  desk.click(inspect_tabs->tabBar(), inspect_tabs->tabBar()->tabRect(0).center());
+  photo.take("inspect_mm");
+  desk.key(Qt::Key_U);
+  photo.take("inspect_sigma");
+  desk.key(Qt::Key_U);
   go(4);
   photo.take("explain");
   go(5);
@@ -106,6 +113,11 @@ class Explained : public testing::Test {
 TEST_F(Explained, FromTheVerdictToTheTruth) {
   open("hidden_3");
   photo.take("explain");
+  desk.key(Qt::Key_U);
+  photo.take("explain_mm");
+  desk.key(Qt::Key_U);
+  photo.take("explain_sigma");
+  desk.key(Qt::Key_U);
   rest_on(explain.cards()->card(0), QPoint(20, 20));
   photo.take_now("explain_preview");
   explain.measure("1.0");
