@@ -266,8 +266,7 @@ void FailingPane::look_for_common() {
   const ResidualViews& v = residuals_->views;
   std::vector<char> chosen;
   for (const ProblemObservation& o : v.problem.observations)
-    chosen.push_back(many.contains(bench_.document.session().observations[static_cast<std::size_t>(o.index)].id) ? 1
-                                                                                                                 : 0);
+    chosen.push_back(many.contains(id_at(bench_.document.session(), o.index)) ? 1 : 0);
   auto list = what_is_common(v.variables, chosen);
   // What was dragged over is no news.
   if (list.size() > 1 && !places_.empty())

@@ -87,7 +87,7 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
   const Session& session = bench.document.session();
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     const ProblemObservation& o = v.problem.observations[static_cast<std::size_t>(i)];
-    const std::int64_t id = session.observations[static_cast<std::size_t>(o.index)].id;
+    const std::int64_t id = id_at(session, o.index);
     const InspectionRow* row = values ? nullptr : bench.row(id);
     plot.points.push_back({.observation = id,
                            .x = variable.values[i],
@@ -158,8 +158,7 @@ std::unordered_map<std::int64_t, double> predicted_ratios(const ModelResiduals& 
   std::unordered_map<std::int64_t, double> ratios;
   for (std::size_t i = 0; i < squares.size(); ++i)
     if (rows[i] > 0)
-      ratios[session.observations[static_cast<std::size_t>(v.problem.observations[i].index)].id] =
-          std::sqrt(squares[i] / rows[i]) / v.weighing.noise;
+      ratios[id_at(session, v.problem.observations[i].index)] = std::sqrt(squares[i] / rows[i]) / v.weighing.noise;
   return ratios;
 }
 

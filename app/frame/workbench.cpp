@@ -36,6 +36,12 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
   connect(&document, &Document::opened, this, know_units);
   connect(&document, &Document::model_changed, this, know_units);
   connect(&document, &Document::model_changed, this, &Workbench::look_again);
+  connect(&document, &Document::edited, this, [this] {
+    // What was chosen may have gone with an undo.
+    const auto& observations = document.session().observations;
+    if (selection.current().observation && !selected_observation() && !observations.empty())
+      selection.select_observation(observations.back().id);
+  });
   connect(&document, &Document::closed, this, [this] {
     jobs.cancel();
     background.cancel();

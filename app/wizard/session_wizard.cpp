@@ -18,6 +18,7 @@
 #include "base/numbers.h"
 #include "document/counted.h"
 #include "frame/main_window.h"
+#include "live/live_watch.h"
 #include "robot/urdf.h"
 #include "session/csv.h"
 #include "session/stereo_calibration.h"
@@ -351,6 +352,8 @@ void SessionWizard::make() {
   if (!all) return;
   try {
     const Session made = make_session(*all);
+    // What arrives there later belongs to this session too.
+    remember_live_sources(made.file, {path_of(left_.path), path_of(right_.path), path_of(angles_.path)});
     accept();
     window_.open(QString::fromStdString(made.file.string()));
   } catch (const std::exception& error) {

@@ -61,6 +61,9 @@ TEST(Pictures, OfEveryWorkspace) {
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
   desk.click(strip, strip->cell_rect(0).center().toPoint());  // one of those with images
   photo.take("calibrate");
+  desk.press_button("watch");
+  photo.take_now("calibrate_watch");
+  desk.press_button("watch");
   auto* tabs = desk.find<QTabWidget>("calibrate_tabs");
   const char* names[] = {"", "calibrate_objective", "calibrate_one_marker", "calibrate_own_pose"};
   for (int i = 1; i < tabs->count(); ++i) {
