@@ -11,6 +11,7 @@
 #include "frame/observation_views.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
+#include "widgets/motion.h"
 #include "widgets/number_text.h"
 #include "widgets/robot_view.h"
 #include "widgets/theme.h"
@@ -239,7 +240,7 @@ void WatchingPane::picture(const FitPicture& picture) {
   bending_.stop();
   bent_from_ = bent_now_.size() == picture.bent.size() ? bent_now_ : picture.bent;
   bent_to_ = picture.bent;
-  bending_.start();
+  widgets::motion_is_reduced() ? bend(1) : bending_.start();
 }
 
 void WatchingPane::ended(AdditionEnd end) {

@@ -13,6 +13,7 @@
 #include "calibrate/calibrate_workspace.h"
 #include "explain/explain_workspace.h"
 #include "export/export_workspace.h"
+#include "frame/appearance.h"
 #include "frame/centre_fill.h"
 #include "frame/header.h"
 #include "frame/key_list.h"
@@ -72,6 +73,7 @@ void MainWindow::make_menu() {
     open_sample(QString::fromStdString(name), true);
   });
   menu_->addSeparator();
+  after_choices_ = menu_->addSeparator();
   add(tr("&Find…"), QKeySequence(Qt::CTRL | Qt::Key_K), [this] { find(); });
   add(tr("&Keys"), QKeySequence(Qt::Key_Question), [this] { show_keys(); });
   add(tr("&Close the session"), QKeySequence::Close, [this] { bench_.document.close(); });
@@ -156,6 +158,8 @@ void MainWindow::make_shortcuts() {
     if (bench_.document.is_open()) bench_.units.next();
   });
 }
+
+void MainWindow::offer(Appearance& appearance) { appearance.add_to(*menu_, after_choices_); }
 
 void MainWindow::show_workspace(int index) {
   if (!bench_.document.is_open()) return;

@@ -11,6 +11,7 @@
 #include "frame/workbench.h"
 #include "frame/workspace.h"
 
+class QAction;
 class QMenu;
 class QSplitter;
 class QStackedWidget;
@@ -24,6 +25,7 @@ class UnitSwitch;
 
 namespace handsight::app {
 
+class Appearance;
 class CentreFill;
 class Header;
 class Rail;
@@ -41,6 +43,8 @@ class MainWindow : public QMainWindow {
   bool open_sample(const QString& name, bool fresh = false);
   Workbench& bench() { return bench_; }
   void show_workspace(int index);
+  /// Takes the choices of theme and motion into its menu.
+  void offer(Appearance& appearance);
   int workspace() const;
 
  protected:
@@ -70,7 +74,8 @@ class MainWindow : public QMainWindow {
   Workbench bench_;
   ModelEditor editor_{bench_};
   QMenu* menu_;
-  QStackedWidget* pages_;  // start page, or the session
+  QAction* after_choices_;  // of the menu: before it stand theme and motion
+  QStackedWidget* pages_;   // start page, or the session
   StartPage* start_;
   Header* header_;
   Rail* rail_;

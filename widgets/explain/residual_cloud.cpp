@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/motion.h"
 #include "widgets/number_text.h"
 
 namespace handsight::widgets {
@@ -78,7 +79,7 @@ void ResidualCloud::set_after(std::vector<CloudPoint> points, const QString& tit
   after_ = {std::move(points), title};
   if (reach_ <= 0) fit();
   const bool can_move = moving_from_.size() == after_.points.size() && !after_.points.empty();
-  if (can_move && !reduced_motion_ && isVisible()) {
+  if (can_move && !motion_is_reduced() && isVisible()) {
     moving_ = moving_from_;
     animation_.start();
   }

@@ -43,7 +43,6 @@ class ResidualCloud : public QWidget {
   void set_selected(ObservationId id);
   void set_highlighted(std::vector<ObservationId> ids);
   void set_linear(bool linear);
-  void set_reduced_motion(bool reduced) { reduced_motion_ = reduced; }
   void set_blinking(bool blinking);  // before and after alternate in both panes
   void set_empty_text(const QString& sentence);
   void fit();
@@ -97,7 +96,7 @@ class ResidualCloud : public QWidget {
   std::optional<double> noise_;
   SizeUnit unit_ = SizeUnit::pixel;
   double reach_ = 0;
-  bool is_linear_ = false, reduced_motion_ = false, is_predicted_ = false, is_swapped_ = false;
+  bool is_linear_ = false, is_predicted_ = false, is_swapped_ = false;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
   QString empty_text_;
   QVariantAnimation animation_;
