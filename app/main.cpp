@@ -7,9 +7,9 @@
 #include <cstring>
 #include <string>
 
+#include "frame/appearance.h"
 #include "frame/main_window.h"
 #include "widgets/robot_view.h"
-#include "widgets/theme.h"
 
 namespace {
 
@@ -87,15 +87,9 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setApplicationName("handsight");
   QApplication::setApplicationVersion(HANDSIGHT_VERSION);
-  widgets::DesktopTheme desktop;
-  const auto kind = arguments.theme == "dark"    ? widgets::ThemeKind::dark
-                    : arguments.theme == "light" ? widgets::ThemeKind::light
-                                                 : desktop.kind();
-  widgets::apply_theme(application, kind);
-  if (arguments.theme.empty())
-    QObject::connect(&desktop, &widgets::DesktopTheme::changed, &application,
-                     [&](widgets::ThemeKind now) { widgets::apply_theme(application, now); });
+  app::Appearance appearance(application, QString::fromStdString(arguments.theme));
   app::MainWindow window;
+  window.offer(appearance);
   if (!arguments.session.empty()) {
     window.open(QString::fromStdString(arguments.session));
   } else if (!arguments.sample.empty()) {

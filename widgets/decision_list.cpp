@@ -89,7 +89,7 @@ class DecisionDelegate : public QStyledItemDelegate {
     painter->setFont(text_font(TextRole::body));
     painter->setPen(c.ink1);
     QString text = DecisionModel::what(entry);
-    if (is_taken && entry.rms_pixel) text += QStringLiteral("  %1 px").arg(short_text(entry.rms_pixel));
+    if (is_taken && entry.size.value) text += QStringLiteral("  ") + size_text(entry.size);
     // Reasons often begin with the word themselves.
     if (!entry.reason.isEmpty())
       text = entry.reason.startsWith(text, Qt::CaseInsensitive) ? entry.reason

@@ -16,7 +16,7 @@ struct DecisionEntry {
   ObservationId id = kNoObservation;
   CellState state = CellState::used;
   QString reason;                        // of a rejection, or a remark
-  std::optional<double> rms_pixel;       // of an accepted one
+  ShownSize size;                        // of an accepted one
   std::optional<double> rms_over_sigma;  // colours it
   int coordinates = 12;
 };

@@ -5,30 +5,16 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
-#include <map>
 
+#include "widgets/histogram_bins.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {
 
-constexpr double kBin = 0.1;        // of the decimal logarithm
-constexpr double kSmallest = 0.05;  // residuals below are counted there
-
-bool counts(const ObservationCell& cell) { return cell.state == CellState::used && cell.rms_over_sigma; }
-
-double place_of(double ratio) { return std::log10(std::max(ratio, kSmallest)); }
-
-int number_of_bin(double place) { return static_cast<int>(std::floor(place / kBin)); }
-
-/// Probability that noise alone gives an rms over sigma of less than `ratio`.
-double noise_below(double ratio, int coordinates) {
-  const boost::math::chi_squared distribution(std::max(coordinates, 1));
-  return boost::math::cdf(distribution, ratio * ratio * std::max(coordinates, 1));
-}
+constexpr double kBin = kHistogramBin;
 
 }  // namespace
 
@@ -37,7 +23,7 @@ struct HistogramPlot::Bars {
   QCPGraph* noise = nullptr;
   QCPItemStraightLine *threshold = nullptr, *selected = nullptr;
   QCPItemText* threshold_text = nullptr;
-  std::map<int, std::vector<ObservationId>> bins;
+  std::map<int, SizeBin> bins;
 };
 
 HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::make_shared<Bars>()) {
@@ -46,6 +32,7 @@ HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::m
     bars = new QCPBars(plot_->xAxis, plot_->yAxis);
     bars->setWidth(kBin * 0.9);
     bars->setPen(Qt::NoPen);
+    if (bars != bars_->step.front()) bars->moveAbove(*(std::find(bars_->step.begin(), bars_->step.end(), bars) - 1));
   }
   bars_->threshold = new QCPItemStraightLine(plot_);
   bars_->selected = new QCPItemStraightLine(plot_);
@@ -55,8 +42,8 @@ HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::m
   bars_->threshold_text->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
   bars_->threshold_text->setPadding(QMargins(4, 0, 0, 0));
   const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
-  for (const double ratio : {0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
-    ticker->addTick(std::log10(ratio), short_text(ratio, 1));
+  for (double decade = 0.001; decade < 2000; decade *= 10)
+    for (const double size : {decade, 3 * decade}) ticker->addTick(std::log10(size), short_text(size, 1));
   plot_->xAxis->setTicker(ticker);
   plot_->yAxis->ticker()->setTickStepStrategy(QCPAxisTicker::tssReadability);
   style_axes();
@@ -76,7 +63,9 @@ void HistogramPlot::restyle() {
   fill();
 }
 
-bool HistogramPlot::is_empty() const { return std::none_of(cells_.begin(), cells_.end(), counts); }
+bool HistogramPlot::is_empty() const {
+  return std::none_of(cells_.begin(), cells_.end(), [this](const auto& cell) { return counts_in(cell, unit_); });
+}
 
 void HistogramPlot::set_cells(std::vector<ObservationCell> cells) {
   const bool was_empty = is_empty();
@@ -88,9 +77,29 @@ void HistogramPlot::set_cells(std::vector<ObservationCell> cells) {
 
 void HistogramPlot::set_noise(std::optional<double> sigma, const QString& unit) {
   noise_ = sigma;
-  unit_ = unit;
+  noise_unit_ = unit;
   fill();
   replot();
+}
+
+void HistogramPlot::set_unit(SizeUnit unit) {
+  if (unit == unit_) return;
+  unit_ = unit;
+  threshold_.reset();
+  fill();
+  fit();
+}
+
+double HistogramPlot::smallest() const { return 0.05 * typical_noise(cells_, unit_).value_or(0.02); }
+
+QString HistogramPlot::axis_name() const {
+  if (unit_ == SizeUnit::sigma)
+    return noise_ ? QStringLiteral("rms / noise (1 = %1 %2)").arg(short_text(noise_), noise_unit_)
+                  : QStringLiteral("rms / noise");
+  const QString name = unit_ == SizeUnit::pixel ? QStringLiteral("rms of a coordinate (px)")
+                                                : QStringLiteral("rms of the markers' distances (mm)");
+  const auto noise = noise_ ? typical_noise(cells_, unit_) : std::nullopt;
+  return noise ? name + QStringLiteral(", noise ") + short_text(noise) : name;
 }
 
 void HistogramPlot::set_selected(ObservationId id) {
@@ -99,8 +108,8 @@ void HistogramPlot::set_selected(ObservationId id) {
   replot_marks();
 }
 
-void HistogramPlot::set_threshold(std::optional<double> rms_over_sigma) {
-  threshold_ = rms_over_sigma;
+void HistogramPlot::set_threshold(std::optional<double> size) {
+  threshold_ = size;
   place_threshold();
   replot();
 }
@@ -109,7 +118,7 @@ std::vector<ObservationId> HistogramPlot::beyond_threshold() const {
   std::vector<ObservationId> ids;
   if (!threshold_) return ids;
   for (const ObservationCell& cell : cells_)
-    if (counts(cell) && *cell.rms_over_sigma > *threshold_) ids.push_back(cell.id);
+    if (counts_in(cell, unit_) && *told_size(cell).value > *threshold_) ids.push_back(cell.id);
   return ids;
 }
 
@@ -117,45 +126,31 @@ void HistogramPlot::place_threshold() {
   bars_->threshold->setVisible(threshold_.has_value());
   bars_->threshold_text->setVisible(threshold_.has_value());
   if (!threshold_) return;
-  const double x = place_of(*threshold_);
+  const double x = place_of_size(*threshold_, smallest());
   bars_->threshold->point1->setCoords(x, 0);
   bars_->threshold->point2->setCoords(x, 1);
   bars_->threshold_text->position->setCoords(x, 0.02);
-  const auto used = std::count_if(cells_.begin(), cells_.end(), counts);
+  const auto used = std::count_if(cells_.begin(), cells_.end(), [this](const auto& c) { return counts_in(c, unit_); });
   bars_->threshold_text->setText(QStringLiteral("%1 of %2 beyond").arg(beyond_threshold().size()).arg(used));
 }
 
 void HistogramPlot::fill() {
-  plot_->xAxis->setLabel(noise_ ? QStringLiteral("rms / noise (1 = %1 %2)").arg(short_text(noise_), unit_)
-                                : QStringLiteral("rms (%1)").arg(unit_));
-  bars_->bins.clear();
-  std::map<int, int> coordinates;  // how many observations have so many
-  for (const ObservationCell& cell : cells_) {
-    if (!counts(cell)) continue;
-    bars_->bins[number_of_bin(place_of(*cell.rms_over_sigma))].push_back(cell.id);
-    ++coordinates[cell.coordinates];
+  plot_->xAxis->setLabel(axis_name());
+  bars_->bins = size_bins(cells_, unit_, smallest());
+  // A bar stands on the one of the step below it: each needs a value in every bin.
+  QVector<double> x;
+  std::array<QVector<double>, 6> y;
+  for (const auto& [number, bin] : bars_->bins) {
+    x += (number + 0.5) * kBin;
+    for (std::size_t i = 0; i < 6; ++i) y[i] += bin.steps[i];
   }
-  const auto most = std::max_element(coordinates.begin(), coordinates.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  const int typical = most == coordinates.end() ? 12 : most->first;
-  std::array<QVector<double>, 6> x, y;
-  for (const auto& [bin, ids] : bars_->bins) {
-    const double middle = (bin + 0.5) * kBin;
-    const auto step = static_cast<std::size_t>(residual_step(std::pow(10, middle), typical));
-    x[step] += middle;
-    y[step] += static_cast<double>(ids.size());
-  }
-  for (std::size_t i = 0; i < 6; ++i) bars_->step[i]->setData(x[i], y[i], true);
+  for (std::size_t i = 0; i < 6; ++i) bars_->step[i]->setData(x, y[i], true);
   QVector<double> noise_x, noise_y;
-  if (noise_ && !coordinates.empty()) {
-    for (int bin = -10; bin < 6; ++bin) {
-      double expected = 0;
-      for (const auto& [n, times] : coordinates)
-        expected += times * (noise_below(std::pow(10, (bin + 1) * kBin), n) - noise_below(std::pow(10, bin * kBin), n));
-      noise_x += (bin + 0.5) * kBin;
+  if (noise_ && !bars_->bins.empty())
+    for (const auto& [number, expected] : noise_bins(cells_, unit_)) {
+      noise_x += (number + 0.5) * kBin;
       noise_y += expected;
     }
-  }
   bars_->noise->setData(noise_x, noise_y, true);
   bars_->noise->setLineStyle(QCPGraph::lsStepCenter);
   place_selected();
@@ -165,19 +160,21 @@ void HistogramPlot::fill() {
 void HistogramPlot::place_selected() {
   const auto selected =
       std::find_if(cells_.begin(), cells_.end(), [this](const ObservationCell& cell) { return cell.id == selected_; });
-  const bool is_shown = selected != cells_.end() && counts(*selected);
+  const bool is_shown = selected != cells_.end() && counts_in(*selected, unit_);
   bars_->selected->setVisible(is_shown);
   if (!is_shown) return;
-  bars_->selected->point1->setCoords(place_of(*selected->rms_over_sigma), 0);
-  bars_->selected->point2->setCoords(place_of(*selected->rms_over_sigma), 1);
+  const double place = place_of_size(*told_size(*selected).value, smallest());
+  bars_->selected->point1->setCoords(place, 0);
+  bars_->selected->point2->setCoords(place, 1);
 }
 
 void HistogramPlot::fit() {
-  double low = -0.6, high = 0.6, top = 1;
-  for (const auto& [bin, ids] : bars_->bins) {
-    low = std::min(low, (bin - 1) * kBin);
-    high = std::max(high, (bin + 2) * kBin);
-    top = std::max(top, static_cast<double>(ids.size()));
+  const double noise_place = std::log10(typical_noise(cells_, unit_).value_or(1));
+  double low = noise_place - 0.6, high = noise_place + 0.6, top = 1;
+  for (const auto& [number, bin] : bars_->bins) {
+    low = std::min(low, (number - 1) * kBin);
+    high = std::max(high, (number + 2) * kBin);
+    top = std::max(top, static_cast<double>(bin.ids.size()));
   }
   const auto noise = bars_->noise->data();
   for (auto point = noise->constBegin(); point != noise->constEnd(); ++point) top = std::max(top, point->value);
@@ -186,21 +183,23 @@ void HistogramPlot::fit() {
   replot();
 }
 
-int HistogramPlot::bin_at(double x) const { return number_of_bin(plot_->xAxis->pixelToCoord(x)); }
+int HistogramPlot::bin_at(double x) const { return static_cast<int>(std::floor(plot_->xAxis->pixelToCoord(x) / kBin)); }
 
 std::vector<ObservationId> HistogramPlot::ids_in(int bin) const {
   const auto found = bars_->bins.find(bin);
-  return found == bars_->bins.end() ? std::vector<ObservationId>() : found->second;
+  return found == bars_->bins.end() ? std::vector<ObservationId>() : found->second.ids;
 }
 
 QString HistogramPlot::text_at(const QPointF& position) {
   if (!plot_->axisRect()->rect().contains(position.toPoint())) return {};
   const int bin = bin_at(position.x());
   const auto ids = ids_in(bin);
-  QString text = QStringLiteral("%1 to %2 times the noise: %3 observations")
+  const QString unit = unit_ == SizeUnit::sigma ? QStringLiteral("times the noise") : unit_name(unit_);
+  QString text = QStringLiteral("%1 to %2 %4: %3 observations")
                      .arg(short_text(std::pow(10, bin * kBin)), short_text(std::pow(10, (bin + 1) * kBin)))
-                     .arg(ids.size());
-  const auto out = std::count_if(cells_.begin(), cells_.end(), [](const auto& cell) { return !counts(cell); });
+                     .arg(ids.size())
+                     .arg(unit);
+  const auto out = std::count_if(cells_.begin(), cells_.end(), [this](const auto& c) { return !counts_in(c, unit_); });
   if (out > 0) text += QStringLiteral("; %1 not shown, without a residual or not used").arg(out);
   return text;
 }
@@ -216,7 +215,7 @@ bool HistogramPlot::eventFilter(QObject* watched, QEvent* event) {
       type == QEvent::MouseButtonPress || type == QEvent::MouseMove || type == QEvent::MouseButtonRelease;
   if (watched == plot_ && is_mouse && threshold_) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
-    const bool is_near = std::abs(mouse->position().x() - plot_->xAxis->coordToPixel(place_of(*threshold_))) < 6;
+    const bool is_near = std::abs(mouse->position().x() - plot_->xAxis->coordToPixel(std::log10(*threshold_))) < 6;
     if (type == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton && is_near) {
       is_moving_threshold_ = true;
       setFocus(Qt::MouseFocusReason);
@@ -241,11 +240,11 @@ bool HistogramPlot::eventFilter(QObject* watched, QEvent* event) {
 }
 
 std::vector<PlotColumn> HistogramPlot::columns() const {
-  PlotColumn id{QStringLiteral("observation id"), {}}, value{QStringLiteral("rms / noise"), {}};
+  PlotColumn id{QStringLiteral("observation id"), {}}, value{QStringLiteral("rms (%1)").arg(unit_name(unit_)), {}};
   for (const ObservationCell& cell : cells_) {
-    if (!counts(cell)) continue;
+    if (!counts_in(cell, unit_)) continue;
     id.values.push_back(static_cast<double>(cell.id));
-    value.values.push_back(*cell.rms_over_sigma);
+    value.values.push_back(*told_size(cell).value);
   }
   return {id, value};
 }

@@ -80,6 +80,10 @@ QString with_unit_text(std::optional<double> value, const QString& unit, int dig
   return unit.isEmpty() ? short_text(value, digits) : short_text(value, digits) + QChar(0x00A0) + unit;
 }
 
+QString size_text(const ShownSize& size, int digits) {
+  return with_unit_text(size.value, unit_name(size.unit), digits);
+}
+
 QString duration_text(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0) return kUnknown;
   const auto whole = static_cast<long long>(std::ceil(seconds));

@@ -5,6 +5,8 @@
 #include <QString>
 #include <optional>
 
+#include "widgets/cells.h"
+
 namespace handsight::widgets {
 
 /// With so many digits after the point; never "-0.00", "nan" or an exponent.
@@ -19,6 +21,9 @@ QString with_sigma_text(std::optional<double> value, std::optional<double> sigma
 
 /// A value with its unit in one word: "9.1 px", "-" where it is not known.
 QString with_unit_text(std::optional<double> value, const QString& unit, int digits = 2);
+
+/// "9.1 px", "12 mm", "45 σ"; "-" where it has no value.
+QString size_text(const ShownSize& size, int digits = 2);
 
 /// "2 s", "1 min 20 s": time left of a job.
 QString duration_text(double seconds);

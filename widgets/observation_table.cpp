@@ -129,14 +129,20 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   set_empty_text(QStringLiteral("No observations yet."));
 }
 
-void ObservationTable::set_rows(std::vector<ObservationRow> rows, bool has_pixels) {
+void ObservationTable::set_units(SizeUnit first, std::optional<SizeUnit> second) {
+  model_->set_units(first, second.value_or(first));
+  view_->setColumnHidden(static_cast<int>(TableColumn::other_size), !second);
+  const int sorted_by = view_->horizontalHeader()->sortIndicatorSection();
+  resort_->setVisible(!filter_->is_in_order() && sorted_by >= 0);
+}
+
+void ObservationTable::set_rows(std::vector<ObservationRow> rows) {
   is_telling_ = true;
   const bool is_first = model_->rows().empty();
   model_->set_rows(std::move(rows));
   filter_->refilter();
   if (is_first)
     filter_->sort(view_->horizontalHeader()->sortIndicatorSection(), view_->horizontalHeader()->sortIndicatorOrder());
-  view_->setColumnHidden(static_cast<int>(TableColumn::pixel), !has_pixels);
   is_telling_ = false;
   const ObservationId before = selected_;
   selected_ = kNoObservation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of observations: rms in px and mm, angle, the worst marker, state and reason; sorted and filtered.
+// The table of observations: rms in two units, angle, the worst marker, state and reason; sorted and filtered.
 #pragma once
 
 #include <QWidget>
@@ -39,8 +39,9 @@ class ObservationTable : public QWidget {
   Q_OBJECT
  public:
   explicit ObservationTable(QWidget* parent = nullptr);
-  /// `has_pixels` false: a tracker session, no px column.
-  void set_rows(std::vector<ObservationRow> rows, bool has_pixels = true);
+  void set_rows(std::vector<ObservationRow> rows);
+  /// The units of the two columns of sizes; without a second one only one is shown.
+  void set_units(SizeUnit first, std::optional<SizeUnit> second);
   void set_row(const ObservationRow& row);
   void set_selected(ObservationId id);
   void set_hovered(ObservationId id);

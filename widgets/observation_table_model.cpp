@@ -20,14 +20,35 @@ double sort_number(std::optional<double> value) { return value.value_or(-std::nu
 /// Two decimals as long as there is room for them.
 QString column_text(std::optional<double> value) { return fixed_text(value, value && *value >= 99.995 ? 0 : 2); }
 
-QString shown(const ObservationRow& row, TableColumn column) {
+using Units = std::array<SizeUnit, 2>;
+
+bool is_size(TableColumn column) { return column == TableColumn::size || column == TableColumn::other_size; }
+
+std::optional<double> size_of(const ObservationRow& row, SizeUnit unit) {
+  return unit == SizeUnit::pixel ? row.rms_pixel : unit == SizeUnit::millimetre ? row.rms_mm : row.rms_over_sigma;
+}
+
+SizeUnit unit_of(TableColumn column, const Units& units) { return units[column == TableColumn::size ? 0 : 1]; }
+
+const char* about_size(SizeUnit unit) {
+  switch (unit) {
+    case SizeUnit::pixel:
+      return "Root mean square of its image coordinates' residuals, px";
+    case SizeUnit::millimetre:
+      return "Root mean square of its markers' residuals in space, mm";
+    case SizeUnit::sigma:
+      return "Root mean square of its coordinates' residuals over the noise of one";
+  }
+  return "";
+}
+
+QString shown(const ObservationRow& row, TableColumn column, const Units& units) {
   switch (column) {
     case TableColumn::id:
       return QString::number(row.id);
-    case TableColumn::pixel:
-      return column_text(row.rms_pixel);
-    case TableColumn::millimetre:
-      return column_text(row.rms_mm);
+    case TableColumn::size:
+    case TableColumn::other_size:
+      return column_text(size_of(row, unit_of(column, units)));
     case TableColumn::degree:
       return column_text(row.angle_deg);
     case TableColumn::worst:
@@ -41,26 +62,24 @@ QString shown(const ObservationRow& row, TableColumn column) {
   return {};
 }
 
-QVariant sort_value(const ObservationRow& row, TableColumn column) {
+QVariant sort_value(const ObservationRow& row, TableColumn column, const Units& units) {
   switch (column) {
     case TableColumn::id:
       return static_cast<double>(row.id);
-    case TableColumn::pixel:
-      return sort_number(row.rms_pixel);
-    case TableColumn::millimetre:
-      return sort_number(row.rms_mm);
+    case TableColumn::size:
+    case TableColumn::other_size:
+      return sort_number(size_of(row, unit_of(column, units)));
     case TableColumn::degree:
       return sort_number(row.angle_deg);
     case TableColumn::worst:
       return sort_number(row.worst_over_sigma);
     default:
-      return shown(row, column);
+      return shown(row, column, units);
   }
 }
 
 bool is_number(TableColumn column) {
-  return column == TableColumn::id || column == TableColumn::pixel || column == TableColumn::millimetre ||
-         column == TableColumn::degree;
+  return column == TableColumn::id || is_size(column) || column == TableColumn::degree;
 }
 
 }  // namespace
@@ -91,8 +110,8 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const ObservationRow& row = rows_[static_cast<std::size_t>(index.row())];
   const auto column = static_cast<TableColumn>(index.column());
-  if (role == Qt::DisplayRole) return shown(row, column);
-  if (role == kSortRole) return sort_value(row, column);
+  if (role == Qt::DisplayRole) return shown(row, column, units_);
+  if (role == kSortRole) return sort_value(row, column, units_);
   if (role == Qt::ToolTipRole && column == TableColumn::reason && !row.reason.isEmpty()) return row.reason;
   if (role == Qt::TextAlignmentRole)
     return static_cast<int>((is_number(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -101,15 +120,20 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant ObservationTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  static const std::array<const char*, 7> names = {"obs", "px", "mm", "deg", "worst", "state", "why"};
+  static const std::array<const char*, 7> names = {"obs", "", "", "deg", "worst", "state", "why"};
   static const std::array<const char*, 7> tips = {"The observation's id",
-                                                  "Root mean square of its image coordinates' residuals, px",
-                                                  "Root mean square of its markers' residuals in space, mm",
+                                                  "",
+                                                  "",
                                                   "How far TCPest is turned from the TCP, degrees",
                                                   "The marker and image with the largest residual; sorts by its size",
                                                   "Whether the fit uses it; odd: it stands out of the others",
                                                   "Why it is rejected or excluded, or what is to be said of it"};
   if (section < 0 || section >= static_cast<int>(names.size())) return {};
+  if (const auto column = static_cast<TableColumn>(section); is_size(column)) {
+    const SizeUnit unit = unit_of(column, units_);
+    if (role == Qt::DisplayRole) return unit_name(unit);
+    if (role == Qt::ToolTipRole) return QString::fromLatin1(about_size(unit));
+  }
   if (role == Qt::DisplayRole) return QString::fromLatin1(names[static_cast<std::size_t>(section)]);
   if (role == Qt::ToolTipRole) return QString::fromLatin1(tips[static_cast<std::size_t>(section)]);
   if (role == Qt::TextAlignmentRole)
@@ -120,6 +144,15 @@ QVariant ObservationTableModel::headerData(int section, Qt::Orientation orientat
 
 void ObservationTableModel::tell(int first, int last) {
   if (first <= last) emit dataChanged(index(first, 0), index(last, columnCount() - 1));
+}
+
+void ObservationTableModel::set_units(SizeUnit first, SizeUnit second) {
+  const Units units = {first, second};
+  if (units == units_) return;
+  units_ = units;
+  emit headerDataChanged(Qt::Horizontal, static_cast<int>(TableColumn::size),
+                         static_cast<int>(TableColumn::other_size));
+  tell(0, rowCount() - 1);
 }
 
 void ObservationTableModel::set_rows(std::vector<ObservationRow> rows) {
@@ -205,7 +238,7 @@ bool ObservationTableFilter::filterAcceptsRow(int row, const QModelIndex&) const
   if (text_.isEmpty()) return true;
   return QString::number(r.id) == text_ || r.reason.contains(text_, Qt::CaseInsensitive) ||
          r.worst.contains(text_, Qt::CaseInsensitive) ||
-         shown(r, TableColumn::state).contains(text_, Qt::CaseInsensitive);
+         shown(r, TableColumn::state, {}).contains(text_, Qt::CaseInsensitive);
 }
 
 bool ObservationTableFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {

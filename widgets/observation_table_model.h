@@ -5,12 +5,13 @@
 #include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
+#include <array>
 
 #include "widgets/observation_table.h"
 
 namespace handsight::widgets {
 
-enum class TableColumn { id, pixel, millimetre, degree, worst, state, reason, count };
+enum class TableColumn { id, size, other_size, degree, worst, state, reason, count };
 
 class ObservationTableModel : public QAbstractTableModel {
   Q_OBJECT
@@ -20,6 +21,8 @@ class ObservationTableModel : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+  void set_units(SizeUnit first, SizeUnit second);
 
   /// Rows of the same ids in the same order are changed in place, so that selection and order stay.
   void set_rows(std::vector<ObservationRow> rows);
@@ -34,6 +37,7 @@ class ObservationTableModel : public QAbstractTableModel {
  private:
   void tell(int first, int last);
   std::vector<ObservationRow> rows_;
+  std::array<SizeUnit, 2> units_ = {SizeUnit::pixel, SizeUnit::millimetre};  // of the two columns of sizes
   std::vector<ObservationId> highlighted_;
   ObservationId hovered_ = kNoObservation;
 };

@@ -78,7 +78,7 @@ QString state_name(CellState state) {
 
 QString cell_text(const ObservationCell& cell) {
   QString text = QStringLiteral("obs %1").arg(cell.id);
-  if (cell.rms_over_sigma) text += QStringLiteral(": %1 σ").arg(short_text(cell.rms_over_sigma));
+  if (const ShownSize size = told_size(cell); size.value) text += QStringLiteral(": ") + size_text(size);
   if (cell.predicted) text += QStringLiteral(", predicted %1 σ").arg(short_text(cell.predicted));
   if (cell.state != CellState::used) text += QStringLiteral(", ") + state_name(cell.state);
   if (!cell.note.isEmpty()) text += QStringLiteral(": ") + cell.note;

@@ -59,6 +59,8 @@ ReadOutLine::ReadOutLine(QWidget* parent) : QWidget(parent) {
   rebuild();
 }
 
+void ReadOutLine::add_at_end(QWidget* widget) { layout()->addWidget(widget); }
+
 QSize ReadOutLine::sizeHint() const { return {800, kRowHeight}; }
 
 void ReadOutLine::set_crumbs(const QStringList& crumbs) {

@@ -20,6 +20,8 @@ class ReadOutLine : public QWidget {
   void set_crumbs(const QStringList& crumbs);  // outermost first; empty: "Nothing selected"
   void set_pointer(const QString& text);       // empty: nothing under the pointer
   void show_message(const QString& sentence, const QString& action = {});
+  /// Something small at the right end, for good.
+  void add_at_end(QWidget* widget);
   QString pointer_text() const;
   QSize sizeHint() const override;
 

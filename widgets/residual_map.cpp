@@ -92,6 +92,13 @@ void ResidualMap::set_points(std::vector<MapPoint> points) {
   replot();
 }
 
+void ResidualMap::set_unit(SizeUnit unit) {
+  if (unit == unit_) return;
+  unit_ = unit;
+  fill();
+  replot();
+}
+
 void ResidualMap::set_side(std::optional<ImageSide> side) {
   side_ = side;
   fill();
@@ -167,11 +174,13 @@ QString ResidualMap::text_at(const QPointF& position) {
     emit observation_hovered(id);
   }
   if (!point) return {};
-  return QStringLiteral("obs %1, marker %2, %3: %4 px right, %5 px down")
-      .arg(point->observation)
-      .arg(point->marker)
-      .arg(point->side == ImageSide::left ? QStringLiteral("left") : QStringLiteral("right"),
-           fixed_text(point->residual.x(), 2), fixed_text(point->residual.y(), 2));
+  const QString text =
+      QStringLiteral("obs %1, marker %2, %3: %4 %6 right, %5 %6 down")
+          .arg(point->observation)
+          .arg(point->marker)
+          .arg(point->side == ImageSide::left ? QStringLiteral("left") : QStringLiteral("right"),
+               fixed_text(point->residual.x(), 2), fixed_text(point->residual.y(), 2), unit_name(unit_));
+  return unit_ == SizeUnit::millimetre ? text + QStringLiteral(", across the line of sight") : text;
 }
 
 void ResidualMap::clicked_at(const QPointF& position, Qt::KeyboardModifiers) {
@@ -186,10 +195,13 @@ void ResidualMap::brushed(const QRectF& in_plot) {
 }
 
 std::vector<PlotColumn> ResidualMap::columns() const {
-  std::vector<PlotColumn> all = {{QStringLiteral("observation id"), {}}, {QStringLiteral("marker"), {}},
-                                 {QStringLiteral("right image"), {}},    {QStringLiteral("u (px)"), {}},
-                                 {QStringLiteral("v (px)"), {}},         {QStringLiteral("residual u (px)"), {}},
-                                 {QStringLiteral("residual v (px)"), {}}};
+  std::vector<PlotColumn> all = {{QStringLiteral("observation id"), {}},
+                                 {QStringLiteral("marker"), {}},
+                                 {QStringLiteral("right image"), {}},
+                                 {QStringLiteral("u (px)"), {}},
+                                 {QStringLiteral("v (px)"), {}},
+                                 {QStringLiteral("residual u (%1)").arg(unit_name(unit_)), {}},
+                                 {QStringLiteral("residual v (%1)").arg(unit_name(unit_)), {}}};
   for (const MapPoint& point : points_) {
     if (!is_shown(point)) continue;
     const std::array<double, 7> values = {static_cast<double>(point.observation),

@@ -16,12 +16,12 @@ struct MapPoint {
   int marker = 0;
   ImageSide side = ImageSide::left;
   Vector2 position{0, 0};  // px
-  Vector2 residual{0, 0};  // px, measured - predicted
+  Vector2 residual{0, 0};  // measured - predicted, right and down, in the map's unit
   std::optional<double> rms_over_sigma;
 };
 
-/// size: discs coloured by the residual scale; arrows: exaggerated 1-2-5 with a scale bar in px; direction: cyclic
-/// colour, a cluster of one colour is a bias.
+/// size: discs coloured by the residual scale; arrows: exaggerated 1-2-5 with a scale bar; direction: cyclic colour, a
+/// cluster of one colour is a bias.
 enum class MapLens { size, arrows, direction };
 
 /// The whole image of one or both cameras, v down, with the mean residual per region and how many points it has, so
@@ -32,13 +32,15 @@ class ResidualMap : public PlotWidget {
   explicit ResidualMap(QWidget* parent = nullptr);
   void set_image_size(int width, int height);
   void set_points(std::vector<MapPoint> points);
+  /// What the residuals are in: px; mm across the line of sight; sigma of one coordinate.
+  void set_unit(SizeUnit unit);
   void set_side(std::optional<ImageSide> side);  // nothing: both
   void set_lens(MapLens lens);
   MapLens lens() const { return lens_; }
   void set_regions(bool shown);
   void set_selected(ObservationId id);
   void set_hovered(ObservationId id);
-  double exaggeration() const;  // of the arrows: 1, 2, 5, 10, ...
+  double exaggeration() const;  // px of the image that one unit of residual is drawn long: 1, 2, 5, 10, ...
   void fit() override;
 
  signals:
@@ -69,6 +71,7 @@ class ResidualMap : public PlotWidget {
   int width_ = 640, height_ = 480;
   std::optional<ImageSide> side_;
   MapLens lens_ = MapLens::arrows;
+  SizeUnit unit_ = SizeUnit::pixel;
   bool has_regions_ = true;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
   std::shared_ptr<Layers> layers_;

@@ -131,7 +131,7 @@ void ResidualMap::fill() {
   fill_arrows();
   fill_regions();
   ring();
-  // The scale bar: a round number of px of residual, near a tenth of the width.
+  // The scale bar: a round number of the residuals' unit, near a tenth of the width.
   const double times = exaggeration();
   double shown = 1;
   for (double power = 0.001; power < 1000; power *= 10)
@@ -144,7 +144,11 @@ void ResidualMap::fill() {
   layers_->bar->start->setCoords(right - shown * times, bottom);
   layers_->bar->end->setCoords(right, bottom);
   layers_->bar_text->position->setCoords(right, bottom - 2);
-  layers_->bar_text->setText(QStringLiteral("%1 px, drawn %2 ×").arg(short_text(shown, 1), short_text(times, 1)));
+  const QString length = size_text({shown, unit_}, 1);
+  layers_->bar_text->setText(unit_ == SizeUnit::pixel
+                                 ? QStringLiteral("%1, drawn %2 ×").arg(length, short_text(times, 1))
+                             : unit_ == SizeUnit::millimetre ? QStringLiteral("%1 across the line of sight").arg(length)
+                                                             : length);
 }
 
 }  // namespace handsight::widgets

@@ -21,14 +21,26 @@ constexpr double kStairsWidth = 120;
 constexpr double kNumberLine = 20, kCaptionLine = 6;  // baselines above the lower edge
 
 QString ratio_text(const ErrorNumbers& numbers) {
+  if (numbers.ratio) return short_text(numbers.ratio) + QStringLiteral(" ×");
   if (!numbers.now || !numbers.noise || *numbers.noise <= 0) return QStringLiteral("-");
   return short_text(*numbers.now / *numbers.noise) + QStringLiteral(" ×");
 }
 
 QString now_text(const ErrorNumbers& n) {
   QString text = with_unit_text(n.now, n.unit);
-  if (n.predicted) text += QStringLiteral(" → ") + short_text(n.predicted);
+  if (n.predicted) text += QStringLiteral(" → ") + with_unit_text(n.predicted, n.predicted_unit);
   return text;
+}
+
+QString about_numbers(const QString& unit) {
+  if (unit == unit_name(SizeUnit::millimetre))
+    return QStringLiteral(
+        "How far the markers are from where they are predicted, in space, on observations that the fit has not seen; "
+        "what noise alone would make of it; and how many times larger than the noise the error of a coordinate is. "
+        "U changes the unit.");
+  return QStringLiteral(
+      "The error of one coordinate on observations that the fit has not seen, the noise of the measurement, and how "
+      "many times larger the error is. U changes the unit.");
 }
 
 std::optional<double> height_of(const VersionStep& step) { return step.held_out ? step.held_out : step.fitted; }
@@ -210,12 +222,7 @@ bool ThreeNumbers::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const int step = step_at(help->pos());
-  QToolTip::showText(help->globalPos(),
-                     step >= 0
-                         ? step_text(step)
-                         : QStringLiteral("The error of one coordinate on observations that the fit has not seen, "
-                                          "the noise of the measurement, and how many times larger the error is."),
-                     this);
+  QToolTip::showText(help->globalPos(), step >= 0 ? step_text(step) : about_numbers(numbers_.unit), this);
   return true;
 }
 

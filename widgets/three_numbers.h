@@ -17,9 +17,11 @@ struct VersionStep {
 };
 
 struct ErrorNumbers {
-  std::optional<double> now, noise;  // held out; of one coordinate
+  std::optional<double> now, noise;  // held out, and what noise alone would make of it
+  std::optional<double> ratio;       // absent: now over noise
   std::optional<double> predicted;   // with a candidate that is being tried: shown purple and dashed
   QString unit = "px";
+  QString predicted_unit;             // where it is another; empty: the same
   QString excluded_note;              // "with 7 excluded: 8.1 px", shown beside the first number for good
   bool is_stale = false;              // a fit runs: the numbers belong to what was
   std::vector<VersionStep> versions;  // oldest first

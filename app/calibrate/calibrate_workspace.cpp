@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibrate/calibrate_workspace.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
-#include <QPushButton>
-#include <QSlider>
 #include <QSplitter>
 #include <QTabWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "calibrate/objective_page.h"
 #include "calibrate/one_marker_page.h"
 #include "calibrate/own_pose_page.h"
-#include "document/counted.h"
+#include "calibrate/transport.h"
 #include "frame/observation_views.h"
 #include "widgets/convergence_plot.h"
 #include "widgets/decision_list.h"
@@ -26,7 +20,6 @@ namespace handsight::app {
 namespace {
 
 constexpr double degrees = 57.29577951308232;
-constexpr int magnifications[] = {1, 2, 5, 10, 20, 50, 100};
 
 /// x y z, then roll pitch yaw.
 Vector6 six(const Rigid& motion) {
@@ -43,11 +36,11 @@ widgets::ConvergencePoint point_of(const PlayedStep& played) {
   return p;
 }
 
-widgets::DecisionEntry entry_of(const PlayedStep& played) {
+widgets::DecisionEntry entry_of(const PlayedStep& played, const DisplayUnits& units) {
   widgets::DecisionEntry e{.id = played.step.id, .reason = QString::fromStdString(played.step.reason)};
   e.state = played.step.accepted ? widgets::CellState::used : widgets::CellState::rejected;
   if (!played.row.markers.empty()) {
-    e.rms_pixel = played.row.rms;
+    e.size = units.shown(size_of(played.row));
     e.rms_over_sigma = played.row.ratio;
     e.coordinates = played.row.coordinates;
   }
@@ -64,55 +57,8 @@ CalibrateWorkspace::CalibrateWorkspace(Workbench& bench, QWidget* parent) : Work
   refresh_transport();
 }
 
-QWidget* CalibrateWorkspace::make_transport() {
-  auto* row = new QWidget(this);
-  play_ = new QPushButton(tr("Play"), row);
-  play_->setObjectName("play");
-  play_->setDefault(true);
-  step_ = new QToolButton(row);
-  step_->setObjectName("step");
-  step_->setText(tr("Step"));
-  step_->setToolTip(tr("One observation (.)"));
-  rewind_ = new QToolButton(row);
-  rewind_->setObjectName("rewind");
-  rewind_->setText(tr("Rewind"));
-  rewind_->setToolTip(tr("Play from the first observation again"));
-  speed_ = new QComboBox(row);
-  speed_->setObjectName("speed");
-  for (const double s : {1.0, 2.0, 5.0, 10.0, 30.0}) speed_->addItem(tr("%1 per second").arg(s), s);
-  speed_->addItem(tr("As fast as it goes"), 0.0);
-  speed_->setCurrentIndex(3);
-  speed_->setFocusPolicy(Qt::StrongFocus);
-  progress_ = new QLabel(row);
-  progress_->setObjectName("play_progress");
-  ghost_ = new QSlider(Qt::Horizontal, row);
-  ghost_->setObjectName("ghost");
-  ghost_->setRange(0, static_cast<int>(std::size(magnifications)) - 1);
-  ghost_->setFixedWidth(140);
-  ghost_->setValue(3);
-  ghost_text_ = new QLabel(row);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_, speed_}) {
-    w->setMinimumHeight(28);
-    layout->addWidget(w);
-  }
-  layout->addSpacing(8);
-  layout->addWidget(progress_, 1);
-  layout->addWidget(ghost_text_);
-  layout->addWidget(ghost_);
-  row->setFixedHeight(36);
-  connect(play_, &QPushButton::clicked, this, [this] { player_.is_playing() ? player_.pause() : player_.play(); });
-  connect(step_, &QToolButton::clicked, &player_, &Player::step);
-  connect(rewind_, &QToolButton::clicked, &player_, &Player::rewind);
-  connect(speed_, &QComboBox::currentIndexChanged, this,
-          [this] { player_.set_speed(speed_->currentData().toDouble()); });
-  player_.set_speed(10);
-  return row;
-}
-
 void CalibrateWorkspace::make_layout() {
+  transport_ = new Transport(bench_, player_, this);
   left_ = new widgets::ImageView(this);
   right_ = new widgets::ImageView(this);
   left_->setObjectName("calibrate_left");
@@ -154,18 +100,16 @@ void CalibrateWorkspace::make_layout() {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 0, 8, 8);
   layout->setSpacing(4);
-  layout->addWidget(make_transport());
+  layout->addWidget(transport_);
   layout->addWidget(rows, 1);
-  const auto magnify = [this] {
-    const double times = magnifications[ghost_->value()];
+  const auto magnify = [this](double times) {
     scene_->set_ghost_magnification(times);
     scene_->set_arrow_magnification(times);
     left_->set_magnification(times);
     right_->set_magnification(times);
-    ghost_text_->setText(tr("deviations × %1").arg(times));
   };
-  connect(ghost_, &QSlider::valueChanged, this, magnify);
-  magnify();
+  connect(transport_, &Transport::magnification_changed, this, magnify);
+  magnify(transport_->magnification());
 }
 
 void CalibrateWorkspace::connect_player() {
@@ -202,7 +146,7 @@ void CalibrateWorkspace::show_played() {
   std::vector<widgets::DecisionEntry> entries;
   for (const PlayedStep& played : unshown_) {
     if (played.step.has_estimate && played.step.accepted) points.push_back(point_of(played));
-    entries.push_back(entry_of(played));
+    entries.push_back(entry_of(played, bench_.units));
   }
   board_->append(points);
   decisions_->append(entries);
@@ -257,6 +201,13 @@ void CalibrateWorkspace::connect_selection() {
     is_stale_ = true;
     if (is_active()) refresh_model();
   });
+  connect(&bench_.units, &DisplayUnits::changed, this, [this] {
+    show_played();
+    std::vector<widgets::DecisionEntry> entries;
+    for (const PlayedStep& played : player_.steps()) entries.push_back(entry_of(played, bench_.units));
+    decisions_->set_entries(std::move(entries));
+    if (is_active()) refresh_observation();
+  });
   connect(own_pose_, &OwnPosePage::changed, this, [this] {
     if (is_active()) refresh_observation();
   });
@@ -268,14 +219,11 @@ void CalibrateWorkspace::connect_selection() {
   });
 }
 
-bool CalibrateWorkspace::is_labelled() const {
-  const auto& all = bench_.document.session().observations;
-  return std::any_of(all.begin(), all.end(), [](const Observation& o) { return !o.sightings.empty(); });
-}
-
 WorkStatus CalibrateWorkspace::status() const {
   const Session& s = bench_.document.session();
-  if (!is_labelled()) return {WorkState::waiting, tr("waits for labels")};
+  const bool is_labelled = std::any_of(s.observations.begin(), s.observations.end(),
+                                       [](const Observation& o) { return !o.sightings.empty(); });
+  if (!is_labelled) return {WorkState::waiting, tr("waits for labels")};
   const auto taken = std::count_if(s.observations.begin(), s.observations.end(),
                                    [](const Observation& o) { return o.decision == Decision::accepted; });
   const auto rejected = std::count_if(s.observations.begin(), s.observations.end(),
@@ -305,7 +253,7 @@ void CalibrateWorkspace::activate() {
 
 bool CalibrateWorkspace::key(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space) {
-    play_->click();
+    transport_->toggle_play();
   } else if (event->key() == Qt::Key_Period) {
     player_.step();
   } else {
@@ -315,19 +263,7 @@ bool CalibrateWorkspace::key(QKeyEvent* event) {
 }
 
 void CalibrateWorkspace::refresh_transport() {
-  const bool open = bench_.document.is_open();
-  const bool labelled = open && is_labelled();
-  play_->setText(player_.is_playing() ? tr("Pause") : player_.is_finished() ? tr("Play again") : tr("Play"));
-  for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
-  if (!labelled) {
-    progress_->setText(tr("Waits for three markers: label the first observation (Ctrl+1)."));
-    return;
-  }
-  const std::size_t count = bench_.document.session().observations.size(), at = player_.position();
-  const std::size_t taken = at == 0 ? 0 : player_.steps().back().accepted;
-  progress_->setText(
-      at == 0 ? tr("%1 to play").arg(counted(static_cast<qint64>(count), "observation", "observations"))
-              : tr("%1 of %2 observations, %3 taken, %4 rejected").arg(at).arg(count).arg(taken).arg(at - taken));
+  transport_->refresh();
   emit status_changed();
 }
 

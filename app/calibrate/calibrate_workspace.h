@@ -7,12 +7,7 @@
 #include "calibrate/player.h"
 #include "frame/workspace.h"
 
-class QComboBox;
-class QLabel;
-class QPushButton;
-class QSlider;
 class QTabWidget;
-class QToolButton;
 
 namespace handsight::widgets {
 class ConvergenceBoard;
@@ -26,6 +21,7 @@ namespace handsight::app {
 class ObjectivePage;
 class OneMarkerPage;
 class OwnPosePage;
+class Transport;
 
 class CalibrateWorkspace : public Workspace {
   Q_OBJECT
@@ -42,7 +38,6 @@ class CalibrateWorkspace : public Workspace {
 
  private:
   void make_layout();
-  QWidget* make_transport();
   void connect_player();
   void connect_selection();
   /// What was played since the last time, in all views at once: they need not be painted for each observation.
@@ -51,14 +46,9 @@ class CalibrateWorkspace : public Workspace {
   void refresh_observation();
   void refresh_model();
   void set_robot();
-  bool is_labelled() const;
 
   Player player_;
-  QPushButton* play_;
-  QToolButton *step_, *rewind_;
-  QComboBox* speed_;
-  QLabel *progress_, *ghost_text_;
-  QSlider* ghost_;
+  Transport* transport_;
   widgets::ImageView *left_, *right_;
   widgets::RobotView* scene_ = nullptr;
   widgets::ConvergenceBoard* board_;

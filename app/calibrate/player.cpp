@@ -102,12 +102,11 @@ const PlayedStep* Player::step_of(std::int64_t id) const {
 
 void Player::play() {
   if (!bench_.document.is_open() || is_playing_) return;
-  if (is_finished()) rewind();
+  if (is_finished() && !is_live_) rewind();
   is_playing_ = true;
   is_single_ = false;
   start_clock();
-  if (!holds_refit_) bench_.refit.hold();
-  holds_refit_ = true;
+  hold_refit(true);
   emit state_changed();
   if (!is_busy_) next();
 }
@@ -129,9 +128,40 @@ void Player::step() {
 void Player::stop() {
   is_playing_ = false;
   timer_.stop();
-  if (holds_refit_) {
-    holds_refit_ = false;
-    bench_.refit.release();
+  hold_refit(false);
+}
+
+void Player::hold_refit(bool held) {
+  if (held == holds_refit_) return;
+  holds_refit_ = held;
+  held ? bench_.refit.hold() : bench_.refit.release();
+}
+
+void Player::set_live(bool live) {
+  if (live == is_live_) return;
+  is_live_ = live;
+  if (!live && is_playing_ && is_finished() && !is_busy_) pause();
+  emit state_changed();
+}
+
+void Player::arrive(const std::vector<Observation>& arrived) {
+  if (arrived.empty() || !bench_.document.is_open()) return;
+  // With its decision it is one action, and so are those that come while it is decided.
+  if (arrival_join_ == 0) arrival_join_ = bench_.document.new_join();
+  Edit edit{.sentence = arrived.size() == 1
+                            ? tr("observation %1 arrived").arg(arrived.front().id)
+                            : tr("observations %1 to %2 arrived").arg(arrived.front().id).arg(arrived.back().id),
+            .joins = arrival_join_,
+            .added = arrived};
+  is_own_edit_ = true;
+  bench_.document.perform(std::move(edit));
+  is_own_edit_ = false;
+  if (run_) arrived_.insert(arrived_.end(), arrived.begin(), arrived.end());
+  emit state_changed();
+  if (!is_playing_) arrival_join_ = 0;
+  if (is_playing_ && !is_busy_ && !timer_.isActive()) {
+    start_clock();
+    next();
   }
 }
 
@@ -139,6 +169,8 @@ void Player::rewind() {
   if (is_playing_) stop();
   run_.reset();
   steps_.clear();
+  arrived_.clear();
+  arrival_join_ = 0;
   accepted_ = 0;
   is_busy_ = false;
   bench_.jobs.cancel("play");
@@ -167,8 +199,11 @@ void Player::next() {
     }
     join_ = bench_.document.new_join();
   }
+  for (Observation& o : arrived_) run_->session.observations.push_back(std::move(o));
+  arrived_.clear();
   const std::size_t index = steps_.size();
-  if (index >= run_->session.observations.size()) return pause();
+  if (index >= run_->session.observations.size()) return is_live_ ? hold_refit(false) : pause();
+  if (is_playing_) hold_refit(true);
   is_busy_ = true;
   const std::size_t end = std::min(index + due(), run_->session.observations.size());
   bench_.jobs.start<std::shared_ptr<std::vector<PlayedStep>>>(
@@ -209,6 +244,12 @@ void Player::write_down(const std::vector<PlayedStep>& played) {
   Edit edit = bench_.document.edit_of(
       tr("played to observation %1: %2 of %3 taken").arg(after.back().first).arg(accepted_).arg(steps_.size()), after);
   edit.joins = join_;
+  if (arrival_join_ != 0) {
+    edit.joins = arrival_join_;
+    edit.sentence = tr("observation %1 arrived: %2")
+                        .arg(after.back().first)
+                        .arg(played.back().step.accepted ? tr("taken") : tr("rejected"));
+  }
   is_own_edit_ = true;
   bench_.document.perform(std::move(edit));
   is_own_edit_ = false;
@@ -224,6 +265,12 @@ void Player::take(std::vector<PlayedStep> played) {
   }
   write_down(played);
   emit stepped(played);
+  if (is_finished() && is_live_ && is_playing_) {
+    hold_refit(false);
+    arrival_join_ = 0;
+    emit state_changed();
+    return;
+  }
   if (is_finished()) stop();
   emit state_changed();
   if (!is_playing_) return;

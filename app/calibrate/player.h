@@ -28,6 +28,7 @@ class Player : public QObject {
 
   bool is_playing() const { return is_playing_; }
   bool is_finished() const;
+  bool is_live() const { return is_live_; }
   std::size_t position() const { return steps_.size(); }  // observations decided in this play
   const std::vector<PlayedStep>& steps() const { return steps_; }
   const PlayedStep* step_of(std::int64_t id) const;
@@ -38,6 +39,11 @@ class Player : public QObject {
   void pause();
   void step();
   void rewind();
+  /// Live: at the end of what there is the play waits for more and goes on by itself.
+  void set_live(bool live);
+  /// New observations for the end of the session: they become part of it, and are decided at once where a play waits
+  /// for them. An arrival is one action with its decision.
+  void arrive(const std::vector<Observation>& arrived);
   /// Observations a second; 0: as fast as it goes.
   void set_speed(double per_second);
 
@@ -54,6 +60,7 @@ class Player : public QObject {
   void write_down(const std::vector<PlayedStep>& played);
   void start_clock();
   void stop();
+  void hold_refit(bool held);
 
   Workbench& bench_;
   std::shared_ptr<Run> run_;
@@ -63,6 +70,9 @@ class Player : public QObject {
   std::size_t clock_from_ = 0;  // ... with this many decided
   double per_second_ = 10;
   std::int64_t join_ = 0;
+  std::vector<Observation> arrived_;  // in the document, not yet in the play
+  std::int64_t arrival_join_ = 0;     // of those that are not decided yet; 0: all are
+  bool is_live_ = false;
   std::size_t accepted_ = 0;
   bool is_playing_ = false, is_single_ = false, is_busy_ = false, holds_refit_ = false, is_own_edit_ = false;
 };

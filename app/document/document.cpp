@@ -58,9 +58,7 @@ void Document::open(const std::filesystem::path& path) {
   session_ = std::move(session);
   settings_ = {};
   readings_.clear();
-  index_of_.clear();
-  for (std::size_t i = 0; i < session_.observations.size(); ++i)
-    index_of_[session_.observations[i].id] = static_cast<int>(i);
+  number_observations();
   state_ = ++last_state_;
   const JournalContents contents = journal_->take_contents();
   replay(contents);
@@ -95,6 +93,43 @@ void Document::close() {
   index_of_.clear();
   state_ = ++last_state_;
   emit closed();
+}
+
+std::int64_t id_at(const Session& session, int index) {
+  return index >= 0 && static_cast<std::size_t>(index) < session.observations.size()
+             ? session.observations[static_cast<std::size_t>(index)].id
+             : -1;
+}
+
+void Document::number_observations() {
+  index_of_.clear();
+  for (std::size_t i = 0; i < session_.observations.size(); ++i)
+    index_of_[session_.observations[i].id] = static_cast<int>(i);
+}
+
+void Document::add_observations(const std::vector<Observation>& added) {
+  for (const Observation& o : added)
+    if (index_of(o.id) < 0) {
+      session_.observations.push_back(o);
+      index_of_[o.id] = static_cast<int>(session_.observations.size()) - 1;
+    }
+}
+
+void Document::remove_observations(const std::vector<Observation>& removed) {
+  if (removed.empty()) return;
+  std::erase_if(session_.observations, [&](const Observation& o) {
+    return std::any_of(removed.begin(), removed.end(), [&](const Observation& r) { return r.id == o.id; });
+  });
+  number_observations();
+  // A model that knows what has gone is shown no longer: rather the last one before.
+  const auto fits = [this](const ModelVersionPointer& version) {
+    return !version || !version->inspection || version->inspection->rows.size() <= session_.observations.size();
+  };
+  if (fits(shown_)) return;
+  shown_ = model();
+  if (shown_) return;
+  for (const auto& [index, version] : versions_)
+    if (index < stack_.index() && version && version->inspection && fits(version)) shown_ = version;
 }
 
 int Document::index_of(std::int64_t id) const {
@@ -217,6 +252,8 @@ void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
   }
   if (!applies_) return;
   std::vector<std::int64_t> ids;
+  for (const Observation& o : edit.added) ids.push_back(o.id);
+  if (forward) add_observations(edit.added);
   for (const ObservationEdit& o : edit.observations) {
     const int index = index_of(o.id);
     if (index < 0) continue;
@@ -227,7 +264,10 @@ void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
     observation.reason = state.reason;
     ids.push_back(o.id);
   }
+  const ModelVersionPointer shown = shown_;
+  if (!forward) remove_observations(edit.added);
   if (is_replaying_) return;
+  if (shown_ != shown) emit model_changed();
   if (edit.settings) emit settings_changed();
   emit edited(ids);
 }

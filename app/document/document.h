@@ -16,6 +16,9 @@
 
 namespace handsight::app {
 
+/// The id of an observation by its index in the session of a model; -1 where it has gone since.
+std::int64_t id_at(const Session& session, int index);
+
 class Document : public QObject {
   Q_OBJECT
 
@@ -84,7 +87,7 @@ class Document : public QObject {
  signals:
   void opened();
   void closed();
-  /// Observations changed (labels, decisions). Empty: none, only settings.
+  /// Observations changed (labels, decisions), came or went. Empty: none, only settings.
   void edited(const std::vector<std::int64_t>& ids);
   void settings_changed();
   void readings_changed();
@@ -98,6 +101,9 @@ class Document : public QObject {
   void apply(const Edit& edit, bool forward, std::int64_t becomes);
   static constexpr std::int64_t most_looks = 1 << 20;
   static std::int64_t state_in(std::int64_t revision) { return revision / most_looks; }
+  void add_observations(const std::vector<Observation>& added);
+  void remove_observations(const std::vector<Observation>& removed);
+  void number_observations();
   void replay(const JournalContents& contents);
   bool write_down(const JournalEntry& entry);
   void push(Edit edit);

@@ -69,6 +69,25 @@ bool same_term(const EffectTerm& a, const EffectTerm& b) {
   return (!holds_a_number(a) && !holds_a_number(b)) || a.held == b.held;
 }
 
+Json observation_json(const Observation& o) {
+  return {{"id", o.id},
+          {"time", o.time},
+          {"position", point_json(o.position)},
+          {"left", o.left_image},
+          {"right", o.right_image}};
+}
+
+Observation parse_observation(const Json& json) {
+  Observation o;
+  o.id = json.at("id").get<std::int64_t>();
+  o.time = json.at("time").get<double>();
+  const auto position = json.at("position").get<std::vector<double>>();
+  o.position = Eigen::Map<const Eigen::VectorXd>(position.data(), static_cast<Eigen::Index>(position.size()));
+  o.left_image = json.at("left").get<std::string>();
+  o.right_image = json.at("right").get<std::string>();
+  return o;
+}
+
 Json terms_json(const std::vector<EffectTerm>& terms) {
   Json list = Json::array();
   for (const EffectTerm& t : terms) {
@@ -165,6 +184,7 @@ bool same_state(const ObservationState& a, const ObservationState& b) {
 
 Edit joined(Edit earlier, const Edit& later) {
   earlier.sentence = later.sentence;
+  earlier.added.insert(earlier.added.end(), later.added.begin(), later.added.end());
   for (const ObservationEdit& edit : later.observations) {
     // The one that was changed last is the likeliest to change again.
     const auto found = std::find_if(earlier.observations.rbegin(), earlier.observations.rend(),
@@ -187,6 +207,7 @@ std::string edit_text(const Edit& edit) {
   for (const ObservationEdit& o : edit.observations)
     observations.push_back({{"id", o.id}, {"before", state_json(o.before)}, {"after", state_json(o.after)}});
   json["observations"] = std::move(observations);
+  for (const Observation& o : edit.added) json["added"].push_back(observation_json(o));
   if (edit.settings)
     json["settings"] = {{"before", settings_json(edit.settings->before)},
                         {"after", settings_json(edit.settings->after)}};
@@ -203,6 +224,7 @@ Edit parse_edit(const std::string& text) {
     Edit edit;
     edit.sentence = QString::fromStdString(json.at("sentence").get<std::string>());
     edit.joins = json.at("joins").get<std::int64_t>();
+    for (const Json& o : json.value("added", Json::array())) edit.added.push_back(parse_observation(o));
     for (const Json& o : json.at("observations"))
       edit.observations.push_back(
           {o.at("id").get<std::int64_t>(), parse_state(o.at("before")), parse_state(o.at("after"))});

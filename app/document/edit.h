@@ -58,10 +58,12 @@ struct Edit {
   std::optional<ReadingEdit> reading;
   /// Actions with the same number, pushed one after the other, are one action to undo: a drag, a play. 0: alone.
   std::int64_t joins = 0;
+  /// New observations for the end of the session, as they came; what is known of them is in `observations`.
+  std::vector<Observation> added;
 
-  bool is_empty() const { return observations.empty() && !settings && !reading; }
+  bool is_empty() const { return added.empty() && observations.empty() && !settings && !reading; }
   /// Does it leave the model as it is?
-  bool only_reads() const { return observations.empty() && !settings && reading; }
+  bool only_reads() const { return added.empty() && observations.empty() && !settings && reading; }
 };
 
 /// `later` follows `earlier`: both as one, with the later sentence.

@@ -33,17 +33,25 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
   const StereoRig* rig = problem.rig_or_null();
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
   double lengths = 0;
-  int points = 0;
+  double variances = 0, squared_variances = 0;  // of the points in space, for a noise of 1 px (1 m) a coordinate
+  const auto add_variance = [&](const Matrix3& covariance) {
+    variances += covariance.trace();
+    squared_variances += covariance.squaredNorm();
+  };
   for (const Sighting& s : o.sightings) {
     MarkerResidual marker{.marker = s.marker, .left = s.left, .right = s.right};
     marker.predicted_in_sensor = sensor_from_tcp * marker_at(o, unknowns, s.marker);
     predict(rig, marker);
     marker.measured_in_sensor = s.point;
+    if (s.point) add_variance(Matrix3::Identity());
     if (rig && s.left && s.right)
-      if (const auto point = triangulate(*rig, *s.left, *s.right)) marker.measured_in_sensor = point->point;
+      if (const auto point = triangulate(*rig, *s.left, *s.right)) {
+        marker.measured_in_sensor = point->point;
+        add_variance(point->covariance);
+      }
     if (marker.measured_in_sensor) {
       lengths += (*marker.measured_in_sensor - marker.predicted_in_sensor).squaredNorm();
-      ++points;
+      ++row.points;
     }
     note_worst(marker, row);
     row.markers.push_back(std::move(marker));
@@ -51,7 +59,12 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
   const ResidualParts parts = residual_parts(problem, o, unknowns);
   row.coordinates = parts.rows;
   if (parts.rows > 0) row.rms = std::sqrt(parts.total / parts.rows);
-  if (points > 0) row.rms_m = std::sqrt(lengths / points);
+  if (row.points > 0) {
+    row.rms_m = std::sqrt(lengths / row.points);
+    row.noise_m = std::sqrt(variances / row.points);
+    // Satterthwaite: a sum of unlike squares is nearly one of so many like ones.
+    row.noise_coordinates = variances * variances / squared_variances;
+  }
   if (!parts.sensor_from_body) return parts;
   row.tcp_from_tcp_est = inverse(sensor_from_tcp) * *parts.sensor_from_body;
   row.angle = vector_from_rotation(row.tcp_from_tcp_est->rotation).norm();
@@ -80,7 +93,11 @@ ResidualParts measure_row(const Problem& problem, ProblemObservation& seen, cons
 
 void judge(const Problem& problem, const ProblemObservation& seen, const Unknowns& unknowns,
            std::optional<double> noise, const ResidualParts& parts, const TypicalParts& typical, InspectionRow& row) {
-  if (!noise || !row.rms || *noise <= 0) return;
+  if (!noise || !row.rms || *noise <= 0) {
+    row.noise_m.reset();
+    return;
+  }
+  if (row.noise_m) *row.noise_m *= *noise;
   row.ratio = *row.rms / *noise;
   row.blame = blame_of(parts, *noise, typical);
   const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.blame.letter);
@@ -127,6 +144,7 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     const ProblemObservation& o = problem.observations[i];
     judge(problem, o, estimate(fit), fit.noise, parts[i], typical, inspection.rows[static_cast<std::size_t>(o.index)]);
   }
+  inspection.noise_m = report.rms_of_noise_m;
   for (const ObservationReport& o : report.per_observation)
     inspection.rows[static_cast<std::size_t>(o.index)].outlier = o.outlier;
   return inspection;

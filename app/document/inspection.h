@@ -27,7 +27,11 @@ struct InspectionRow {
   bool at_second_look = false;  // the markers were found with wider gates after the observation was rejected
   int coordinates = 0;
   std::optional<double> rms;    // px (m in tracker sessions) of one coordinate
-  std::optional<double> rms_m;  // m, of the markers' distances
+  std::optional<double> rms_m;  // m, of the markers' distances in space, measured to predicted
+  int points = 0;               // markers that are known in space: what rms_m averages
+  /// What noise alone makes of rms_m: its root mean square (m), and of how many equal coordinates it is that.
+  std::optional<double> noise_m;
+  double noise_coordinates = 0;
   std::optional<double> angle;  // rad, of tcp_from_tcp_est
   std::optional<double> ratio;  // rms over the noise
   std::optional<Rigid> tcp_from_tcp_est;
@@ -44,7 +48,8 @@ struct InspectionRow {
 
 struct Inspection {
   std::vector<InspectionRow> rows;  // one for each observation of the session, in its order
-  std::optional<double> noise;      // px or m
+  std::optional<double> noise;      // px or m, of one coordinate
+  std::optional<double> noise_m;    // m: what noise alone makes of the used markers' distances in space
   Blame blame;                      // of the used observations together
   bool in_pixels = true;
 };

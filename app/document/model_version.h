@@ -37,7 +37,8 @@ struct ModelVersion {
 };
 using ModelVersionPointer = std::shared_ptr<const ModelVersion>;
 
-/// The error that counts (held out where it is known, else fitted) and the noise, both px, or m in tracker sessions.
+/// The error that counts (held out where it is known, else fitted) and what noise alone would make of it: px of one
+/// image coordinate; in tracker sessions m, of positions.
 struct ErrorAndNoise {
   std::optional<double> error, noise;
   bool held_out = false;

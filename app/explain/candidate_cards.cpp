@@ -16,13 +16,19 @@ using widgets::CardState;
 
 constexpr std::size_t most_cards = 4;
 
-std::optional<double> error_left(const DiagnosisCandidate& c, bool in_pixels) {
-  if (c.held_out) return in_pixels ? c.held_out->rms_pixel : c.held_out->rms_m;
-  return c.predicted_held_out;
+/// The held-out error that it would leave; in mm it is known only where the candidate was fitted.
+ResidualSize size_left(const DiagnosisCandidate& c, bool in_pixels, std::optional<double> noise) {
+  if (c.held_out) return size_of(*c.held_out, in_pixels, noise);
+  return c.predicted_held_out ? size_of_error(*c.predicted_held_out, in_pixels, noise) : ResidualSize{};
 }
 
-std::optional<double> shown(std::optional<double> error, bool in_pixels) {
-  return error ? std::optional(in_pixels ? *error : 1e3 * *error) : std::nullopt;
+/// All three in the unit in force, or all in the session's own where one of them has no value there.
+widgets::ErrorLeft card_error(const DiagnosisCandidate& c, const Diagnosis& d, const ModelVersion& model,
+                              widgets::SizeUnit unit) {
+  const VersionSizes sizes = sizes_of(d.report, model.inspection->in_pixels, d.noise, d.noise);
+  const ResidualSize left = size_left(c, model.inspection->in_pixels, d.noise);
+  if (!left.in(unit)) unit = left.pixel ? widgets::SizeUnit::pixel : widgets::SizeUnit::millimetre;
+  return {sizes.held_out.in(unit), left.in(unit), sizes.noise.in(unit), !c.held_out, widgets::unit_name(unit)};
 }
 
 QString odds_text(double ln_bayes_factor) {
@@ -42,15 +48,13 @@ QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
   return {};
 }
 
-CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ErrorAndNoise& e) {
+CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ModelVersion& model) {
   const Effect& effect = *find_effect(c.id);
   CardState card{.id = QString::fromStdString(c.id), .effect = c.id};
   card.title = QString::fromStdString(effect.title);
   card.where = places_text(c.where);
   card.words = QString::fromStdString(effect.cause);
-  const auto now = e.in_pixels ? d.report.held_out.rms_pixel : d.report.held_out.rms_m;
-  card.error = {shown(now, e.in_pixels), shown(error_left(c, e.in_pixels), e.in_pixels), shown(e.noise, e.in_pixels),
-                !c.held_out, e.in_pixels ? "px" : "mm"};
+  card.error = card_error(c, d, model, bench.units.unit());
   card.evidence = speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
   card.sizes = effect_parameters(bench.document.session(), c.terms, c.sigmas);
   std::erase_if(card.sizes, [](const widgets::ModelParameter& p) { return p.is_choice; });
@@ -71,8 +75,9 @@ CardState honest_card(CardKind kind, const QString& title, const QString& words)
   return card;
 }
 
-std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d, bool names_lead_on) {
-  const widgets::SessionVerdict v = session_verdict(model, &d, false, names_lead_on);
+std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d, const Workbench& bench) {
+  const widgets::SessionVerdict v =
+      session_verdict(model, &d, false, bench.diagnosing.names_lead_on(), bench.units.unit());
   switch (v.state) {
     case widgets::SessionState::adequate: {
       CardState card = honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), v.sentence);
@@ -121,15 +126,14 @@ bool still_stands(const Refusal& refusal, const Document& document) {
 std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
                                        const std::vector<Refusal>& refused) {
   std::vector<CardState> cards;
-  const ErrorAndNoise e = error_and_noise(model);
-  const std::optional<CardState> honest = honest_card_of(model, d, bench.diagnosing.names_lead_on());
+  const std::optional<CardState> honest = honest_card_of(model, d, bench);
   const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations ||
                      (is_outdone(d) && !bench.diagnosing.names_lead_on());
   if (honest && stops) cards.push_back(*honest);
   for (const DiagnosisCandidate& c : d.candidates) {
     if (c.unnamed || stops) continue;
     if (c.ln_bayes_factor < d.threshold || cards.size() >= most_cards) break;
-    cards.push_back(card_of(c, bench, d, e));
+    cards.push_back(card_of(c, bench, d, model));
     if (const Refusal* r = refusal_of(c.id, bench.document, refused)) {
       cards.back().can_add = false;
       cards.back().why_not = r->reason;
@@ -170,10 +174,11 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
       row.where = places_text(candidate->where);
       const bool is_best = candidate->ln_bayes_factor >= best.value_or(0) - 3;
       row.verdict = is_best ? EffectVerdict::would_help : EffectVerdict::worse;
-      const auto left = error_left(*candidate, in_pixels);
-      row.reason = left ? QObject::tr("It would leave %1; odds against nothing missing %2.")
-                              .arg(error_with_unit(*left, in_pixels), odds_text(candidate->ln_bayes_factor))
-                        : QObject::tr("Odds against nothing missing %1.").arg(odds_text(candidate->ln_bayes_factor));
+      const widgets::ShownSize left = bench.units.shown(size_left(*candidate, in_pixels, d.noise));
+      row.reason = left.value
+                       ? QObject::tr("It would leave %1; odds against nothing missing %2.")
+                             .arg(widgets::size_text(left), odds_text(candidate->ln_bayes_factor))
+                       : QObject::tr("Odds against nothing missing %1.").arg(odds_text(candidate->ln_bayes_factor));
     } else if (is_invisible) {
       row.verdict = EffectVerdict::cannot_be_seen;
       row.reason = QString::fromStdString(effect.visibility);

@@ -10,25 +10,45 @@ QString error_with_unit(double error, bool in_pixels) {
   return widgets::with_unit_text(in_pixels ? error : 1e3 * error, in_pixels ? QObject::tr("px") : QObject::tr("mm"));
 }
 
-QString comparison_sentence(const ModelVersion& model) {
+namespace {
+
+/// An error and the noise beside it, in words.
+struct Told {
+  QString error, noise;
+  QString both;     // "0.21 px against 0.20 px"
+  QString at_hand;  // " (12 mm at the hand)": the other way to tell it
+};
+
+Told told(const VersionSizes& sizes, widgets::SizeUnit unit) {
+  using widgets::SizeUnit;
+  Told t{.error = text_in(unit, sizes.error())};
+  const bool in_sigma = shown_in(unit, sizes.error()).unit == SizeUnit::sigma;
+  // In units of itself the noise would be 1, which tells nothing.
+  t.noise = text_in(in_sigma ? SizeUnit::pixel : unit, sizes.noise);
+  t.both = in_sigma ? QObject::tr("%1, the noise being %2").arg(t.error, t.noise)
+                    : QObject::tr("%1 against %2").arg(t.error, t.noise);
+  if (unit != SizeUnit::millimetre && sizes.error().pixel && sizes.error().millimetre)
+    t.at_hand = QObject::tr(" (%1 at the hand)").arg(text_in(SizeUnit::millimetre, sizes.error()));
+  if (unit == SizeUnit::millimetre && sizes.error().pixel)
+    t.at_hand = QObject::tr(" at the hand (%1)").arg(text_in(SizeUnit::pixel, sizes.error()));
+  return t;
+}
+
+}  // namespace
+
+QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
   if (!model.fit) return model.refusal;
   const ErrorAndNoise e = error_and_noise(model);
   if (!e.error) return QObject::tr("The error is not known.");
-  const QString error = error_with_unit(*e.error, e.in_pixels);
+  const Told t = told(sizes_of(model, model.fit->noise), unit);
   if (!e.noise)
     return QObject::tr(
                "The model misses by %1. Without three markers the noise is not known, so that the program cannot "
                "say whether that is much.")
-        .arg(error);
-  const QString noise = error_with_unit(*e.noise, e.in_pixels);
+        .arg(t.error);
   if (*e.ratio() < 1.25)
-    return QObject::tr("The model agrees with the measurements down to the noise (%1 against %2).").arg(error, noise);
-  const auto m = model.report->held_out.rms_m ? model.report->held_out.rms_m : model.report->fitted.rms_m;
-  const auto in_mm = [](double metres) { return widgets::with_unit_text(1e3 * metres, QObject::tr("mm")); };
-  const auto noise_m = model.report->rms_of_noise_m;
-  return QObject::tr("The model misses by %1%2 where the noise is %3%4.")
-      .arg(error, e.in_pixels && m ? QObject::tr(" (%1 at the hand)").arg(in_mm(*m)) : QString(), noise,
-           e.in_pixels && m && noise_m ? QObject::tr(" (%1)").arg(in_mm(*noise_m)) : QString());
+    return QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
+  return QObject::tr("The model misses by %1%2 where the noise is %3.").arg(t.error, t.at_hand, t.noise);
 }
 
 std::optional<widgets::Blame> session_blame(const Inspection& all) {
@@ -56,10 +76,8 @@ QString blame_sentence(const std::optional<widgets::Blame>& blame) {
   return QObject::tr("%1 % of it comes from %2.").arg(std::lround(100 * most.first)).arg(most.second);
 }
 
-QString adequate_sentence(const Diagnosis& d, const ErrorAndNoise& e) {
-  QString text =
-      QObject::tr("The model agrees with the measurements down to the noise (%1 against %2).")
-          .arg(error_with_unit(e.error.value_or(0), e.in_pixels), error_with_unit(e.noise.value_or(0), e.in_pixels));
+QString adequate_sentence(const Diagnosis& d, const Told& t) {
+  QString text = QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
   QStringList unseen;
   for (const std::string& id : d.invisible) unseen << effect_of(id, {});
   constexpr qsizetype most = 3;
@@ -68,12 +86,11 @@ QString adequate_sentence(const Diagnosis& d, const ErrorAndNoise& e) {
   return text;
 }
 
-QString scatter_sentence(const Diagnosis& d, const ErrorAndNoise& e) {
+QString scatter_sentence(const Diagnosis& d, const Told& t) {
   return QObject::tr(
              "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better "
              "than %3 mrad. No effect can remove it.")
-      .arg(error_with_unit(e.error.value_or(0), e.in_pixels), error_with_unit(e.noise.value_or(0), e.in_pixels),
-           widgets::short_text(1e3 * d.scatter));
+      .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter));
 }
 
 bool is_scatter(const Diagnosis& d, const ErrorAndNoise& e) {
@@ -92,20 +109,20 @@ QString what_is_left_follows(const Diagnosis& d) {
   return QObject::tr("It follows the %1.").arg(QString::fromStdString(d.patterns.front().against.name));
 }
 
-QString unexplained_sentence(const Diagnosis& d, const ErrorAndNoise& e) {
+QString unexplained_sentence(const Diagnosis& d, const ErrorAndNoise& e, const Told& t) {
   return QObject::tr("Something real is left (%1 where the noise is %2), and nothing in the catalogue explains it. %3")
-      .arg(error_with_unit(e.error.value_or(0), e.in_pixels),
-           e.noise ? error_with_unit(*e.noise, e.in_pixels) : QObject::tr("unknown"), what_is_left_follows(d));
+      .arg(t.error, e.noise ? t.noise : QObject::tr("unknown"), what_is_left_follows(d));
 }
 
-QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const std::optional<widgets::Blame>& blame) {
+QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const std::optional<widgets::Blame>& blame,
+                         widgets::SizeUnit unit) {
   const DiagnosisCandidate& best = *best_named(d);
   const ErrorAndNoise e = error_and_noise(model);
+  const Told t = told(sizes_of(model, model.fit->noise), unit);
   // How many mm that is at the hand stands beside it.
   QString first = e.error && e.noise
-                      ? QObject::tr("The model misses by %1 where the noise is %2.")
-                            .arg(error_with_unit(*e.error, e.in_pixels), error_with_unit(*e.noise, e.in_pixels))
-                      : comparison_sentence(model);
+                      ? QObject::tr("The model misses by %1 where the noise is %2.").arg(t.error, t.noise)
+                      : comparison_sentence(model, unit);
   const QString whose = blame_sentence(blame);
   if (!whose.isEmpty()) first += ' ' + whose;
   const QString name = effect_of(best.id, best.where);
@@ -119,18 +136,19 @@ QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const st
 }  // namespace
 
 widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* d, bool is_running,
-                                        bool names_lead_on) {
+                                        bool names_lead_on, widgets::SizeUnit unit) {
   widgets::SessionVerdict v;
-  v.sentence = comparison_sentence(model);
+  v.sentence = comparison_sentence(model, unit);
   if (!model.fit) return v;
   const ErrorAndNoise e = error_and_noise(model);
-  if (e.in_pixels) {
-    v.error_px = e.error;
-    v.noise_px = e.noise;
-  }
-  const auto m = model.report->held_out.rms_m ? model.report->held_out.rms_m : model.report->fitted.rms_m;
-  if (m) v.error_mm = 1e3 * *m;
-  if (model.report->rms_of_noise_m) v.noise_mm = 1e3 * *model.report->rms_of_noise_m;
+  const VersionSizes sizes = sizes_of(model, model.fit->noise);
+  const Told t = told(sizes, unit);
+  v.unit = unit;
+  v.error_px = sizes.error().pixel;
+  v.error_mm = sizes.error().millimetre;
+  v.error_sigma = sizes.error().sigma;
+  v.noise_px = sizes.noise.pixel;
+  v.noise_mm = sizes.noise.millimetre;
   v.blame = session_blame(*model.inspection);
   v.state = SessionState::looking;
   if (!d) {
@@ -146,21 +164,21 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
       break;
     case Verdict::adequate:
       v.state = is_scatter(*d, e) ? SessionState::scatter : SessionState::adequate;
-      v.sentence = is_scatter(*d, e) ? scatter_sentence(*d, e) : adequate_sentence(*d, e);
+      v.sentence = is_scatter(*d, e) ? scatter_sentence(*d, t) : adequate_sentence(*d, t);
       break;
     case Verdict::missing_effect:
     case Verdict::ambiguous:
       v.state = d->verdict == Verdict::ambiguous ? SessionState::ambiguous : SessionState::missing;
-      v.sentence = missing_sentence(model, *d, v.blame);
+      v.sentence = missing_sentence(model, *d, v.blame, unit);
       break;
     case Verdict::unexplained:
       if (names_lead_on) {
         v.state = SessionState::missing;
-        v.sentence = missing_sentence(model, *d, v.blame);
+        v.sentence = missing_sentence(model, *d, v.blame, unit);
         break;
       }
       v.state = lacks_noise(*d) ? SessionState::noise_unknown : SessionState::unexplained;
-      v.sentence = lacks_noise(*d) ? comparison_sentence(model) : unexplained_sentence(*d, e);
+      v.sentence = lacks_noise(*d) ? comparison_sentence(model, unit) : unexplained_sentence(*d, e, t);
       break;
   }
   return v;

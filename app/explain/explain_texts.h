@@ -24,7 +24,7 @@ struct Refusal {
 bool still_stands(const Refusal& refusal, const Document& document);
 
 /// "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px."
-QString comparison_sentence(const ModelVersion& model);
+QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit = widgets::SizeUnit::pixel);
 
 /// Shares of what exceeds the noise over all used observations; nothing where nothing stands out.
 std::optional<widgets::Blame> session_blame(const Inspection& all);
@@ -32,7 +32,7 @@ std::optional<widgets::Blame> session_blame(const Inspection& all);
 /// The whole session in a sentence. `diagnosis` may be null: only what the fit says.
 /// `names_lead_on`: of a diagnosis that an unnamed curve leads, see Diagnosing.
 widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* diagnosis, bool is_running,
-                                        bool names_lead_on);
+                                        bool names_lead_on, widgets::SizeUnit unit);
 
 /// The cards, best first; the first is an honest one where there is nothing to add.
 std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const ModelVersion& model,

@@ -73,11 +73,11 @@ void ExplainWorkspace::slide_what_if(double value) {
   const double scale = shown_unit(effect.parameters[what_if_view_.effect.numbers[at].parameter].unit).scale;
   what_if_view_.numbers[static_cast<Eigen::Index>(at)] = value / scale;
   try_numbers(what_if_view_, what_if_view_.numbers, what_if_id_);
-  const bool in_pixels = !bench_.document.session().is_tracker();
-  failing_->what_if()->set_answer(
-      tr("With this the error would be %1.")
-          .arg(error_with_unit(
-              rms_left(bench_.diagnosing.residuals()->views, what_if_view_.effect, what_if_view_.numbers), in_pixels)));
+  const ResidualViews& views = bench_.diagnosing.residuals()->views;
+  const double left = rms_left(views, what_if_view_.effect, what_if_view_.numbers);
+  failing_->what_if()->set_answer(tr("With this the error would be %1.")
+                                      .arg(bench_.units.text(size_of_error(
+                                          left, !bench_.document.session().is_tracker(), views.weighing.noise))));
 }
 
 }  // namespace handsight::app

@@ -126,6 +126,9 @@ void ExplainWorkspace::connect_bench() {
     emit status_changed();
     if (is_active()) refresh_all();
   });
+  connect(&bench_.units, &DisplayUnits::changed, this, [this] {
+    if (is_active()) refresh_units();
+  });
   connect(&d, &Diagnosing::residuals_changed, this, [this] {
     if (is_active()) refresh_all();
     renew_what_if();
@@ -217,6 +220,14 @@ void ExplainWorkspace::refresh_plots() {
   }
 }
 
+void ExplainWorkspace::refresh_units() {
+  refresh_all();
+  failing_->refresh_units();
+  if (adding_.is_running()) return;
+  if (failing_->what_if()->isVisible()) return slide_what_if(failing_->what_if()->value());
+  if (!trying_.isEmpty()) try_candidate(trying_);
+}
+
 void ExplainWorkspace::refresh_verdict() {
   const ModelVersionPointer model = bench_.document.shown_model();
   widgets::SessionVerdict v;
@@ -225,10 +236,12 @@ void ExplainWorkspace::refresh_verdict() {
   } else {
     const bool is_present = model == bench_.document.model();
     v = session_verdict(*model, is_present ? bench_.diagnosing.diagnosis().get() : nullptr,
-                        bench_.diagnosing.is_running(), bench_.diagnosing.names_lead_on());
+                        bench_.diagnosing.is_running(), bench_.diagnosing.names_lead_on(), bench_.units.unit());
     if (v.state == widgets::SessionState::looking)
       v.progress = tr("%1 %").arg(std::lround(100 * bench_.diagnosing.share()));
-    if (bench_.predicted_error() && v.error_px) v.predicted_px = bench_.predicted_error();
+    if (const auto error = bench_.predicted_error())
+      v.predicted =
+          bench_.units.shown(size_of_error(*error, !bench_.document.session().is_tracker(), model->fit->noise));
   }
   verdict_->set_verdict(std::move(v));
 }

@@ -168,6 +168,15 @@ void FailingPane::find_next_shows() {
   if (residuals_ && !is_instead_) page_->update_plots(plots(*residuals_, nullptr));
 }
 
+void FailingPane::refresh_units() {
+  if (!residuals_ || places_.empty()) return;
+  page_->set_plots(plots(*residuals_, nullptr));
+  page_->set_selected_plot(chosen_);
+  fill_large();
+  large_->fit();
+  refresh_selection();
+}
+
 void FailingPane::choose_plot(int place) {
   if (place < 0 || place >= static_cast<int>(places_.size())) return;
   chosen_ = place;
@@ -209,8 +218,9 @@ void FailingPane::show_measured_again() {
 
 void FailingPane::set_prediction(const EffectView* view, const Eigen::VectorXd& numbers) {
   predictions_.clear();
+  const auto unit = bench_.units.unit();
   if (view && residuals_)
-    for (const PlotKey& key : places_) predictions_.push_back(predicted_trend(key, *residuals_, *view, numbers));
+    for (const PlotKey& key : places_) predictions_.push_back(predicted_trend(key, *residuals_, *view, numbers, unit));
   page_->set_candidates(predictions_);
   const auto c = static_cast<std::size_t>(chosen_);
   large_->set_candidate(c < predictions_.size() ? predictions_[c] : std::vector<widgets::TrendPoint>{});
@@ -256,8 +266,7 @@ void FailingPane::look_for_common() {
   const ResidualViews& v = residuals_->views;
   std::vector<char> chosen;
   for (const ProblemObservation& o : v.problem.observations)
-    chosen.push_back(many.contains(bench_.document.session().observations[static_cast<std::size_t>(o.index)].id) ? 1
-                                                                                                                 : 0);
+    chosen.push_back(many.contains(id_at(bench_.document.session(), o.index)) ? 1 : 0);
   auto list = what_is_common(v.variables, chosen);
   // What was dragged over is no news.
   if (list.size() > 1 && !places_.empty())

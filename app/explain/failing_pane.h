@@ -34,6 +34,8 @@ class FailingPane : public QWidget {
   void set_prediction(const EffectView* view, const Eigen::VectorXd& numbers);
   void set_progress(const QString& text);
   void refresh_shows();
+  /// The same plots in another unit, on axes of their own.
+  void refresh_units();
   /// Chooses the plot against this variable, where there is one.
   void show_variable(const std::string& variable);
   widgets::WhatIfSlider* what_if() const { return what_if_; }

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "document/bent_robot.h"
+#include "document/document.h"
 
 namespace handsight::app {
 
 std::vector<std::int64_t> ids_of_places(const Problem& problem, const Session& session) {
   std::vector<std::int64_t> ids;
-  for (const ProblemObservation& o : problem.observations)
-    ids.push_back(session.observations[static_cast<std::size_t>(o.index)].id);
+  for (const ProblemObservation& o : problem.observations) ids.push_back(id_at(session, o.index));
   return ids;
 }
 

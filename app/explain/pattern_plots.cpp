@@ -34,6 +34,20 @@ bool tell_the_same(const Variable& a, const Variable& b) {
   return std::abs(x.dot(y)) > 0.999 * x.norm() * y.norm();
 }
 
+/// Values of a series as they are shown.
+struct ShownSeries {
+  Eigen::VectorXd values;
+  double noise = 1;
+  QString unit;
+};
+
+ShownSeries shown_series(const ResidualSeries& series, const Eigen::VectorXd& values, widgets::SizeUnit unit) {
+  if (unit == widgets::SizeUnit::sigma && (series.sigmas.array() > 0).all())
+    return {values.cwiseQuotient(series.sigmas), 1, widgets::unit_name(unit)};
+  const ShownUnit own = shown_unit(series.unit);
+  return {own.scale * values, own.scale * root_mean_square(series.sigmas), own.unit};
+}
+
 }  // namespace
 
 std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
@@ -62,18 +76,18 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
   if (!found) return std::nullopt;
   const ResidualSeries& series = v.series[found->series];
   const Variable& variable = v.variables[found->variable];
-  const ShownUnit unit = shown_unit(series.unit);
-  const Eigen::VectorXd y = unit.scale * (values ? (*values)[found->series] : series.values);
+  const ShownSeries shown = shown_series(series, values ? (*values)[found->series] : series.values, bench.units.unit());
+  const Eigen::VectorXd& y = shown.values;
   widgets::PatternPlot plot;
   plot.id = QString::fromStdString(key.residual + " / " + key.variable);
   plot.what = QString::fromStdString(series.name);
   plot.against = QString::fromStdString(variable.name);
   plot.x_unit = QString::fromStdString(variable.unit);
-  plot.y_unit = unit.unit;
+  plot.y_unit = shown.unit;
   const Session& session = bench.document.session();
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     const ProblemObservation& o = v.problem.observations[static_cast<std::size_t>(i)];
-    const std::int64_t id = session.observations[static_cast<std::size_t>(o.index)].id;
+    const std::int64_t id = id_at(session, o.index);
     const InspectionRow* row = values ? nullptr : bench.row(id);
     plot.points.push_back({.observation = id,
                            .x = variable.values[i],
@@ -82,7 +96,7 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
                            .coordinates = row && row->coordinates > 0 ? row->coordinates : 12});
   }
   plot.trend = trend_of(variable.values, y);
-  plot.noise = unit.scale * root_mean_square(series.sigmas);
+  plot.noise = shown.noise;
   for (const Pattern& p : residuals.patterns)
     if (p.series == found->series && p.variable == found->variable) {
       plot.strength = p.strength;
@@ -92,13 +106,15 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
 }
 
 std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const ModelResiduals& residuals,
-                                                 const EffectView& view, const Eigen::VectorXd& numbers) {
+                                                 const EffectView& view, const Eigen::VectorXd& numbers,
+                                                 widgets::SizeUnit unit) {
   const auto found = find(key, residuals.views);
   if (!found || found->series >= view.series.size()) return {};
-  const double scale = shown_unit(residuals.views.series[found->series].unit).scale;
   const Eigen::VectorXd& x = residuals.views.variables[found->variable].values;
   if (view.series[found->series].rows() != x.size()) return {};  // of a version with other observations
-  return trend_of(x, scale * (view.series[found->series] * numbers));
+  const ShownSeries shown =
+      shown_series(residuals.views.series[found->series], view.series[found->series] * numbers, unit);
+  return trend_of(x, shown.values);
 }
 
 QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing) {
@@ -142,8 +158,7 @@ std::unordered_map<std::int64_t, double> predicted_ratios(const ModelResiduals& 
   std::unordered_map<std::int64_t, double> ratios;
   for (std::size_t i = 0; i < squares.size(); ++i)
     if (rows[i] > 0)
-      ratios[session.observations[static_cast<std::size_t>(v.problem.observations[i].index)].id] =
-          std::sqrt(squares[i] / rows[i]) / v.weighing.noise;
+      ratios[id_at(session, v.problem.observations[i].index)] = std::sqrt(squares[i] / rows[i]) / v.weighing.noise;
   return ratios;
 }
 

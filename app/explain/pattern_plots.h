@@ -17,14 +17,16 @@ struct PlotKey {
 std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals);
 
 /// The plot of a key; nothing where these residuals do not have it. `values` (per series) stand in for the measured
-/// ones: noise alone. Points have the colours of the window's observations.
+/// ones: noise alone. Points have the colours of the window's observations. A series has a unit of its own (mm of a
+/// body, mrad of a joint), in which it is told; in sigma each point is over its own.
 std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
                                                  const Workbench& bench,
                                                  const std::vector<Eigen::VectorXd>* values = nullptr);
 
 /// What a candidate with these numbers would show there; empty where the plot is not known.
 std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const ModelResiduals& residuals,
-                                                 const EffectView& view, const Eigen::VectorXd& numbers);
+                                                 const EffectView& view, const Eigen::VectorXd& numbers,
+                                                 widgets::SizeUnit unit);
 
 /// The titles of effects that show there, the clearest first, at most three.
 QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing);

@@ -11,6 +11,7 @@
 #include "frame/observation_views.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
+#include "widgets/motion.h"
 #include "widgets/number_text.h"
 #include "widgets/robot_view.h"
 #include "widgets/theme.h"
@@ -22,12 +23,10 @@ std::optional<double> shown(std::optional<double> error, bool in_pixels) {
   return error ? std::optional(in_pixels ? *error : 1e3 * *error) : std::nullopt;
 }
 
-widgets::VersionStep step_of(const ModelVersion& version) {
-  const ErrorAndNoise e = error_and_noise(version);
-  const ErrorSummary& fitted = version.report->fitted;
-  return {version.cause.isEmpty() ? QObject::tr("as opened") : version.cause,
-          shown(e.in_pixels ? fitted.rms_pixel : fitted.rms_m, e.in_pixels),
-          e.held_out ? shown(e.error, e.in_pixels) : std::nullopt};
+widgets::VersionStep step_of(const ModelVersion& version, widgets::SizeUnit unit, std::optional<double> noise) {
+  const VersionSizes sizes = sizes_of(version, noise);
+  return {version.cause.isEmpty() ? QObject::tr("as opened") : version.cause, sizes.fitted.in(unit),
+          sizes.held_out.in(unit)};
 }
 
 }  // namespace
@@ -65,7 +64,8 @@ void WatchingPane::refresh_rows() {
   std::vector<widgets::VersionEntry> entries;
   std::optional<double> before;
   const ModelVersionPointer now = bench_.document.shown_model();
-  bool in_pixels = true;
+  const widgets::SizeUnit unit = bench_.units.unit();
+  const auto noise = now && now->fit ? now->fit->noise : std::nullopt;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     if (!row.version) {
@@ -74,8 +74,7 @@ void WatchingPane::refresh_rows() {
       entries.push_back({.name = name, .detail = row.refusal->reason, .is_refused = true});
       continue;
     }
-    const widgets::VersionStep step = step_of(*row.version);
-    in_pixels = error_and_noise(*row.version).in_pixels;
+    const widgets::VersionStep step = step_of(*row.version, unit, noise);
     state.versions.push_back(step);
     entries.push_back({.name = step.name, .held_out = step.held_out, .fitted = step.fitted});
     if (before && step.held_out) entries.back().change = *step.held_out - *before;
@@ -84,15 +83,23 @@ void WatchingPane::refresh_rows() {
     if (row.version == marked_a) a_ = static_cast<int>(i);
     if (row.version == marked_b) b_ = static_cast<int>(i);
   }
-  if (now && now->fit) state.noise = shown(error_and_noise(*now).noise, in_pixels);
-  state.unit = in_pixels ? "px" : "mm";
+  if (now && now->fit) state.noise = sizes_of(*now, noise).noise.in(unit);
+  state.unit = widgets::unit_name(unit);
   state.compared_a = a_;
   state.compared_b = b_;
   const int current = state.current;
   stairs_->set_state(std::move(state));
-  versions_->set_versions(std::move(entries), in_pixels ? "px" : "mm");
+  versions_->set_versions(std::move(entries), widgets::unit_name(unit));
   versions_->set_current(current);
   versions_->set_compared(a_, b_);
+}
+
+std::vector<widgets::CloudPoint> WatchingPane::in_unit(std::vector<widgets::CloudPoint> points) const {
+  for (widgets::CloudPoint& p : points) {
+    p.du *= cloud_scale_;
+    p.dv *= cloud_scale_;
+  }
+  return points;
 }
 
 void WatchingPane::refresh_cloud() {
@@ -106,13 +113,21 @@ void WatchingPane::refresh_cloud() {
   const auto points = [&](const ModelVersionPointer& version) {
     const auto residuals = bench_.diagnosing.residuals_of(version);
     if (!residuals) return std::vector<widgets::CloudPoint>{};
-    return cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, session));
+    return in_unit(cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, session)));
   };
   const auto title = [](const ModelVersionPointer& v) {
     return v->cause.isEmpty() ? QObject::tr("as opened") : v->cause;
   };
-  if (const auto residuals = bench_.diagnosing.residuals_of(now))
-    cloud_->set_noise(shown(residuals->views.weighing.noise, now->inspection->in_pixels));
+  if (const auto residuals = bench_.diagnosing.residuals_of(now)) {
+    const double noise = *shown(residuals->views.weighing.noise, now->inspection->in_pixels);
+    const bool in_sigma = bench_.units.unit() == widgets::SizeUnit::sigma;
+    cloud_scale_ = in_sigma ? 1 / noise : 1;
+    // In an image there are no mm: what is no sigma stays as it is measured.
+    cloud_->set_unit(in_sigma                     ? widgets::SizeUnit::sigma
+                     : now->inspection->in_pixels ? widgets::SizeUnit::pixel
+                                                  : widgets::SizeUnit::millimetre);
+    cloud_->set_noise(cloud_scale_ * noise);
+  }
   ModelVersionPointer first = compared_a(), second = compared_b();
   if (!first || !second) {
     // The version before this one, and this one.
@@ -142,11 +157,12 @@ void WatchingPane::compare(int a, int b) {
   const ModelVersionPointer first = compared_a(), second = compared_b();
   QString sentence;
   if (first && second) {
-    const ErrorAndNoise x = error_and_noise(*first), y = error_and_noise(*second);
+    const auto told = [&](const ModelVersion& version) {
+      return bench_.units.text(sizes_of(version, first->fit->noise).error());
+    };
     const double moved = (first->fit->tcp_from_body.translation - second->fit->tcp_from_body.translation).norm();
     sentence = tr("A to B: %1 → %2 held out; TCP→Body moves %3 mm.")
-                   .arg(error_with_unit(x.error.value_or(0), x.in_pixels),
-                        error_with_unit(y.error.value_or(0), y.in_pixels), widgets::short_text(1e3 * moved));
+                   .arg(told(*first), told(*second), widgets::short_text(1e3 * moved));
     refresh_cloud();
   }
   versions_->set_comparison(sentence);
@@ -181,12 +197,12 @@ void WatchingPane::set_prediction(const ModelResiduals* residuals, const Candida
   const Eigen::VectorXd change = view->effect.corners * numbers;
   for (std::size_t c = 0; c < after.size(); ++c)
     after[c].residual -= change.segment<2>(static_cast<Eigen::Index>(2 * c));
-  cloud_->set_before(cloud_of(v.corners, ids), tr("now"));
-  cloud_->set_after(cloud_of(after, ids), tr("predicted with it"));
+  cloud_->set_before(in_unit(cloud_of(v.corners, ids)), tr("now"));
+  cloud_->set_after(in_unit(cloud_of(after, ids)), tr("predicted with it"));
   cloud_->set_predicted(true);
-  const bool in_pixels = !session.is_tracker();
-  const double left = rms_left(v, view->effect, numbers);
-  stairs_->set_preview(widgets::VersionStep{.name = name, .held_out = shown(left, in_pixels)});
+  // In mm the staircase cannot show it before it is fitted; the header tells it in px.
+  const ResidualSize left = size_of_error(rms_left(v, view->effect, numbers), !session.is_tracker(), v.weighing.noise);
+  stairs_->set_preview(widgets::VersionStep{.name = name, .held_out = left.in(bench_.units.unit())});
   std::vector<EffectTerm> bent = v.problem.terms;
   bent.insert(bent.end(), terms.begin(), terms.end());
   straight_ = bent_links(*v.problem.source, selected_index(), {});
@@ -209,22 +225,22 @@ void WatchingPane::began(const QString&) {
   tabs_->button(tab_fit)->setChecked(true);
   if (const auto residuals = bench_.diagnosing.residuals())
     cloud_->set_before(
-        cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, bench_.document.session())),
+        in_unit(cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, bench_.document.session()))),
         tr("before"));
 }
 
 void WatchingPane::picture(const FitPicture& picture) {
   // From iterate to iterate everything moves, so that the eye can follow; the fit does not wait for it.
   if (adding_.pictures() <= 1) {
-    cloud_->set_live(picture.cloud, tr("as it is fitted"));
+    cloud_->set_live(in_unit(picture.cloud), tr("as it is fitted"));
   } else {
-    cloud_->set_after(picture.cloud, tr("as it is fitted"));
+    cloud_->set_after(in_unit(picture.cloud), tr("as it is fitted"));
   }
   if (picture.bent.empty()) return;
   bending_.stop();
   bent_from_ = bent_now_.size() == picture.bent.size() ? bent_now_ : picture.bent;
   bent_to_ = picture.bent;
-  bending_.start();
+  widgets::motion_is_reduced() ? bend(1) : bending_.start();
 }
 
 void WatchingPane::ended(AdditionEnd end) {

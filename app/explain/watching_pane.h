@@ -56,6 +56,7 @@ class WatchingPane : public QWidget {
   void connect_all();
   void refresh_rows();
   void refresh_cloud();
+  std::vector<widgets::CloudPoint> in_unit(std::vector<widgets::CloudPoint> points) const;
   void compare(int a, int b);
   void take_back(int row);
   void began(const QString& what);
@@ -73,6 +74,7 @@ class WatchingPane : public QWidget {
   bool robot_is_set_ = false;
   std::vector<Rigid> straight_;  // links without the model's effects
   double magnification_ = 1;
+  double cloud_scale_ = 1;  // from px (mm) to the cloud's unit
   std::vector<Rigid> bent_from_, bent_to_, bent_now_;
   QVariantAnimation bending_;
   QElapsedTimer since_robot_;

@@ -15,6 +15,7 @@ std::vector<ReportPicture> report_pictures(const Workbench& bench) {
   histogram.resize(640, 320);
   histogram.set_noise(all->noise ? std::optional((all->in_pixels ? 1 : 1e3) * *all->noise) : std::nullopt,
                       all->in_pixels ? "px" : "mm");
+  histogram.set_unit(bench.units.unit());
   histogram.set_cells(bench.cells());
   histogram.fit();
   pictures.push_back({QObject::tr("Error of each observation against the noise (hatched: what noise alone shows)"),
@@ -24,6 +25,7 @@ std::vector<ReportPicture> report_pictures(const Workbench& bench) {
   widgets::ResidualMap map;
   map.resize(640, 480);
   map.set_image_size(s.stereo->left.width, s.stereo->left.height);
+  map.set_unit(bench.units.unit());
   map.set_points(map_points(bench));
   map.fit();
   pictures.push_back({QObject::tr("Residuals over the image, arrows magnified"), map.picture()});

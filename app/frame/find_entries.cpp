@@ -2,7 +2,6 @@
 #include "frame/find_entries.h"
 
 #include "effects/effect.h"
-#include "widgets/number_text.h"
 
 namespace handsight::app {
 
@@ -22,12 +21,10 @@ std::vector<FindEntry> session_entries(Workbench& bench) {
                          emit bench.workspace_requested(3);
                          emit bench.document.noticed(QString::fromStdString(check));
                        }});
-  const double scale = session.is_tracker() ? 1e3 : 1;
-  const QString unit = session.is_tracker() ? QObject::tr("mm") : QObject::tr("px");
   for (const Observation& o : session.observations) {
     const InspectionRow* row = bench.row(o.id);
     const QString hint = !o.reason.empty() ? QString::fromStdString(o.reason)
-                         : row && row->rms ? widgets::with_unit_text(scale * *row->rms, unit)
+                         : row && row->rms ? bench.units.text(size_of(*row))
                                            : QString();
     entries.push_back({QObject::tr("observation"), QObject::tr("observation %1").arg(o.id), hint,
                        [&bench, id = o.id] { bench.selection.select_observation(id); }});

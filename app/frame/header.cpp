@@ -17,27 +17,30 @@ namespace {
 
 /// The error with everything that is left out of the fit (excluded observations, points that are wrong whatever the
 /// robot does), and how much that is; nothing where nothing is left out.
-QString excluded_note(const Workbench& bench, double scale, const QString& unit) {
+QString excluded_note(const Workbench& bench) {
+  using widgets::SizeUnit;
   const Inspection* all = bench.inspection();
   if (!all) return {};
+  const SizeUnit unit = bench.units.unit();
   double squares = 0;
-  int coordinates = 0, excluded = 0;
+  int weights = 0, excluded = 0;
   for (const InspectionRow& row : all->rows) {
     const Observation* o = bench.document.find(row.id);
-    if (!o || !row.rms || (o->decision != Decision::excluded && !row.is_used)) continue;
+    const auto size = size_of(row).in(unit);
+    if (!o || !size || (o->decision != Decision::excluded && !row.is_used)) continue;
+    const int weight = unit == SizeUnit::millimetre ? row.points : row.coordinates;
     excluded += o->decision == Decision::excluded ? 1 : 0;
-    squares += *row.rms * *row.rms * row.coordinates;
-    coordinates += row.coordinates;
+    squares += *size * *size * weight;
+    weights += weight;
   }
   const ModelVersionPointer model = bench.document.shown_model();
   const auto wrong = static_cast<qint64>(model ? model->wrong_points.size() : 0);
-  if (excluded + wrong == 0 || coordinates == 0) return {};
+  if (excluded + wrong == 0 || weights == 0) return {};
   QStringList left_out;
   if (excluded > 0) left_out << QObject::tr("%1 excluded").arg(excluded);
   if (wrong > 0) left_out << QObject::tr("%1 set aside").arg(counted(wrong, "point", "points"));
   return QObject::tr("with %1: %2")
-      .arg(left_out.join(QObject::tr(" and ")),
-           widgets::with_unit_text(scale * std::sqrt(squares / coordinates), unit));
+      .arg(left_out.join(QObject::tr(" and ")), widgets::size_text({std::sqrt(squares / weights), unit}));
 }
 
 }  // namespace
@@ -103,6 +106,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   connect(&bench.document, &Document::readings_changed, this, &Header::refresh_session);
   connect(&bench.document, &Document::saved_changed, this, &Header::refresh_session);
   connect(&bench, &Workbench::tried, this, &Header::refresh_numbers);
+  connect(&bench.units, &DisplayUnits::changed, this, &Header::refresh_numbers);
   refresh_session();
   refresh_job();
 }
@@ -146,21 +150,25 @@ void Header::refresh_numbers() {
   widgets::ErrorNumbers n;
   const ModelVersionPointer shown = bench_.document.shown_model();
   if (shown && shown->fit) {
-    const ErrorAndNoise e = error_and_noise(*shown);
-    const double scale = e.in_pixels ? 1 : 1e3;
-    n.unit = e.in_pixels ? "px" : "mm";
-    const auto scaled = [&](std::optional<double> v) { return v ? std::optional(scale * *v) : std::nullopt; };
-    n.now = scaled(e.error);
-    n.noise = scaled(e.noise);
+    const auto unit = bench_.units.unit();
+    const auto noise = shown->fit->noise;
+    const VersionSizes sizes = sizes_of(*shown, noise);
+    n.unit = widgets::unit_name(unit);
+    n.now = sizes.error().in(unit);
+    n.noise = sizes.noise.in(unit);
+    n.ratio = sizes.error().sigma;
     n.is_stale = bench_.document.model() == nullptr;
-    n.excluded_note = excluded_note(bench_, scale, n.unit);
-    n.predicted = scaled(bench_.predicted_error());
+    n.excluded_note = excluded_note(bench_);
+    if (const auto predicted = bench_.predicted_error()) {
+      const auto told = bench_.units.shown(size_of_error(*predicted, !bench_.document.session().is_tracker(), noise));
+      n.predicted = told.value;
+      if (told.unit != unit) n.predicted_unit = widgets::unit_name(told.unit);
+    }
     for (const ModelVersionPointer& version : bench_.document.versions()) {
       if (!version || !version->fit) continue;
-      const ErrorSummary& fitted = version->report->fitted;
-      n.versions.push_back({version->cause.isEmpty() ? tr("as opened") : version->cause,
-                            scaled(e.in_pixels ? fitted.rms_pixel : fitted.rms_m),
-                            scaled(error_and_noise(*version).error)});
+      const VersionSizes one = sizes_of(*version, noise);
+      n.versions.push_back(
+          {version->cause.isEmpty() ? tr("as opened") : version->cause, one.fitted.in(unit), one.error().in(unit)});
     }
   }
   numbers_->set_numbers(std::move(n));

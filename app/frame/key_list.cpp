@@ -21,6 +21,7 @@ constexpr KeyRow rows[] = {
     {"Ctrl+Z, Ctrl+Shift+Z", "undo, do again"},
     {"Esc, Alt+←", "selection one up, the selection before"},
     {"M", "fold the model panel"},
+    {"U", "sizes in px, in mm at the hand, in σ (residual over noise)"},
     {"Ctrl+K", "find an action, observation, joint, effect or key"},
     {"Shift+Space", "one panel fills the centre (double click on its title), Esc puts it back"},
     {"Ctrl+S, Ctrl+O, Ctrl+N", "save, open, new session"},

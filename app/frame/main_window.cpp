@@ -13,6 +13,7 @@
 #include "calibrate/calibrate_workspace.h"
 #include "explain/explain_workspace.h"
 #include "export/export_workspace.h"
+#include "frame/appearance.h"
 #include "frame/centre_fill.h"
 #include "frame/header.h"
 #include "frame/key_list.h"
@@ -23,9 +24,9 @@
 #include "start/session_places.h"
 #include "start/start_page.h"
 #include "widgets/model_panel.h"
-#include "widgets/number_text.h"
 #include "widgets/observation_strip.h"
 #include "widgets/read_out_line.h"
+#include "widgets/unit_switch.h"
 #include "wizard/session_wizard.h"
 
 namespace handsight::app {
@@ -38,6 +39,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   make_shortcuts();
   connect_strip();
   connect_read_out();
+  connect_units();
   connect(&bench_.document, &Document::opened, this, &MainWindow::session_opened);
   connect(&bench_.document, &Document::closed, this, &MainWindow::session_closed);
   connect(&bench_, &Workbench::workspace_requested, this, &MainWindow::show_workspace);
@@ -71,6 +73,7 @@ void MainWindow::make_menu() {
     open_sample(QString::fromStdString(name), true);
   });
   menu_->addSeparator();
+  after_choices_ = menu_->addSeparator();
   add(tr("&Find…"), QKeySequence(Qt::CTRL | Qt::Key_K), [this] { find(); });
   add(tr("&Keys"), QKeySequence(Qt::Key_Question), [this] { show_keys(); });
   add(tr("&Close the session"), QKeySequence::Close, [this] { bench_.document.close(); });
@@ -109,6 +112,8 @@ void MainWindow::make_pages() {
   panel_->setObjectName("model_panel");
   read_out_ = new widgets::ReadOutLine(session);
   read_out_->setObjectName("read_out");
+  units_ = new widgets::UnitSwitch(session);
+  read_out_->add_at_end(units_);
   strip_ = new widgets::ObservationStrip(session);
   strip_->setObjectName("strip");
   strip_->setFixedHeight(72);
@@ -149,7 +154,12 @@ void MainWindow::make_shortcuts() {
   key(QKeySequence(Qt::ALT | Qt::Key_Left), [this] { bench_.selection.back(); });
   key(QKeySequence(Qt::SHIFT | Qt::Key_Space), [this] { fill_->toggle(); });
   key(QKeySequence(Qt::Key_F1), [this] { show_keys(); });
+  key(QKeySequence(Qt::Key_U), [this] {
+    if (bench_.document.is_open()) bench_.units.next();
+  });
 }
+
+void MainWindow::offer(Appearance& appearance) { appearance.add_to(*menu_, after_choices_); }
 
 void MainWindow::show_workspace(int index) {
   if (!bench_.document.is_open()) return;
@@ -193,16 +203,14 @@ void MainWindow::refresh_crumbs() {
   if (s.joint) crumbs << QString::fromStdString(*s.joint);
   const InspectionRow* row = bench_.selected_row();
   if (!crumbs.isEmpty() && row && row->rms) {
-    const bool tracker = bench_.document.session().is_tracker();
-    double size = *row->rms;
+    const Inspection& all = *bench_.inspection();
+    const auto& rig = bench_.document.session().stereo;
+    ResidualSize size = size_of(*row);
     for (const MarkerResidual& m : row->markers) {
       if (!s.marker || m.marker != *s.marker) continue;
-      const bool left = !s.camera || *s.camera == CameraSide::left;
-      const auto& measured = left ? m.left : m.right;
-      const auto& predicted = left ? m.predicted_left : m.predicted_right;
-      if (measured && predicted) size = (*measured - *predicted).norm();
+      size = s.camera && rig ? size_of_corner(m, *s.camera == CameraSide::left, *rig, all.noise) : size_of(m, all);
     }
-    crumbs.last() += "  " + widgets::with_unit_text(tracker ? 1e3 * size : size, tracker ? tr("mm") : tr("px"));
+    crumbs.last() += "  " + bench_.units.text(size);
   }
   read_out_->set_crumbs(crumbs);
 }

@@ -11,6 +11,7 @@
 #include "frame/workbench.h"
 #include "frame/workspace.h"
 
+class QAction;
 class QMenu;
 class QSplitter;
 class QStackedWidget;
@@ -19,10 +20,12 @@ namespace handsight::widgets {
 class ModelPanel;
 class ObservationStrip;
 class ReadOutLine;
+class UnitSwitch;
 }  // namespace handsight::widgets
 
 namespace handsight::app {
 
+class Appearance;
 class CentreFill;
 class Header;
 class Rail;
@@ -40,6 +43,8 @@ class MainWindow : public QMainWindow {
   bool open_sample(const QString& name, bool fresh = false);
   Workbench& bench() { return bench_; }
   void show_workspace(int index);
+  /// Takes the choices of theme and motion into its menu.
+  void offer(Appearance& appearance);
   int workspace() const;
 
  protected:
@@ -52,6 +57,7 @@ class MainWindow : public QMainWindow {
   void make_shortcuts();
   void connect_strip();
   void connect_read_out();
+  void connect_units();
   void choose_session();
   void save();
   void show_keys();
@@ -68,7 +74,8 @@ class MainWindow : public QMainWindow {
   Workbench bench_;
   ModelEditor editor_{bench_};
   QMenu* menu_;
-  QStackedWidget* pages_;  // start page, or the session
+  QAction* after_choices_;  // of the menu: before it stand theme and motion
+  QStackedWidget* pages_;   // start page, or the session
   StartPage* start_;
   Header* header_;
   Rail* rail_;
@@ -78,6 +85,7 @@ class MainWindow : public QMainWindow {
   widgets::ModelPanel* panel_;
   widgets::ReadOutLine* read_out_;
   widgets::ObservationStrip* strip_;
+  widgets::UnitSwitch* units_;
   std::vector<Workspace*> workspaces_;
   QTimer strip_timer_;  // a play edits many times a second
   QTimer panel_timer_;  // one action may tell several times

@@ -3,10 +3,10 @@
 #include "frame/header.h"
 #include "frame/main_window.h"
 #include "widgets/model_panel.h"
-#include "widgets/number_text.h"
 #include "widgets/observation_strip.h"
 #include "widgets/read_out_line.h"
 #include "widgets/three_numbers.h"
+#include "widgets/unit_switch.h"
 
 namespace handsight::app {
 
@@ -74,10 +74,8 @@ void MainWindow::connect_read_out() {
       return;
     }
     const InspectionRow* row = bench_.row(*h.observation);
-    const double scale = row && bench_.document.session().is_tracker() ? 1e3 : 1;
-    const QString unit = bench_.document.session().is_tracker() ? tr("mm") : tr("px");
     QString text = tr("obs %1").arg(*h.observation);
-    if (row && row->rms) text += "  " + widgets::with_unit_text(scale * *row->rms, unit);
+    if (row && row->rms) text += "  " + bench_.units.text(size_of(*row));
     if (const Observation* o = bench_.document.find(*h.observation); o && !o->reason.empty())
       text += "  " + QString::fromStdString(o->reason);
     read_out_->set_pointer(text);
@@ -88,6 +86,22 @@ void MainWindow::connect_read_out() {
     if (index < 1) s.marker.reset();
     bench_.selection.select(s);
   });
+}
+
+void MainWindow::connect_units() {
+  DisplayUnits& units = bench_.units;
+  const auto refresh = [this, &units] {
+    for (const auto unit : DisplayUnits::all) units_->set_why_not(unit, units.why_not(unit));
+    units_->set_unit(units.unit());
+  };
+  connect(&units, &DisplayUnits::changed, this, [this, refresh] {
+    refresh();
+    refresh_strip();
+    refresh_crumbs();
+    read_out_->set_pointer({});
+  });
+  connect(units_, &widgets::UnitSwitch::chosen, &units, &DisplayUnits::choose);
+  refresh();
 }
 
 }  // namespace handsight::app

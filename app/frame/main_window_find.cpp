@@ -27,11 +27,24 @@ void MainWindow::find() {
       const auto& many = bench_.selection.many();
       bench_.include({many.begin(), many.end()});
     });
+    const std::pair<DisplayUnits::Unit, QString> units[] = {
+        {DisplayUnits::Unit::pixel, tr("Sizes in px")},
+        {DisplayUnits::Unit::millimetre, tr("Sizes in mm at the hand")},
+        {DisplayUnits::Unit::sigma, tr("Sizes in σ (sigma), residual over noise")}};
+    for (const auto& [unit, text] : units)
+      if (bench_.units.has(unit)) action(text, tr("U"), [this, unit = unit] { bench_.units.choose(unit); });
     action(tr("Fold the model panel"), tr("M"), [this] { panel_->set_folded(!panel_->is_folded()); });
   }
-  for (QAction* a : menu_->actions())
-    if (!a->isSeparator() && a->isVisible())
-      action(a->text().remove('&'), a->shortcut().toString(QKeySequence::NativeText), [a] { a->trigger(); });
+  for (QAction* a : menu_->actions()) {
+    if (a->isSeparator() || !a->isVisible()) continue;
+    const QString text = a->text().remove('&');
+    if (a->menu()) {
+      for (QAction* choice : a->menu()->actions())
+        action(tr("%1: %2").arg(text, choice->text().remove('&').toLower()), {}, [choice] { choice->trigger(); });
+    } else {
+      action(text, a->shortcut().toString(QKeySequence::NativeText), [a] { a->trigger(); });
+    }
+  }
   for (const auto& [keys, what] : KeyList::keys()) entries.push_back({tr("key"), what, keys, [this] { show_keys(); }});
   for (FindEntry& e : session_entries(bench_)) entries.push_back(std::move(e));
   FindBox::show_over(this, std::move(entries));

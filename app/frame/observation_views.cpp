@@ -41,7 +41,8 @@ std::vector<int> links_beyond_last_joint(const Robot& robot, int tcp_link) {
 
 }  // namespace
 
-std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left, std::optional<double> noise) {
+std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left, const StereoRig& rig,
+                                            std::optional<double> noise, const DisplayUnits& units) {
   std::vector<widgets::ImageMark> marks;
   for (const MarkerResidual& m : row.markers) {
     const auto& measured = left ? m.left : m.right;
@@ -51,9 +52,9 @@ std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left,
     widgets::ImageMark mark{.marker = m.marker, .position = *measured};
     if (predicted) {
       mark.rms_over_sigma = corner_ratio(*measured - *predicted, noise);
-      mark.text = QObject::tr("marker %1, %2 px from where it was predicted")
+      mark.text = QObject::tr("marker %1, %2 from where it was predicted")
                       .arg(m.marker)
-                      .arg((*measured - *predicted).norm(), 0, 'f', 2);
+                      .arg(units.text(size_of_corner(m, left, rig, noise)));
     }
     marks.push_back(mark);
   }
@@ -112,7 +113,8 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
       view->set_frame_size(camera.width, camera.height);
     }
     const auto noise = bench.inspection() ? bench.inspection()->noise : std::nullopt;
-    view->set_marks(row ? image_marks(*row, is_left, noise) : label_marks(observation, is_left));
+    view->set_marks(row ? image_marks(*row, is_left, *s.stereo, noise, bench.units)
+                        : label_marks(observation, is_left));
     view->set_arrows(row ? image_arrows(*row, is_left, noise) : std::vector<widgets::ImageArrow>{});
     view->set_axes(row && with_axes ? image_axes(*row, *s.stereo, is_left) : std::vector<widgets::ImageAxes>{});
     view->set_selected_marker(bench.selection.current().marker.value_or(-1));

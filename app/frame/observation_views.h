@@ -9,7 +9,8 @@
 namespace handsight::app {
 
 /// Measured and predicted markers of one image.
-std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left, std::optional<double> noise);
+std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left, const StereoRig& rig,
+                                            std::optional<double> noise, const DisplayUnits& units);
 /// Residual arrows of one image.
 std::vector<widgets::ImageArrow> image_arrows(const InspectionRow& row, bool left, std::optional<double> noise);
 /// TCP and, where it is known, TCPest, with axes of 5 cm.

@@ -7,6 +7,14 @@
 namespace handsight::app {
 namespace {
 
+std::optional<widgets::NoiseShape> noise_shape(const InspectionRow& row, const Inspection& all,
+                                               widgets::SizeUnit unit) {
+  if (!row.ratio || !all.noise) return std::nullopt;
+  if (unit == widgets::SizeUnit::millimetre)
+    return row.noise_m ? std::optional(widgets::NoiseShape{1e3 * *row.noise_m, row.noise_coordinates}) : std::nullopt;
+  return widgets::NoiseShape{unit == widgets::SizeUnit::pixel ? *all.noise : 1, double(row.coordinates)};
+}
+
 widgets::CellState cell_state(const Observation& o) {
   if (o.decision == Decision::rejected) return widgets::CellState::rejected;
   if (o.decision == Decision::excluded) return widgets::CellState::excluded;
@@ -21,7 +29,19 @@ QString observations_text(const std::vector<std::int64_t>& ids) {
 }
 
 Workbench::Workbench(QObject* parent) : QObject(parent) {
+  const auto know_units = [this] {
+    const Inspection* all = inspection();
+    units.set_session(!document.session().is_tracker(), !all || all->noise.value_or(0) > 0);
+  };
+  connect(&document, &Document::opened, this, know_units);
+  connect(&document, &Document::model_changed, this, know_units);
   connect(&document, &Document::model_changed, this, &Workbench::look_again);
+  connect(&document, &Document::edited, this, [this] {
+    // What was chosen may have gone with an undo.
+    const auto& observations = document.session().observations;
+    if (selection.current().observation && !selected_observation() && !observations.empty())
+      selection.select_observation(observations.back().id);
+  });
   connect(&document, &Document::closed, this, [this] {
     jobs.cancel();
     background.cancel();
@@ -63,6 +83,8 @@ std::vector<widgets::ObservationCell> Workbench::cells() const {
     if (all && i < all->rows.size() && !all->rows[i].markers.empty()) {
       cell.rms_over_sigma = all->rows[i].ratio;
       cell.coordinates = all->rows[i].coordinates;
+      cell.size = units.shown(size_of(all->rows[i]));
+      cell.noise = noise_shape(all->rows[i], *all, cell.size->unit);
     }
     if (const auto tried = predicted_ratios_.find(o.id); tried != predicted_ratios_.end())
       cell.predicted = tried->second;

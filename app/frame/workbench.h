@@ -9,6 +9,7 @@
 #include "document/document.h"
 #include "document/refit.h"
 #include "document/selection.h"
+#include "frame/display_units.h"
 #include "images/image_source.h"
 #include "jobs/jobs.h"
 #include "widgets/cells.h"
@@ -23,6 +24,7 @@ class Workbench : public QObject {
 
   Document document;
   Selection selection;
+  DisplayUnits units;
   Jobs jobs;        // what the user waits for: fits, plays; shown in the header
   Jobs background;  // corners, second looks
   Refit refit{document, jobs};

@@ -145,7 +145,7 @@ void InspectWorkspace::try_threshold(double threshold, const std::vector<std::in
   exclude_beyond_->setEnabled(false);
   const ModelVersionPointer now = bench_.document.model();
   if (beyond.empty() || !now || !now->fit) {
-    beyond_text_->setText(tr("Nothing lies beyond %1 sigma.").arg(threshold, 0, 'f', 1));
+    beyond_text_->setText(tr("Nothing lies beyond %1.").arg(widgets::size_text({threshold, bench_.units.unit()})));
     return;
   }
   Session without = bench_.document.session();
@@ -159,7 +159,7 @@ void InspectWorkspace::try_threshold(double threshold, const std::vector<std::in
       [this, now, beyond](const ModelVersionPointer& then) {
         if (then->revision != bench_.document.revision()) return;
         beyond_text_->setText(
-            exclusion_sentence(*now, *then, beyond.size(), static_cast<std::size_t>(now->report->used)));
+            exclusion_sentence(*now, *then, beyond.size(), static_cast<std::size_t>(now->report->used), bench_.units));
         exclude_beyond_->setEnabled(then->fit != nullptr);
       });
 }
@@ -178,6 +178,7 @@ void InspectWorkspace::connect_bench() {
     exclude_beyond_->setEnabled(false);
     stale();
   });
+  connect(&bench_.units, &DisplayUnits::changed, this, stale);
   connect(&bench_.document, &Document::edited, this, [this] {
     if (is_active()) refresh_rows();
     is_stale_ = true;
@@ -241,9 +242,21 @@ void InspectWorkspace::refresh_all() {
 void InspectWorkspace::refresh_rows() {
   if (!bench_.document.is_open()) return;
   const bool has_fit = bench_.inspection() != nullptr;
-  table_->set_rows(has_fit ? table_rows(bench_) : std::vector<widgets::ObservationRow>{},
-                   !bench_.document.session().is_tracker());
+  refresh_units();
+  table_->set_rows(has_fit ? table_rows(bench_) : std::vector<widgets::ObservationRow>{});
   table_->set_selected(bench_.selection.current().observation.value_or(widgets::kNoObservation));
+}
+
+void InspectWorkspace::refresh_units() {
+  using widgets::SizeUnit;
+  const DisplayUnits& units = bench_.units;
+  const SizeUnit unit = units.unit();
+  // Beside the unit in force stands the other of px and mm.
+  std::optional<SizeUnit> second = SizeUnit::millimetre;
+  if (unit == SizeUnit::millimetre) second = units.has(SizeUnit::pixel) ? std::optional(SizeUnit::pixel) : std::nullopt;
+  table_->set_units(unit, second);
+  histogram_->set_unit(unit);
+  map_->set_unit(unit);
 }
 
 void InspectWorkspace::refresh_plots() {
@@ -253,6 +266,13 @@ void InspectWorkspace::refresh_plots() {
                         s.is_tracker() ? tr("mm") : tr("px"));
   histogram_->set_cells(bench_.cells());
   histogram_->fit();
+  if (!histogram_->threshold()) {
+    constexpr double times_the_noise = 3;
+    const auto noise = all ? noise_in(bench_.units.unit(), *all) : std::nullopt;
+    histogram_->set_threshold(noise ? std::optional(times_the_noise * *noise) : std::nullopt);
+    beyond_text_->setText(tr("Drag the threshold: what lies beyond it can be excluded."));
+    exclude_beyond_->setEnabled(false);
+  }
   if (s.stereo) map_->set_image_size(s.stereo->left.width, s.stereo->left.height);
   map_->set_points(map_points(bench_));
   map_->fit();

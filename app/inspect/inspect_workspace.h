@@ -40,6 +40,7 @@ class InspectWorkspace : public Workspace {
   void connect_bench();
   void refresh_all();
   void refresh_rows();
+  void refresh_units();
   void refresh_observation();
   void refresh_plots();
   void relabel_in_place(bool left, int marker, const Vector2& px, bool finished, bool free);

@@ -54,22 +54,20 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
 std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   std::vector<widgets::MapPoint> points;
   const Inspection* all = bench.inspection();
-  if (!all) return points;
+  const auto& rig = bench.document.session().stereo;
+  if (!all || !rig) return points;
   for (const InspectionRow& row : all->rows) {
     if (!row.is_used) continue;
     for (const MarkerResidual& m : row.markers)
       for (const bool left : {true, false}) {
-        const auto& measured = left ? m.left : m.right;
-        const auto& predicted = left ? m.predicted_left : m.predicted_right;
-        if (!measured || !predicted) continue;
-        const Vector2 residual = *measured - *predicted;
+        const auto residual = corner_in(bench.units.unit(), m, left, *rig, all->noise);
+        if (!residual) continue;
         points.push_back({.observation = row.id,
                           .marker = m.marker,
                           .side = left ? widgets::ImageSide::left : widgets::ImageSide::right,
-                          .position = *measured,
-                          .residual = residual,
-                          .rms_over_sigma = all->noise ? std::optional(residual.norm() / std::sqrt(2.0) / *all->noise)
-                                                       : std::nullopt});
+                          .position = left ? *m.left : *m.right,
+                          .residual = *residual,
+                          .rms_over_sigma = size_of_corner(m, left, *rig, all->noise).sigma});
       }
   }
   return points;
@@ -108,16 +106,15 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation,
   return text;
 }
 
-QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, std::size_t excluded, std::size_t of) {
+QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, std::size_t excluded, std::size_t of,
+                           const DisplayUnits& units) {
   QString text = QObject::tr("%1 of %2.").arg(excluded).arg(of);
   if (!then.fit) return text + " " + then.refusal;
   if (!now.fit) return text;
-  const ErrorAndNoise a = error_and_noise(now), b = error_and_noise(then);
-  const double scale = a.in_pixels ? 1 : 1e3;
-  if (a.error && b.error)
-    text += QObject::tr(" Error %1 → %2")
-                .arg(widgets::short_text(scale * *a.error, 3),
-                     widgets::with_unit_text(scale * *b.error, a.in_pixels ? QObject::tr("px") : QObject::tr("mm"), 3));
+  const widgets::ShownSize a = units.shown(sizes_of(now, now.fit->noise).error());
+  const widgets::ShownSize b = units.shown(sizes_of(then, now.fit->noise).error());
+  if (a.value && b.value && a.unit == b.unit)
+    text += QObject::tr(" Error %1 → %2").arg(widgets::short_text(a.value, 3), widgets::size_text(b, 3));
   const Vector6 xi = small_motion_between(now.fit->tcp_from_body, then.fit->tcp_from_body);
   const Eigen::LDLT<Matrix6> covariance(now.fit->covariance);
   const double sigmas = std::sqrt(std::max(0.0, xi.dot(covariance.solve(xi))) / 6);

@@ -15,6 +15,7 @@ std::vector<widgets::MapPoint> map_points(const Workbench& bench);
 QString blame_sentence(const InspectionRow* row, const Observation* observation, bool in_pixels);
 
 /// What an exclusion would change: "7 of 100. Error 9.1 -> 8.8 px; TCP->Body moves 0.3 sigma."
-QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, std::size_t excluded, std::size_t of);
+QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, std::size_t excluded, std::size_t of,
+                           const DisplayUnits& units);
 
 }  // namespace handsight::app

@@ -84,17 +84,6 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-/// The path that the session names a file by, and the file brought there where it lies elsewhere.
-std::string brought(const fs::path& file, const fs::path& folder, const fs::path& into) {
-  if (is_inside(file, folder))
-    return fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder)).generic_string();
-  std::error_code error;
-  fs::create_directories(folder / into, error);
-  const fs::path name = into / file.filename();
-  replace_file(folder / name, read_file(file));
-  return name.generic_string();
-}
-
 void check_parts(const NewSession& parts, const Robot& robot) {
   if (fs::exists(parts.folder / "session.xml"))
     throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(parts.folder)));
@@ -128,6 +117,16 @@ std::vector<ImageFiles> find_image_pairs(const fs::path& left_folder, const fs::
   std::vector<ImageFiles> list;
   for (auto& [number, pair] : pairs) list.push_back(std::move(pair));
   return list;
+}
+
+std::string bring_into(const fs::path& file, const fs::path& folder, const fs::path& into) {
+  if (is_inside(file, folder))
+    return fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder)).generic_string();
+  std::error_code error;
+  fs::create_directories(folder / into, error);
+  const fs::path name = into / file.filename();
+  replace_file(folder / name, read_file(file));
+  return name.generic_string();
 }
 
 std::vector<std::string> link_names(const Robot& robot) {
@@ -172,7 +171,7 @@ Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
   Session s;
   s.file = parts.folder / "session.xml";
   s.title = parts.title;
-  s.robot_file = brought(parts.urdf, parts.folder, "");
+  s.robot_file = bring_into(parts.urdf, parts.folder, "");
   s.tcp = parts.tcp;
   s.mount = {parts.mount, parts.mount_from_left, !parts.mount_is_known, parts.mount_is_known};
   s.stereo = parts.rig;
@@ -186,8 +185,8 @@ Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
     const ImageFiles& pair = parts.images[i];
     if (!pair.left.empty() && !pair.right.empty()) {
       const bool twins = pair.left.filename() == pair.right.filename();
-      o.left_image = brought(pair.left, parts.folder, twins ? "images/left" : "images");
-      o.right_image = brought(pair.right, parts.folder, twins ? "images/right" : "images");
+      o.left_image = bring_into(pair.left, parts.folder, twins ? "images/left" : "images");
+      o.right_image = bring_into(pair.right, parts.folder, twins ? "images/right" : "images");
     } else if (notes) {
       notes->push_back(fmt::format("{} has no partner and is left out; observation {} has no images.",
                                    (pair.left.empty() ? pair.right : pair.left).filename().string(), i));

@@ -41,6 +41,11 @@ struct NewSession {
 /// before anything is written; the session that is returned is the one that was read back.
 Session make_session(const NewSession& parts, std::vector<std::string>* notes = nullptr);
 
+/// The path by which a session names a file: relative to its folder. Copied into `into` (in that folder) where it lies
+/// elsewhere. InputError where it cannot be copied.
+std::string bring_into(const std::filesystem::path& file, const std::filesystem::path& session_folder,
+                       const std::filesystem::path& into);
+
 /// The links of a robot that can be the TCP or carry the cameras, and the joints that a position names: those that
 /// move and mimic no other.
 std::vector<std::string> link_names(const Robot& robot);

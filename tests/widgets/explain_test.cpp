@@ -11,6 +11,7 @@
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/what_if_track.h"
 #include "widgets/explain_samples.h"
+#include "widgets/motion.h"
 #include "widgets/mouse.h"
 #include "widgets/theme.h"
 
@@ -18,6 +19,12 @@ namespace handsight::widgets {
 namespace {
 
 using testing::ElementsAre;
+
+/// Nothing moves on its way.
+struct Still {
+  Still() { set_motion(MotionChoice::reduced); }
+  ~Still() { set_motion(MotionChoice::as_desktop); }
+};
 
 int pixels_of(QWidget& widget, const QColor& color) {
   const QImage image = widget.grab().toImage();
@@ -157,6 +164,47 @@ TEST(Staircase, WhatIsTriedIsADashedStepThatMovesNothing) {
   EXPECT_EQ(pixels_of(stairs, colors().candidate), 0);
 }
 
+/// How the stairs look right after a step has come, and a while later.
+std::pair<QImage, QImage> a_step_comes() {
+  Staircase stairs;
+  StaircaseState state = test::four_versions();
+  const VersionStep last = state.versions.back();
+  state.versions.pop_back();
+  state.current = -1;
+  stairs.set_state(state);
+  test::show(stairs, {400, 180});
+  state.versions.push_back(last);
+  stairs.set_state(state);
+  const QImage at_once = stairs.grab().toImage();
+  QTest::qWait(400);
+  return {at_once, stairs.grab().toImage()};
+}
+
+TEST(Staircase, AStepFallsUnlessMotionIsReduced) {
+  const auto moving = a_step_comes();
+  EXPECT_NE(moving.first, moving.second) << "it falls to its place";
+  const Still still;
+  const auto resting = a_step_comes();
+  EXPECT_EQ(resting.first, resting.second) << "it is there at once";
+  EXPECT_EQ(resting.second, moving.second) << "and at the same place";
+}
+
+TEST(ResidualCloud, DotsMoveUnlessMotionIsReduced) {
+  const auto right_after = [] {
+    ResidualCloud pair;
+    pair.set_noise(0.2);
+    pair.set_before(test::cloud(50, 9), "before");
+    test::show(pair, {400, 240});
+    pair.set_after(test::cloud(50, 0), "after");
+    const QImage at_once = pair.grab().toImage();
+    QTest::qWait(400);
+    return at_once == pair.grab().toImage();
+  };
+  EXPECT_FALSE(right_after());
+  const Still still;
+  EXPECT_TRUE(right_after());
+}
+
 TEST(CostCurve, GrowsPointByPoint) {
   CostCurve curve;
   curve.start("rms", "px");
@@ -180,7 +228,7 @@ TEST(CostCurve, GrowsPointByPoint) {
 TEST(ResidualCloud, BothPanesHaveTheSameLockedAxes) {
   ResidualCloud pair;
   pair.set_noise(0.2);
-  pair.set_reduced_motion(true);
+  const Still still;
   pair.set_before(test::cloud(50, 9), "before");
   test::show(pair, {400, 240});
   const double reach = pair.reach();
@@ -200,7 +248,7 @@ TEST(ResidualCloud, BothPanesHaveTheSameLockedAxes) {
 TEST(ResidualCloud, NoiseIsGreyAndErrorsAreNot) {
   ResidualCloud pair;
   pair.set_noise(0.2);
-  pair.set_reduced_motion(true);
+  const Still still;
   pair.set_before(test::cloud(200, 9), "before");
   pair.set_after(test::cloud(200, 0), "after");
   test::show(pair, {700, 380});

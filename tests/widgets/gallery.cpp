@@ -99,9 +99,9 @@ void panels(const SampleData& data) {
   keep(blame, "blame", {420, blame.heightForWidth(420)});
   DecisionList list;
   list.set_entries(
-      {{21, CellState::used, {}, 0.41, 2.0, 12},
+      {{21, CellState::used, {}, {0.41, SizeUnit::pixel}, 2.0, 12},
        {22, CellState::rejected, "joints moved 0.7 deg since observation 21; 2 deg count as new", {}, {}, 12},
-       {23, CellState::used, {}, 0.2, 1.0, 12}});
+       {23, CellState::used, {}, {0.2, SizeUnit::pixel}, 1.0, 12}});
   list.set_selected(22);
   keep(list, "decisions", {328, 160});
   DecisionList no_decisions;

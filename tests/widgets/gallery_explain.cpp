@@ -60,7 +60,7 @@ void verdicts(const KeepPicture& keep) {
   v.state = SessionState::looking;
   v.sentence = "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px.";
   v.progress = "Looking for the cause: from 40 of 100";
-  v.predicted_px = 0.24;
+  v.predicted = {0.24, SizeUnit::pixel};
   line.set_verdict(v);
   keep(line, "verdict_looking", {1056, 72});
   SessionVerdict none;

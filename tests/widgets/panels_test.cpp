@@ -187,8 +187,9 @@ TEST(ModelPanel, EveryNumberCanBeHeldAndTyped) {
 
 TEST(DecisionList, ClickSelectsAndSetterIsSilent) {
   DecisionList list;
-  list.set_entries({{1, CellState::used, {}, 0.2, 1.0, 12}, {2, CellState::rejected, "too near", {}, {}, 12}});
-  list.append({{3, CellState::used, {}, 0.3, 1.5, 12}});
+  list.set_entries(
+      {{1, CellState::used, {}, {0.2, SizeUnit::pixel}, 1.0, 12}, {2, CellState::rejected, "too near", {}, {}, 12}});
+  list.append({{3, CellState::used, {}, {0.3, SizeUnit::pixel}, 1.5, 12}});
   test::show(list, {300, 120});
   QSignalSpy selected(&list, &DecisionList::observation_selected);
   list.set_selected(3);

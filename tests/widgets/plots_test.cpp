@@ -7,6 +7,7 @@
 
 #include "temporary_folder.h"
 #include "widgets/convergence_plot.h"
+#include "widgets/histogram_bins.h"
 #include "widgets/histogram_plot.h"
 #include "widgets/mouse.h"
 #include "widgets/residual_map.h"
@@ -115,6 +116,38 @@ TEST(HistogramPlot, TheThresholdCanBeDraggedAndNamesWhatIsBeyond) {
   ASSERT_EQ(set.size(), 1);
   EXPECT_NEAR(set[0][0].toDouble(), 5, 0.3);
   EXPECT_THAT(set[0][1].value<std::vector<qint64>>(), ElementsAre(17, 18));
+}
+
+TEST(HistogramPlot, InMmEverythingIsInMmAndTheNoiseHasItsOwnShape) {
+  std::vector<ObservationCell> cells;
+  for (int i = 0; i < 100; ++i) {
+    ObservationCell cell{i, CellState::used, 1.0, {}, 12, {}};
+    cell.size = ShownSize{i < 90 ? 0.4 : 3.0, SizeUnit::millimetre};
+    cell.noise = NoiseShape{i % 2 == 0 ? 0.3 : 0.5, 4.5};
+    cells.push_back(cell);
+  }
+  cells[7].size = ShownSize{2.0, SizeUnit::pixel};  // seen by one camera alone: it has no mm
+  const auto noise = noise_bins(cells, SizeUnit::millimetre);
+  double all = 0, below = 0;
+  for (const auto& [bin, expected] : noise) {
+    all += expected;
+    if (std::pow(10, (bin + 1) * kHistogramBin) <= 0.41) below += expected;
+  }
+  EXPECT_NEAR(all, 99, 1.5) << "noise alone puts every observation somewhere";
+  EXPECT_GT(below, 35) << "those of little noise below 0.4 mm";
+  EXPECT_LT(below, 75) << "the others above";
+  EXPECT_TRUE(noise_bins(cells, SizeUnit::pixel).size() <= 21);
+  HistogramPlot plot;
+  plot.set_unit(SizeUnit::millimetre);
+  plot.set_noise(0.2, "px");
+  plot.set_cells(cells);
+  plot.set_threshold(1.0);
+  test::show(plot, {420, 300});
+  EXPECT_TRUE(plot.plot()->xAxis->label().contains("(mm)")) << plot.plot()->xAxis->label().toStdString();
+  EXPECT_EQ(plot.beyond_threshold().size(), 10U);
+  EXPECT_EQ(plot.csv().section('\n', 0, 0), "\"observation id\",\"rms (mm)\"");
+  plot.set_unit(SizeUnit::sigma);
+  EXPECT_FALSE(plot.threshold()) << "1 mm is not 1 sigma";
 }
 
 TEST(ResidualMap, ExaggerationIsARoundNumber) {

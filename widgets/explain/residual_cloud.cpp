@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/motion.h"
 #include "widgets/number_text.h"
 
 namespace handsight::widgets {
@@ -48,8 +49,19 @@ ResidualCloud::ResidualCloud(QWidget* parent) : QWidget(parent), empty_text_(tr(
   });
 }
 
-void ResidualCloud::set_noise(std::optional<double> sigma_px) {
-  noise_ = sigma_px && *sigma_px > 0 ? sigma_px : std::nullopt;
+void ResidualCloud::set_noise(std::optional<double> sigma) {
+  noise_ = sigma && *sigma > 0 ? sigma : std::nullopt;
+  update();
+}
+
+void ResidualCloud::set_unit(SizeUnit unit) {
+  if (unit == unit_) return;
+  unit_ = unit;
+  animation_.stop();
+  moving_.clear();
+  before_ = after_ = {};
+  still_ = {};
+  reach_ = 0;
   update();
 }
 
@@ -67,7 +79,7 @@ void ResidualCloud::set_after(std::vector<CloudPoint> points, const QString& tit
   after_ = {std::move(points), title};
   if (reach_ <= 0) fit();
   const bool can_move = moving_from_.size() == after_.points.size() && !after_.points.empty();
-  if (can_move && !reduced_motion_ && isVisible()) {
+  if (can_move && !motion_is_reduced() && isVisible()) {
     moving_ = moving_from_;
     animation_.start();
   }
@@ -140,11 +152,11 @@ void ResidualCloud::fit() {
   update();
 }
 
-double ResidualCloud::radius(double px) const {
+double ResidualCloud::radius(double size) const {
   if (!(reach_ > 0)) return 0;
   const double bend = 3 * noise_.value_or(reach_ / 10);
-  if (is_linear_ || bend * 5 > reach_) return std::min(px / reach_, 1.0);
-  return std::min(std::asinh(px / bend) / std::asinh(reach_ / bend), 1.0);
+  if (is_linear_ || bend * 5 > reach_) return std::min(size / reach_, 1.0);
+  return std::min(std::asinh(size / bend) / std::asinh(reach_ / bend), 1.0);
 }
 
 QRectF ResidualCloud::pane(int index) const {
@@ -190,10 +202,10 @@ void ResidualCloud::mouseMoveEvent(QMouseEvent* event) {
   const CloudPoint* point = point_at(event->position());
   const ObservationId id = point ? point->observation : kNoObservation;
   if (point)
-    emit read_out(tr("obs %1, marker %2, %3: %4, %5 px")
+    emit read_out(tr("obs %1, marker %2, %3: %4, %5 %6")
                       .arg(QString::number(id), QString::number(point->marker),
                            point->side == ImageSide::left ? tr("left") : tr("right"), fixed_text(point->du, 2),
-                           fixed_text(point->dv, 2)));
+                           fixed_text(point->dv, 2), unit_name(unit_)));
   else if (hovered_ >= 0)
     emit read_out({});
   if (id == hovered_) return;
@@ -222,8 +234,9 @@ void ResidualCloud::keyPressEvent(QKeyEvent* event) {
 bool ResidualCloud::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                     tr("Each dot is the residual of one corner, to the right and down in px; the rings are one and "
-                        "three sigma of the noise. F fits the axes, L makes them linear."),
+                     tr("Each dot is the residual of one corner, to the right and down in %1; the rings are one and "
+                        "three sigma of the noise. F fits the axes, L makes them linear.")
+                         .arg(unit_name(unit_)),
                      this);
   return true;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The residuals (du, dv) of all corners in px, before and after, side by side on the same axes.
+// The residuals (du, dv) of all corners, before and after, side by side on the same axes.
 #pragma once
 
 #include <QImage>
@@ -15,7 +15,7 @@
 
 namespace handsight::widgets {
 
-/// A corner's residual measured - predicted, px.
+/// A corner's residual measured - predicted, in the cloud's unit.
 struct CloudPoint {
   ObservationId observation = kNoObservation;
   int marker = 0;
@@ -30,7 +30,9 @@ class ResidualCloud : public QWidget {
   Q_OBJECT
  public:
   explicit ResidualCloud(QWidget* parent = nullptr);
-  void set_noise(std::optional<double> sigma_px);
+  void set_noise(std::optional<double> sigma);
+  /// px at first; the axes are locked anew where it changes.
+  void set_unit(SizeUnit unit);
   void set_before(std::vector<CloudPoint> points, const QString& title);
   /// Where points of the same corners were shown in this pane they move there within 160 ms.
   void set_after(std::vector<CloudPoint> points, const QString& title);
@@ -41,11 +43,10 @@ class ResidualCloud : public QWidget {
   void set_selected(ObservationId id);
   void set_highlighted(std::vector<ObservationId> ids);
   void set_linear(bool linear);
-  void set_reduced_motion(bool reduced) { reduced_motion_ = reduced; }
   void set_blinking(bool blinking);  // before and after alternate in both panes
   void set_empty_text(const QString& sentence);
   void fit();
-  double reach() const { return reach_; }  // px at the rim
+  double reach() const { return reach_; }  // size at the rim
   QRectF pane(int index) const;            // 0 before, 1 after: the square with the points
   QPointF on_screen(int pane, double du, double dv) const;
   QSize sizeHint() const override { return {332, 172}; }
@@ -70,7 +71,7 @@ class ResidualCloud : public QWidget {
     QString title;
   };
   void move(double share);
-  double radius(double px) const;  // px of a residual -> 0 (middle) to 1 (rim)
+  double radius(double size) const;  // of a residual -> 0 (middle) to 1 (rim)
   const std::vector<CloudPoint>& shown(int pane) const;
   const CloudPoint* point_at(const QPointF& position) const;
   void paint_pane(QPainter& painter, int index) const;
@@ -93,8 +94,9 @@ class ResidualCloud : public QWidget {
   std::vector<CloudPoint> moving_from_, moving_;  // of the right pane, while it moves
   std::vector<ObservationId> highlighted_;
   std::optional<double> noise_;
+  SizeUnit unit_ = SizeUnit::pixel;
   double reach_ = 0;
-  bool is_linear_ = false, reduced_motion_ = false, is_predicted_ = false, is_swapped_ = false;
+  bool is_linear_ = false, is_predicted_ = false, is_swapped_ = false;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
   QString empty_text_;
   QVariantAnimation animation_;

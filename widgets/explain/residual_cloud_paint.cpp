@@ -22,8 +22,8 @@ void ResidualCloud::paint_ground(QPainter& painter, int index) const {
   if (shown(index).empty()) return;
   painter.drawLine(QPointF(area.left(), middle.y()), QPointF(area.right(), middle.y()));
   painter.drawLine(QPointF(middle.x(), area.top()), QPointF(middle.x(), area.bottom()));
-  for (double px = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); px < reach_; px *= 10)
-    painter.drawEllipse(middle, half * radius(px), half * radius(px));
+  for (double size = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); size < reach_; size *= 10)
+    painter.drawEllipse(middle, half * radius(size), half * radius(size));
 }
 
 void ResidualCloud::paint_ring_names(QPainter& painter, const QRectF& area) const {
@@ -45,11 +45,11 @@ void ResidualCloud::paint_ring_names(QPainter& painter, const QRectF& area) cons
     painter.setBrush(Qt::NoBrush);
   }
   painter.setPen(c.ink3);
-  for (double px = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); px < reach_; px *= 10) {
-    const double r = half * radius(px);
-    if (px > 0.7 * reach_ || (noise_ && px < 4 * *noise_) || r < 16) continue;
+  for (double size = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); size < reach_; size *= 10) {
+    const double r = half * radius(size);
+    if (size > 0.7 * reach_ || (noise_ && size < 4 * *noise_) || r < 16) continue;
     draw_plate(painter, {area.center().x() + r * 0.7071 - 2, area.center().y() + r * 0.7071 + 4},
-               with_unit_text(px, QStringLiteral("px"), 1), c.ink3, plate);
+               size_text({size, unit_}, 1), c.ink3, plate);
   }
 }
 
@@ -143,7 +143,7 @@ void ResidualCloud::paintEvent(QPaintEvent*) {
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink3);
   const bool is_bent = noise_ && !is_linear_ && 15 * *noise_ <= reach_;
-  const QString rim = tr("rim %1").arg(with_unit_text(reach_, QStringLiteral("px")));
+  const QString rim = tr("rim %1").arg(size_text({reach_, unit_}));
   draw_text(painter, QRectF(kGap, height() - 18.0, width() - 2.0 * kGap, 16), Qt::AlignCenter,
             is_bent ? rim + tr(", compressed beyond 3 σ") : rim);
   if (hasFocus()) draw_focus(painter, rect());

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "widgets/explain/staircase_paint.h"
+#include "widgets/motion.h"
 #include "widgets/number_text.h"
 #include "widgets/paint_tools.h"
 #include "widgets/theme.h"
@@ -43,7 +44,7 @@ void Staircase::set_state(StaircaseState state) {
   animation_.stop();
   fallen_ = 1;
   falling_ = is_longer ? static_cast<int>(state_.versions.size()) - 1 : -1;
-  if (is_longer && !reduced_motion_ && isVisible()) {
+  if (is_longer && !motion_is_reduced() && isVisible()) {
     fallen_ = 0;
     animation_.start();
   }

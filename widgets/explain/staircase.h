@@ -30,7 +30,6 @@ class Staircase : public QWidget {
   explicit Staircase(QWidget* parent = nullptr);
   void set_state(StaircaseState state);
   void set_preview(std::optional<VersionStep> step);
-  void set_reduced_motion(bool reduced) { reduced_motion_ = reduced; }
   void set_empty_text(const QString& sentence);
   const StaircaseState& state() const { return state_; }
   QRectF step_rect(int version) const;  // widget coordinates; empty where there is none
@@ -61,7 +60,6 @@ class Staircase : public QWidget {
   StaircaseState state_;
   QString empty_text_;
   int hovered_ = -1;
-  bool reduced_motion_ = false;
   int falling_ = -1;   // the step that has just come and is drawn on its way down
   double fallen_ = 1;  // 0 to 1
   QVariantAnimation animation_;

@@ -147,32 +147,35 @@ void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {
 
 void VerdictLine::paint_numbers(QPainter& painter, const QRectF& area) const {
   const Colors& c = colors();
-  const bool has_pixels = verdict_.error_px.has_value();
-  const std::optional<double> main = has_pixels ? verdict_.error_px : verdict_.error_mm;
-  const QString unit = has_pixels ? QStringLiteral("px") : QStringLiteral("mm");
+  const SizeUnit unit = verdict_.unit == SizeUnit::pixel && !verdict_.error_px ? SizeUnit::millimetre : verdict_.unit;
+  const ShownSize in_px{verdict_.error_px, SizeUnit::pixel}, in_mm{verdict_.error_mm, SizeUnit::millimetre};
+  const ShownSize main = unit == SizeUnit::sigma   ? ShownSize{verdict_.error_sigma, unit}
+                         : unit == SizeUnit::pixel ? in_px
+                                                   : in_mm;
+  const ShownSize beside = unit == SizeUnit::millimetre ? in_px : in_mm;
+  const ShownSize noise_in_px{verdict_.noise_px, SizeUnit::pixel}, noise_in_mm{verdict_.noise_mm, SizeUnit::millimetre};
+  const ShownSize noise = unit == SizeUnit::millimetre || !verdict_.noise_px ? noise_in_mm : noise_in_px;
   painter.setFont(number_font(TextRole::number));
   painter.setPen(c.ink1);
   QRectF upper(area.left(), area.top(), area.width(), 30), lower(area.left(), area.bottom() - 22, area.width(), 20);
-  const QString error = with_unit_text(main, unit);
+  const QString error = size_text(main);
   painter.drawText(upper, Qt::AlignLeft | Qt::AlignVCenter, error);
   upper.setLeft(upper.left() + QFontMetricsF(painter.font()).horizontalAdvance(error) + kGap);
-  if (verdict_.predicted_px) {
+  if (verdict_.predicted.value) {
     painter.setPen(c.candidate);
     painter.setFont(number_font(TextRole::title));
-    draw_text(painter, upper, Qt::AlignLeft | Qt::AlignVCenter,
-              QStringLiteral("→ ") + with_unit_text(verdict_.predicted_px, unit));
-  } else if (has_pixels && verdict_.error_mm) {
+    draw_text(painter, upper, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("→ ") + size_text(verdict_.predicted));
+  } else if (beside.value) {
     painter.setPen(c.ink2);
     painter.setFont(number_font(TextRole::title));
-    draw_text(painter, upper, Qt::AlignLeft | Qt::AlignVCenter,
-              with_unit_text(verdict_.error_mm, QStringLiteral("mm")));
+    draw_text(painter, upper, Qt::AlignLeft | Qt::AlignVCenter, size_text(beside));
   }
   painter.setFont(number_font(TextRole::small));
   painter.setPen(c.ink2);
-  QString noise = tr("noise %1").arg(with_unit_text(has_pixels ? verdict_.noise_px : verdict_.noise_mm, unit));
-  if (has_pixels && verdict_.noise_mm)
-    noise += QStringLiteral(", ") + with_unit_text(verdict_.noise_mm, QStringLiteral("mm"));
-  draw_text(painter, lower, Qt::AlignLeft | Qt::AlignVCenter, noise);
+  const ShownSize other = noise.unit == SizeUnit::pixel ? noise_in_mm : noise_in_px;
+  QString text = tr("noise %1").arg(size_text(noise));
+  if (other.value) text += QStringLiteral(", ") + size_text(other);
+  draw_text(painter, lower, Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
 void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {

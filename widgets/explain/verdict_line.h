@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "widgets/blame_bar.h"
+#include "widgets/cells.h"
 
 namespace handsight::widgets {
 
@@ -30,7 +31,9 @@ struct SessionVerdict {
   QString progress;                          // while looking: "from 40 of 100"
   std::optional<double> error_px, noise_px;  // held out, per coordinate; absent with a tracker
   std::optional<double> error_mm, noise_mm;  // at the hand
-  std::optional<double> predicted_px;        // with what is being tried: purple
+  std::optional<double> error_sigma;         // in units of the noise
+  SizeUnit unit = SizeUnit::pixel;           // which of them stands large; with a tracker never px
+  ShownSize predicted;                       // with what is being tried: purple
   std::optional<Blame> blame;                // of the whole session
 };
 

@@ -6,6 +6,7 @@
 
 #include "document/model_version.h"
 #include "document/second_look.h"
+#include "fixtures/arms.h"
 #include "label/labeller.h"
 #include "session/session_xml.h"
 #include "vision/image_file.h"
@@ -90,6 +91,45 @@ TEST(InspectionTest, AWrongCornerIsNamedWithWhereItShouldBe) {
   EXPECT_EQ(row.worst_camera, 1);
   EXPECT_EQ(row.what_would_mend.toStdString(),
             "Marker " + std::to_string(marker) + ", right image, 4.0 px further up.");
+}
+
+/// A session with nothing to find but noise, fitted.
+ModelVersionPointer fitted_noise(const Session& like, double noise) {
+  SimulationOptions options;
+  options.observations = 200;
+  options.noise = noise;
+  const ModelVersionPointer version = make_version(simulate_session(like, options).session, {}, 1, "");
+  EXPECT_NE(version->fit, nullptr) << version->refusal.toStdString();
+  return version;
+}
+
+TEST(InspectionTest, TheNoiseInMmIsWhatIsLeftInMmWhereOnlyNoiseIsLeft) {
+  const ModelVersionPointer version = fitted_noise(fixture::stand_session(), 0.3);
+  const Inspection& all = *version->inspection;
+  ASSERT_TRUE(all.noise_m);
+  double sum = 0, squares = 0, expected_variance = 0, coordinates = 0;
+  for (const InspectionRow& row : all.rows) {
+    ASSERT_TRUE(row.noise_m && row.rms_m);
+    const double share = *row.rms_m * *row.rms_m / (*row.noise_m * *row.noise_m);
+    sum += share;
+    squares += share * share;
+    expected_variance += 2 / row.noise_coordinates;
+    coordinates += row.noise_coordinates;
+    EXPECT_GE(row.noise_coordinates, 3) << "three markers: one coordinate each at least";
+    EXPECT_LE(row.noise_coordinates, 9) << "and three at most";
+  }
+  const double n = static_cast<double>(all.rows.size());
+  EXPECT_NEAR(*version->report->fitted.rms_m / *all.noise_m, 1, 3 / std::sqrt(2 * coordinates)) << "three sigma";
+  EXPECT_NEAR(sum / n, 1, 3 * std::sqrt(expected_variance) / n) << "near and far observations alike";
+  EXPECT_NEAR((squares / n - sum * sum / n / n) / (expected_variance / n), 1, 0.3)
+      << "and it scatters as a histogram of it must show";
+}
+
+TEST(InspectionTest, ATrackersNoiseInMmIsThatOfAPosition) {
+  const ModelVersionPointer version = fitted_noise(fixture::tracker_session(), 2e-4);
+  EXPECT_NEAR(*version->inspection->noise_m, std::sqrt(3.0) * *version->fit->noise, 1e-12);
+  EXPECT_NEAR(version->inspection->rows[0].noise_coordinates, 9, 1e-9);
+  EXPECT_NEAR(*error_and_noise(*version).ratio(), 1, 0.1) << "an error and a noise of the same kind";
 }
 
 }  // namespace

@@ -61,6 +61,9 @@ TEST(Pictures, OfEveryWorkspace) {
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
   desk.click(strip, strip->cell_rect(0).center().toPoint());  // one of those with images
   photo.take("calibrate");
+  desk.press_button("watch");
+  photo.take_now("calibrate_watch");
+  desk.press_button("watch");
   auto* tabs = desk.find<QTabWidget>("calibrate_tabs");
   const char* names[] = {"", "calibrate_objective", "calibrate_one_marker", "calibrate_own_pose"};
   for (int i = 1; i < tabs->count(); ++i) {
@@ -74,6 +77,13 @@ TEST(Pictures, OfEveryWorkspace) {
   auto* inspect_tabs = desk.find<QTabWidget>("inspect_tabs");
   desk.click(inspect_tabs->tabBar(), inspect_tabs->tabBar()->tabRect(1).center());
   photo.take("inspect_map");
+  desk.key(Qt::Key_U);
+  photo.take("inspect_map_mm");
+  desk.click(inspect_tabs->tabBar(), inspect_tabs->tabBar()->tabRect(0).center());
+  photo.take("inspect_mm");
+  desk.key(Qt::Key_U);
+  photo.take("inspect_sigma");
+  desk.key(Qt::Key_U);
   go(4);
   photo.take("explain");
   go(5);
@@ -106,6 +116,11 @@ class Explained : public testing::Test {
 TEST_F(Explained, FromTheVerdictToTheTruth) {
   open("hidden_3");
   photo.take("explain");
+  desk.key(Qt::Key_U);
+  photo.take("explain_mm");
+  desk.key(Qt::Key_U);
+  photo.take("explain_sigma");
+  desk.key(Qt::Key_U);
   rest_on(explain.cards()->card(0), QPoint(20, 20));
   photo.take_now("explain_preview");
   explain.measure("1.0");

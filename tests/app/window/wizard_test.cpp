@@ -99,6 +99,20 @@ TEST_F(WizardTest, MakesASessionThatCanBeLabelledAndPlayed) {
   ASSERT_TRUE(calibrate.play_to_the_end());
   ASSERT_NE(desk.document().model(), nullptr);
   EXPECT_NE(desk.document().model()->fit, nullptr) << desk.document().model()->refusal.toStdString();
+
+  // More of the same images, put where the first ones came from, belong to the session too.
+  desk.press_button("watch");
+  ASSERT_TRUE(desk.find<QLabel>("live_text")->text().contains("angles.csv"))
+      << desk.find<QLabel>("live_text")->text().toStdString();
+  for (const char* side : {"left", "right"})
+    std::filesystem::copy_file(folder.path / side / "img05.png", folder.path / side / "img12.png");
+  const std::string table = read_file(folder.path / "angles.csv");
+  std::string line = table.substr(0, table.rfind('\n', table.size() - 2));
+  line = table.substr(line.size() + 1);
+  replace_file(folder.path / "angles.csv", table + line);
+  ASSERT_TRUE(desk.wait([&] { return desk.document().session().observations.size() == 13; }))
+      << desk.find<QLabel>("live_text")->text().toStdString();
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "made" / desk.document().session().observations[12].left_image));
 }
 
 }  // namespace

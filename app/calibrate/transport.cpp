@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "calibrate/transport.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
+#include <algorithm>
+
+#include "document/counted.h"
+
+namespace handsight::app {
+namespace {
+
+constexpr int magnifications[] = {1, 2, 5, 10, 20, 50, 100};
+
+}  // namespace
+
+Transport::Transport(Workbench& bench, Player& player, QWidget* parent)
+    : QWidget(parent), bench_(bench), player_(player), live_(bench) {
+  make_layout();
+  connect_live();
+  player_.set_speed(speed_->currentData().toDouble());
+}
+
+void Transport::make_layout() {
+  play_ = new QPushButton(tr("Play"), this);
+  play_->setObjectName("play");
+  play_->setDefault(true);
+  const auto button = [this](const char* name, const QString& text, const QString& tip) {
+    auto* b = new QToolButton(this);
+    b->setObjectName(name);
+    b->setText(text);
+    b->setToolTip(tip);
+    return b;
+  };
+  step_ = button("step", tr("Step"), tr("One observation (.)"));
+  rewind_ = button("rewind", tr("Rewind"), tr("Play from the first observation again"));
+  watch_ = button("watch", tr("Watch folder"),
+                  tr("Takes new image pairs and joint angles in as they arrive, and goes on playing with them"));
+  watch_->setCheckable(true);
+  speed_ = new QComboBox(this);
+  speed_->setObjectName("speed");
+  for (const double s : {1.0, 2.0, 5.0, 10.0, 30.0}) speed_->addItem(tr("%1 per second").arg(s), s);
+  speed_->addItem(tr("As fast as it goes"), 0.0);
+  speed_->setCurrentIndex(3);
+  speed_->setFocusPolicy(Qt::StrongFocus);
+  progress_ = new QLabel(this);
+  progress_->setObjectName("play_progress");
+  progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its words must not widen the window
+  ghost_ = new QSlider(Qt::Horizontal, this);
+  ghost_->setObjectName("ghost");
+  ghost_->setRange(0, static_cast<int>(std::size(magnifications)) - 1);
+  ghost_->setFixedWidth(140);
+  ghost_->setValue(3);
+  ghost_text_ = new QLabel(this);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_, speed_, watch_}) {
+    w->setMinimumHeight(28);
+    row->addWidget(w);
+  }
+  row->addSpacing(8);
+  row->addWidget(progress_, 1);
+  row->addWidget(ghost_text_);
+  row->addWidget(ghost_);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 4, 0, 4);
+  rows->setSpacing(4);
+  rows->addLayout(row);
+  rows->addWidget(make_live_row());
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  connect(play_, &QPushButton::clicked, this, [this] { player_.is_playing() ? player_.pause() : player_.play(); });
+  connect(step_, &QToolButton::clicked, &player_, &Player::step);
+  connect(rewind_, &QToolButton::clicked, &player_, &Player::rewind);
+  connect(speed_, &QComboBox::currentIndexChanged, this,
+          [this] { player_.set_speed(speed_->currentData().toDouble()); });
+  const auto magnify = [this] {
+    ghost_text_->setText(tr("deviations × %1").arg(magnification()));
+    emit magnification_changed(magnification());
+  };
+  connect(ghost_, &QSlider::valueChanged, this, magnify);
+  magnify();
+}
+
+QWidget* Transport::make_live_row() {
+  live_row_ = new QWidget(this);
+  live_text_ = new QLabel(live_row_);
+  live_text_->setObjectName("live_text");
+  live_text_->setWordWrap(true);
+  live_text_->setTextFormat(Qt::PlainText);
+  sources_ = new QToolButton(live_row_);
+  sources_->setObjectName("live_sources");
+  sources_->setText(tr("Where from…"));
+  sources_->setToolTip(tr("Where the images and the joint angles arrive"));
+  sources_->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(sources_);
+  const QString names[] = {tr("Images of the left camera…"), tr("Images of the right camera…"),
+                           tr("Table of joint angles…"), tr("The session's own folder")};
+  for (int i = 0; i < 4; ++i) menu->addAction(names[i], this, [this, i] { choose_source(i); });
+  sources_->setMenu(menu);
+  auto* row = new QHBoxLayout(live_row_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  row->addWidget(live_text_, 1);
+  row->addWidget(sources_, 0, Qt::AlignTop);
+  live_row_->hide();
+  return live_row_;
+}
+
+void Transport::connect_live() {
+  connect(watch_, &QToolButton::toggled, this, [this](bool on) {
+    live_.set_watching(on);
+    player_.set_live(on);
+    if (on && is_labelled()) player_.play();
+  });
+  connect(&live_, &LiveWatch::arrived_now, &player_, &Player::arrive);
+  connect(&live_, &LiveWatch::state_changed, this, &Transport::refresh);
+}
+
+void Transport::choose_source(int which) {
+  LiveSources sources = live_.sources();
+  if (which == 3) return live_.set_sources(own_sources(bench_.document.session()));
+  std::filesystem::path& path = which == 0 ? sources.left_folder : which == 1 ? sources.right_folder : sources.table;
+  auto* dialog =
+      new QFileDialog(this, sources_->menu()->actions()[which]->text(), QString::fromStdString(path.string()),
+                      which == 2 ? tr("Tables (*.csv *.txt)") : QString());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(which == 2 ? QFileDialog::AnyFile : QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, sources, which](const QString& chosen) mutable {
+    (which == 0 ? sources.left_folder : which == 1 ? sources.right_folder : sources.table) = chosen.toStdString();
+    live_.set_sources(sources);
+  });
+  dialog->open();
+}
+
+void Transport::toggle_play() { play_->click(); }
+
+double Transport::magnification() const { return magnifications[ghost_->value()]; }
+
+bool Transport::is_labelled() const {
+  const auto& all = bench_.document.session().observations;
+  return std::any_of(all.begin(), all.end(), [](const Observation& o) { return !o.sightings.empty(); });
+}
+
+QString Transport::progress_text() const {
+  if (!bench_.document.is_open() || !is_labelled())
+    return tr("Waits for three markers: label the first observation (Ctrl+1).");
+  const std::size_t count = bench_.document.session().observations.size(), at = player_.position();
+  if (at == 0) return tr("%1 to play").arg(counted(static_cast<qint64>(count), "observation", "observations"));
+  const std::size_t taken = player_.steps().back().accepted;
+  return tr("%1 of %2 observations, %3 taken, %4 rejected").arg(at).arg(count).arg(taken).arg(at - taken);
+}
+
+void Transport::refresh() {
+  const bool open = bench_.document.is_open(), labelled = open && is_labelled();
+  const bool is_over = player_.is_finished() && !player_.is_live();
+  play_->setText(player_.is_playing() ? tr("Pause") : is_over ? tr("Play again") : tr("Play"));
+  for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
+  const bool has_images = open && !bench_.document.session().is_tracker();
+  watch_->setEnabled(has_images);
+  if (watch_->isChecked() && !live_.is_watching()) watch_->setChecked(false);
+  progress_->setText(progress_text());
+  live_row_->setVisible(live_.is_watching());
+  live_text_->setText(live_.state_text());
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QButtonGroup>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "export/export_workspace.h"
+#include "widgets/theme.h"
+
+namespace handsight::app {
+namespace {
+
+using widgets::TextRole;
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(widgets::text_font(TextRole::title));
+  return label;
+}
+
+QTableWidget* plain_table(int columns, QWidget* parent) {
+  auto* table = new QTableWidget(0, columns, parent);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(24);
+  table->setShowGrid(false);
+  table->setFrameShape(QFrame::NoFrame);
+  table->setWordWrap(false);
+  return table;
+}
+
+}  // namespace
+
+QWidget* ExportWorkspace::make_left() {
+  auto* left = new QWidget(body_);
+  auto* layout = new QVBoxLayout(left);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(heading(tr("TCP→Body"), left));
+  auto* row = new QHBoxLayout;
+  forms_ = new QButtonGroup(this);
+  const QString names[] = {tr("Matrix"), tr("xyz + rpy"), tr("Quaternion")};
+  for (int i = 0; i < 3; ++i) {
+    auto* b = new QRadioButton(names[i], left);
+    b->setObjectName("form_" + QString::number(i));
+    forms_->addButton(b, i);
+    row->addWidget(b);
+  }
+  forms_->button(1)->setChecked(true);
+  row->addStretch(1);
+  copy_ = new QPushButton(tr("Copy"), left);
+  copy_->setObjectName("copy");
+  row->addWidget(copy_);
+  layout->addLayout(row);
+  motion_ = plain_table(4, left);
+  motion_->setObjectName("motion");
+  motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
+  motion_->setMinimumHeight(7 * 24 + 36);
+  layout->addWidget(motion_);
+  excluded_title_ = heading(tr("Not used"), left);
+  layout->addWidget(excluded_title_);
+  fresh_ = new QLabel(left);
+  fresh_->setObjectName("fresh");
+  fresh_->setWordWrap(true);
+  layout->addWidget(fresh_);
+  excluded_ = plain_table(3, left);
+  excluded_->setObjectName("not_used");
+  excluded_->setHorizontalHeaderLabels({tr("obs"), tr("prediction, mm"), tr("why not used")});
+  excluded_->horizontalHeaderItem(1)->setToolTip(tr(
+      "How far the hand was from where the model predicts it, and how far 95 of 100 poses like the fitted ones are."));
+  excluded_->horizontalHeader()->setStretchLastSection(true);
+  excluded_->setWordWrap(true);
+  excluded_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  layout->addWidget(excluded_, 1);
+  return left;
+}
+
+QWidget* ExportWorkspace::make_right() {
+  auto* right = new QWidget(body_);
+  auto* layout = new QVBoxLayout(right);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(heading(tr("XML as it will be written"), right));
+  xml_ = new QPlainTextEdit(right);
+  xml_->setObjectName("xml");
+  xml_->setReadOnly(true);
+  xml_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  QFont mono = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  mono.setPixelSize(12);
+  xml_->setFont(mono);
+  layout->addWidget(xml_, 1);
+  return right;
+}
+
+void ExportWorkspace::make_layout() {
+  before_ = new QWidget(this);
+  remarks_ = new QVBoxLayout(before_);
+  remarks_->setContentsMargins(12, 8, 12, 8);
+  remarks_->setSpacing(4);
+  before_->setAutoFillBackground(true);
+  body_ = new QWidget(this);
+  auto* columns = new QHBoxLayout(body_);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(16);
+  columns->addWidget(make_left(), 45);
+  columns->addWidget(make_right(), 55);
+  empty_ = new QLabel(tr("Nothing to export: TCP→Body has not been estimated."), this);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  calibrate_ = new QPushButton(tr("Calibrate"), this);
+  path_ = new QLineEdit(this);
+  path_->setObjectName("export_path");
+  save_ = new QPushButton(tr("Save XML"), this);
+  save_->setObjectName("save_xml");
+  save_->setDefault(true);
+  html_ = new QPushButton(tr("Report HTML"), this);
+  html_->setObjectName("report_html");
+  pdf_ = new QPushButton(tr("Report PDF"), this);
+  pdf_->setObjectName("report_pdf");
+  said_ = new QLabel(this);
+  said_->setObjectName("export_said");
+  said_->setWordWrap(true);
+  said_->setContentsMargins(12, 6, 12, 6);
+  said_->setAutoFillBackground(true);
+  said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(path_, 1);
+  for (QPushButton* b : {save_, html_, pdf_}) {
+    b->setMinimumHeight(28);
+    row->addWidget(b);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 12);
+  layout->setSpacing(12);
+  layout->addWidget(before_);
+  layout->addWidget(empty_, 1);
+  layout->addWidget(calibrate_, 0, Qt::AlignHCenter);
+  layout->addWidget(body_, 1);
+  layout->addWidget(said_);
+  layout->addLayout(row);
+  said_->hide();
+}
+
+MotionForm ExportWorkspace::form() const { return static_cast<MotionForm>(forms_->checkedId()); }
+
+std::filesystem::path ExportWorkspace::path() const { return path_->text().trimmed().toStdString(); }
+
+}  // namespace handsight::app

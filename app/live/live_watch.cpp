@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live/live_watch.h"
+
+#include <algorithm>
+
+#include "start/preferences.h"
+
+namespace handsight::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int between_looks = 400;  // ms: what has not grown in that time is written to its end
+constexpr int after_news = 50;      // ms: several files tend to come together
+
+QString preference_of(const fs::path& session_file) {
+  return "watch " + QString::fromStdString(fs::weakly_canonical(session_file).string());
+}
+
+/// A path as the user would name it: relative to the session where it is inside.
+QString short_path(const fs::path& path, const fs::path& session_folder) {
+  const fs::path inside = path.lexically_relative(session_folder);
+  const bool is_inside = !inside.empty() && *inside.begin() != "..";
+  return QString::fromStdString((is_inside ? inside : path).string());
+}
+
+}  // namespace
+
+LiveSources live_sources(const Session& session) {
+  const QStringList chosen = preference(preference_of(session.file)).split('\n');
+  if (chosen.size() == 3) return {chosen[0].toStdString(), chosen[1].toStdString(), chosen[2].toStdString()};
+  return own_sources(session);
+}
+
+void remember_live_sources(const fs::path& session_file, const LiveSources& sources) {
+  QStringList paths;
+  for (const fs::path& path : {sources.left_folder, sources.right_folder, sources.table})
+    paths << QString::fromStdString(fs::absolute(path).lexically_normal().string());
+  remember_preference(preference_of(session_file), paths.join('\n'));
+}
+
+LiveWatch::LiveWatch(Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, &LiveWatch::look);
+  const auto news = [this] {
+    if (is_watching_ && !jobs_.is_busy()) timer_.start(after_news);
+  };
+  connect(&files_, &QFileSystemWatcher::directoryChanged, this, news);
+  connect(&files_, &QFileSystemWatcher::fileChanged, this, news);
+  connect(&bench.document, &Document::closed, this, [this] { set_watching(false); });
+}
+
+void LiveWatch::set_watching(bool watching) {
+  if (watching == is_watching_) return;
+  is_watching_ = watching;
+  timer_.stop();
+  jobs_.cancel();
+  if (!files_.directories().isEmpty()) files_.removePaths(files_.directories());
+  if (!files_.files().isEmpty()) files_.removePaths(files_.files());
+  stamps_.clear();
+  remarks_.clear();
+  if (watching) {
+    sources_ = live_sources(bench_.document.session());
+    taken_.clear();
+    arrived_ = 0;
+    look();
+  }
+  emit state_changed();
+}
+
+void LiveWatch::set_sources(const LiveSources& sources) {
+  remember_live_sources(bench_.document.session().file, sources);
+  if (!is_watching_) return;
+  set_watching(false);
+  set_watching(true);
+}
+
+/// The watcher only hastens a look: some file systems tell it nothing, and folders may come later.
+void LiveWatch::watch_paths() {
+  QStringList wanted;
+  for (const fs::path& path : {sources_.left_folder, sources_.right_folder, sources_.table.parent_path()}) {
+    std::error_code error;
+    const QString text = QString::fromStdString(path.string());
+    if (fs::is_directory(path, error) && !files_.directories().contains(text) && !wanted.contains(text)) wanted << text;
+  }
+  if (!wanted.isEmpty()) files_.addPaths(wanted);
+}
+
+void LiveWatch::look() {
+  if (!is_watching_) return;
+  if (jobs_.is_busy()) return timer_.start(between_looks);  // a look of the watch before, at a slow drive
+  watch_paths();
+  LiveTask task = task_of(bench_.document.session(), sources_);
+  task.passed_over = taken_;
+  task.stamps = stamps_;
+  jobs_.start<std::shared_ptr<LiveLook>>(
+      "look", tr("Looking for image pairs"),
+      [task = std::move(task)](JobControl&) { return std::make_shared<LiveLook>(look_for_pairs(task)); },
+      [this](const std::shared_ptr<LiveLook>& found) { take(std::move(*found)); },
+      [this](const QString& sentence) { take({.remarks = {sentence}}); });
+}
+
+void LiveWatch::take(LiveLook look) {
+  if (!is_watching_) return;
+  stamps_ = std::move(look.stamps);
+  timer_.start(between_looks);
+  std::vector<Observation> observations;
+  std::int64_t id = -1;
+  double time = -1;
+  for (const Observation& o : bench_.document.session().observations) {
+    id = std::max(id, o.id);
+    time = std::max(time, o.time);
+  }
+  for (LivePair& pair : look.pairs) {
+    Observation o;
+    o.id = ++id;
+    // A time that goes back would be refused when the session is read again.
+    o.time = time = pair.time && *pair.time > time ? *pair.time : time + 1;
+    o.position = std::move(pair.position);
+    o.left_image = std::move(pair.left);
+    o.right_image = std::move(pair.right);
+    taken_.insert(pair.left_name);
+    observations.push_back(std::move(o));
+  }
+  arrived_ += static_cast<int>(observations.size());
+  const bool has_news = !observations.empty() || look.remarks != remarks_;
+  remarks_ = std::move(look.remarks);
+  if (!observations.empty()) emit arrived_now(observations);
+  if (has_news) emit state_changed();
+}
+
+QString LiveWatch::state_text() const {
+  if (!is_watching_) return {};
+  const fs::path home = folder(bench_.document.session());
+  QString where = short_path(sources_.left_folder, home);
+  if (sources_.right_folder != sources_.left_folder)
+    where = tr("%1 and %2").arg(where, short_path(sources_.right_folder, home));
+  QString text = tr("Waiting for the next image pair in %1 and its joint angles in %2; %3 arrived.")
+                     .arg(where, short_path(sources_.table, home))
+                     .arg(arrived_);
+  constexpr qsizetype most = 2;
+  for (const QString& remark : remarks_.mid(0, most)) text += ' ' + remark;
+  if (remarks_.size() > most) text += tr(" And %1 more.").arg(remarks_.size() - most);
+  return text;
+}
+
+}  // namespace handsight::app

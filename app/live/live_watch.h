@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Watches the folders into which a robot's cameras write, and hands over each pair that is whole as an observation.
+#pragma once
+
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QTimer>
+
+#include "frame/workbench.h"
+#include "live/live_look.h"
+
+namespace handsight::app {
+
+/// Where the images and angles of a session arrive: what was chosen for it, else its own folder.
+LiveSources live_sources(const Session& session);
+void remember_live_sources(const std::filesystem::path& session_file, const LiveSources& sources);
+
+class LiveWatch : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LiveWatch(Workbench& bench, QObject* parent = nullptr);
+
+  bool is_watching() const { return is_watching_; }
+  void set_watching(bool watching);
+  const LiveSources& sources() const { return sources_; }
+  void set_sources(const LiveSources& sources);
+  int arrived() const { return arrived_; }
+  /// "Waiting for the next image pair in images; 3 arrived.", with what does not come in.
+  QString state_text() const;
+
+ signals:
+  void state_changed();
+  /// New observations for the end of the session, in their order, without markers and decisions.
+  void arrived_now(const std::vector<Observation>& observations);
+
+ private:
+  void watch_paths();
+  void look();
+  void take(LiveLook look);
+
+  Workbench& bench_;
+  Jobs jobs_;  // of its own: what else is in the background may take long
+  QFileSystemWatcher files_;
+  QTimer timer_;
+  LiveSources sources_;
+  std::set<std::string> taken_;  // left images that arrived in this watch
+  std::map<std::string, FileStamp> stamps_;
+  QStringList remarks_;
+  int arrived_ = 0;
+  bool is_watching_ = false;
+};
+
+}  // namespace handsight::app

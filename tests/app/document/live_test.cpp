@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// What arrives in a watched folder: whole pairs come in, everything else is named and waits. And the document with it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/files.h"
+#include "base/numbers.h"
+#include "document/document.h"
+#include "live/live_look.h"
+#include "session/session_xml.h"
+#include "temporary_folder.h"
+
+namespace handsight::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// first_steps with its first eight observations; the others wait outside to arrive.
+class Live : public testing::Test {
+ protected:
+  Live() : sample(fs::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps"), home(folder.path / "session") {
+    all = read_session(sample);
+    fs::create_directories(home / "images");
+    fs::copy_file(sample / all.robot_file, home / all.robot_file);
+    Session some = all;
+    some.file = home / "session.xml";
+    some.observations.resize(8);
+    for (const Observation& o : some.observations) bring(o.id);
+    save_session(some);
+    session = read_session(home);
+  }
+  const Observation& one(std::int64_t id) { return all.observations[static_cast<std::size_t>(id)]; }
+  void bring(std::int64_t id, bool left = true, bool right = true) {
+    if (left) fs::copy_file(sample / one(id).left_image, home / one(id).left_image);
+    if (right) fs::copy_file(sample / one(id).right_image, home / one(id).right_image);
+  }
+  std::string line(std::int64_t id, const std::string& first = {}) {
+    std::string text = first;
+    for (const double q : one(id).position) text += (text.empty() ? "" : ",") + format_number(q);
+    return text + "\n";
+  }
+  std::string header(const std::string& first = {}) {
+    std::string text = first;
+    for (const std::string& joint : all.joints) text += (text.empty() ? "" : ",") + joint;
+    return text + "\n";
+  }
+  void table(const std::string& text) { replace_file(home / "joints.csv", text); }
+  LiveTask task() {
+    LiveTask t = task_of(session, own_sources(session));
+    t.settles_in = {};  // here nobody is writing any more
+    return t;
+  }
+  /// Two looks, the second with what the first saw.
+  LiveLook look_twice() {
+    LiveTask task = this->task();
+    task.stamps = look_for_pairs(task).stamps;
+    return look_for_pairs(task);
+  }
+  TemporaryFolder folder;
+  fs::path sample, home;
+  Session all, session;
+};
+
+TEST_F(Live, APairWithItsAnglesComesInAtTheSecondLook) {
+  bring(8);
+  table(header("number") + line(8, "8"));
+  LiveTask task = this->task();
+  const LiveLook first = look_for_pairs(task);
+  EXPECT_TRUE(first.pairs.empty()) << "it may still be written";
+  EXPECT_TRUE(first.remarks.isEmpty()) << first.remarks.join(' ').toStdString();
+  task.stamps = first.stamps;
+  const LiveLook second = look_for_pairs(task);
+  ASSERT_EQ(second.pairs.size(), 1U);
+  EXPECT_EQ(second.pairs[0].left, one(8).left_image);
+  EXPECT_EQ(second.pairs[0].position, one(8).position);
+  EXPECT_FALSE(second.pairs[0].time);
+  task.settles_in = std::chrono::hours(1);
+  EXPECT_TRUE(look_for_pairs(task).pairs.empty()) << "two looks in a hurry are no proof";
+}
+
+TEST_F(Live, WhatIsHalfWrittenWaits) {
+  table(header("number") + line(8, "8"));
+  bring(8);
+  const std::string whole = read_file(home / one(8).right_image);
+  std::ofstream(home / one(8).right_image, std::ios::binary) << whole.substr(0, whole.size() / 2);
+  LiveLook look = look_twice();
+  EXPECT_TRUE(look.pairs.empty()) << "it has stopped growing, but it is no image yet";
+  ASSERT_EQ(look.remarks.size(), 1);
+  EXPECT_TRUE(look.remarks[0].contains(QString::fromStdString(fs::path(one(8).right_image).filename().string())));
+  std::ofstream(home / one(8).right_image, std::ios::binary) << whole;
+  look = look_twice();
+  EXPECT_EQ(look.pairs.size(), 1U);
+  EXPECT_TRUE(look.remarks.isEmpty());
+}
+
+TEST_F(Live, ALineOfAnglesThatIsBeingWrittenIsNoLine) {
+  bring(8);
+  const std::string last = line(8, "8");
+  table(header("number") + line(7, "7") + last.substr(0, last.size() - 4));
+  const LiveLook look = look_twice();
+  EXPECT_TRUE(look.pairs.empty());
+  ASSERT_EQ(look.remarks.size(), 1);
+  EXPECT_TRUE(look.remarks[0].contains("waits for its joint angles in joints.csv (number 8)"))
+      << look.remarks[0].toStdString();
+}
+
+TEST_F(Live, AnImageWithoutAPartnerIsNamedAndHoldsUpNoOther) {
+  bring(8, true, false);
+  bring(9);
+  table(header("number") + line(9, "9") + line(8, "8"));
+  const LiveLook look = look_twice();
+  ASSERT_EQ(look.pairs.size(), 1U);
+  EXPECT_EQ(look.pairs[0].position, one(9).position) << "nor does it shift the angles";
+  ASSERT_EQ(look.remarks.size(), 1);
+  EXPECT_TRUE(look.remarks[0].contains("waits for its right image")) << look.remarks[0].toStdString();
+}
+
+TEST_F(Live, AWrongSizeIsNamedWithBothSizes) {
+  table(header("number") + line(8, "8"));
+  bring(8);
+  session.stereo->left.width += 160;
+  const LiveLook look = look_twice();
+  EXPECT_TRUE(look.pairs.empty());
+  ASSERT_EQ(look.remarks.size(), 1);
+  EXPECT_TRUE(look.remarks[0].contains(QString::number(session.stereo->left.width))) << look.remarks[0].toStdString();
+}
+
+TEST_F(Live, WithoutNumbersLinesAreCountedOnlyWhereTheyAgreeWithTheSession) {
+  bring(8);
+  std::string text = header();
+  for (int id = 0; id <= 8; ++id) text += line(id);
+  table(text);
+  EXPECT_EQ(look_twice().pairs.size(), 1U);
+  table(header() + line(8));
+  LiveLook look = look_twice();
+  EXPECT_TRUE(look.pairs.empty()) << "one line for nine pairs: whose is it?";
+  EXPECT_TRUE(look.remarks.join(' ').contains("\"number\"")) << look.remarks.join(' ').toStdString();
+  text = header();
+  for (int id = 8; id >= 0; --id) text += line(id);
+  table(text);
+  look = look_twice();
+  EXPECT_TRUE(look.pairs.empty()) << "as many lines, but not those of these images";
+  EXPECT_TRUE(look.remarks.join(' ').contains("is not the posture")) << look.remarks.join(' ').toStdString();
+}
+
+TEST_F(Live, ImagesOfAnotherFolderAreBroughtIntoTheSession) {
+  const fs::path outside = folder.path / "camera";
+  fs::create_directories(outside);
+  fs::copy_file(sample / one(8).left_image, outside / fs::path(one(8).left_image).filename());
+  fs::copy_file(sample / one(8).right_image, outside / fs::path(one(8).right_image).filename());
+  replace_file(outside / "log.csv", header("time,number") + line(8, "77.5,8"));
+  LiveTask task = this->task();
+  task.sources = {outside, outside, outside / "log.csv"};
+  task.stamps = look_for_pairs(task).stamps;
+  const LiveLook look = look_for_pairs(task);
+  ASSERT_EQ(look.pairs.size(), 1U) << look.remarks.join(' ').toStdString();
+  EXPECT_EQ(look.pairs[0].time, 77.5);
+  EXPECT_EQ(read_file(home / look.pairs[0].left), read_file(sample / one(8).left_image));
+}
+
+TEST_F(Live, ArrivalsAreActionsThatOutliveAKillAndAreSaved) {
+  bring(8);
+  bring(9);
+  const auto arrival = [&](std::int64_t id) {
+    Observation o = one(id);
+    o.sightings.clear();
+    o.decision = Decision::none;
+    o.reason.clear();
+    return Edit{.sentence = "arrived", .added = {o}};
+  };
+  const std::string untouched = read_file(home / "session.xml");
+  {
+    Document document;
+    document.open(home);
+    document.perform(arrival(8));
+    document.perform(arrival(9));
+    ASSERT_EQ(document.session().observations.size(), 10U);
+    document.undo();
+    EXPECT_EQ(document.session().observations.size(), 9U) << "undo takes back what came last";
+    EXPECT_EQ(document.find(9), nullptr);
+    document.redo();
+  }
+  EXPECT_EQ(read_file(home / "session.xml"), untouched) << "the session changes only by Save";
+  Document document;
+  document.open(home);
+  ASSERT_EQ(document.session().observations.size(), 10U) << "what arrived is there again";
+  EXPECT_EQ(document.find(9)->position, one(9).position);
+  EXPECT_EQ(document.find(9)->right_image, one(9).right_image);
+  document.save();
+  EXPECT_EQ(read_session(home).observations.size(), 10U);
+  document.undo_all();
+  EXPECT_EQ(session_text(document.session()), untouched);
+}
+
+}  // namespace
+}  // namespace handsight::app

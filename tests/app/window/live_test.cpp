@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot that moves while the window watches: images and angles arrive in the session's folder.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QToolButton>
+#include <atomic>
+#include <fstream>
+#include <thread>
+
+#include "app/window/pages.h"
+#include "base/files.h"
+#include "base/numbers.h"
+#include "cli/cli_runner.h"
+#include "session/session_xml.h"
+#include "temporary_folder.h"
+
+namespace handsight::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class LiveWindow : public testing::Test {
+ protected:
+  LiveWindow() : sample(fs::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps"), home(folder.path / "session") {
+    all = read_session(sample);
+    fs::create_directories(home / "images");
+    fs::copy_file(sample / all.robot_file, home / all.robot_file);
+    Session some = all;
+    some.file = home / "session.xml";
+    some.observations.resize(first_count);
+    for (const Observation& o : some.observations) bring(o.id);
+    save_session(some);
+    std::string head = "number";
+    for (const std::string& joint : all.joints) head += "," + joint;
+    replace_file(home / "joints.csv", head + "\n");
+  }
+  const Observation& one(std::int64_t id) { return all.observations[static_cast<std::size_t>(id)]; }
+  void bring(std::int64_t id) {
+    fs::copy_file(sample / one(id).left_image, home / one(id).left_image);
+    fs::copy_file(sample / one(id).right_image, home / one(id).right_image);
+  }
+  void measure(std::int64_t id) {
+    std::string line = std::to_string(id);
+    for (const double q : one(id).position) line += "," + format_number(q);
+    std::ofstream(home / "joints.csv", std::ios::app) << line << '\n';
+  }
+  void arrive(std::int64_t id) {
+    bring(id);
+    measure(id);
+  }
+  /// Labelled, and playing what is there.
+  void begin_to_watch() {
+    ASSERT_TRUE(desk.window.open(QString::fromStdString(home.string())));
+    ASSERT_TRUE(label.corners_are_found());
+    for (const Vector2& px : {Vector2(421, 338), Vector2(408, 411), Vector2(473, 378)}) label.click_left(px);
+    label.use();
+    calibrate.set_fastest();
+    desk.press_button("watch");
+    ASSERT_TRUE(desk.wait([this] { return calibrate.decisions() == first_count; }));
+  }
+  std::size_t count() { return desk.document().session().observations.size(); }
+  QString said() { return desk.find<QLabel>("live_text")->text(); }
+  bool is_decided(std::int64_t id) {
+    const Observation* o = desk.document().find(id);
+    return o && o->decision != Decision::none;
+  }
+
+  static constexpr int first_count = 6;
+  TemporaryFolder folder;
+  fs::path sample, home;
+  Session all;
+  Desk desk;
+  LabelPage label{desk};
+  CalibratePage calibrate{desk};
+};
+
+TEST_F(LiveWindow, WhatArrivesIsTakenTrackedAndFitted) {
+  begin_to_watch();
+  EXPECT_TRUE(said().contains("Waiting for the next image pair in images")) << said().toStdString();
+  EXPECT_TRUE(said().contains("0 arrived"));
+  for (std::int64_t id = first_count; id < 9; ++id) {
+    arrive(id);
+    ASSERT_TRUE(desk.wait([&] { return is_decided(id); })) << id << ": " << said().toStdString();
+  }
+  EXPECT_TRUE(said().contains("3 arrived")) << said().toStdString();
+  EXPECT_TRUE(desk.wait([this] { return calibrate.decisions() == 9; })) << calibrate.decisions();
+  EXPECT_EQ(desk.find<QAbstractButton>("play")->text(), "Pause") << "it goes on waiting";
+  ASSERT_TRUE(desk.settle());
+  ASSERT_NE(desk.document().model(), nullptr) << "the fit follows, without waiting for the play to end";
+  EXPECT_EQ(desk.document().model()->report->observations, 9);
+  // The command line, with all nine from the beginning, takes and finds the same.
+  desk.key(Qt::Key_S, Qt::ControlModifier);
+  const Session live = read_session(home);
+  ASSERT_EQ(live.observations.size(), 9U);
+  const auto other = folder.path / "other";
+  fs::copy(home, other, fs::copy_options::recursive);
+  Session whole = all;
+  whole.file = other / "session.xml";
+  whole.observations.resize(9);
+  save_session(whole);
+  const std::vector<std::string> clicks = {"421,338", "408,411", "473,378"};
+  ASSERT_EQ(
+      run_cli(folder.path, {"label", other.string(), "--observation", "0", "--left", clicks[0], clicks[1], clicks[2]})
+          .exit_code,
+      0);
+  ASSERT_EQ(run_cli(folder.path, {"online", other.string(), "--save"}).exit_code, 0);
+  const Session by_cli = read_session(other);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Observation &a = live.observations[i], &b = by_cli.observations[i];
+    EXPECT_EQ(a.decision, b.decision) << i;
+    EXPECT_EQ(a.reason, b.reason) << i;
+    ASSERT_EQ(a.sightings.size(), b.sightings.size()) << i;
+    for (std::size_t k = 0; k < a.sightings.size(); ++k) EXPECT_EQ(*a.sightings[k].left, *b.sightings[k].left) << i;
+  }
+}
+
+TEST_F(LiveWindow, WhatIsNotWholeIsNamedAndTakenWhenItIs) {
+  begin_to_watch();
+  const std::int64_t id = first_count;
+  measure(id);
+  const std::string left = read_file(sample / one(id).left_image);
+  std::ofstream(home / one(id).left_image, std::ios::binary) << left.substr(0, left.size() / 3);
+  const QString name = QString::fromStdString(fs::path(one(id).left_image).filename().string());
+  ASSERT_TRUE(desk.wait([&] { return said().contains(name); })) << said().toStdString();
+  EXPECT_TRUE(said().contains("waits for its right image")) << said().toStdString();
+  fs::copy_file(sample / one(id).right_image, home / one(id).right_image);
+  ASSERT_TRUE(desk.wait([&] { return said().contains("cannot be read as an image"); })) << said().toStdString();
+  EXPECT_EQ(count(), static_cast<std::size_t>(first_count));
+  std::ofstream(home / one(id).left_image, std::ios::binary) << left;
+  ASSERT_TRUE(desk.wait([&] { return is_decided(id); })) << said().toStdString();
+  EXPECT_FALSE(said().contains(name)) << said().toStdString();
+  EXPECT_TRUE(
+      desk.window.bench().images.image(desk.document().session(), *desk.document().find(id), true).refusal.isEmpty());
+}
+
+TEST_F(LiveWindow, UndoTakesTheLastArrivalBackAndItStaysAway) {
+  begin_to_watch();
+  arrive(first_count);
+  ASSERT_TRUE(desk.wait([&] { return is_decided(first_count); }));
+  arrive(first_count + 1);
+  ASSERT_TRUE(desk.wait([&] { return is_decided(first_count + 1); }));
+  const int actions = desk.document().undo_stack().index();
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(desk.document().undo_stack().index(), actions - 1);
+  EXPECT_EQ(desk.document().find(first_count + 1), nullptr) << "arrival and decision are one action";
+  EXPECT_TRUE(is_decided(first_count)) << "and each arrival its own";
+  QTest::qWait(1200);
+  EXPECT_EQ(desk.document().find(first_count + 1), nullptr) << "what was undone is not taken again";
+  EXPECT_NE(desk.window.bench().selection.current().observation, first_count + 1);
+  desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(is_decided(first_count + 1));
+  // Every page can show what has come and gone.
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  for (int page = 0; page < 5; ++page) {
+    desk.key(Qt::Key_1 + page, Qt::ControlModifier);
+    EXPECT_TRUE(desk.settle());
+  }
+}
+
+TEST_F(LiveWindow, BeforeTheFirstLabelArrivalsWaitToBePlayed) {
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(home.string())));
+  desk.key(Qt::Key_2, Qt::ControlModifier);
+  desk.press_button("watch");
+  arrive(first_count);
+  ASSERT_TRUE(desk.wait([&] { return count() == first_count + 1; })) << said().toStdString();
+  EXPECT_FALSE(is_decided(first_count));
+  EXPECT_EQ(desk.find<QLabel>("play_progress")->text().left(9), "Waits for");
+  desk.press_button("watch");
+  EXPECT_FALSE(desk.find<QLabel>("live_text")->isVisible());
+  arrive(first_count + 1);
+  QTest::qWait(1200);
+  EXPECT_EQ(count(), static_cast<std::size_t>(first_count + 1)) << "nobody watches";
+}
+
+TEST_F(LiveWindow, ADriveThatDoesNotAnswerDoesNotHoldUpTheWindow) {
+  begin_to_watch();
+  // A pipe that nobody writes to: who opens it waits.
+  const fs::path table = home / "joints.csv";
+  std::string text = read_file(table), line = std::to_string(first_count);
+  for (const double q : one(first_count).position) line += "," + format_number(q);
+  text += line + "\n";
+  fs::remove(table);
+  ASSERT_EQ(::mkfifo(table.c_str(), 0600), 0);
+  bring(first_count);
+  QTest::qWait(1500);
+  QElapsedTimer since;
+  since.start();
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  desk.key(Qt::Key_2, Qt::ControlModifier);
+  EXPECT_LT(since.elapsed(), 1000);
+  EXPECT_EQ(count(), static_cast<std::size_t>(first_count));
+  // It answers after all, again and again.
+  std::atomic<bool> is_over = false;
+  std::thread drive([&] {
+    while (!is_over) {
+      const int pipe = ::open(table.c_str(), O_WRONLY | O_NONBLOCK);  // fails while nobody reads
+      if (pipe >= 0) {
+        EXPECT_EQ(::write(pipe, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+        ::close(pipe);
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  });
+  const bool came = desk.wait([&] { return is_decided(first_count); }, 60000);
+  desk.press_button("watch");
+  desk.document().close();
+  QTest::qWait(300);  // the last look comes to its end
+  is_over = true;
+  drive.join();
+  EXPECT_TRUE(came);
+}
+
+}  // namespace
+}  // namespace handsight::test
