@@ -54,7 +54,10 @@ void BlameBar::set_sentence(const QString& sentence) {
 }
 
 QSize BlameBar::sizeHint() const { return {320, heightForWidth(320)}; }
-QSize BlameBar::minimumSizeHint() const { return {160, kBarHeight + kLegendHeight + 24}; }
+QSize BlameBar::minimumSizeHint() const {
+  // In a splitter nobody asks for the height for a width: the sentence at the present one must not be cut.
+  return {160, std::max(kBarHeight + kLegendHeight + 24, heightForWidth(std::max(width(), 240)))};
+}
 
 int BlameBar::heightForWidth(int width) const {
   const QFontMetrics metrics(text_font(TextRole::body));

@@ -151,8 +151,10 @@ void paint_size(QPainter& painter, const ModelParameter& p, const QString& name,
   draw_text(painter, middle, Qt::AlignRight | Qt::AlignVCenter, value);
   painter.setFont(small());
   painter.setPen(c.ink2);
-  draw_text(painter, QRectF(row.left(), row.top(), middle.left() - kGap - row.left(), row.height()),
-            Qt::AlignLeft | Qt::AlignVCenter, name);
+  const QRectF left(row.left(), row.top(), middle.left() - kGap - row.left(), row.height());
+  // Names of joints differ at their ends.
+  draw_text(painter, left, Qt::AlignLeft | Qt::AlignVCenter,
+            QFontMetricsF(painter.font()).elidedText(name, Qt::ElideMiddle, left.width()));
   if (p.plausible && *p.plausible > 0)
     paint_plausible(painter, p, QRectF(row.right() - bar, row.center().y() - 3, bar, 6));
 }
