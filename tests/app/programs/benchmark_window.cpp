@@ -111,6 +111,7 @@ TEST(Window, PlaysThirtyASecond) {
   const auto session = make_session(folder, 300);
   Desk desk;
   desk.window.open(QString::fromStdString(session.string()));
+  desk.window.show_workspace(1);
   CalibratePage calibrate{desk};
   calibrate.set_fastest();
   QElapsedTimer timer;
