@@ -75,9 +75,9 @@ void ExplainWorkspace::slide_what_if(double value) {
   try_numbers(what_if_view_, what_if_view_.numbers, what_if_id_);
   const ResidualViews& views = bench_.diagnosing.residuals()->views;
   const double left = rms_left(views, what_if_view_.effect, what_if_view_.numbers);
-  failing_->what_if()->set_answer(tr("With this the error would be %1.")
-                                      .arg(bench_.units.text(size_of_error(
-                                          left, !bench_.document.session().is_tracker(), views.weighing.noise))));
+  failing_->what_if()->set_answer(
+      tr("With this the error would be %1.")
+          .arg(bench_.units.text(size_of_error(left, !bench_.document.session().is_tracker(), views.weighing.noise))));
 }
 
 }  // namespace handsight::app

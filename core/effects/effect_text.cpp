@@ -55,13 +55,13 @@ std::size_t term_for(const Effect& effect, int place, std::vector<EffectTerm>& t
 
 /// `text` is what sentences call it.
 NumberPlace add_number(const Effect& effect, int place, const std::string& name, double value, const std::string& text,
-                        std::vector<EffectTerm>& terms) {
+                       std::vector<EffectTerm>& terms) {
   const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(),
                                       [&](const EffectParameter& p) { return p.name == name; });
   if (parameter == effect.parameters.end())
     throw InputError(fmt::format("Effect \"{}\": {} has no parameter \"{}\".", text, effect.id, name));
   const NumberPlace number{term_for(effect, place, terms),
-                            static_cast<std::size_t>(parameter - effect.parameters.begin())};
+                           static_cast<std::size_t>(parameter - effect.parameters.begin())};
   terms[number.term].values[number.parameter] += value;
   return number;
 }
@@ -69,7 +69,7 @@ NumberPlace add_number(const Effect& effect, int place, const std::string& name,
 }  // namespace
 
 NumberPlace add_effect_number(const std::string& id, const std::string& of, const std::string& name, double value,
-                               const Robot& robot, std::vector<EffectTerm>& terms) {
+                              const Robot& robot, std::vector<EffectTerm>& terms) {
   const Effect& effect = effect_for(id);
   const std::string text = fmt::format("{}:{}{}{}", id, of, of.empty() ? "" : ".", name);
   const int place = effect.scope == EffectScope::session ? -1 : place_for(effect, of, robot, text);

@@ -232,7 +232,7 @@ bool CandidateCard::eventFilter(QObject* watched, QEvent* event) {
   if (watched == measured_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Return || key == Qt::Key_Enter) {  // takes the number, and does not add the candidate
-      setFocus(Qt::OtherFocusReason);  // which takes what was typed; and undo is the window's again
+      setFocus(Qt::OtherFocusReason);                     // which takes what was typed; and undo is the window's again
       return true;
     }
   }
