@@ -5,6 +5,17 @@
 #include <exception>
 
 namespace handsight::app {
+namespace {
+
+/// A thread inherits the registers of the one that starts it. Where that one has just painted with AVX, their upper
+/// halves hold something, and everything compiled for SSE2 runs at less than half its speed until they are cleared.
+void clear_upper_registers() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx")) asm volatile("vzeroupper" ::: "memory");
+#endif
+}
+
+}  // namespace
 
 Jobs::Jobs(QObject* parent) : QObject(parent), worker_(new QObject) {
   worker_->moveToThread(&thread_);
@@ -44,6 +55,7 @@ void Jobs::start_next() {
   running_->begin = std::chrono::steady_clock::now();
   emit changed();
   QMetaObject::invokeMethod(worker_, [this, job = running_] {
+    clear_upper_registers();
     try {
       if (!job->control.is_cancelled()) job->work(job->control);
     } catch (const std::exception& error) {
