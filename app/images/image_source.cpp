@@ -1,19 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "images/image_source.h"
 
+#include <QBuffer>
 #include <QImageReader>
 #include <cstring>
 #include <opencv2/imgproc.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "vision/image_file.h"
 
 namespace handsight::app {
 
 ShownImage read_shown_image(const std::filesystem::path& file, const std::string& name, const Camera& camera) {
   const QString shown = QString::fromStdString(name);
-  QImageReader reader(QString::fromStdString(file.string()));
-  reader.setAutoTransform(false);
-  reader.setDecideFormatFromContent(true);
   if (!std::filesystem::exists(file))
     return {{}, QObject::tr("%1 is not there. Put it back, or leave the observation out.").arg(shown)};
+  std::string content;
+  try {
+    content = read_file(file);
+  } catch (const InputError& error) {
+    return {{}, QString::fromUtf8(error.what())};
+  }
+  if (is_cut_off(content))
+    return {
+        {},
+        QObject::tr("%1 is cut off after %2 bytes. Copy it again from where it came.").arg(shown).arg(content.size())};
+  QByteArray bytes = QByteArray::fromRawData(content.data(), static_cast<qsizetype>(content.size()));
+  QBuffer buffer(&bytes);
+  QImageReader reader(&buffer);
+  reader.setAutoTransform(false);
+  reader.setDecideFormatFromContent(true);
   const QSize size = reader.size();
   if (size.isValid() && (size.width() != camera.width || size.height() != camera.height))
     return {{},

@@ -47,21 +47,6 @@ std::size_t portable_size(const std::string& bytes) {
   return place + 1 + numbers[0] * numbers[1] * (numbers[2] > 255 ? 2 : 1) * (bytes[1] == '6' ? 3 : 1);
 }
 
-/// Decoders fill what is missing with grey or print on their own; the end of the file is looked at instead.
-bool is_cut_off(const std::string& bytes) {
-  const std::string_view all(bytes);
-  if (starts_with(bytes, "\x89PNG")) {
-    const std::size_t end = all.rfind("IEND");
-    return end == std::string_view::npos || end + 8 > all.size();  // a checksum follows
-  }
-  if (starts_with(bytes, "\xff\xd8")) return all.find("\xff\xd9", start_of_scan(bytes)) == std::string_view::npos;
-  if (starts_with(bytes, "P5") || starts_with(bytes, "P6")) return bytes.size() < portable_size(bytes);
-  if (starts_with(bytes, "BM"))
-    return bytes.size() <
-           byte_at(bytes, 2) + (byte_at(bytes, 3) << 8) + (byte_at(bytes, 4) << 16) + (byte_at(bytes, 5) << 24);
-  return false;
-}
-
 Image from_mat(const cv::Mat& grey) {
   Image image(grey.cols, grey.rows);
   for (int v = 0; v < grey.rows; ++v) std::memcpy(image.row(v), grey.ptr(v), static_cast<std::size_t>(grey.cols));
@@ -96,6 +81,20 @@ const ImageCodec& image_codec() {
 }
 
 }  // namespace
+
+bool is_cut_off(const std::string& bytes) {
+  const std::string_view all(bytes);
+  if (starts_with(bytes, "\x89PNG")) {
+    const std::size_t end = all.rfind("IEND");
+    return end == std::string_view::npos || end + 8 > all.size();  // a checksum follows
+  }
+  if (starts_with(bytes, "\xff\xd8")) return all.find("\xff\xd9", start_of_scan(bytes)) == std::string_view::npos;
+  if (starts_with(bytes, "P5") || starts_with(bytes, "P6")) return bytes.size() < portable_size(bytes);
+  if (starts_with(bytes, "BM"))
+    return bytes.size() <
+           byte_at(bytes, 2) + (byte_at(bytes, 3) << 8) + (byte_at(bytes, 4) << 16) + (byte_at(bytes, 5) << 24);
+  return false;
+}
 
 Image read_image(const std::filesystem::path& file) {
   const std::string bytes = read_file(file);

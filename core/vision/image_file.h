@@ -14,6 +14,9 @@ namespace handsight {
 /// the file is missing, is no image, or is cut off: a half-decoded image would give wrong corners without a word.
 Image read_image(const std::filesystem::path& file);
 
+/// Does an image file end before it should? Decoders fill what is missing with grey or print on their own.
+bool is_cut_off(const std::string& bytes);
+
 /// InputError where the image has another size than the camera; `name` is what the sentence calls it.
 void check_image_size(const Image& image, const Camera& camera, const std::string& name);
 
