@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "effects/term_numbers.h"
 #include "estimation/prediction.h"
 
 namespace handsight {
@@ -32,9 +33,8 @@ std::vector<std::size_t> terms_by_effect(const Fit& fit) {
 }
 
 void set_effects(const Session& session, const Fit& fit, Calibration& c) {
-  std::vector<Eigen::Index> first_of_term{6}, place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the fit's
-  for (const FittedEffect& fitted : fit.effects)
-    first_of_term.push_back(first_of_term.back() + static_cast<Eigen::Index>(fitted.term.values.size()));
+  const std::vector<Eigen::Index> first_of_term = first_numbers(terms_of(fit), 6);
+  std::vector<Eigen::Index> place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the fit's
   for (const std::size_t t : terms_by_effect(fit)) {
     const FittedEffect& fitted = fit.effects[t];
     const Effect& effect = *find_effect(fitted.term.id);

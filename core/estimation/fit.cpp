@@ -5,6 +5,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
+#include "effects/term_numbers.h"
 #include "estimation/objectives.h"
 #include "estimation/start.h"
 
@@ -128,32 +129,23 @@ void add_shape_covariance(Fit& fit) {
   fit.parameter_covariance += stays * fit.shape_covariance * stays.transpose();
 }
 
-/// Where each column of the effects stands among all their numbers, held ones too.
-std::vector<Eigen::Index> places_among_numbers(const Problem& problem) {
-  std::vector<Eigen::Index> first_of_term{0}, places;
-  for (const EffectTerm& term : problem.terms)
-    first_of_term.push_back(first_of_term.back() + static_cast<Eigen::Index>(term.values.size()));
-  for (const EffectColumn& column : problem.columns_of_effects)
-    places.push_back(first_of_term[column.term] + static_cast<Eigen::Index>(column.parameter));
-  return places;
-}
-
 /// TCP->Body and effects explain the same measurements, so that their errors go together.
 void add_effects_to_model_covariance(const Eigen::MatrixXd& xi_by_markers, Fit& fit) {
   const Eigen::MatrixXd& all = fit.parameter_covariance;
   const Eigen::Index first = fit.problem.effect_column(), markers = xi_by_markers.cols();
-  Eigen::Index numbers = 0;
-  for (const EffectTerm& term : fit.problem.terms) numbers += static_cast<Eigen::Index>(term.values.size());
-  fit.model_covariance.conservativeResizeLike(Eigen::MatrixXd::Zero(6 + numbers, 6 + numbers));
+  const std::vector<Eigen::Index> first_of_term = first_numbers(fit.problem.terms, 6);
+  fit.model_covariance.conservativeResizeLike(Eigen::MatrixXd::Zero(first_of_term.back(), first_of_term.back()));
   if (all.cols() < first + fit.problem.effect_count()) return;
-  const std::vector<Eigen::Index> places = places_among_numbers(fit.problem);
+  std::vector<Eigen::Index> places;  // of the columns among all numbers
+  for (const EffectColumn& column : fit.problem.columns_of_effects)
+    places.push_back(first_of_term[column.term] + static_cast<Eigen::Index>(column.parameter));
   for (std::size_t c = 0; c < places.size(); ++c) {
-    const Eigen::Index from = first + static_cast<Eigen::Index>(c), to = 6 + places[c];
+    const Eigen::Index from = first + static_cast<Eigen::Index>(c), to = places[c];
     const Vector6 with_body = xi_by_markers * all.col(from).head(markers);
     fit.model_covariance.col(to).head<6>() = with_body;
     fit.model_covariance.row(to).head<6>() = with_body.transpose();
     for (std::size_t d = 0; d < places.size(); ++d)
-      fit.model_covariance(to, 6 + places[d]) = all(from, first + static_cast<Eigen::Index>(d));
+      fit.model_covariance(to, places[d]) = all(from, first + static_cast<Eigen::Index>(d));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/numbers.h"
+#include "effects/term_numbers.h"
 
 namespace handsight {
 namespace {
@@ -53,6 +54,7 @@ Matrix6 covariance_behind(const std::vector<MeasuredDeviation>& all) {
     measured += m.value * m.value.transpose() / static_cast<double>(all.size());
     noise += m.noise / static_cast<double>(all.size());
   }
+  if (!(noise.trace() > 0)) return measured;  // the noise is not known
   Matrix6 covariance = without_negative(measured - noise) + 1e-2 * Matrix6(measured.diagonal().asDiagonal());
   for (int round = 0; round < rounds; ++round) {
     Matrix6 next = Matrix6::Zero();
@@ -90,9 +92,8 @@ PredictionModel prediction_model(const Calibration& calibration, const Robot& ro
     }
   if (calibration.tcp_scatter) model.scatter = {*calibration.tcp_scatter, calibration.fit.used};
 
-  std::vector<Eigen::Index> first_of_term{6}, place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the model's
-  for (const EffectTerm& term : model.effects)
-    first_of_term.push_back(first_of_term.back() + static_cast<Eigen::Index>(term.values.size()));
+  const std::vector<Eigen::Index> first_of_term = first_numbers(model.effects, 6);
+  std::vector<Eigen::Index> place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the model's
   for (const NumberPlace& n : listed)
     place_of.push_back(first_of_term[n.term] + static_cast<Eigen::Index>(n.parameter));
   const auto count = static_cast<Eigen::Index>(place_of.size());
@@ -108,8 +109,8 @@ PredictionModel prediction_model(const Calibration& calibration, const Robot& ro
 
 namespace {
 
-/// The motion of the TCP (position m, rotation rad, root axes) for one sigma of each number of the effects, with the
-/// numbers' correlations: 6 x n. The secant over a sigma, which the solver of the springs cannot disturb.
+/// The motion of the TCP (position m, rotation rad, root axes) for one sigma of each number of the effects: 6 x n. The
+/// secant over a sigma, which the solver of the springs cannot disturb.
 Eigen::MatrixXd tcp_by_sigma(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model) {
   const Eigen::Index count = model.covariance.cols() - 6;
   Eigen::MatrixXd by_sigma = Eigen::MatrixXd::Zero(6, count);
