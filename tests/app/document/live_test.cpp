@@ -4,48 +4,18 @@
 
 #include <fstream>
 
-#include "base/files.h"
-#include "base/numbers.h"
+#include "app/arriving_session.h"
 #include "document/document.h"
 #include "live/live_look.h"
-#include "session/session_xml.h"
-#include "temporary_folder.h"
 
 namespace handsight::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// first_steps with its first eight observations; the others wait outside to arrive.
-class Live : public testing::Test {
+class Live : public testing::Test, protected test::ArrivingSession {
  protected:
-  Live() : sample(fs::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps"), home(folder.path / "session") {
-    all = read_session(sample);
-    fs::create_directories(home / "images");
-    fs::copy_file(sample / all.robot_file, home / all.robot_file);
-    Session some = all;
-    some.file = home / "session.xml";
-    some.observations.resize(8);
-    for (const Observation& o : some.observations) bring(o.id);
-    save_session(some);
-    session = read_session(home);
-  }
-  const Observation& one(std::int64_t id) { return all.observations[static_cast<std::size_t>(id)]; }
-  void bring(std::int64_t id, bool left = true, bool right = true) {
-    if (left) fs::copy_file(sample / one(id).left_image, home / one(id).left_image);
-    if (right) fs::copy_file(sample / one(id).right_image, home / one(id).right_image);
-  }
-  std::string line(std::int64_t id, const std::string& first = {}) {
-    std::string text = first;
-    for (const double q : one(id).position) text += (text.empty() ? "" : ",") + format_number(q);
-    return text + "\n";
-  }
-  std::string header(const std::string& first = {}) {
-    std::string text = first;
-    for (const std::string& joint : all.joints) text += (text.empty() ? "" : ",") + joint;
-    return text + "\n";
-  }
-  void table(const std::string& text) { replace_file(home / "joints.csv", text); }
+  Live() : ArrivingSession(8) { session = read_session(home); }
   LiveTask task() {
     LiveTask t = task_of(session, own_sources(session));
     t.settles_in = {};  // here nobody is writing any more
@@ -57,9 +27,7 @@ class Live : public testing::Test {
     task.stamps = look_for_pairs(task).stamps;
     return look_for_pairs(task);
   }
-  TemporaryFolder folder;
-  fs::path sample, home;
-  Session all, session;
+  Session session;
 };
 
 TEST_F(Live, APairWithItsAnglesComesInAtTheSecondLook) {

@@ -10,43 +10,19 @@
 #include <fstream>
 #include <thread>
 
+#include "app/arriving_session.h"
 #include "app/window/pages.h"
-#include "base/files.h"
-#include "base/numbers.h"
 #include "cli/cli_runner.h"
-#include "session/session_xml.h"
-#include "temporary_folder.h"
 
 namespace handsight::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class LiveWindow : public testing::Test {
+class LiveWindow : public testing::Test, protected ArrivingSession {
  protected:
-  LiveWindow() : sample(fs::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps"), home(folder.path / "session") {
-    all = read_session(sample);
-    fs::create_directories(home / "images");
-    fs::copy_file(sample / all.robot_file, home / all.robot_file);
-    Session some = all;
-    some.file = home / "session.xml";
-    some.observations.resize(first_count);
-    for (const Observation& o : some.observations) bring(o.id);
-    save_session(some);
-    std::string head = "number";
-    for (const std::string& joint : all.joints) head += "," + joint;
-    replace_file(home / "joints.csv", head + "\n");
-  }
-  const Observation& one(std::int64_t id) { return all.observations[static_cast<std::size_t>(id)]; }
-  void bring(std::int64_t id) {
-    fs::copy_file(sample / one(id).left_image, home / one(id).left_image);
-    fs::copy_file(sample / one(id).right_image, home / one(id).right_image);
-  }
-  void measure(std::int64_t id) {
-    std::string line = std::to_string(id);
-    for (const double q : one(id).position) line += "," + format_number(q);
-    std::ofstream(home / "joints.csv", std::ios::app) << line << '\n';
-  }
+  LiveWindow() : ArrivingSession(first_count) { table(header("number")); }
+  void measure(std::int64_t id) { std::ofstream(home / "joints.csv", std::ios::app) << line(id, std::to_string(id)); }
   void arrive(std::int64_t id) {
     bring(id);
     measure(id);
@@ -69,9 +45,6 @@ class LiveWindow : public testing::Test {
   }
 
   static constexpr int first_count = 6;
-  TemporaryFolder folder;
-  fs::path sample, home;
-  Session all;
   Desk desk;
   LabelPage label{desk};
   CalibratePage calibrate{desk};
