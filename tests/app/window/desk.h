@@ -14,6 +14,13 @@
 
 namespace handsight::test {
 
+/// How many times longer a test waits for what it waits for: instrumented programs are up to twenty times slower.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr int patience = 20;
+#else
+inline constexpr int patience = 1;
+#endif
+
 /// A sample session that a test may change.
 inline std::filesystem::path copy_of_sample(const std::filesystem::path& folder, const std::string& name) {
   const auto copy = folder / name;
@@ -78,7 +85,7 @@ class Desk {
     QTest::qWait(5);
   }
   bool wait(const std::function<bool()>& until, int milliseconds = 30000) {
-    return QTest::qWaitFor(until, milliseconds);
+    return QTest::qWaitFor(until, patience * milliseconds);
   }
   /// Until nothing runs in the background and the fit belongs to what is shown.
   bool settle() {
