@@ -16,7 +16,8 @@ add_compile_options(-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-unused-parame
 add_compile_options(-ffp-contract=off)
 if(HANDSIGHT_SANITIZE)
   add_compile_options(-fsanitize=${HANDSIGHT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined -g1)
-  add_link_options(-fsanitize=${HANDSIGHT_SANITIZE})
+  # The sanitizers call dlopen in our place: the run path must be the program's, which holds for every caller.
+  add_link_options(-fsanitize=${HANDSIGHT_SANITIZE} -Wl,--disable-new-dtags)
 endif()
 if(HANDSIGHT_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")

@@ -11,14 +11,14 @@
 namespace handsight {
 
 struct Candidate {
-  Eigen::Vector2d position;  // px, of the saddle point, good to about a pixel
-  float saddle = 0;          // minus the Hessian's determinant, (grey levels per px^2)^2 of the smoothed image
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px, of the saddle point, good to about a pixel
+  float saddle = 0;        // minus the Hessian's determinant, (grey levels per px^2)^2 of the smoothed image
+  bool stationary = true;  // the smoothed grey levels' gradient vanishes within 3 px
 };
 
 /// Saddle points of the image smoothed by a Gaussian of about 2 px: Ixx Iyy - Ixy^2 < 0 has a local minimum there
 /// that is deep enough for an X-corner of `min_contrast` grey levels under a blur of 2.5 px, and deeper than white
-/// noise of sigma `noise` grey levels makes them. Strongest first, at most `most`; of equals the upper one is first,
-/// then the left one.
+/// noise of sigma `noise` grey levels makes them. Row by row; where there are more than `most` the strongest.
 std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, int most);
 
 }  // namespace handsight

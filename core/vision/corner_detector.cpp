@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "vision/corner_candidates.h"
+#include "vision/corner_likelihood.h"
 #include "vision/corner_model.h"
 #include "vision/corner_noise.h"
 #include "vision/corner_structure.h"
@@ -15,17 +17,12 @@ namespace {
 
 constexpr double kMostSigma = 0.3;      // px: a corner that is not known better than this helps nobody
 constexpr double kMostApart = 0.6;      // px, between the points of best symmetry and best fit
-constexpr double kMostAsymmetry = 0.2;  // half contrasts, beyond what the noise explains
+constexpr double kMostAsymmetry = 0.3;  // half contrasts, beyond what the noise explains
+constexpr double kSame = 2;             // px: nearer ones are the same
 
-constexpr double kSame = 2;      // px: nearer ones are the same
-constexpr double kNear = 40;     // px: what lies so near tells of what a corner lies in
-constexpr double kAsDeep = 0.5;  // of the root of a saddle's depth
-// The evidence that a corner needs, by how many more of the saddles near it are no corners than are.
-constexpr std::array kLeastEvidence{0.6, 0.8, 1.1, 1.5, 2.4};
-
-// How much more the model says than a cubic polynomial, and how well the corner is known beside one of texture, for
-// which 0.2 px is common.
-double evidence(const CornerFit& fit) { return fit.over_cubic * 0.2 / std::sqrt(fit.covariance.trace()); }
+constexpr double kLikelyShade = 0.005;    // 1/px: light that changes faster may be a shadow's edge
+constexpr double kShadowVariance = 1.25;  // what straight soft edges leave unsaid of real ones
+constexpr double kFew = 1;                // more saddles that are no corners than are: few enough to look again
 
 double in_half_turn(double angle) {
   const double turned = std::fmod(angle, M_PI);
@@ -34,86 +31,113 @@ double in_half_turn(double angle) {
 
 // Of an X-corner the saddle's depth and the contrast of the sectors go together, whatever its blur and angle: the root
 // of the depth is 0.05 to 0.1 times the half contrast, per px^2, and less where cells are only some px wide.
-bool saddle_suits(const Candidate& candidate, const CrossStructure& cross) {
-  const double ratio = std::sqrt(candidate.saddle) / std::abs(cross.half_contrast);
-  return ratio > 0.025 && ratio < 0.12;
+double relative_depth(const Candidate& candidate, const CrossStructure& cross) {
+  return std::sqrt(candidate.saddle) / std::abs(cross.half_contrast);
 }
 
-// The covariance tells what noise does to a fit whose model is right. A shadow's edge near the corner has no place in
-// the model; it shows as light that changes faster than light does, and as asymmetry that the noise does not explain.
+bool depth_suits(double depth) { return depth > 0.025 && depth < 0.12; }
+
+// The flatter the saddle the more symmetric it must be to be worth a fit; measured on corners and texture.
+bool symmetry_suits(double depth, const CrossStructure& cross) {
+  return cross.asymmetry < 0.42 + 0.088 * std::log(depth);
+}
+
+// The covariance tells what noise does to a fit whose model is right. Where a shadow's edge near the corner was not
+// found it shows as light that changes faster than light does, and as asymmetry that the noise does not explain.
 // Measured on shadows' edges 3 to 10 px off; without them neither sign shows.
 double enlargement(const CornerModel& model, double asymmetry) {
-  const double unevenness = std::max(model.shade.norm() - 0.006, 0.0) / 0.002;
-  const double relative = asymmetry / (0.05 * model.half_contrast);
-  return 1 + unevenness + relative * relative;
+  const double unevenness = std::max(model.shade.norm() - 0.004, 0.0) / 0.001;
+  const double relative = asymmetry / (0.035 * model.half_contrast);
+  return (has_shadow(model) ? kShadowVariance : 1) * (1 + unevenness + relative * relative);
 }
 
 struct Found {
   Corner corner;
-  double evidence = 0;
+  Suspect suspect;
 };
 
-std::optional<Found> corner_near(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
-                                 double noise, const DetectorOptions& options) {
-  const auto fit = fit_corner(image, start, cross, noise);
-  if (!fit || 2 * std::abs(fit->model.half_contrast) < options.min_contrast) return std::nullopt;
-  if (fit->covariance.trace() > 2 * kMostSigma * kMostSigma) return std::nullopt;
-  if (evidence(*fit) < kLeastEvidence.front()) return std::nullopt;
-  // The strength is that of the symmetry, and what the model calls a corner must be a point of symmetry too.
-  const auto symmetric = symmetry_point(image, fit->model.position, options.sigma, kMostApart, 1);
-  if (!symmetric) return std::nullopt;
-  const double asymmetry = std::sqrt(std::max(symmetric->noise * symmetric->noise - noise * noise, 0.0));
-  if (asymmetry > kMostAsymmetry * std::abs(fit->model.half_contrast)) return std::nullopt;
+struct Scene {
+  const Image& image;
+  const DetectorOptions& options;
+  double noise;  // grey levels
+};
+
+// What the fit says is kept where the point of best symmetry, in the light that the fit found, agrees.
+std::optional<Found> checked(const Scene& scene, const CornerFit& fit) {
+  if (2 * std::abs(fit.model.half_contrast) < scene.options.min_contrast) return std::nullopt;
+  if (fit.covariance.trace() > 2 * kMostSigma * kMostSigma) return std::nullopt;
   Found found;
+  const double own = corner_log_odds(signs_of(fit, scene.noise));
+  if (log_odds_among(own, -2) < kLeastLogOdds) return std::nullopt;
+  found.suspect = {{}, fit.model.position, own, own};
+  // The strength is that of the symmetry, and what the model calls a corner must be a point of symmetry too.
+  const auto symmetric = symmetry_point(scene.image, fit.model.position, scene.options.sigma, kMostApart, 1,
+                                        has_shadow(fit.model) ? &fit.model : nullptr);
+  if (!symmetric) return std::nullopt;
+  const double asymmetry = std::sqrt(std::max(symmetric->noise * symmetric->noise - scene.noise * scene.noise, 0.0));
+  if (asymmetry > kMostAsymmetry * std::abs(fit.model.half_contrast)) return std::nullopt;
   Corner& corner = found.corner;
-  corner.position = fit->model.position;
-  corner.covariance = fit->covariance * enlargement(fit->model, asymmetry);
+  corner.position = fit.model.position;
+  corner.covariance = fit.covariance * enlargement(fit.model, asymmetry);
   corner.strength = symmetric->strength;
-  corner.contrast = 2 * std::abs(fit->model.half_contrast);
-  corner.edges = {in_half_turn(fit->model.edges[0]), in_half_turn(fit->model.edges[1])};
-  found.evidence = evidence(*fit);
+  corner.contrast = 2 * std::abs(fit.model.half_contrast);
+  corner.edges = {in_half_turn(fit.model.edges[0]), in_half_turn(fit.model.edges[1])};
   return found;
+}
+
+std::optional<Found> corner_in_light(const Scene& scene, const Eigen::Vector2d& start, const CrossStructure& cross) {
+  const auto fit = fit_corner(scene.image, start, cross, scene.noise);
+  if (!fit) return std::nullopt;
+  const auto plain = checked(scene, *fit);
+  if (!plain || fit->model.shade.norm() < kLikelyShade) return plain;
+  const auto beside = fit_beside_shadow(scene.image, start, cross, fit->model, scene.noise);
+  const auto shaded = beside ? checked(scene, *beside) : std::nullopt;
+  // Where the shadow explains little it only adds unknowns.
+  const bool better = shaded && shaded->corner.covariance.trace() < 1.5 * plain->corner.covariance.trace();
+  return better ? shaded : plain;
+}
+
+std::optional<Found> corner_in_shadow(const Scene& scene, const Eigen::Vector2d& start, const CrossStructure& cross) {
+  const auto fit = fit_beside_shadow(scene.image, start, cross, first_guess(start, cross), scene.noise);
+  return fit ? checked(scene, *fit) : std::nullopt;
+}
+
+// What the first look at a candidate found; and whether a second one might tell more.
+struct Look {
+  std::optional<Found> found;
+  bool is_open = false;           // too asymmetric to be worth a fit yet
+  bool may_be_in_shadow = false;  // open, or what made it none may be a shadow
+};
+
+// The quick look: what cannot be a corner in even light is cheap to see of most.
+Look quick_look(const Scene& scene, const Candidate& candidate) {
+  const Eigen::Vector2i pixel = candidate.position.array().round().cast<int>();
+  const auto lighting = may_be_cross(scene.image, pixel, scene.options.min_contrast, scene.noise);
+  if (!lighting) return {};
+  Look look{.may_be_in_shadow = true};
+  if (!candidate.stationary || lighting == Lighting::shadowed) return look;
+  const auto cross = cross_structure(scene.image, candidate.position, scene.options.min_contrast);
+  if (!cross) return look;
+  const double depth = relative_depth(candidate, *cross);
+  if (!depth_suits(depth)) return look;
+  look.is_open = !symmetry_suits(depth, *cross);
+  if (!look.is_open) look.found = corner_in_light(scene, candidate.position, *cross);
+  return look;
+}
+
+// The long look, where few saddles near are no corners: with less asked of the symmetry, and beside a shadow.
+std::optional<Found> long_look(const Scene& scene, const Candidate& candidate, bool is_open) {
+  const auto cross = cross_structure(scene.image, candidate.position, scene.options.min_contrast, Lighting::shadowed);
+  if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
+  const auto found = is_open ? corner_in_light(scene, candidate.position, *cross) : std::nullopt;
+  return found ? found : corner_in_shadow(scene, candidate.position, *cross);
 }
 
 bool within(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double distance) {
   return (a - b).squaredNorm() < distance * distance;
 }
 
-// A saddle among other saddles that are no corners is likely to be none itself, and must differ the more from a smooth
-// one. Deep ones come first in `candidates`.
-bool stands_out(const Found& found, const std::vector<Candidate>& candidates, const Candidate& own,
-                const std::vector<Found>& all) {
-  if (found.evidence >= kLeastEvidence.back()) return true;
-  int others = 0;
-  for (const Candidate& other : candidates) {
-    if (other.saddle < kAsDeep * kAsDeep * own.saddle) break;
-    if (!within(other.position, own.position, kNear) || within(other.position, own.position, kSame)) continue;
-    const bool corner = std::any_of(all.begin(), all.end(),
-                                    [&](const Found& f) { return within(f.corner.position, other.position, kSame); });
-    others += corner ? -1 : 1;
-  }
-  const int last = static_cast<int>(kLeastEvidence.size()) - 1;
-  return found.evidence >= kLeastEvidence[std::clamp(others, 0, last)];
-}
-
-}  // namespace
-
-std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& options) {
-  const double noise = image_noise(image);
-  const auto candidates = saddle_candidates(image, options.min_contrast, noise, 2 * options.max_corners);
-  std::vector<Found> all;
-  std::vector<const Candidate*> from;
-  for (const Candidate& candidate : candidates) {
-    const Eigen::Vector2i pixel = candidate.position.array().round().cast<int>();
-    if (!may_be_cross(image, pixel.x(), pixel.y(), options.min_contrast, noise)) continue;
-    const auto cross = cross_structure(image, candidate.position, options.min_contrast);
-    if (!cross || !saddle_suits(candidate, *cross)) continue;
-    const auto found = corner_near(image, candidate.position, *cross, noise, options);
-    if (found) all.push_back(*found), from.push_back(&candidate);
-  }
-  std::vector<Corner> corners;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (stands_out(all[i], candidates, *from[i], all)) corners.push_back(all[i].corner);
+std::vector<Corner> strongest(std::vector<Corner> corners, int most) {
   std::stable_sort(corners.begin(), corners.end(),
                    [](const Corner& a, const Corner& b) { return a.strength > b.strength; });
   std::vector<Corner> kept;
@@ -122,9 +146,45 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
                                    [&](const Corner& other) { return within(other.position, corner.position, kSame); });
     if (again) continue;
     kept.push_back(corner);
-    if (static_cast<int>(kept.size()) >= options.max_corners) break;
+    if (static_cast<int>(kept.size()) >= most) break;
   }
   return kept;
+}
+
+}  // namespace
+
+std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& options) {
+  const Scene scene{image, options, image_noise(image)};
+  const auto candidates = saddle_candidates(image, options.min_contrast, scene.noise, 2 * options.max_corners);
+  SaddleField field(image.width, image.height, candidates);
+  std::vector<Corner> all;
+  std::vector<Suspect> suspects;
+  const auto keep = [&](const Found& found, const Candidate& candidate) {
+    all.push_back(found.corner);
+    suspects.push_back(found.suspect), suspects.back().candidate = candidate;
+  };
+  std::vector<std::pair<const Candidate*, bool>> left;  // and whether it is open
+  for (const Candidate& candidate : candidates) {
+    const Look look = quick_look(scene, candidate);
+    if (look.found)
+      keep(*look.found, candidate);
+    else if (look.may_be_in_shadow)
+      left.emplace_back(&candidate, look.is_open);
+    if (look.is_open) field.set_probability(field.at(candidate.position), 0.5);
+  }
+  weigh(suspects, field);
+  for (const auto& [candidate, is_open] : left) {
+    const bool few = field.others(*candidate) <= kFew;
+    const auto found = few ? long_look(scene, *candidate, is_open) : std::nullopt;
+    if (found) keep(*found, *candidate);
+  }
+  for (const auto& [candidate, is_open] : left)
+    if (is_open) field.set_probability(field.at(candidate->position), 0);
+  weigh(suspects, field);
+  std::vector<Corner> corners;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (suspects[i].log_odds > kLeastLogOdds) corners.push_back(all[i]);
+  return strongest(std::move(corners), options.max_corners);
 }
 
 std::optional<Corner> refine_corner(const Image& image, const Eigen::Vector2d& start, const DetectorOptions& options) {
@@ -132,10 +192,10 @@ std::optional<Corner> refine_corner(const Image& image, const Eigen::Vector2d& s
   if (!inside) return std::nullopt;  // not a number is not inside either
   const auto symmetric = symmetry_point(image, start, options.sigma, 1.5 * options.sigma, 6);
   if (!symmetric) return std::nullopt;
-  const double noise = image_noise(image);
+  const Scene scene{image, options, image_noise(image)};
   const auto cross = cross_structure(image, symmetric->position, options.min_contrast);
   if (!cross) return std::nullopt;
-  const auto found = corner_near(image, symmetric->position, *cross, noise, options);
+  const auto found = corner_in_light(scene, symmetric->position, *cross);
   return found ? std::optional<Corner>(found->corner) : std::nullopt;
 }
 

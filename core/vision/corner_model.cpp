@@ -4,58 +4,39 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
-#include "vision/corner_cubic.h"
 #include "vision/corner_patch.h"
+#include "vision/corner_shadow.h"
+#include "vision/corner_solve.h"
 
 namespace handsight {
 namespace {
 
-constexpr double kFirstRadius = 4;     // px: 50 pixels, enough for nine unknowns
-constexpr int kSecondRadius = 7;       // px: the edges' directions must be known better before it grows on
-constexpr double kShadeSigma = 0.003;  // 1/px: light that changes by 30 % over 100 px is no surprise
-constexpr double kLoose = 1.5;         // what bounds are wider over the first disc
-constexpr double kMostMove = 1.8;      // px, from the start
-constexpr double kMostMisfit = 0.24;   // half contrasts: sharpening in the camera leaves 0.2
-constexpr double kMostBlur = 0.5;      // radii: a saddle that never becomes flat is no corner
-constexpr double kLeastNoise = 0.3;    // grey levels: rounding to whole ones alone makes 0.29
+constexpr double kFirstRadius = 4;      // px: 50 pixels, enough for nine unknowns
+constexpr int kSecondRadius = 7;        // px: the edges' directions must be known better before it grows on
+constexpr double kShadeSigma = 0.003;   // 1/px: light that changes by 30 % over 100 px is no surprise
+constexpr double kLoose = 1.5;          // what bounds are wider over the first disc
+constexpr double kMostMove = 1.8;       // px, from the start
+constexpr double kMostMisfit = 0.24;    // half contrasts: sharpening in the camera leaves 0.2
+constexpr double kMostGain = 2.6;       // times the contrast that the circles showed
+constexpr double kMostBlur = 0.6;       // radii: a saddle that never becomes flat is no corner
+constexpr int kShadowRadius = 6;        // px, of the disc on which corner and shadow are fitted first
+constexpr int kShadowReach = 9;         // px, where a shadow's edge is looked for
+constexpr int kShadowSteps = 5;         // of corner and shadow together
+constexpr double kLeastDepth = 0.08;    // of a shadow: less is uneven light
+constexpr double kNearestShadow = 1.5;  // px: an edge through the corner is one of its own
+constexpr double kPrecision = 0.05;     // px: after so short a step the next would be a tenth of it
+constexpr double kLeastNoise = 0.3;     // grey levels: rounding to whole ones alone makes 0.29
 
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
-template <int N>
-Eigen::Matrix<double, N, N> from_triangle(const float* triangle) {
-  Eigen::Matrix<double, N, N> m;
-  for (int i = 0, n = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j) m(i, j) = m(j, i) = triangle[n++];
-  return m;
-}
-
-// L D L^T in place for these few unknowns: Eigen's blocked Cholesky takes several times as long. False where `m` is not
-// positive definite.
-template <int N>
-bool solve(Eigen::Matrix<double, N, N> m, Eigen::Matrix<double, N, 1>& x) {
-  Eigen::Matrix<double, N, 1> inverse;  // of D
-  for (int j = 0; j < N; ++j) {
-    double row[N];  // L(j, k) D(k)
-    for (int k = 0; k < j; ++k) row[k] = m(j, k), m(j, k) *= inverse(k), m(j, j) -= row[k] * m(j, k);
-    if (!(m(j, j) > 1e-9)) return false;
-    inverse(j) = 1 / m(j, j);
-    for (int i = j + 1; i < N; ++i)
-      for (int k = 0; k < j; ++k) m(i, j) -= m(i, k) * m(j, k);
-  }
-  for (int i = 0; i < N; ++i)
-    for (int k = 0; k < i; ++k) x(i) -= m(i, k) * x(k);
-  x.array() *= inverse.array();
-  for (int i = N - 1; i >= 0; --i)
-    for (int k = i + 1; k < N; ++k) x(i) -= m(k, i) * x(k);
-  return x.allFinite();
-}
-
 double shade_prior(double noise) { return noise * noise / (kShadeSigma * kShadeSigma); }
 
-Eigen::Matrix4d odd_hessian(const PatchSums& sum, double noise) {
-  Eigen::Matrix4d hessian = from_triangle<4>(sum.odd.data());
+Eigen::Matrix4d odd_hessian(const std::array<float, 10>& odd, double noise) {
+  Eigen::Matrix4d hessian = from_triangle<4>(odd.data());
   hessian.diagonal().tail<2>().array() += shade_prior(noise);
   return hessian;
 }
@@ -77,7 +58,7 @@ std::optional<Step> step(const PatchSums& sum, double noise, double share, Corne
   Matrix5 even = from_triangle<5>(sum.even.data());
   even.diagonal() *= 1 + 1e-3;
   even(2, 2) += noise * noise;  // a sharp image says little of its blur
-  if (!solve<4>(odd_hessian(sum, noise), odd_step) || !solve<5>(even, even_step)) return std::nullopt;
+  if (!solve<4>(odd_hessian(sum.odd, noise), odd_step) || !solve<5>(even, even_step)) return std::nullopt;
   Step made;
   made.decrease = odd_step.dot(Eigen::Map<const Eigen::Vector4f>(sum.odd_side.data()).cast<double>()) +
                   even_step.dot(Eigen::Map<const Eigen::Matrix<float, 5, 1>>(sum.even_side.data()).cast<double>());
@@ -156,7 +137,7 @@ double grown_radius(const Image& image, double radius, int most, Progress& at, c
   int n = pixels_in_disc(static_cast<int>(radius));
   for (int r = static_cast<int>(radius) + 1; r <= most; ++r) {
     const int begin = n, end = pixels_in_disc(r);
-    evaluate(model, most + 1, begin / 8 * 8, end, at.patch);
+    evaluate_residuals(model, most + 1, begin / 8 * 8, end, at.patch);
     double squares = 0;
     for (; n < end; ++n) squares += at.patch.residual[n] * at.patch.residual[n];
     if (squares > bound * (end - begin)) return r - 1;
@@ -167,18 +148,26 @@ double grown_radius(const Image& image, double radius, int most, Progress& at, c
 // Root of the mean product of neighbouring residuals: of white noise nothing remains, of a wrong shape most does.
 double misfit_of(const CornerPatch& patch) {
   constexpr int kReach = 5, kSide = 2 * kReach + 2;
+  static const std::vector<int> places = [] {
+    std::vector<int> all;
+    for (int n = 0; n < pixels_in_disc(kReach); ++n) {
+      const Eigen::Vector2i offset = offset_of_pixel(n);
+      all.push_back((offset.y() + kReach) * kSide + offset.x() + kReach);
+    }
+    return all;
+  }();
   std::array<float, kSide*(kSide + 1)> residual{}, weight{};
-  const int count = std::min(patch.count, pixels_in_disc(kReach));
-  for (int n = 0; n < count; ++n) {
-    const Eigen::Vector2i offset = offset_of_pixel(n);
-    const int at = (offset.y() + kReach) * kSide + offset.x() + kReach;
-    residual[at] = patch.residual[n], weight[at] = patch.weight[n];
-  }
-  float products = 0, weights = 0;
-  for (int n = 0; n < kSide * kSide; ++n) {
-    products += residual[n] * (residual[n + 1] + residual[n + kSide]);
-    weights += weight[n] * (weight[n + 1] + weight[n + kSide]);
-  }
+  const std::size_t count = std::min(static_cast<std::size_t>(patch.count), places.size());
+  for (std::size_t n = 0; n < count; ++n) residual[places[n]] = patch.residual[n], weight[places[n]] = patch.weight[n];
+  std::array<float, kSide> products_of{}, weights_of{};  // column by column, which do not wait for each other
+  for (int v = 0; v < kSide; ++v)
+    for (int u = 0; u < kSide; ++u) {
+      const int n = v * kSide + u;
+      products_of[u] += residual[n] * (residual[n + 1] + residual[n + kSide]);
+      weights_of[u] += weight[n] * (weight[n + 1] + weight[n + kSide]);
+    }
+  const float products = std::accumulate(products_of.begin(), products_of.end(), 0.f);
+  const float weights = std::accumulate(weights_of.begin(), weights_of.end(), 0.f);
   return std::sqrt(std::max(products / std::max(weights, 1.f), 0.f));
 }
 
@@ -187,7 +176,7 @@ double misfit_of(const CornerPatch& patch) {
 bool looks_right(const CornerModel& model, const CrossStructure& cross, double noise, double image_noise,
                  double loose) {
   const double half = std::abs(model.half_contrast), misfit = kMostMisfit * loose * half;
-  return half < 1.6 * loose * std::abs(cross.half_contrast) && model.blur < 3.2 * loose &&
+  return half < kMostGain * loose * std::abs(cross.half_contrast) && model.blur < 3.2 * loose &&
          noise * noise < misfit * misfit + 1.6 * loose * image_noise * image_noise &&
          std::abs(std::sin(model.edges[0] - model.edges[1])) > 0.4 / loose;
 }
@@ -195,21 +184,27 @@ bool looks_right(const CornerModel& model, const CrossStructure& cross, double n
 // The weights fall off at the rim though the noise does not rise there, so the covariance is not the Hessian's inverse
 // alone: H^-1 (sum w^4 J J^T + prior) H^-1 of all odd parameters, of which the position is the first block.
 Eigen::Matrix2d position_covariance(Progress& at) {
-  const Eigen::Matrix4d inverse = odd_hessian(at.sum, at.noise).inverse();
+  const Eigen::Matrix4d inverse = odd_hessian(at.sum.odd, at.noise).inverse();
   for (CornerPatch::Row& row : at.patch.odd)
     for (int n = 0; n < at.patch.padded; ++n) row[n] *= at.patch.weight[n];
-  const Eigen::Matrix4d spread = odd_hessian(sums(at.patch), at.noise);
+  const Eigen::Matrix4d spread = odd_hessian(odd_sums(at.patch), at.noise);
   return at.noise * at.noise * (inverse * spread * inverse).topLeftCorner<2, 2>();
 }
 
 }  // namespace
 
+CornerModel first_guess(const Eigen::Vector2d& start, const CrossStructure& cross) {
+  CornerModel model;
+  model.position = start, model.edges = cross.edges;
+  model.level = cross.level, model.half_contrast = cross.half_contrast, model.blur = cross.blur;
+  return model;
+}
+
 std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                     double image_noise) {
   CornerFit fit;
   CornerModel& model = fit.model;
-  model.position = start, model.edges = cross.edges;
-  model.level = cross.level, model.half_contrast = cross.half_contrast, model.blur = cross.blur;
+  model = first_guess(start, cross);
   Progress at;
   at.image_noise = image_noise;
   fit.radius = kFirstRadius;
@@ -227,15 +222,50 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
   } else if (model.blur > kMostBlur * fit.radius + 0.3 || !promises_well(model, at.promise, image_noise, 1.05)) {
     return std::nullopt;
   }
-  if (!fit_disc(image, fit.radius, 4, 0.02, kUnchecked, at, model)) return std::nullopt;
+  if (!fit_disc(image, fit.radius, 4, kPrecision, kUnchecked, at, model)) return std::nullopt;
+  at.noise = std::max(at.promise, kLeastNoise);  // after the last step
   if ((model.position - start).norm() > kMostMove || !looks_right(model, cross, at.noise, image_noise, 1))
     return std::nullopt;
   if (model.blur > kMostBlur * fit.radius) return std::nullopt;
   fit.noise = at.noise;
   fit.covariance = position_covariance(at);
-  if (fit.radius < kMostPatchRadius)
-    fit.over_cubic = cubic_over_model(image, model, static_cast<int>(fit.radius), at.patch);
   return fit;
+}
+
+std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vector2d& start,
+                                           const CrossStructure& cross, const CornerModel& guess, double image_noise) {
+  Progress at;
+  at.image_noise = image_noise;
+  int reach = kShadowReach;
+  const Eigen::Vector2i centre = pixel_of(guess.position);
+  while (reach > kShadowRadius && !inside(image, centre, reach)) --reach;
+  if (!inside(image, centre, reach)) return std::nullopt;
+  gather(image, centre, reach, at.patch);
+  evaluate(guess, reach + 2, 0, at.patch.count, at.patch);  // so far out that all pixels have their full weight
+  const auto edge = likely_shadow(at.patch, guess, image_noise);
+  if (!edge) return std::nullopt;
+  CornerFit fit;
+  fit.model = guess;
+  fit.model.shadow = *edge;
+  fit.radius = kShadowRadius;
+  for (const double loose : {2 * kLoose, kLoose, 1.0}) {
+    const int steps = loose > kLoose ? 3 : kShadowSteps;  // most that are no corners have shown it by then
+    const auto found = fit_with_shadow(image, fit.model, fit.radius, steps, at.patch);
+    if (!found || !looks_right(found->model, cross, found->noise, image_noise, loose)) return std::nullopt;
+    fit.model = found->model, fit.noise = at.noise = found->noise;
+    if (loose == kLoose) fit.radius = grown_radius(image, fit.radius, kMostPatchRadius, at, fit.model);
+  }
+  if ((fit.model.position - start).norm() > kMostMove || fit.model.blur > kMostBlur * fit.radius) return std::nullopt;
+  if (std::abs(fit.model.shadow.depth) < kLeastDepth || fit.model.shadow.distance < kNearestShadow) return std::nullopt;
+  fit.misfit = misfit_of(at.patch);
+  fit.covariance = position_covariance_with_shadow(fit.noise, fit.model, at.patch);
+  return fit;
+}
+
+double light_at(const ShadowEdge& shadow, const Eigen::Vector2d& from_corner) {
+  const Eigen::Vector2d normal(std::cos(shadow.direction), std::sin(shadow.direction));
+  const double beyond = normal.dot(from_corner) - shadow.distance;
+  return 1 - 0.5 * shadow.depth * (1 + std::erf(M_SQRT1_2 * beyond / shadow.softness));
 }
 
 }  // namespace handsight

@@ -12,9 +12,20 @@
 
 namespace handsight {
 
-/// I(u, v) = (1 + shade . x) (level + half_contrast erf(d1 / (sqrt2 blur)) erf(d2 / (sqrt2 blur))), with
+/// The straight edge of a shadow: light(x) = 1 - depth (1 + erf((n . x - distance) / (sqrt2 softness))) / 2, with
+/// n = (cos direction, sin direction). The light at the corner is what the others are told by, so that the depth is
+/// negative where the corner lies in the shadow.
+struct ShadowEdge {
+  double direction = 0;   // rad, from the corner to the edge
+  double distance = 0;    // px, of the edge from the corner
+  double depth = 0;       // by how much less light there is beyond; 0: there is no shadow's edge
+  double softness = 1.5;  // px, sigma, of the shadow's edge and the lens together
+};
+
+/// I(u, v) = light(x) (1 + shade . x) (level + half_contrast erf(d1 / (sqrt2 blur)) erf(d2 / (sqrt2 blur))), with
 /// x = (u, v) - position and d_i = -sin(edge_i) x + cos(edge_i) y: two blurred straight edges through one point
-/// under light that changes evenly. Perspective keeps edges straight and through one point, so it needs no more.
+/// under light that changes evenly, or at a shadow's edge. Perspective keeps edges straight and through one point, so
+/// it needs no more.
 struct CornerModel {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
   std::array<double, 2> edges{};                       // rad
@@ -22,7 +33,16 @@ struct CornerModel {
   double level = 0;                                    // grey levels
   double half_contrast = 0;                            // grey levels, signed as in CrossStructure
   Eigen::Vector2d shade = Eigen::Vector2d::Zero();     // 1/px
+  ShadowEdge shadow;
 };
+
+inline bool has_shadow(const CornerModel& model) { return model.shadow.depth != 0; }
+
+/// The shadow's factor at x (px from the corner), 1 at the corner where the shadow's edge is far enough.
+double light_at(const ShadowEdge& shadow, const Eigen::Vector2d& from_corner);
+
+/// What the circles showed, as a model to start from.
+CornerModel first_guess(const Eigen::Vector2d& start, const CrossStructure& cross);
 
 struct CornerFit {
   CornerModel model;
@@ -30,7 +50,6 @@ struct CornerFit {
   double radius = 0;           // px, of the disc of pixels that took part
   double noise = 0;            // grey levels, sigma of a pixel
   double misfit = 0;  // grey levels, root of the mean product of neighbouring residuals over 4 px: the shape's part
-  double over_cubic = 1e3;  // cubic_over_model (corner_cubic.h); this where the disc grew to its full size
 };
 
 /// Gauss-Newton from a start that is good to about 1 px. The disc grows from 4 px as long as the formula holds, so
@@ -39,5 +58,11 @@ struct CornerFit {
 /// that the image does not reach, residuals that `image_noise` (grey levels, sigma of a pixel) does not explain.
 std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                     double image_noise);
+
+/// The same for a corner beside a shadow's edge, which is looked for in what `guess` leaves within 9 px; from a start
+/// that is good to 1.8 px. Nothing where no line splits the patch into two of different light, or where it would run
+/// through the corner.
+std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vector2d& start,
+                                           const CrossStructure& cross, const CornerModel& guess, double image_noise);
 
 }  // namespace handsight

@@ -12,10 +12,6 @@
 namespace handsight {
 namespace {
 
-constexpr int kLanes = 8;
-using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
-using Whole = std::int32_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
-
 constexpr double kSharp = 0.7;  // px, of blur: below it the pixel's own shape matters
 
 // Offsets from the central pixel, nearest first: the first count[r] of them are the disc of r px.
@@ -23,6 +19,7 @@ struct Disc {
   std::vector<std::array<std::int8_t, 2>> offsets;
   std::array<int, kMostPatchRadius + 3> count{};
   CornerPatch::Row u, v;  // the offsets again; 1000 px where there are no more
+  std::array<int, kMostPatchPixels> u_whole{}, v_whole{};
 };
 
 const Disc& disc() {
@@ -40,38 +37,13 @@ const Disc& disc() {
       d.count[r] = static_cast<int>(
           std::count_if(d.offsets.begin(), d.offsets.end(), [&](const auto& o) { return square(o) <= r * r; }));
     d.u.fill(1e3f), d.v.fill(1e3f);
-    for (std::size_t n = 0; n < d.offsets.size(); ++n) d.u[n] = d.offsets[n][0], d.v[n] = d.offsets[n][1];
+    for (std::size_t n = 0; n < d.offsets.size(); ++n) {
+      d.u_whole[n] = d.offsets[n][0], d.v_whole[n] = d.offsets[n][1];
+      d.u[n] = d.offsets[n][0], d.v[n] = d.offsets[n][1];
+    }
     return d;
   }();
   return made;
-}
-
-HANDSIGHT_INLINE void load(const float* from, Lanes& to) { std::memcpy(&to, from, sizeof to); }
-HANDSIGHT_INLINE void store(const Lanes& from, float* to) { std::memcpy(to, &from, sizeof from); }
-
-// exp(-t) for 0 <= t, to 1e-6: a polynomial for the fraction of the power of two, its whole part into the exponent.
-HANDSIGHT_INLINE void exp_minus(const Lanes& t, Lanes& result) {
-  const Lanes y = (t < 80.f ? t : Lanes{} + 80.f) * 1.44269504f;
-  const Whole whole = __builtin_convertvector(y, Whole);
-  const Lanes x = __builtin_convertvector(whole, Lanes) - y;  // in (-1, 0]
-  const Lanes x2 = x * x;
-  const Lanes low = (1.f + 0.69314718f * x) + x2 * (0.24022651f + 0.05550411f * x);
-  const Lanes high = (0.00961813f + 0.00133336f * x) + x2 * 0.000154f;
-  const Whole exponent = (127 - whole) << 23;
-  Lanes power;
-  std::memcpy(&power, &exponent, sizeof power);
-  result = (low + x2 * x2 * high) * power;
-}
-
-// erf(x) and its derivative / (2 / sqrt(pi)) by Abramowitz and Stegun 7.1.26, to 2e-7.
-HANDSIGHT_INLINE void erf_and_bell(const Lanes& x, Lanes& erf, Lanes& bell) {
-  const Lanes a = x < 0.f ? -x : x;
-  exp_minus(a * a, bell);
-  const Lanes t = 1.f / (1.f + 0.3275911f * a);
-  const Lanes t2 = t * t;
-  const Lanes tail = (0.254829592f - 0.284496736f * t) + t2 * (1.421413741f - 1.453152027f * t + 1.061405429f * t2);
-  const Lanes value = 1.f - tail * t * bell;
-  erf = x < 0.f ? -value : value;
 }
 
 // A blurred edge at distance d: its value in -1 to 1 and its derivatives by d and by the blur.
@@ -127,7 +99,7 @@ struct Constants {
   }
 };
 
-template <class EdgeShape>
+template <bool WithDerivatives, class EdgeShape>
 HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, int begin, int end,
                                     CornerPatch& patch) {
   const float *const all_u = c.disc.u.data(), *const all_v = c.disc.v.data();
@@ -139,14 +111,15 @@ HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, 
     Lanes w = c.rim - (x * x + y * y) * c.taper;
     w = w < zero ? zero : w;
     w = w > one ? one : w;
-    const Lanes wh = w * c.half;
     Edge a, b;
     shape(c.c1 * y - c.s1 * x, a);
     shape(c.c2 * y - c.s2 * x, b);
-    const Lanes ea = wh * a.slope * b.value, eb = wh * b.slope * a.value;  // dI/dd of either edge
     const Lanes f = a.value * b.value, base = w * (c.level + c.half * f);
     store(w, &patch.weight[n]);
     store(w * value - (1.f + c.hu * x + c.hv * y) * base, &patch.residual[n]);
+    if constexpr (!WithDerivatives) continue;
+    const Lanes wh = w * c.half;
+    const Lanes ea = wh * a.slope * b.value, eb = wh * b.slope * a.value;  // dI/dd of either edge
     store(c.s1 * ea + c.s2 * eb, &patch.odd[0][n]);
     store(-c.c1 * ea - c.c2 * eb, &patch.odd[1][n]);
     store(x * base, &patch.odd[2][n]);
@@ -161,20 +134,44 @@ HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, 
 
 HANDSIGHT_LANES void evaluate_smooth(const SmoothEdge& shape, const Constants& c, int begin, int end,
                                      CornerPatch& patch) {
-  evaluate_with(shape, c, begin, end, patch);
+  evaluate_with<true>(shape, c, begin, end, patch);
+}
+
+HANDSIGHT_LANES void residuals_smooth(const SmoothEdge& shape, const Constants& c, int begin, int end,
+                                      CornerPatch& patch) {
+  evaluate_with<false>(shape, c, begin, end, patch);
 }
 
 HANDSIGHT_LANES void evaluate_sharp(const SharpEdge& shape, const Constants& c, int begin, int end,
                                     CornerPatch& patch) {
-  evaluate_with(shape, c, begin, end, patch);
+  evaluate_with<true>(shape, c, begin, end, patch);
 }
 
-HANDSIGHT_INLINE float total(const Lanes& sum) {
-  float __attribute__((vector_size(16))) low, high;
-  std::memcpy(&low, &sum, sizeof low);
-  std::memcpy(&high, reinterpret_cast<const char*>(&sum) + sizeof low, sizeof high);
-  low += high;
-  return (low[0] + low[2]) + (low[1] + low[3]);
+// What `evaluate` left, under the light of the shadow.
+HANDSIGHT_LANES void put_in_shadow(const ShadowEdge& shadow, const Eigen::Vector2d& corner, int begin, int end,
+                                   CornerPatch& patch) {
+  const float *const all_u = disc().u.data(), *const all_v = disc().v.data();
+  const auto nu = static_cast<float>(std::cos(shadow.direction)), nv = static_cast<float>(std::sin(shadow.direction));
+  const auto pu = static_cast<float>(corner.x()), pv = static_cast<float>(corner.y());
+  const auto distance = static_cast<float>(shadow.distance), half_depth = static_cast<float>(0.5 * shadow.depth);
+  const auto scale = static_cast<float>(M_SQRT1_2 / shadow.softness);
+  const auto slope = static_cast<float>(0.5 * M_2_SQRTPI * M_SQRT1_2 * shadow.depth / shadow.softness);
+  const auto per_softness = static_cast<float>(1 / shadow.softness);
+  for (int n = begin; n < end; n += kLanes) {
+    Lanes u, v, weight, value, residual, erf, bell;
+    load(all_u + n, u), load(all_v + n, v);
+    load(&patch.weight[n], weight), load(&patch.value[n], value), load(&patch.residual[n], residual);
+    const Lanes x = u - pu, y = v - pv, beyond = nu * x + nv * y - distance;
+    erf_and_bell(scale * beyond, erf, bell);
+    const Lanes light = 1.f - half_depth * (1.f + erf), lit = weight * value - residual, steep = slope * lit * bell;
+    store(weight * value - light * lit, &patch.residual[n]);
+    store(steep * (nv * x - nu * y), &patch.shadow[0][n]);
+    store(steep, &patch.shadow[1][n]);
+    store(-0.5f * (1.f + erf) * lit, &patch.shadow[2][n]);
+    store(steep * beyond * per_softness, &patch.shadow[3][n]);
+    for (CornerPatch::Row& row : patch.odd) load(&row[n], value), store(light * value, &row[n]);
+    for (CornerPatch::Row& row : patch.even) load(&row[n], value), store(light * value, &row[n]);
+  }
 }
 
 // Products of `row` with the first rows and itself, and with the residual: few enough sums to stay in registers.
@@ -195,13 +192,18 @@ HANDSIGHT_INLINE void row_products(const CornerPatch::Row* rows, const CornerPat
   side[Rows - 1] = total(sides);
 }
 
-HANDSIGHT_LANES void add_up(const CornerPatch& patch, PatchSums& result) {
+HANDSIGHT_LANES void add_up_odd(const CornerPatch& patch, PatchSums& result) {
   const int count = patch.padded;
-  const CornerPatch::Row *const odd = patch.odd.data(), *const even = patch.even.data(), &rest_of = patch.residual;
+  const CornerPatch::Row *const odd = patch.odd.data(), &rest_of = patch.residual;
   row_products<1>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
   row_products<2>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
   row_products<3>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
   row_products<4>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
+}
+
+HANDSIGHT_LANES void add_up_even(const CornerPatch& patch, PatchSums& result) {
+  const int count = patch.padded;
+  const CornerPatch::Row *const even = patch.even.data(), &rest_of = patch.residual;
   row_products<1>(even, rest_of, count, result.even.data(), result.even_side.data());
   row_products<2>(even, rest_of, count, result.even.data(), result.even_side.data());
   row_products<3>(even, rest_of, count, result.even.data(), result.even_side.data());
@@ -230,7 +232,7 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   if (centre == patch.centre && patch.gathered >= radius) return;
   patch.centre = centre, patch.gathered = radius;
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
-  for (int n = 0; n < patch.count; ++n) patch.value[n] = middle[d.offsets[n][1] * image.width + d.offsets[n][0]];
+  for (int n = 0; n < patch.count; ++n) patch.value[n] = middle[d.v_whole[n] * image.width + d.u_whole[n]];
   for (int n = patch.count; n < patch.padded; ++n) patch.value[n] = 0;
 }
 
@@ -240,12 +242,26 @@ void evaluate(const CornerModel& model, double radius, int begin, int end, Corne
     evaluate_sharp(SharpEdge(model.blur), constants, begin, end, patch);
   else
     evaluate_smooth(SmoothEdge(model.blur), constants, begin, end, patch);
+  if (model.shadow.depth != 0)
+    put_in_shadow(model.shadow, model.position - patch.centre.cast<double>(), begin, end, patch);
+}
+
+void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch) {
+  if (has_shadow(model) || model.blur < kSharp) return evaluate(model, radius, begin, end, patch);
+  residuals_smooth(SmoothEdge(model.blur), Constants(model, patch.centre, radius), begin, end, patch);
 }
 
 PatchSums sums(const CornerPatch& patch) {
   PatchSums result;
-  add_up(patch, result);
+  add_up_odd(patch, result);
+  add_up_even(patch, result);
   return result;
+}
+
+std::array<float, 10> odd_sums(const CornerPatch& patch) {
+  PatchSums result;
+  add_up_odd(patch, result);
+  return result.odd;
 }
 
 }  // namespace handsight

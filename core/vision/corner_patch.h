@@ -23,8 +23,9 @@ struct CornerPatch {
   int count = 0;                 // pixels that take part
   int padded = 0;                // pixels in whole groups; those beyond `count` have no weight
   alignas(32) Row value, weight, residual;
-  alignas(32) std::array<Row, 4> odd;   // by position u, v; shade u, v
-  alignas(32) std::array<Row, 5> even;  // by edge 1, edge 2, blur, level, half contrast
+  alignas(32) std::array<Row, 4> odd;     // by position u, v; shade u, v
+  alignas(32) std::array<Row, 5> even;    // by edge 1, edge 2, blur, level, half contrast
+  alignas(32) std::array<Row, 4> shadow;  // by direction, distance, depth, softness, where the model has a shadow
 };
 
 /// Pixels in the disc of `radius` px, 0 to kMostPatchRadius + 2.
@@ -38,8 +39,12 @@ Eigen::Vector2i offset_of_pixel(int number);
 void gather(const Image& image, const Eigen::Vector2i& centre, int radius, CornerPatch& patch);
 
 /// Residuals and derivatives of the pixels from number `begin` (a multiple of 8) on, up to `end`. The weight is 1 in
-/// the disc of `radius` px and falls to 0 at radius + 1/2: a hard rim would jump as the position moves.
+/// the disc of `radius` px and falls to 0 at radius + 1/2: a hard rim would jump as the position moves. A shadow's edge
+/// stays where it is as the position moves.
 void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch);
+
+/// The residuals alone; derivatives may be overwritten or not.
+void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch);
 
 /// Sums over the patch; the lower triangle of each block only.
 struct PatchSums {
@@ -50,5 +55,8 @@ struct PatchSums {
   float squares = 0, weights = 0;  // of the residual; of the weight's square
 };
 PatchSums sums(const CornerPatch& patch);
+
+/// PatchSums::odd alone.
+std::array<float, 10> odd_sums(const CornerPatch& patch);
 
 }  // namespace handsight

@@ -79,10 +79,11 @@ float flatness(const Profile& profile, float middle) {
 
 }  // namespace
 
-bool may_be_cross(const Image& image, int u, int v, double min_contrast, double noise) {
+std::optional<Lighting> may_be_cross(const Image& image, const Eigen::Vector2i& pixel, double min_contrast,
+                                     double noise) {
   constexpr std::array<std::array<int, 2>, 8> kHalfCircle{
       {{3, 0}, {3, 1}, {2, 2}, {1, 3}, {0, 3}, {-1, 3}, {-2, 2}, {-3, 1}}};
-  const std::uint8_t* const at = image.row(v) + u;
+  const std::uint8_t* const at = image.row(pixel.y()) + pixel.x();
   std::array<int, 8> sum;
   int opposite = 0, across = 0;
   for (int i = 0; i < 8; ++i) {
@@ -93,10 +94,16 @@ bool may_be_cross(const Image& image, int u, int v, double min_contrast, double 
   for (int i = 0; i < 4; ++i) across += std::abs(sum[i] - sum[i + 4]);
   // A sharp right-angled corner gives 8 times its contrast, 2.5 px of blur and 53 deg leave about 2.6 times.
   // Noise makes 9 sigma of the opposite ones' differences.
-  return across > opposite && across > 1.5 * (opposite - 9 * noise) && across > 1.5 * min_contrast;
+  if (!(across > 1.5 * min_contrast)) return std::nullopt;
+  const auto beyond = [&](double times) {
+    return across > times / 1.5 * opposite && across > times * (opposite - 9 * noise);
+  };
+  if (beyond(1.5)) return Lighting::even;
+  return beyond(0.9) ? std::optional(Lighting::shadowed) : std::nullopt;
 }
 
-std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast) {
+std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast,
+                                              Lighting light) {
   const float reach = kRadii.back() + 1, u = static_cast<float>(centre.x()), v = static_cast<float>(centre.y());
   if (!(u >= reach && v >= reach && u < image.width - reach - 1 && v < image.height - reach - 1)) return std::nullopt;
   const Profile profile = profile_round(image, u, v);
@@ -108,9 +115,10 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   const float contrast = white - black, middle = 0.5f * (white + black);
   // Blur of 2.5 px leaves half the contrast at these radii.
   if (contrast < 0.4 * min_contrast) return std::nullopt;
-  // Shade over half of the patch makes opposite sectors differ, but less than black from white.
-  if (profile.odd_square > 0.1f * contrast * contrast) return std::nullopt;
   CrossStructure cross;
+  cross.asymmetry = std::sqrt(profile.odd_square) / contrast;
+  // Shade over half of the patch makes opposite sectors differ, but less than black from white.
+  if (cross.asymmetry > (light == Lighting::even ? 0.32 : 0.5)) return std::nullopt;
   // Measured on right angles: 0.77 at 0.9 px of blur, 0.55 at 2 px; and the circles then miss a part of the contrast.
   // Never sharper than 0.9 px: a start that is off by more than the blur would see no slope.
   cross.blur = std::clamp(2.0 - 5.0 * (flatness(profile, middle) - 0.55), 0.9, 2.5);

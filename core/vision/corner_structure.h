@@ -17,16 +17,22 @@ struct CrossStructure {
   std::array<double, 2> edges{};  // rad, each in [0, pi), the first one smaller
   double level = 0;               // grey levels
   double half_contrast = 0;       // grey levels, negative where the sector between the edges' angles is white
+  double asymmetry = 0;           // root of the mean square half difference of opposite points, in contrasts
   double blur = 1;                // px, sigma, a guess from how much the contrast grows from 2.5 to 4 px
 };
 
-/// The cheapest test: 16 pixels on a circle of 3 px. False where points a quarter turn apart differ less than 1.5 times
-/// as opposite ones, beyond what noise of sigma `noise` grey levels makes, or by too little for a corner of
-/// `min_contrast` grey levels. (u, v) must be 3 px inside the image.
-bool may_be_cross(const Image& image, int u, int v, double min_contrast, double noise);
+/// What the light may be where there is a corner: a shadow's edge near it makes opposite sectors differ.
+enum class Lighting { even, shadowed };
+
+/// The cheapest test: 16 pixels on a circle of 3 px. Nothing where points a quarter turn apart differ by too little for
+/// a corner of `min_contrast` grey levels, or less than 0.9 times as opposite ones, beyond what noise of sigma `noise`
+/// grey levels makes; 1.5 times is what even light takes. The pixel must be 3 px inside the image.
+std::optional<Lighting> may_be_cross(const Image& image, const Eigen::Vector2i& pixel, double min_contrast,
+                                     double noise);
 
 /// Reads circles round `centre` (px) and finds the four sectors; nothing where they do not alternate, where opposite
 /// ones differ more than neighbours, or where the circles leave the image.
-std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast);
+std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast,
+                                              Lighting light = Lighting::even);
 
 }  // namespace handsight

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/error.h"
 
@@ -23,7 +24,8 @@ struct Window {
 };
 
 // Bilinear values of the window and its rim of one pixel, central differences inside.
-bool sample_window(const Image& image, const Eigen::Vector2d& centre, int radius, Window& window) {
+bool sample_window(const Image& image, const Eigen::Vector2d& centre, int radius, const CornerModel* lit,
+                   Window& window) {
   const int u = static_cast<int>(std::floor(centre.x())), v = static_cast<int>(std::floor(centre.y()));
   const int rim = radius + 1, side = 2 * rim + 1, inner = 2 * radius + 1;
   if (u < rim || v < rim || u + rim + 1 >= image.width || v + rim + 1 >= image.height) return false;
@@ -36,6 +38,9 @@ bool sample_window(const Image& image, const Eigen::Vector2d& centre, int radius
     for (int x = 0; x <= side; ++x) mixed[x] = upper[x] + fv * static_cast<float>(lower[x] - upper[x]);
     float* to = values.data() + y * side;
     for (int x = 0; x < side; ++x) to[x] = mixed[x] + fu * (mixed[x + 1] - mixed[x]);
+    if (!lit) continue;
+    for (int x = 0; x < side; ++x)
+      to[x] /= static_cast<float>(light_at(lit->shadow, centre + Eigen::Vector2d(x - rim, y - rim) - lit->position));
   }
   window.count = inner * inner;
   for (int y = 0; y < inner; ++y) {
@@ -53,12 +58,12 @@ bool sample_window(const Image& image, const Eigen::Vector2d& centre, int radius
 struct Normal {
   Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero(), spread = Eigen::Matrix2d::Zero();
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-  double squares = 0, weights = 0;
+  double squares = 0;
 };
 
 // Sums over half the window: the other half says the same again.
 Normal normal_equations(const Window& window, const float* weight) {
-  std::array<float, 10> sum{};
+  std::array<float, 9> sum{};
   const int last = window.count - 1;
   for (int n = 0; n < window.count / 2; ++n) {
     const float difference = window.value[n] - window.value[last - n];
@@ -67,13 +72,13 @@ Normal normal_equations(const Window& window, const float* weight) {
     sum[0] += gu * ju, sum[1] += gu * jv, sum[2] += gv * jv;
     sum[3] += gu * gu, sum[4] += gu * gv, sum[5] += gv * gv;
     sum[6] += gu * difference, sum[7] += gv * difference;
-    sum[8] += g * difference * difference, sum[9] += g;
+    sum[8] += g * difference * difference;
   }
   Normal normal;
   normal.hessian << sum[0], sum[1], sum[1], sum[2];
   normal.spread << sum[3], sum[4], sum[4], sum[5];
   normal.gradient << sum[6], sum[7];
-  normal.squares = sum[8], normal.weights = sum[9];
+  normal.squares = sum[8];
   return normal;
 }
 
@@ -85,6 +90,16 @@ void gaussian_weights(double sigma, int radius, float* weight) {
     for (int x = 0; x <= 2 * radius; ++x, ++n) weight[n] = static_cast<float>(factor * line[x] * line[y]);
 }
 
+// Values brought to full light carry the more noise: the weight of a pair is its G over the pair's variance.
+void weigh_by_light(const CornerModel& lit, const Eigen::Vector2d& centre, int radius, float* weight) {
+  for (int y = -radius, n = 0; y <= radius; ++y)
+    for (int x = -radius; x <= radius; ++x, ++n) {
+      const Eigen::Vector2d at = centre - lit.position, offset(x, y);
+      const double here = light_at(lit.shadow, at + offset), there = light_at(lit.shadow, at - offset);
+      weight[n] *= static_cast<float>(2 * here * here * there * there / (here * here + there * there));
+    }
+}
+
 double smaller_eigenvalue(const Eigen::Matrix2d& m) {
   return 0.5 * (m.trace() - std::hypot(m(0, 0) - m(1, 1), 2 * m(0, 1)));
 }
@@ -92,22 +107,25 @@ double smaller_eigenvalue(const Eigen::Matrix2d& m) {
 }  // namespace
 
 std::optional<SymmetryPoint> symmetry_point(const Image& image, const Eigen::Vector2d& start, double sigma,
-                                            double reach, int iterations) {
+                                            double reach, int iterations, const CornerModel* lit) {
   check(sigma >= 0.5 && sigma <= 5, "the symmetry window's sigma is {} px, not in 0.5 to 5", sigma);
   const int radius = window_radius(sigma);
   std::array<float, kMostSide * kMostSide> weight;
   gaussian_weights(sigma, radius, weight.data());
+  const int half = (2 * radius + 1) * (2 * radius + 1) / 2;
+  const float weights = std::accumulate(weight.begin(), weight.begin() + half, 0.f);
+  if (lit) weigh_by_light(*lit, start, radius, weight.data());
   Window window;
   Eigen::Vector2d at = start;
   for (int i = 0;; ++i) {
-    if (!sample_window(image, at, radius, window)) return std::nullopt;
+    if (!sample_window(image, at, radius, lit, window)) return std::nullopt;
     const Normal normal = normal_equations(window, weight.data());
     const double smaller = smaller_eigenvalue(normal.hessian);
     if (!(smaller > 1e-6)) return std::nullopt;
     const Eigen::Matrix2d inverse = normal.hessian.inverse();
     const Eigen::Vector2d step = -inverse * normal.gradient;
     if (i == iterations || step.squaredNorm() < 1e-4) {
-      const double variance = normal.squares / normal.weights;
+      const double variance = normal.squares / weights;
       // Both halves of the window make O and its Hessian: twice the sums over one.
       return SymmetryPoint{at, variance * inverse * normal.spread * inverse, 2 * smaller, std::sqrt(variance / 2)};
     }

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "vision/corner_model.h"
 #include "vision/image.h"
 
 namespace handsight {
@@ -21,7 +22,8 @@ struct SymmetryPoint {
 /// farther than `reach` px from the start.
 /// Covariance: G is not the inverse covariance of the differences, so it is H^-1 (sum G^2 J J^T var) H^-1 with var
 /// the G-weighted mean square difference at the solution.
+/// With `lit` the image is taken as it would be without that model's shadow, what was dark weighing less.
 std::optional<SymmetryPoint> symmetry_point(const Image& image, const Eigen::Vector2d& start, double sigma,
-                                            double reach, int iterations = 4);
+                                            double reach, int iterations = 4, const CornerModel* lit = nullptr);
 
 }  // namespace handsight

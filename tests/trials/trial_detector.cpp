@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The detector's figures: recall, errors against OpenCV's cornerSubPix and the Cramer-Rao bound, calibration of the
 // covariance, the published fixture, the real boards, time, false corners.
+// Usage: trial_detector [SEED]: of the rendered markers and textures.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 
@@ -23,8 +24,8 @@ struct Errors {
   double rms() const { return std::sqrt(squares / std::max(count, 1)); }
 };
 
-void markers(const std::string& name, int count, const Variety& variety) {
-  std::mt19937 random(11);
+void markers(const std::string& name, int count, const Variety& variety, unsigned seed) {
+  std::mt19937 random(seed);
   Errors ours, opencv, bounds;
   int in_scope = 0, far = 0, opencv_lost = 0;
   double normalised = 0;
@@ -79,14 +80,17 @@ void published_fixture(double cell, double blur, double noise, double parts) {
 }
 
 template <class Work>
-double milliseconds(int times, const Work& work) {  // processor time: others may share the core
-  timespec begin, end;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
-  for (int i = 0; i < times; ++i) work();
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
-  return (static_cast<double>(end.tv_sec - begin.tv_sec) * 1e3 +
-          static_cast<double>(end.tv_nsec - begin.tv_nsec) * 1e-6) /
-         times;
+double milliseconds(int times, const Work& work) {  // processor time, the least: others may share the machine
+  double least = 1e9;
+  for (int i = 0; i < times; ++i) {
+    timespec begin, end;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
+    work();
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
+    least = std::min(least, static_cast<double>(end.tv_sec - begin.tv_sec) * 1e3 +
+                                static_cast<double>(end.tv_nsec - begin.tv_nsec) * 1e-6);
+  }
+  return least;
 }
 
 void real_boards() {
@@ -109,7 +113,7 @@ void real_boards() {
       const double time = milliseconds(20, [&] { detect_corners(image); });
       mean += time / 26, most = std::max(most, time);
       std::vector<cv::Point2f> corners;
-      sector += milliseconds(1, [&] { cv::findChessboardCornersSB(as_mat(image), {9, 6}, corners); }) / 26;
+      sector += milliseconds(3, [&] { cv::findChessboardCornersSB(as_mat(image), {9, 6}, corners); }) / 26;
     }
   fmt::print(
       "real boards: {:.2f} ms an image, at most {:.2f}; findChessboardCornersSB {:.1f} ms, {:.0f} times; {:.0f} "
@@ -140,8 +144,8 @@ void rendered_scenes() {
   }
 }
 
-void false_corners(int images) {
-  std::mt19937 random(15);
+void false_corners(int images, unsigned seed) {
+  std::mt19937 random(seed);
   for (const std::string& kind : kinds_of_nothing()) {
     int reported = 0, with = 0;
     for (int i = 0; i < images; ++i) {
@@ -157,19 +161,20 @@ void false_corners(int images) {
 }  // namespace
 }  // namespace handsight
 
-int main() {
+int main(int count, char** words) {
   using namespace handsight;
-  markers("cells 8-20, even light", 1000, {.gradient = 0});
-  markers("cells 8-20, uneven light", 1000, {});
-  markers("cells 20-30, uneven light", 600, {.cell = {20, 30}});
-  markers("board, cells 10-20", 600, {.cell = {10, 20}, .board = true});
-  markers("board, cells 7-9", 600, {.cell = {7, 9}, .board = true});
-  markers("shadow's edge 3-10 px off", 600, {.shade = {0.4, 0.8}});
+  const unsigned seed = count > 1 ? static_cast<unsigned>(std::atoi(words[1])) : 11;
+  markers("cells 8-20, even light", 1000, {.gradient = 0}, seed);
+  markers("cells 8-20, uneven light", 1000, {}, seed);
+  markers("cells 20-30, uneven light", 600, {.cell = {20, 30}}, seed);
+  markers("board, cells 10-20", 600, {.cell = {10, 20}, .board = true}, seed);
+  markers("board, cells 7-9", 600, {.cell = {7, 9}, .board = true}, seed);
+  markers("shadow's edge 3-10 px off", 600, {.shade = {0.4, 0.8}}, seed);
   for (const double blur : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}) published_fixture(8, blur, 0, 6);
   published_fixture(8, 0, 0, 8);
   published_fixture(5, 0, 0, 6);
   for (const double noise : {1.0, 2.0, 5.0, 8.0, 10.0}) published_fixture(8, 0.7, noise, 6);
   real_boards();
   rendered_scenes();
-  false_corners(150);
+  false_corners(150, seed + 4);
 }

@@ -121,7 +121,7 @@ TEST(CornerDetector, SmoothTextureIsRarelyTakenForCorners) {
         corner_images::render(65, 65, corner_images::nothing("texture", random), 0.7 + 0.026 * i, 2 + 0.12 * i, random);
     reported += static_cast<int>(detect_corners(image).size());
   }
-  EXPECT_LE(reported, 30);  // a third of one an image; without the comparison with a cubic it is 3.5
+  EXPECT_LE(reported, 20);  // a quarter of one an image; by each saddle's own fit alone it would be several
 }
 
 TEST(CornerDetector, MarkersOnTextureAreFoundNonetheless) {
@@ -145,7 +145,7 @@ TEST(CornerDetector, FindsCornersOfCellsSomePixelsWide) {
       continue;
     ++in_scope, found += nearest(detect_corners(sample.image), sample.view.corner, 2) != nullptr;
   }
-  EXPECT_GE(found, 0.88 * in_scope);  // 0.93 in the trial's larger sample
+  EXPECT_GE(found, 0.90 * in_scope);  // 0.94 in the trial's larger sample
 }
 
 TEST(CornerDetector, BesideAShadowsEdgeTheCovarianceIsNotTooSmall) {
@@ -160,8 +160,8 @@ TEST(CornerDetector, BesideAShadowsEdgeTheCovarianceIsNotTooSmall) {
     const Eigen::Vector2d error = corner->position - sample.view.corner;
     ++found, normalised += error.dot(corner->covariance.inverse() * error);
   }
-  EXPECT_GE(found, 0.87 * 200);
-  EXPECT_LT(normalised / found, 3.8);  // 2 is right; the noise's covariance alone gives above 5
+  EXPECT_GE(found, 0.92 * 200);
+  EXPECT_LT(normalised / found, 2.8);  // 2 is right; the noise's covariance alone gives above 5
 }
 
 TEST(CornerDetector, IsStrongestFirstAndKeepsTheStrongest) {

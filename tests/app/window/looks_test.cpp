@@ -29,7 +29,7 @@ void look_at_labels(QWidget* page, const QString& where) {
     if (!label->isVisible() || label->text().isEmpty() || label->textFormat() == Qt::RichText) continue;
     if (label->wordWrap()) {
       // A layout may have to follow a new theme or text still.
-      QTest::qWaitFor([label] { return label->height() + 2 >= label->heightForWidth(label->width()); }, 2000);
+      (void)QTest::qWaitFor([label] { return label->height() + 2 >= label->heightForWidth(label->width()); }, 2000);
       EXPECT_GE(label->height() + 2, label->heightForWidth(label->width()))
           << where.toStdString() << ": " << label->text().toStdString();
     } else {

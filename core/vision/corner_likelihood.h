@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// How likely it is that a saddle of the image is a corner: by its own fit, and by the saddles round it.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "vision/corner_candidates.h"
+#include "vision/corner_model.h"
+
+namespace handsight {
+
+/// What tells a corner from texture, in this order: 1; px, radius of the disc on which the fit holds; px, its blur; log
+/// of the position's sigma in px; log of the residual beyond the image's noise in half contrasts.
+using CornerSigns = std::array<double, 5>;
+
+/// `image_noise`: grey levels, sigma of a pixel.
+CornerSigns signs_of(const CornerFit& fit, double image_noise);
+
+/// Log-odds that what was fitted is a corner and not a piece of texture, were no other saddle near: the signs weighed
+/// by logistic regression on rendered markers, boards and texture (tests/trials/trial_corner_odds).
+double corner_log_odds(const CornerSigns& signs);
+
+/// The saddles of an image, by where they are, each with the probability that it is a corner: 0 at first.
+class SaddleField {
+ public:
+  /// Stationary ones only; the others are points of an edge's end as often as not. px.
+  SaddleField(int width, int height, const std::vector<Candidate>& candidates);
+
+  /// By how many more of the saddles within 40 px of `candidate` and at least half as steep, itself left out, are no
+  /// corners than are, as far as is known: -2 to 4, beyond which more tell nothing.
+  double others(const Candidate& candidate) const;
+  /// Numbers of the saddles that are the one at `position` (px).
+  std::vector<int> at(const Eigen::Vector2d& position) const;
+  void set_probability(const std::vector<int>& numbers, double probability);
+
+ private:
+  template <class Act>
+  void each_row_round(const Eigen::Vector2d& position, const Act& act) const;
+
+  int across_, down_;                        // cells of 40 px
+  std::vector<int> first_;                   // of each cell's saddles; one more at the end
+  std::vector<float> u_, v_, depth_, says_;  // cell by cell; 1 - 2 probability
+};
+
+/// Log-odds of a saddle whose own are `own`, given those round it (SaddleField::others): texture makes saddles in
+/// crowds, and of these few are corners; on a board all are.
+double log_odds_among(double own, double others);
+
+/// A saddle that was fitted.
+struct Suspect {
+  Candidate candidate;
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
+  double own = 0, log_odds = 0;                        // alone, and among the others
+};
+
+/// Each saddle counts by how likely it is a corner, and this depends on the others: some rounds settle it.
+void weigh(std::vector<Suspect>& suspects, SaddleField& field);
+
+/// What is reported has more.
+constexpr double kLeastLogOdds = -3.5;
+
+}  // namespace handsight

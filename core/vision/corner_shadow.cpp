@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_shadow.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "vision/corner_lanes.h"
+#include "vision/corner_solve.h"
+
+namespace handsight {
+namespace {
+
+constexpr int kUnknowns = 13;           // position, shade; edges, blur, level, half contrast; the shadow's four
+constexpr double kShadeSigma = 0.003;   // 1/px, as without a shadow
+constexpr double kSoftnessSigma = 0.5;  // px: the edges of near and far things' shadows
+constexpr double kPenumbra = 0.6;       // px, of a usual shadow's edge before the lens
+constexpr double kMostDepth = 0.9;
+constexpr float kLeastTold = 0.3f;   // of what one light leaves, by two
+constexpr double kLeastGain = 30;    // noise variances, of the sum of squares, for the shadow's four numbers
+constexpr float kLeastSide = 0.04f;  // of the squares: either light must be seen
+
+using Hessian = Eigen::Matrix<double, kUnknowns, kUnknowns>;
+using Vector = Eigen::Matrix<double, kUnknowns, 1>;
+
+constexpr int kDirections = 16, kBins = 2 * (kMostPatchRadius + 2) + 1;
+
+// For each direction the bin of 1 px, along it, that a pixel lies in.
+using Bins = std::array<std::array<std::int8_t, kMostPatchPixels>, kDirections>;
+
+const Bins& bins() {
+  static const Bins made = [] {
+    Bins all{};
+    for (int k = 0; k < kDirections; ++k)
+      for (int n = 0; n < pixels_in_disc(kMostPatchRadius + 2); ++n) {
+        const Eigen::Vector2d offset = offset_of_pixel(n).cast<double>();
+        const double angle = M_PI * k / kDirections,
+                     along = offset.x() * std::cos(angle) + offset.y() * std::sin(angle);
+        all[k][n] = static_cast<std::int8_t>(std::lround(along) + kBins / 2);
+      }
+    return all;
+  }();
+  return made;
+}
+
+// Sums for the factor that brings the model to the image: (sum w m value)^2 / sum w m^2 is what it tells.
+struct Side {
+  float products = 0, squares = 0;
+  float told() const { return squares > 0 ? products * products / squares : 0; }
+  float factor() const { return products / squares; }
+};
+
+Side operator-(const Side& a, const Side& b) { return {a.products - b.products, a.squares - b.squares}; }
+
+struct Split {
+  float told = 0;
+  int direction = 0, bin = 0;  // the last bin that belongs to the near side
+  Side near, far;
+};
+
+Split best_split(const std::vector<float>& products, const std::vector<float>& squares, const Side& all) {
+  Split best;
+  const int count = static_cast<int>(products.size());
+  for (int k = 0; k < kDirections; ++k) {
+    std::array<Side, kBins> in{};
+    const std::int8_t* const bin = bins()[k].data();
+    for (int n = 0; n < count; ++n) in[bin[n]].products += products[n], in[bin[n]].squares += squares[n];
+    Side near;
+    for (int b = 0; b + 1 < kBins; ++b) {
+      near.products += in[b].products, near.squares += in[b].squares;
+      const Side far = all - near;
+      if (near.squares < kLeastSide * all.squares || far.squares < kLeastSide * all.squares) continue;
+      const float told = near.told() + far.told();
+      if (told > best.told) best = {told, k, b, near, far};
+    }
+  }
+  return best;
+}
+
+constexpr int kTile = 4;
+
+// Products of a row with some others, few enough to stay in registers.
+HANDSIGHT_INLINE void tile_products(const float* row, const float* const* others, int count, float* results) {
+  Lanes sum[kTile]{}, a, b;
+  for (int n = 0; n < count; n += kLanes) {
+    load(row + n, a);
+#pragma GCC unroll 4
+    for (int k = 0; k < kTile; ++k) load(others[k] + n, b), sum[k] += a * b;
+  }
+  for (int k = 0; k < kTile; ++k) results[k] = total(sum[k]);
+}
+
+// The lower triangle of all rows' products, row by row, each row in whole tiles.
+using Products = std::array<std::array<float, kUnknowns + 1 + kTile>, kUnknowns + 1>;
+
+HANDSIGHT_LANES void all_products(const float* const* rows, int count, Products& products) {
+  for (int i = 0; i <= kUnknowns; ++i)
+    for (int j = 0; j <= i; j += kTile) tile_products(rows[i], rows + j, count, &products[i][j]);
+}
+
+struct Normal {
+  Hessian hessian;
+  Vector side;
+  double squares = 0, weights = 0;
+};
+
+// What is known beforehand of shade and softness stands on the diagonal and, at `model`, on the side.
+void add_prior(const CornerModel& model, double noise, Normal& normal) {
+  const double shade = noise * noise / (kShadeSigma * kShadeSigma);
+  const double soft = noise * noise / (kSoftnessSigma * kSoftnessSigma);
+  const double expected = std::hypot(model.blur, kPenumbra);
+  normal.hessian(2, 2) += shade, normal.hessian(3, 3) += shade;
+  normal.hessian(6, 6) += noise * noise;  // a sharp image says little of its blur
+  normal.hessian(12, 12) += soft;
+  normal.side.segment<2>(2) -= shade * model.shade;
+  normal.side(12) -= soft * (model.shadow.softness - expected);
+}
+
+Normal normal_equations(const CornerPatch& patch) {
+  // The residual stands last; what fills the last tile is not read.
+  std::array<const float*, kUnknowns + kTile> rows;
+  std::size_t n = 0;
+  for (const auto& row : patch.odd) rows[n++] = row.data();
+  for (const auto& row : patch.even) rows[n++] = row.data();
+  for (const auto& row : patch.shadow) rows[n++] = row.data();
+  std::fill(rows.begin() + kUnknowns, rows.end(), patch.residual.data());
+  Products products;
+  all_products(rows.data(), patch.padded, products);
+  Normal normal;
+  for (int i = 0; i < kUnknowns; ++i) {
+    for (int j = 0; j <= i; ++j) normal.hessian(i, j) = normal.hessian(j, i) = products[i][j];
+    normal.side(i) = products[kUnknowns][i];
+  }
+  normal.squares = products[kUnknowns][kUnknowns];
+  for (int k = 0; k < patch.count; ++k) normal.weights += patch.weight[k] * patch.weight[k];
+  return normal;
+}
+
+double prior_cost(const CornerModel& model, double noise) {
+  const double soft = model.shadow.softness - std::hypot(model.blur, kPenumbra);
+  return noise * noise *
+         (model.shade.squaredNorm() / (kShadeSigma * kShadeSigma) + soft * soft / (kSoftnessSigma * kSoftnessSigma));
+}
+
+CornerModel moved(const CornerModel& from, const Vector& step) {
+  CornerModel to = from;
+  const Eigen::Vector2d move = step.head<2>() * std::min(1.0, 0.7 / std::max(step.head<2>().norm(), 1e-9));
+  const auto held = [&](int i, double most) { return std::clamp(step(i), -most, most); };
+  to.position += move;
+  to.shade += step.segment<2>(2);
+  for (int i = 0; i < 2; ++i) to.edges[i] += held(4 + i, 0.3);
+  to.blur = std::clamp(to.blur + held(6, 0.5), 0.3, 5.0);
+  to.level += step(7), to.half_contrast += step(8);
+  ShadowEdge& shadow = to.shadow;
+  shadow.direction += held(9, 0.4);
+  // The line stays where it is as the corner moves.
+  shadow.distance +=
+      held(10, 1.5) - std::cos(from.shadow.direction) * move.x() - std::sin(from.shadow.direction) * move.y();
+  shadow.depth = std::clamp(shadow.depth + held(11, 0.3), -4.0, kMostDepth);
+  shadow.softness = std::clamp(shadow.softness + held(12, 0.5), 0.4, 4.0);
+  return to;
+}
+
+Eigen::Vector2i pixel_of(const Eigen::Vector2d& position) { return (position.array() + 0.5).floor().cast<int>(); }
+
+bool evaluate_at(const Image& image, const CornerModel& model, double radius, CornerPatch& patch) {
+  const int reach = static_cast<int>(radius) + 1;
+  const Eigen::Vector2i centre = pixel_of(model.position);
+  if (centre.x() < reach || centre.y() < reach || centre.x() + reach >= image.width ||
+      centre.y() + reach >= image.height)
+    return false;
+  gather(image, centre, reach, patch);
+  evaluate(model, radius, 0, patch.count, patch);
+  return true;
+}
+
+double noise_of(const Normal& normal) {
+  return std::max(std::sqrt(normal.squares / std::max(normal.weights - kUnknowns, 1.0)), 0.3);
+}
+
+}  // namespace
+
+std::optional<ShadowEdge> likely_shadow(const CornerPatch& patch, const CornerModel& model, double noise) {
+  std::vector<float> products(patch.count), squares(patch.count);
+  Side all;
+  float values = 0, weights = 0;
+  for (int n = 0; n < patch.count; ++n) {
+    const float w = patch.weight[n], f = patch.even[4][n];
+    if (w <= 0) continue;
+    const float m = (w * patch.value[n] - patch.residual[n]) / w, weight = f * f;
+    products[n] = weight * m * patch.value[n], squares[n] = weight * m * m;
+    all.products += products[n], all.squares += squares[n];
+    values += weight * patch.value[n] * patch.value[n], weights += weight;
+  }
+  const Split split = best_split(products, squares, all);
+  const float left = values - all.told(), gain = split.told - all.told();
+  if (!(split.told > 0) || gain < kLeastTold * left || gain < kLeastGain * noise * noise) return std::nullopt;
+  const double angle = M_PI * split.direction / kDirections;
+  const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
+  const double along = split.bin - kBins / 2 + 0.5 - normal.dot(model.position - patch.centre.cast<double>());
+  ShadowEdge edge;
+  const bool ahead = along >= 0;
+  edge.direction = ahead ? angle : angle + M_PI;
+  edge.distance = std::abs(along);
+  const double here = ahead ? split.near.factor() : split.far.factor();
+  const double beyond = ahead ? split.far.factor() : split.near.factor();
+  if (!(here > 0.1 && beyond > 0.1)) return std::nullopt;
+  edge.depth = 1 - beyond / here;
+  edge.softness = std::hypot(model.blur, kPenumbra);
+  return edge;
+}
+
+std::optional<ShadowFit> fit_with_shadow(const Image& image, const CornerModel& start, double radius, int iterations,
+                                         CornerPatch& patch) {
+  ShadowFit fit{start, 0};
+  if (!evaluate_at(image, start, radius, patch)) return std::nullopt;
+  Normal at = normal_equations(patch);
+  double damping = 1e-3;
+  for (int i = 0; i < iterations; ++i) {
+    const double noise = noise_of(at);
+    Normal damped = at;
+    add_prior(fit.model, noise, damped);
+    damped.hessian.diagonal() *= 1 + damping;
+    Vector step = damped.side;
+    if (!solve<kUnknowns>(damped.hessian, step)) return std::nullopt;
+    const CornerModel next = moved(fit.model, step);
+    if ((next.position - start.position).norm() > 2.5 || !evaluate_at(image, next, radius, patch)) return std::nullopt;
+    const Normal there = normal_equations(patch);
+    const double before = at.squares / at.weights * there.weights + prior_cost(fit.model, noise);
+    if (there.squares + prior_cost(next, noise) > before) {
+      damping = std::max(10 * damping, 1e-2);
+      if (damping > 1e3) break;
+      continue;
+    }
+    damping *= 0.2;
+    fit.model = next, at = there;
+    if (step.head<2>().norm() < 0.01 && std::abs(step(10)) < 0.1) break;
+  }
+  if (!evaluate_at(image, fit.model, radius, patch)) return std::nullopt;
+  fit.noise = noise_of(at);
+  return fit;
+}
+
+Eigen::Matrix2d position_covariance_with_shadow(double noise, const CornerModel& model, CornerPatch& patch) {
+  Normal normal = normal_equations(patch);
+  add_prior(model, noise, normal);
+  const Hessian inverse = normal.hessian.inverse();
+  const auto weigh = [&](CornerPatch::Row& row) {
+    for (int n = 0; n < patch.padded; ++n) row[n] *= patch.weight[n];
+  };
+  std::for_each(patch.odd.begin(), patch.odd.end(), weigh);
+  std::for_each(patch.even.begin(), patch.even.end(), weigh);
+  std::for_each(patch.shadow.begin(), patch.shadow.end(), weigh);
+  Normal spread = normal_equations(patch);
+  add_prior(model, noise, spread);
+  return noise * noise * (inverse * spread.hessian * inverse).topLeftCorner<2, 2>();
+}
+
+}  // namespace handsight

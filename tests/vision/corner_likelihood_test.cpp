@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_likelihood.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace handsight {
+namespace {
+
+std::vector<Candidate> scattered(int count, int width, int height, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<Candidate> candidates;
+  for (int i = 0; i < count; ++i)
+    candidates.push_back({{unit(random) * (width - 1), unit(random) * (height - 1)},
+                          static_cast<float>(1 + 9 * unit(random)),
+                          unit(random) < 0.7});
+  return candidates;
+}
+
+TEST(SaddleField, CountsWhatIsNearAndAsDeepWhateverTheImagesSize) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const auto& [width, height, count] : {std::array{65, 65, 3}, std::array{30, 30, 2}, std::array{640, 480, 400}}) {
+    const auto candidates = scattered(count, width, height, random);
+    SaddleField field(width, height, candidates);
+    std::vector<double> probability(candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const bool alone = std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+        return &other != &candidates[i] && (other.position - candidates[i].position).norm() < 2;
+      });
+      if (!alone) continue;
+      probability[i] = unit(random);
+      field.set_probability(field.at(candidates[i].position), probability[i]);
+    }
+    for (const Candidate& own : candidates) {
+      double others = 0;
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const double distance = (candidates[i].position - own.position).norm();
+        if (candidates[i].stationary && distance >= 2 && distance < 40 && candidates[i].saddle >= 0.25f * own.saddle)
+          others += 1 - 2 * probability[i];
+      }
+      EXPECT_NEAR(field.others(own), std::clamp(others, -2.0, 4.0), 1e-4);
+    }
+  }
+}
+
+// Saddles 20 px apart, all of which say as much of themselves as they leave open.
+std::vector<Suspect> crowd(double own) {
+  std::vector<Suspect> all;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      const Eigen::Vector2d at(20 + 20 * i, 20 + 20 * j);
+      all.push_back({{at, 5, true}, at, own, own});
+    }
+  return all;
+}
+
+std::vector<Candidate> candidates_of(const std::vector<Suspect>& suspects) {
+  std::vector<Candidate> candidates;
+  for (const Suspect& suspect : suspects) candidates.push_back(suspect.candidate);
+  return candidates;
+}
+
+TEST(Weigh, CornersOfABoardSpeakForEachOther) {
+  std::vector<Suspect> board = crowd(0.5);
+  SaddleField field(140, 140, candidates_of(board));
+  weigh(board, field);
+  for (const Suspect& suspect : board) EXPECT_GT(suspect.log_odds, 1);
+}
+
+TEST(Weigh, AmongSaddlesThatAreNoneACornerMustShowMore) {
+  std::vector<Suspect> texture = crowd(-6);
+  texture[12].own = texture[12].log_odds = 2;  // the one in the middle
+  SaddleField field(140, 140, candidates_of(texture));
+  weigh(texture, field);
+  EXPECT_LT(texture[12].log_odds, kLeastLogOdds);
+  texture[12].own = texture[12].log_odds = 8;
+  weigh(texture, field);
+  EXPECT_GT(texture[12].log_odds, kLeastLogOdds);
+}
+
+TEST(CornerLogOdds, RiseWithTheDiscAndFallWithBlurSigmaAndWhatTheModelLeaves) {
+  CornerFit fit;
+  fit.model.half_contrast = -50, fit.model.blur = 1.5, fit.radius = 7, fit.noise = 5;
+  fit.covariance = 0.01 * Eigen::Matrix2d::Identity();
+  const double own = corner_log_odds(signs_of(fit, 3));
+  const auto changed = [&](const auto& change) {
+    CornerFit other = fit;
+    change(other);
+    return corner_log_odds(signs_of(other, 3));
+  };
+  EXPECT_GT(changed([](CornerFit& f) { f.radius = 9; }), own);
+  EXPECT_LT(changed([](CornerFit& f) { f.model.blur = 2; }), own);
+  EXPECT_LT(changed([](CornerFit& f) { f.covariance *= 4; }), own);
+  EXPECT_LT(changed([](CornerFit& f) { f.noise = 10; }), own);
+  EXPECT_TRUE(std::isfinite(changed([](CornerFit& f) { f.noise = 1; })));  // less than the image's
+}
+
+}  // namespace
+}  // namespace handsight
