@@ -25,9 +25,9 @@ inline Image as_image(const cv::Mat& mat) {
   return image;
 }
 
-/// What a camera does: the scene (9 points in each of 16 parts of a pixel, no two in a row or column) blurred by the
-/// lens, averaged over the pixel, white noise, 8 bit. Blurring whole pixels instead would skew the edges.
-inline Image render(int width, int height, const Scene& scene, double blur, double noise, std::mt19937& random) {
+/// What a camera sees, without noise and not rounded: the scene (9 points in each of 16 parts of a pixel, no two in a
+/// row or column) blurred by the lens and averaged over the pixel. Blurring whole pixels instead would skew the edges.
+inline cv::Mat exact_image(int width, int height, const Scene& scene, double blur) {
   constexpr int kFine = 4, kPoints = 9;
   cv::Mat fine(kFine * height, kFine * width, CV_32F);
   for (int y = 0; y < fine.rows; ++y)
@@ -44,6 +44,12 @@ inline Image render(int width, int height, const Scene& scene, double blur, doub
   }
   cv::Mat exact;
   cv::resize(fine, exact, {width, height}, 0, 0, cv::INTER_AREA);
+  return exact;
+}
+
+/// The same as an image: white noise, 8 bit.
+inline Image render(int width, int height, const Scene& scene, double blur, double noise, std::mt19937& random) {
+  const cv::Mat exact = exact_image(width, height, scene, blur);
   Image image(width, height);
   std::normal_distribution<double> normal(0, 1);
   for (int v = 0; v < height; ++v)

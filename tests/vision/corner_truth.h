@@ -25,6 +25,7 @@ struct Variety {
 struct Sample {
   Image image;
   View view;
+  Light light;
   double contrast = 0, blur = 0, noise = 0;
 };
 
@@ -38,13 +39,37 @@ inline Sample draw(const Variety& variety, std::mt19937& random) {
   const double cell = within(variety.cell), tilt = uniform(0, variety.tilt), turn = uniform(0, 2 * M_PI);
   sample.view = view_of(corner, cell, tilt, turn, uniform(0, 2 * M_PI));
   sample.contrast = within(variety.contrast), sample.blur = within(variety.blur), sample.noise = within(variety.noise);
-  Light light;
+  Light& light = sample.light;
   light.black = uniform(20, 235 - sample.contrast), light.white = light.black + sample.contrast;
   light.around = uniform(20, 235);
   light.gradient = {uniform(-variety.gradient, variety.gradient), uniform(-variety.gradient, variety.gradient)};
   light.shade = within(variety.shade), light.shade_angle = uniform(0, 2 * M_PI), light.shade_distance = uniform(3, 10);
   sample.image = render(65, 65, marker(sample.view, light, variety.board), sample.blur, sample.noise, random);
   return sample;
+}
+
+/// Covariance (px^2) by Cramer and Rao of the position of the sample's corner, everything else known, from the rendered
+/// image itself: its neighbours' blur, its shadow, its marker's border and the rounding to grey levels are in it. Over
+/// the pixels of the 2 x 2 cells.
+inline Eigen::Matrix2d rendered_bound(const Sample& sample, bool board) {
+  constexpr double kStep = 0.1;  // px
+  const auto moved = [&](double du, double dv) {
+    View view = sample.view;
+    Eigen::Matrix3d back = Eigen::Matrix3d::Identity();
+    back.col(2) << -du, -dv, 1;
+    view.cells_from_image = view.cells_from_image * back;  // the light stays where it is
+    return exact_image(65, 65, marker(view, sample.light, board), sample.blur);
+  };
+  const cv::Mat by_u = moved(kStep, 0) - moved(-kStep, 0), by_v = moved(0, kStep) - moved(0, -kStep);
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  for (int v = 0; v < 65; ++v)
+    for (int u = 0; u < 65; ++u) {
+      const Eigen::Vector2d at = sample.view.cells(u, v);
+      if (std::abs(at.x()) > 1 || std::abs(at.y()) > 1) continue;
+      const Eigen::Vector2d j = Eigen::Vector2d(by_u.at<float>(v, u), by_v.at<float>(v, u)) / (2 * kStep);
+      information += j * j.transpose() / (sample.noise * sample.noise + 1 / 12.0);
+    }
+  return information.inverse();
 }
 
 /// The fixture by which chess-corners reports itself: 45 x 45 px, cells of `cell` px along the axes, 30 and 230 grey
