@@ -44,7 +44,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
-  const int widths[] = {150, 206};
+  const int widths[] = {150, 184};
   for (int i = 0; i < 2; ++i) view_->setColumnWidth(i, widths[i]);
   header.setSectionResizeMode(2, QHeaderView::Stretch);
   header.setSectionResizeMode(3, QHeaderView::Stretch);

@@ -15,7 +15,7 @@ class EffectTableModel;
 class EffectTableFilter;
 
 enum class EffectVerdict { in_model, would_help, worse, no_sign, cannot_be_seen, same_as, unknown };
-/// "in the model", "would help", "fits, but worse", "no sign", "cannot be seen on these poses", "same as", "-".
+/// "in the model", "would help", "fits, but worse", "no sign", "unseen on these poses", "same as", "-".
 QString effect_verdict_text(EffectVerdict verdict);
 
 struct EffectRow {

@@ -81,7 +81,7 @@ QString effect_verdict_text(EffectVerdict verdict) {
     case EffectVerdict::no_sign:
       return said("no sign");
     case EffectVerdict::cannot_be_seen:
-      return said("cannot be seen on these poses");
+      return said("unseen on these poses");
     case EffectVerdict::same_as:
       return said("same as");
     case EffectVerdict::unknown:
