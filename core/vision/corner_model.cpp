@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kFirstRadius = 4;      // px: 50 pixels, enough for nine unknowns
 constexpr int kSecondRadius = 7;        // px: the edges' directions must be known better before it grows on
-constexpr double kShadeSigma = 0.003;   // 1/px: light that changes by 30 % over 100 px is no surprise
 constexpr double kLoose = 1.5;          // what bounds are wider over the first disc
 constexpr double kMostMove = 1.8;       // px, from the start
 constexpr double kMostMisfit = 0.24;    // half contrasts: sharpening in the camera leaves 0.2
@@ -28,7 +27,6 @@ constexpr int kShadowSteps = 5;         // of corner and shadow together
 constexpr double kLeastDepth = 0.08;    // of a shadow: less is uneven light
 constexpr double kNearestShadow = 1.5;  // px: an edge through the corner is one of its own
 constexpr double kPrecision = 0.05;     // px: after so short a step the next would be a tenth of it
-constexpr double kLeastNoise = 0.3;     // grey levels: rounding to whole ones alone makes 0.29
 
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 using Vector5 = Eigen::Matrix<double, 5, 1>;
@@ -75,13 +73,6 @@ std::optional<Step> step(const PatchSums& sum, double noise, double share, Corne
   return made;
 }
 
-Eigen::Vector2i pixel_of(const Eigen::Vector2d& position) { return (position.array() + 0.5).floor().cast<int>(); }
-
-bool inside(const Image& image, const Eigen::Vector2i& centre, int radius) {
-  return centre.x() >= radius && centre.y() >= radius && centre.x() + radius < image.width &&
-         centre.y() + radius < image.height;
-}
-
 struct Progress {
   double image_noise = 0;  // grey levels
   CornerPatch patch;
@@ -110,7 +101,7 @@ bool fit_disc(const Image& image, double radius, int iterations, double precisio
   const int reach = static_cast<int>(radius) + 1;
   for (int i = 0; i < iterations; ++i) {
     const Eigen::Vector2i centre = pixel_of(model.position);
-    if (!inside(image, centre, reach)) return false;
+    if (!is_inside(image, centre, reach)) return false;
     gather(image, centre, reach, at.patch);
     evaluate(model, radius, 0, at.patch.count, at.patch);
     at.sum = sums(at.patch);
@@ -130,7 +121,7 @@ bool fit_disc(const Image& image, double radius, int iterations, double precisio
 // How far the model holds, px: ring by ring, as long as the residuals stay what they are inside.
 double grown_radius(const Image& image, double radius, int most, Progress& at, const CornerModel& model) {
   const Eigen::Vector2i centre = pixel_of(model.position);
-  while (most > radius && !inside(image, centre, most + 1)) --most;
+  while (most > radius && !is_inside(image, centre, most + 1)) --most;
   if (most <= radius) return radius;
   gather(image, centre, most + 1, at.patch);
   const double bound = 2 * at.noise * at.noise + 0.02 * model.half_contrast * model.half_contrast;
@@ -238,8 +229,8 @@ std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vect
   at.image_noise = image_noise;
   int reach = kShadowReach;
   const Eigen::Vector2i centre = pixel_of(guess.position);
-  while (reach > kShadowRadius && !inside(image, centre, reach)) --reach;
-  if (!inside(image, centre, reach)) return std::nullopt;
+  while (reach > kShadowRadius && !is_inside(image, centre, reach)) --reach;
+  if (!is_inside(image, centre, reach)) return std::nullopt;
   gather(image, centre, reach, at.patch);
   evaluate(guess, reach + 2, 0, at.patch.count, at.patch);  // so far out that all pixels have their full weight
   const auto edge = likely_shadow(at.patch, guess, image_noise);

@@ -10,6 +10,10 @@
 
 namespace handsight {
 
+// What is known of every corner beforehand, with a shadow's edge beside it or not.
+constexpr double kShadeSigma = 0.003;  // 1/px: light that changes by 30 % over 100 px is no surprise
+constexpr double kLeastNoise = 0.3;    // grey levels: rounding to whole ones alone makes 0.29
+
 constexpr int kMostPatchRadius = 10;   // px
 constexpr int kMostPatchPixels = 456;  // in a disc of kMostPatchRadius + 2, in whole groups
 
@@ -30,6 +34,15 @@ struct CornerPatch {
 
 /// Pixels in the disc of `radius` px, 0 to kMostPatchRadius + 2.
 int pixels_in_disc(int radius);
+
+/// The pixel that a position (px) lies in; whether the disc of `radius` px round one is inside of the image.
+inline Eigen::Vector2i pixel_of(const Eigen::Vector2d& position) {
+  return (position.array() + 0.5).floor().cast<int>();
+}
+inline bool is_inside(const Image& image, const Eigen::Vector2i& centre, int radius) {
+  return centre.x() >= radius && centre.y() >= radius && centre.x() + radius < image.width &&
+         centre.y() + radius < image.height;
+}
 
 /// px from the central pixel, of the pixel with this number.
 Eigen::Vector2i offset_of_pixel(int number);

@@ -14,7 +14,6 @@ namespace handsight {
 namespace {
 
 constexpr int kUnknowns = 13;           // position, shade; edges, blur, level, half contrast; the shadow's four
-constexpr double kShadeSigma = 0.003;   // 1/px, as without a shadow
 constexpr double kSoftnessSigma = 0.5;  // px: the edges of near and far things' shadows
 constexpr double kPenumbra = 0.6;       // px, of a usual shadow's edge before the lens
 constexpr double kMostDepth = 0.9;
@@ -163,21 +162,17 @@ CornerModel moved(const CornerModel& from, const Vector& step) {
   return to;
 }
 
-Eigen::Vector2i pixel_of(const Eigen::Vector2d& position) { return (position.array() + 0.5).floor().cast<int>(); }
-
 bool evaluate_at(const Image& image, const CornerModel& model, double radius, CornerPatch& patch) {
   const int reach = static_cast<int>(radius) + 1;
   const Eigen::Vector2i centre = pixel_of(model.position);
-  if (centre.x() < reach || centre.y() < reach || centre.x() + reach >= image.width ||
-      centre.y() + reach >= image.height)
-    return false;
+  if (!is_inside(image, centre, reach)) return false;
   gather(image, centre, reach, patch);
   evaluate(model, radius, 0, patch.count, patch);
   return true;
 }
 
 double noise_of(const Normal& normal) {
-  return std::max(std::sqrt(normal.squares / std::max(normal.weights - kUnknowns, 1.0)), 0.3);
+  return std::max(std::sqrt(normal.squares / std::max(normal.weights - kUnknowns, 1.0)), kLeastNoise);
 }
 
 }  // namespace
@@ -185,14 +180,14 @@ double noise_of(const Normal& normal) {
 std::optional<ShadowEdge> likely_shadow(const CornerPatch& patch, const CornerModel& model, double noise) {
   std::vector<float> products(patch.count), squares(patch.count);
   Side all;
-  float values = 0, weights = 0;
+  float values = 0;
   for (int n = 0; n < patch.count; ++n) {
     const float w = patch.weight[n], f = patch.even[4][n];
     if (w <= 0) continue;
     const float m = (w * patch.value[n] - patch.residual[n]) / w, weight = f * f;
     products[n] = weight * m * patch.value[n], squares[n] = weight * m * m;
     all.products += products[n], all.squares += squares[n];
-    values += weight * patch.value[n] * patch.value[n], weights += weight;
+    values += weight * patch.value[n] * patch.value[n];
   }
   const Split split = best_split(products, squares, all);
   const float left = values - all.told(), gain = split.told - all.told();

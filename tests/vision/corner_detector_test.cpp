@@ -145,7 +145,7 @@ TEST(CornerDetector, FindsCornersOfCellsSomePixelsWide) {
       continue;
     ++in_scope, found += nearest(detect_corners(sample.image), sample.view.corner, 2) != nullptr;
   }
-  EXPECT_GE(found, 0.90 * in_scope);  // 0.94 in the trial's larger sample
+  EXPECT_GE(found, 0.90 * in_scope);  // 0.93 in the trial's larger sample
 }
 
 TEST(CornerDetector, BesideAShadowsEdgeTheCovarianceIsNotTooSmall) {
