@@ -49,6 +49,19 @@ void set_up_view(QTableView& view) {
   header.setSectionResizeMode(static_cast<int>(TableColumn::reason), QHeaderView::Stretch);
 }
 
+// Two letters of a reason tell nothing: without room for more the state's tool tip gives it.
+void give_room_to_reason(QTableView& view) {
+  constexpr int kLeastWidth = 90, kStateWidth = 70;
+  const int reason = static_cast<int>(TableColumn::reason), state = static_cast<int>(TableColumn::state);
+  int room = view.viewport()->width() - kStateWidth;
+  for (int i = 0; i < state; ++i) room -= view.isColumnHidden(i) ? 0 : view.columnWidth(i);
+  const bool is_hidden = room < kLeastWidth;
+  if (view.isColumnHidden(reason) == is_hidden) return;
+  view.setColumnHidden(reason, is_hidden);
+  view.horizontalHeader()->setSectionResizeMode(state, is_hidden ? QHeaderView::Stretch : QHeaderView::Interactive);
+  if (!is_hidden) view.setColumnWidth(state, kStateWidth);
+}
+
 }  // namespace
 
 ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
@@ -132,6 +145,7 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
 void ObservationTable::set_units(SizeUnit first, std::optional<SizeUnit> second) {
   model_->set_units(first, second.value_or(first));
   view_->setColumnHidden(static_cast<int>(TableColumn::other_size), !second);
+  give_room_to_reason(*view_);
   const int sorted_by = view_->horizontalHeader()->sortIndicatorSection();
   resort_->setVisible(!filter_->is_in_order() && sorted_by >= 0);
 }
@@ -280,6 +294,8 @@ bool ObservationTable::eventFilter(QObject* watched, QEvent* event) {
       set_hovered(id);
       emit observation_hovered(id);
     }
+  } else if (watched == view_->viewport() && event->type() == QEvent::Resize) {
+    give_room_to_reason(*view_);
   } else if (watched == view_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Delete || key == Qt::Key_Insert) {

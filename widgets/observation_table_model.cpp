@@ -112,7 +112,7 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
   const auto column = static_cast<TableColumn>(index.column());
   if (role == Qt::DisplayRole) return shown(row, column, units_);
   if (role == kSortRole) return sort_value(row, column, units_);
-  if (role == Qt::ToolTipRole && column == TableColumn::reason && !row.reason.isEmpty()) return row.reason;
+  if (role == Qt::ToolTipRole && column >= TableColumn::state && !row.reason.isEmpty()) return row.reason;
   if (role == Qt::TextAlignmentRole)
     return static_cast<int>((is_number(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   return {};
@@ -121,13 +121,14 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
 QVariant ObservationTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   static const std::array<const char*, 7> names = {"obs", "", "", "deg", "worst", "state", "why"};
-  static const std::array<const char*, 7> tips = {"The observation's id",
-                                                  "",
-                                                  "",
-                                                  "How far TCPest is turned from the TCP, degrees",
-                                                  "The marker and image with the largest residual; sorts by its size",
-                                                  "Whether the fit uses it; odd: it stands out of the others",
-                                                  "Why it is rejected or excluded, or what is to be said of it"};
+  static const std::array<const char*, 7> tips = {
+      "The observation's id",
+      "",
+      "",
+      "How far TCPest is turned from the TCP, degrees",
+      "The marker and image with the largest residual; sorts by its size",
+      "Whether the fit uses it; odd: it stands out of the others; on a row: why",
+      "Why it is rejected or excluded, or what is to be said of it"};
   if (section < 0 || section >= static_cast<int>(names.size())) return {};
   if (const auto column = static_cast<TableColumn>(section); is_size(column)) {
     const SizeUnit unit = unit_of(column, units_);
