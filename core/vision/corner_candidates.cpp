@@ -21,8 +21,8 @@ struct Plane {
   const std::int16_t* row(int y) const { return values.data() + static_cast<std::size_t>(y) * width; }
 };
 
-constexpr double kNear = 1.5, kFarthest = 2.5;  // half-resolution px, from the peak to where the gradient vanishes
-constexpr float kUnit = 16;                     // of the smoothed plane, per grey level
+constexpr double kNear = 1.5, kFarthest = 5;  // half-resolution px, from the peak to where the gradient vanishes
+constexpr float kUnit = 16;                   // of the smoothed plane, per grey level
 
 HANDSIGHT_LANES void add_pairs(const std::uint8_t* upper, const std::uint8_t* lower, int count, std::int16_t* sums) {
   for (int x = 0; x < count; ++x) {
@@ -96,6 +96,18 @@ HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* d
   }
 }
 
+// Calls act(x) for those that are not 0: few, so that four at a time are passed over.
+template <class Act>
+void each_peak(const std::int32_t* peaks, int count, const Act& act) {
+  for (int x = 0; x < count; x += 4) {
+    std::uint64_t four[2];
+    std::memcpy(four, peaks + x, sizeof four);
+    if (!(four[0] | four[1])) continue;
+    for (int i = x; i < std::min(x + 4, count); ++i)
+      if (peaks[i]) act(i);
+  }
+}
+
 // One Newton step to where the gradient vanishes; false where that is not near.
 bool saddle_point(const Plane& plane, int x, int y, float saddle, Candidate& candidate) {
   const std::int16_t *up = plane.row(y - 1), *at = plane.row(y), *down = plane.row(y + 1);
@@ -135,10 +147,10 @@ std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast
     else
       std::fill(down, down + w, 0.f);
     find_peaks(up + 3, at + 3, down + 3, w - 6, least, peaks.data() + 3);
-    for (int x = 3; x < w - 3; ++x) {
+    each_peak(peaks.data() + 3, w - 6, [&](int n) {
       Candidate candidate;
-      if (peaks[x] && saddle_point(plane, x, y, at[x], candidate)) candidates.push_back(candidate);
-    }
+      if (saddle_point(plane, n + 3, y, at[n + 3], candidate)) candidates.push_back(candidate);
+    });
     float* const old = up;
     up = at, at = down, down = old;
   }

@@ -15,10 +15,49 @@ constexpr float kSame = 2;        // px: nearer ones are the same
 constexpr float kAsDeep = 0.25f;  // of a saddle's depth, which is a product of two curvatures
 constexpr int kRounds = 4;
 constexpr CornerSigns kWeights{-7.08, 0.73, -1.95, -3.06, -1.01};
-constexpr double kWeightOfOthers = -1.65;
+constexpr double kWeightOfOthers = -1.65, kWeightOfBoard = 4;
+constexpr double kParallel = 0.12;  // sine, between edges of one board: perspective turns them a little
+constexpr double kAlike = 1.67;     // times another's contrast
+constexpr double kFewOfABoard = 8, kMostOfABoard = 14;
 constexpr double kLeastExcess = 0.02;  // half contrasts
 
 int cell(double coordinate) { return static_cast<int>(coordinate) / kNear; }
+
+bool within(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double distance) {
+  return (a - b).squaredNorm() < distance * distance;
+}
+
+// Calls act(i, j) for all that are `distance` px apart at most.
+template <class Act>
+void each_near_pair(const std::vector<Suspect>& suspects, double distance, const Act& act) {
+  std::vector<int> order(suspects.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto u = [&](int i) { return suspects[i].position.x(); };
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return u(i) < u(j); });
+  for (auto i = order.begin(); i != order.end(); ++i)
+    for (auto j = i + 1; j != order.end() && u(*j) - u(*i) < distance; ++j)
+      if (within(suspects[*i].position, suspects[*j].position, distance)) act(*i, *j);
+}
+
+// Of a suspect what is compared with others'.
+struct Likeness {
+  Eigen::Vector2d first, second;  // along the edges
+  double contrast;                // half, grey levels
+};
+
+Likeness likeness(const Suspect& s) {
+  const auto along = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
+  return {along(s.edges[0]), along(s.edges[1]), std::abs(s.half_contrast)};
+}
+
+bool alike(const Likeness& a, const Likeness& b) {
+  const auto parallel = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+    return std::abs(p.x() * q.y() - p.y() * q.x()) < kParallel;
+  };
+  return a.contrast < kAlike * b.contrast && b.contrast < kAlike * a.contrast &&
+         ((parallel(a.first, b.first) && parallel(a.second, b.second)) ||
+          (parallel(a.first, b.second) && parallel(a.second, b.first)));
+}
 
 // What the saddles say of which the distance from (u, v) is that of others that are near.
 HANDSIGHT_LANES float said(const float* u, const float* v, const float* depth, const float* says, int count, float at_u,
@@ -49,7 +88,9 @@ double corner_log_odds(const CornerSigns& signs) {
   return std::inner_product(signs.begin(), signs.end(), kWeights.begin(), 0.0);
 }
 
-double log_odds_among(double own, double others) { return own + kWeightOfOthers * others; }
+double log_odds_among(double own, double others, double board) {
+  return own + kWeightOfOthers * std::clamp(others, -2.0, 4.0) + kWeightOfBoard * board;
+}
 
 SaddleField::SaddleField(int width, int height, const std::vector<Candidate>& candidates)
     : across_(cell(width) + 1), down_(cell(height) + 1), first_(static_cast<std::size_t>(across_) * down_ + 1) {
@@ -86,7 +127,7 @@ double SaddleField::others(const Candidate& candidate) const {
                  static_cast<float>(candidate.position.x()), static_cast<float>(candidate.position.y()),
                  kAsDeep * candidate.saddle);
   });
-  return std::clamp(more, -2.0, 4.0);
+  return more;
 }
 
 std::vector<int> SaddleField::at(const Eigen::Vector2d& position) const {
@@ -105,14 +146,59 @@ void SaddleField::set_probability(const std::vector<int>& numbers, double probab
   for (const int n : numbers) says_[n] = static_cast<float>(1 - 2 * probability);
 }
 
+int SaddleField::counted(const std::vector<int>& numbers, const Candidate& candidate) const {
+  return static_cast<int>(std::count_if(numbers.begin(), numbers.end(), [&](int n) {
+    const Eigen::Vector2d at(u_[n], v_[n]);
+    return depth_[n] >= kAsDeep * candidate.saddle && within(at, candidate.position, kNear) &&
+           !within(at, candidate.position, kSame);
+  }));
+}
+
+std::vector<double> board_signs(const std::vector<Suspect>& suspects) {
+  std::vector<Likeness> likenesses(suspects.size());
+  std::transform(suspects.begin(), suspects.end(), likenesses.begin(), likeness);
+  std::vector<double> signs(suspects.size());
+  each_near_pair(suspects, kNear, [&](int i, int j) {
+    if (alike(likenesses[i], likenesses[j]) && !within(suspects[i].position, suspects[j].position, kSame))
+      ++signs[i], ++signs[j];
+  });
+  for (double& sign : signs) sign = std::clamp((sign - kFewOfABoard) / (kMostOfABoard - kFewOfABoard), 0.0, 1.0);
+  return signs;
+}
+
 void weigh(std::vector<Suspect>& suspects, SaddleField& field) {
-  std::vector<std::vector<int>> own;
-  for (const Suspect& suspect : suspects) own.push_back(field.at(suspect.position));
+  // Who speaks for a saddle that two were fitted to: the last.
+  std::vector<int> owner(field.size(), -1);
+  for (std::size_t i = 0; i < suspects.size(); ++i)
+    for (const int n : field.at(suspects[i].position)) owner[n] = static_cast<int>(i);
+  std::vector<std::vector<int>> own(suspects.size());
+  for (int n = 0; n < field.size(); ++n)
+    if (owner[n] >= 0) own[owner[n]].push_back(n);
+  struct Tie {
+    int listener, speaker, saddles;
+  };
+  std::vector<Tie> ties;
+  each_near_pair(suspects, kNear + 2 * kSame, [&](int i, int j) {
+    for (const auto& [listener, speaker] : {std::pair{i, j}, std::pair{j, i}}) {
+      const int saddles = field.counted(own[speaker], suspects[listener].candidate);
+      if (saddles > 0) ties.push_back({listener, speaker, saddles});
+    }
+  });
+  std::vector<double> if_none(suspects.size()), others, probability(suspects.size()), board = board_signs(suspects);
+  const auto settle = [&] {
+    for (std::size_t i = 0; i < suspects.size(); ++i) probability[i] = 1 / (1 + std::exp(-suspects[i].log_odds));
+  };
+  for (const auto& numbers : own) field.set_probability(numbers, 0);
+  for (std::size_t i = 0; i < suspects.size(); ++i) if_none[i] = field.others(suspects[i].candidate);
+  settle();
   for (int round = 0; round < kRounds; ++round) {
+    others = if_none;
+    for (const Tie& tie : ties) others[tie.listener] -= 2 * tie.saddles * probability[tie.speaker];
     for (std::size_t i = 0; i < suspects.size(); ++i)
-      field.set_probability(own[i], 1 / (1 + std::exp(-suspects[i].log_odds)));
-    for (Suspect& suspect : suspects) suspect.log_odds = log_odds_among(suspect.own, field.others(suspect.candidate));
+      suspects[i].log_odds = log_odds_among(suspects[i].own, others[i], board[i]);
+    settle();
   }
+  for (std::size_t i = 0; i < suspects.size(); ++i) field.set_probability(own[i], probability[i]);
 }
 
 }  // namespace handsight

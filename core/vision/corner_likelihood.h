@@ -29,11 +29,14 @@ class SaddleField {
   SaddleField(int width, int height, const std::vector<Candidate>& candidates);
 
   /// By how many more of the saddles within 40 px of `candidate` and at least half as steep, itself left out, are no
-  /// corners than are, as far as is known: -2 to 4, beyond which more tell nothing.
+  /// corners than are, as far as is known.
   double others(const Candidate& candidate) const;
   /// Numbers of the saddles that are the one at `position` (px).
   std::vector<int> at(const Eigen::Vector2d& position) const;
   void set_probability(const std::vector<int>& numbers, double probability);
+  /// How many of the saddles with these numbers `others` counts.
+  int counted(const std::vector<int>& numbers, const Candidate& candidate) const;
+  int size() const { return first_.back(); }
 
  private:
   template <class Act>
@@ -44,16 +47,22 @@ class SaddleField {
   std::vector<float> u_, v_, depth_, says_;  // cell by cell; 1 - 2 probability
 };
 
-/// Log-odds of a saddle whose own are `own`, given those round it (SaddleField::others): texture makes saddles in
-/// crowds, and of these few are corners; on a board all are.
-double log_odds_among(double own, double others);
-
 /// A saddle that was fitted.
 struct Suspect {
   Candidate candidate;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
+  std::array<double, 2> edges{};                       // rad
+  double half_contrast = 0;                            // grey levels
   double own = 0, log_odds = 0;                        // alone, and among the others
 };
+
+/// Whether a saddle is of a board, 0 to 1: by how many others within 40 px have edges along its own and half or twice
+/// its contrast at most. Up to 8 say nothing, as grain may lie along one direction too; 14 say all.
+std::vector<double> board_signs(const std::vector<Suspect>& suspects);
+
+/// Log-odds of a saddle whose own are `own`, given those round it (SaddleField::others, of which -2 to 4 tell
+/// something; board_signs): texture makes saddles in crowds, and of these few are corners; on a board all are.
+double log_odds_among(double own, double others, double board = 0);
 
 /// Each saddle counts by how likely it is a corner, and this depends on the others: some rounds settle it.
 void weigh(std::vector<Suspect>& suspects, SaddleField& field);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "vision/corner_lanes.h"
 #include "vision/corner_patch.h"
 #include "vision/corner_shadow.h"
 #include "vision/corner_solve.h"
@@ -14,16 +15,17 @@
 namespace handsight {
 namespace {
 
-constexpr double kFirstRadius = 4;      // px: 50 pixels, enough for nine unknowns
-constexpr int kSecondRadius = 7;        // px: the edges' directions must be known better before it grows on
-constexpr double kLoose = 1.5;          // what bounds are wider over the first disc
-constexpr double kMostMove = 1.8;       // px, from the start
+constexpr double kFirstRadius = 4;   // px: 50 pixels, enough for nine unknowns
+constexpr int kSecondRadius = 7;     // px: the edges' directions must be known better before it grows on
+constexpr double kLoose = 1.5;       // what bounds are wider over the first disc
+constexpr double kLessLoose = 1.25;  // over the second
+constexpr double kMostMove = 1.8;    // px, from the start
+constexpr double kMostMoveInShadow = 2.5;
 constexpr double kMostMisfit = 0.24;    // half contrasts: sharpening in the camera leaves 0.2
 constexpr double kMostGain = 2.6;       // times the contrast that the circles showed
 constexpr double kMostBlur = 0.6;       // radii: a saddle that never becomes flat is no corner
 constexpr int kShadowRadius = 6;        // px, of the disc on which corner and shadow are fitted first
 constexpr int kShadowReach = 9;         // px, where a shadow's edge is looked for
-constexpr int kShadowSteps = 5;         // of corner and shadow together
 constexpr double kLeastDepth = 0.08;    // of a shadow: less is uneven light
 constexpr double kNearestShadow = 1.5;  // px: an edge through the corner is one of its own
 constexpr double kPrecision = 0.05;     // px: after so short a step the next would be a tenth of it
@@ -93,7 +95,7 @@ bool promises_well(const CornerModel& model, double promise, double image_noise,
 struct Looseness {
   double look, first_promise, promise;
 };
-constexpr Looseness kFirstLook{2 * kLoose, 4, 2.5}, kSecondLook{kLoose, 2, 2}, kUnchecked{1, 1e9, 1e9};
+constexpr Looseness kFirstLook{2 * kLoose, 4, 2.5}, kSecondLook{kLoose, 2, 2}, kGrown{1, 2, 1.3};
 
 // Steps until a step is shorter than `precision` px; false where the fit fails.
 bool fit_disc(const Image& image, double radius, int iterations, double precision, const Looseness& loose, Progress& at,
@@ -125,10 +127,10 @@ double grown_radius(const Image& image, double radius, int most, Progress& at, c
   if (most <= radius) return radius;
   gather(image, centre, most + 1, at.patch);
   const double bound = 2 * at.noise * at.noise + 0.02 * model.half_contrast * model.half_contrast;
-  int n = pixels_in_disc(static_cast<int>(radius));
+  int n = pixels_in_disc(static_cast<int>(radius)), evaluated = n / kWideLanes * kWideLanes;
   for (int r = static_cast<int>(radius) + 1; r <= most; ++r) {
     const int begin = n, end = pixels_in_disc(r);
-    evaluate_residuals(model, most + 1, begin / 8 * 8, end, at.patch);
+    if (end > evaluated) evaluate_residuals(model, most + 1, evaluated, end, at.patch), evaluated = in_groups(end);
     double squares = 0;
     for (; n < end; ++n) squares += at.patch.residual[n] * at.patch.residual[n];
     if (squares > bound * (end - begin)) return r - 1;
@@ -162,6 +164,16 @@ double misfit_of(const CornerPatch& patch) {
   return std::sqrt(std::max(products / std::max(weights, 1.f), 0.f));
 }
 
+// A fit of corner and shadow together: on the first disc, from where most that are no corners show it within three
+// steps; there to the end; and on as large a disc as it holds for.
+struct ShadowStage {
+  bool grows;
+  double loose;
+  Patience patience;
+};
+constexpr std::array<ShadowStage, 3> kShadowStages{
+    {{false, 2.25, {3, 1.2, 0.8}}, {false, 1.2, {5, 1, 0.4}}, {true, 1, {5, 1, 1}}}};
+
 // Bounds beyond what X-corners of 8 px cells show at 60 deg and 2.5 px of blur. Over the first disc blur and contrast
 // are hard to tell from each other, so there they are `loose`.
 bool looks_right(const CornerModel& model, const CrossStructure& cross, double noise, double image_noise,
@@ -181,6 +193,9 @@ Eigen::Matrix2d position_covariance(Progress& at) {
   const Eigen::Matrix4d spread = odd_hessian(odd_sums(at.patch), at.noise);
   return at.noise * at.noise * (inverse * spread * inverse).topLeftCorner<2, 2>();
 }
+
+// Edges nearly along each other leave the position open; what rounding makes of its covariance then is none.
+bool is_determined(const CornerFit& fit) { return fit.covariance(0, 0) > 0 && fit.covariance.determinant() > 0; }
 
 }  // namespace
 
@@ -208,49 +223,53 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
   if (fit.misfit > kLoose * kMostMisfit * std::abs(model.half_contrast)) return std::nullopt;
   fit.radius = grown_radius(image, kFirstRadius, kSecondRadius, at, model);
   if (fit.radius > kFirstRadius) {
-    if (!fit_disc(image, fit.radius, 3, 0.2, kUnchecked, at, model)) return std::nullopt;
+    if (!fit_disc(image, fit.radius, 3, 0.2, kGrown, at, model)) return std::nullopt;
+    if ((model.position - start).norm() > kLessLoose * kMostMove ||
+        !looks_right(model, cross, at.promise, image_noise, kLessLoose))
+      return std::nullopt;
     fit.radius = grown_radius(image, fit.radius, kMostPatchRadius, at, model);
   } else if (model.blur > kMostBlur * fit.radius + 0.3 || !promises_well(model, at.promise, image_noise, 1.05)) {
     return std::nullopt;
   }
-  if (!fit_disc(image, fit.radius, 4, kPrecision, kUnchecked, at, model)) return std::nullopt;
+  if (!fit_disc(image, fit.radius, 4, kPrecision, kGrown, at, model)) return std::nullopt;
   at.noise = std::max(at.promise, kLeastNoise);  // after the last step
   if ((model.position - start).norm() > kMostMove || !looks_right(model, cross, at.noise, image_noise, 1))
     return std::nullopt;
   if (model.blur > kMostBlur * fit.radius) return std::nullopt;
   fit.noise = at.noise;
   fit.covariance = position_covariance(at);
-  return fit;
+  return is_determined(fit) ? std::optional(fit) : std::nullopt;
 }
 
 std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vector2d& start,
-                                           const CrossStructure& cross, const CornerModel& guess, double image_noise) {
+                                           const CrossStructure& cross, const CornerModel& first, Guess guess,
+                                           double image_noise) {
   Progress at;
   at.image_noise = image_noise;
   int reach = kShadowReach;
-  const Eigen::Vector2i centre = pixel_of(guess.position);
+  const Eigen::Vector2i centre = pixel_of(first.position);
   while (reach > kShadowRadius && !is_inside(image, centre, reach)) --reach;
   if (!is_inside(image, centre, reach)) return std::nullopt;
   gather(image, centre, reach, at.patch);
-  evaluate(guess, reach + 2, 0, at.patch.count, at.patch);  // so far out that all pixels have their full weight
-  const auto edge = likely_shadow(at.patch, guess, image_noise);
+  evaluate(first, reach + 2, 0, at.patch.count, at.patch);  // so far out that all pixels have their full weight
+  const auto edge = likely_shadow(at.patch, first, guess, image_noise);
   if (!edge) return std::nullopt;
   CornerFit fit;
-  fit.model = guess;
+  fit.model = first;
   fit.model.shadow = *edge;
   fit.radius = kShadowRadius;
-  for (const double loose : {2 * kLoose, kLoose, 1.0}) {
-    const int steps = loose > kLoose ? 3 : kShadowSteps;  // most that are no corners have shown it by then
-    const auto found = fit_with_shadow(image, fit.model, fit.radius, steps, at.patch);
-    if (!found || !looks_right(found->model, cross, found->noise, image_noise, loose)) return std::nullopt;
+  for (const ShadowStage& stage : kShadowStages) {
+    if (stage.grows) fit.radius = grown_radius(image, fit.radius, kMostPatchRadius, at, fit.model);
+    const auto found = fit_with_shadow(image, fit.model, fit.radius, stage.patience, image_noise, at.patch);
+    if (!found || !looks_right(found->model, cross, found->noise, image_noise, stage.loose)) return std::nullopt;
     fit.model = found->model, fit.noise = at.noise = found->noise;
-    if (loose == kLoose) fit.radius = grown_radius(image, fit.radius, kMostPatchRadius, at, fit.model);
   }
-  if ((fit.model.position - start).norm() > kMostMove || fit.model.blur > kMostBlur * fit.radius) return std::nullopt;
+  if ((fit.model.position - start).norm() > kMostMoveInShadow || fit.model.blur > kMostBlur * fit.radius)
+    return std::nullopt;
   if (std::abs(fit.model.shadow.depth) < kLeastDepth || fit.model.shadow.distance < kNearestShadow) return std::nullopt;
   fit.misfit = misfit_of(at.patch);
   fit.covariance = position_covariance_with_shadow(fit.noise, fit.model, at.patch);
-  return fit;
+  return is_determined(fit) ? std::optional(fit) : std::nullopt;
 }
 
 double light_at(const ShadowEdge& shadow, const Eigen::Vector2d& from_corner) {

@@ -55,14 +55,19 @@ struct CornerFit {
 /// Gauss-Newton from a start that is good to about 1 px. The disc grows from 4 px as long as the formula holds, so
 /// that it ends before the next cell or what lies beside the marker. Nothing where the fit runs away, the disc of
 /// 4 px leaves the image, or what comes out is no X: edges nearly parallel, more blur than plateau, half contrasts
-/// that the image does not reach, residuals that `image_noise` (grey levels, sigma of a pixel) does not explain.
+/// that the image does not reach, residuals that `image_noise` (grey levels, sigma of a pixel) does not explain, a
+/// position that is not determined.
 std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                     double image_noise);
 
-/// The same for a corner beside a shadow's edge, which is looked for in what `guess` leaves within 9 px; from a start
+/// Where a first model is from: of a fit, or of the circles alone, where most are no corners.
+enum class Guess { fitted, from_circles };
+
+/// The same for a corner beside a shadow's edge, which is looked for in what `first` leaves within 9 px; from a start
 /// that is good to 1.8 px. Nothing where no line splits the patch into two of different light, or where it would run
 /// through the corner.
 std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vector2d& start,
-                                           const CrossStructure& cross, const CornerModel& guess, double image_noise);
+                                           const CrossStructure& cross, const CornerModel& first, Guess guess,
+                                           double image_noise);
 
 }  // namespace handsight

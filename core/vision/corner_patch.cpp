@@ -14,7 +14,9 @@ namespace {
 
 constexpr double kSharp = 0.7;  // px, of blur: below it the pixel's own shape matters
 
-// Offsets from the central pixel, nearest first: the first count[r] of them are the disc of r px.
+// Offsets from the central pixel, nearest first: the first count[r] of them are the disc of r px without its four
+// outermost pixels. Those have no weight in a fit with a rim half a pixel inside, wherever in its pixel the corner is,
+// and 77 pixels fit five groups where 81 do not.
 struct Disc {
   std::vector<std::array<std::int8_t, 2>> offsets;
   std::array<int, kMostPatchRadius + 3> count{};
@@ -31,11 +33,13 @@ const Disc& disc() {
         if (u * u + v * v <= most * most)
           d.offsets.push_back({static_cast<std::int8_t>(u), static_cast<std::int8_t>(v)});
     const auto square = [](const auto& o) { return o[0] * o[0] + o[1] * o[1]; };
+    const auto on_axis = [](const auto& o) { return o[0] == 0 || o[1] == 0; };
+    const auto rank = [&](const auto& o) { return 2 * square(o) + on_axis(o); };
     std::stable_sort(d.offsets.begin(), d.offsets.end(),
-                     [&](const auto& a, const auto& b) { return square(a) < square(b); });
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     for (int r = 0; r <= most; ++r)
       d.count[r] = static_cast<int>(
-          std::count_if(d.offsets.begin(), d.offsets.end(), [&](const auto& o) { return square(o) <= r * r; }));
+          std::count_if(d.offsets.begin(), d.offsets.end(), [&](const auto& o) { return rank(o) < 2 * r * r + 1; }));
     d.u.fill(1e3f), d.v.fill(1e3f);
     for (std::size_t n = 0; n < d.offsets.size(); ++n) {
       d.u_whole[n] = d.offsets[n][0], d.v_whole[n] = d.offsets[n][1];
@@ -47,8 +51,9 @@ const Disc& disc() {
 }
 
 // A blurred edge at distance d: its value in -1 to 1 and its derivatives by d and by the blur.
+template <class Vector>
 struct Edge {
-  Lanes value, slope, spread;
+  Vector value, slope, spread;
 };
 
 struct SmoothEdge {  // lens and pixel together as one Gaussian
@@ -57,7 +62,8 @@ struct SmoothEdge {  // lens and pixel together as one Gaussian
       : scale(static_cast<float>(M_SQRT1_2 / blur)),
         slope_scale(static_cast<float>(M_2_SQRTPI * M_SQRT1_2 / blur)),
         per_blur(static_cast<float>(-1 / blur)) {}
-  HANDSIGHT_INLINE void operator()(const Lanes& d, Edge& edge) const {
+  template <class Vector>
+  HANDSIGHT_INLINE void operator()(const Vector& d, Edge<Vector>& edge) const {
     erf_and_bell(scale * d, edge.value, edge.slope);
     edge.slope *= slope_scale;
     edge.spread = d * edge.slope * per_blur;
@@ -73,9 +79,10 @@ struct SharpEdge {
     per_scale = static_cast<float>(0.5 * M_2_SQRTPI * M_SQRT2 * lens);
     spread_scale = static_cast<float>(M_SQRT1_2 * M_2_SQRTPI * blur / lens);
   }
-  HANDSIGHT_INLINE void operator()(const Lanes& d, Edge& edge) const {
-    const Lanes before = d - 0.5f, after = d + 0.5f;
-    Lanes f0, f1, g0, g1;
+  template <class Vector>
+  HANDSIGHT_INLINE void operator()(const Vector& d, Edge<Vector>& edge) const {
+    const Vector before = d - 0.5f, after = d + 0.5f;
+    Vector f0, f1, g0, g1;
     erf_and_bell(scale * before, f0, g0);
     erf_and_bell(scale * after, f1, g1);
     edge.value = after * f1 - before * f0 + per_scale * (g1 - g0);
@@ -91,35 +98,35 @@ struct Constants {
   Constants(const CornerModel& model, const Eigen::Vector2i& centre, double radius) : disc(handsight::disc()) {
     const auto set = [](float& to, double value) { to = static_cast<float>(value); };
     set(pu, model.position.x() - centre.x()), set(pv, model.position.y() - centre.y());
-    set(s1, std::sin(model.edges[0])), set(c1, std::cos(model.edges[0]));
-    set(s2, std::sin(model.edges[1])), set(c2, std::cos(model.edges[1]));
+    const auto first = static_cast<float>(model.edges[0]), second = static_cast<float>(model.edges[1]);
+    s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
     set(level, model.level), set(half, model.half_contrast);
     set(hu, model.shade.x()), set(hv, model.shade.y());
     set(taper, 0.5 / radius), set(rim, (radius + 0.5) * (radius + 0.5) * 0.5 / radius);
   }
 };
 
-template <bool WithDerivatives, class EdgeShape>
+template <class Vector, bool WithDerivatives, class EdgeShape>
 HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, int begin, int end,
                                     CornerPatch& patch) {
   const float *const all_u = c.disc.u.data(), *const all_v = c.disc.v.data();
-  const Lanes zero{}, one = zero + 1.f;
-  for (int n = begin; n < end; n += kLanes) {
-    Lanes u, v, value;
+  const Vector zero{}, one = zero + 1.f;
+  for (int n = begin; n < end; n += kLanesOf<Vector>) {
+    Vector u, v, value;
     load(all_u + n, u), load(all_v + n, v), load(&patch.value[n], value);
-    const Lanes x = u - c.pu, y = v - c.pv;
-    Lanes w = c.rim - (x * x + y * y) * c.taper;
+    const Vector x = u - c.pu, y = v - c.pv;
+    Vector w = c.rim - (x * x + y * y) * c.taper;
     w = w < zero ? zero : w;
     w = w > one ? one : w;
-    Edge a, b;
+    Edge<Vector> a, b;
     shape(c.c1 * y - c.s1 * x, a);
     shape(c.c2 * y - c.s2 * x, b);
-    const Lanes f = a.value * b.value, base = w * (c.level + c.half * f);
+    const Vector f = a.value * b.value, base = w * (c.level + c.half * f);
     store(w, &patch.weight[n]);
     store(w * value - (1.f + c.hu * x + c.hv * y) * base, &patch.residual[n]);
     if constexpr (!WithDerivatives) continue;
-    const Lanes wh = w * c.half;
-    const Lanes ea = wh * a.slope * b.value, eb = wh * b.slope * a.value;  // dI/dd of either edge
+    const Vector wh = w * c.half;
+    const Vector ea = wh * a.slope * b.value, eb = wh * b.slope * a.value;  // dI/dd of either edge
     store(c.s1 * ea + c.s2 * eb, &patch.odd[0][n]);
     store(-c.c1 * ea - c.c2 * eb, &patch.odd[1][n]);
     store(x * base, &patch.odd[2][n]);
@@ -132,91 +139,128 @@ HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, 
   }
 }
 
-HANDSIGHT_LANES void evaluate_smooth(const SmoothEdge& shape, const Constants& c, int begin, int end,
-                                     CornerPatch& patch) {
-  evaluate_with<true>(shape, c, begin, end, patch);
-}
+// The numbers of a shadow's edge as the loop needs them.
+struct ShadowConstants {
+  const Disc& disc;
+  float nu, nv, pu, pv, distance, half_depth, scale, slope, per_softness;
+  ShadowConstants(const ShadowEdge& shadow, const Eigen::Vector2d& corner) : disc(handsight::disc()) {
+    const auto set = [](float& to, double value) { to = static_cast<float>(value); };
+    set(nu, std::cos(shadow.direction)), set(nv, std::sin(shadow.direction));
+    set(pu, corner.x()), set(pv, corner.y());
+    set(distance, shadow.distance), set(half_depth, 0.5 * shadow.depth);
+    set(scale, M_SQRT1_2 / shadow.softness), set(per_softness, 1 / shadow.softness);
+    set(slope, 0.5 * M_2_SQRTPI * M_SQRT1_2 * shadow.depth / shadow.softness);
+  }
+};
 
-HANDSIGHT_LANES void residuals_smooth(const SmoothEdge& shape, const Constants& c, int begin, int end,
-                                      CornerPatch& patch) {
-  evaluate_with<false>(shape, c, begin, end, patch);
-}
-
-HANDSIGHT_LANES void evaluate_sharp(const SharpEdge& shape, const Constants& c, int begin, int end,
-                                    CornerPatch& patch) {
-  evaluate_with<true>(shape, c, begin, end, patch);
-}
-
-// What `evaluate` left, under the light of the shadow.
-HANDSIGHT_LANES void put_in_shadow(const ShadowEdge& shadow, const Eigen::Vector2d& corner, int begin, int end,
-                                   CornerPatch& patch) {
-  const float *const all_u = disc().u.data(), *const all_v = disc().v.data();
-  const auto nu = static_cast<float>(std::cos(shadow.direction)), nv = static_cast<float>(std::sin(shadow.direction));
-  const auto pu = static_cast<float>(corner.x()), pv = static_cast<float>(corner.y());
-  const auto distance = static_cast<float>(shadow.distance), half_depth = static_cast<float>(0.5 * shadow.depth);
-  const auto scale = static_cast<float>(M_SQRT1_2 / shadow.softness);
-  const auto slope = static_cast<float>(0.5 * M_2_SQRTPI * M_SQRT1_2 * shadow.depth / shadow.softness);
-  const auto per_softness = static_cast<float>(1 / shadow.softness);
-  for (int n = begin; n < end; n += kLanes) {
-    Lanes u, v, weight, value, residual, erf, bell;
+// What `evaluate_with` left, under the light of the shadow.
+template <class Vector>
+HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, CornerPatch& patch) {
+  const float *const all_u = c.disc.u.data(), *const all_v = c.disc.v.data();
+  for (int n = begin; n < end; n += kLanesOf<Vector>) {
+    Vector u, v, weight, value, residual, erf, bell;
     load(all_u + n, u), load(all_v + n, v);
     load(&patch.weight[n], weight), load(&patch.value[n], value), load(&patch.residual[n], residual);
-    const Lanes x = u - pu, y = v - pv, beyond = nu * x + nv * y - distance;
-    erf_and_bell(scale * beyond, erf, bell);
-    const Lanes light = 1.f - half_depth * (1.f + erf), lit = weight * value - residual, steep = slope * lit * bell;
+    const Vector x = u - c.pu, y = v - c.pv, beyond = c.nu * x + c.nv * y - c.distance;
+    erf_and_bell(c.scale * beyond, erf, bell);
+    const Vector light = 1.f - c.half_depth * (1.f + erf), lit = weight * value - residual,
+                 steep = c.slope * lit * bell;
     store(weight * value - light * lit, &patch.residual[n]);
-    store(steep * (nv * x - nu * y), &patch.shadow[0][n]);
+    store(steep * (c.nv * x - c.nu * y), &patch.shadow[0][n]);
     store(steep, &patch.shadow[1][n]);
     store(-0.5f * (1.f + erf) * lit, &patch.shadow[2][n]);
-    store(steep * beyond * per_softness, &patch.shadow[3][n]);
+    store(steep * beyond * c.per_softness, &patch.shadow[3][n]);
     for (CornerPatch::Row& row : patch.odd) load(&row[n], value), store(light * value, &row[n]);
     for (CornerPatch::Row& row : patch.even) load(&row[n], value), store(light * value, &row[n]);
   }
 }
 
-// Products of `row` with the first rows and itself, and with the residual: few enough sums to stay in registers.
-template <int Rows>
+// Each loop twice, in lanes and in wide lanes; the processor decides.
+HANDSIGHT_LANES void smooth_in_lanes(const SmoothEdge& shape, const Constants& c, int begin, int end,
+                                     CornerPatch& patch) {
+  evaluate_with<Lanes, true>(shape, c, begin, end, patch);
+}
+HANDSIGHT_WIDE void smooth_in_wide(const SmoothEdge& shape, const Constants& c, int begin, int end,
+                                   CornerPatch& patch) {
+  evaluate_with<WideLanes, true>(shape, c, begin, end, patch);
+}
+HANDSIGHT_LANES void residuals_in_lanes(const SmoothEdge& shape, const Constants& c, int begin, int end,
+                                        CornerPatch& patch) {
+  evaluate_with<Lanes, false>(shape, c, begin, end, patch);
+}
+HANDSIGHT_WIDE void residuals_in_wide(const SmoothEdge& shape, const Constants& c, int begin, int end,
+                                      CornerPatch& patch) {
+  evaluate_with<WideLanes, false>(shape, c, begin, end, patch);
+}
+HANDSIGHT_LANES void sharp_in_lanes(const SharpEdge& shape, const Constants& c, int begin, int end,
+                                    CornerPatch& patch) {
+  evaluate_with<Lanes, true>(shape, c, begin, end, patch);
+}
+HANDSIGHT_WIDE void sharp_in_wide(const SharpEdge& shape, const Constants& c, int begin, int end, CornerPatch& patch) {
+  evaluate_with<WideLanes, true>(shape, c, begin, end, patch);
+}
+HANDSIGHT_LANES void shade_in_lanes(const ShadowConstants& c, int begin, int end, CornerPatch& patch) {
+  shade_with<Lanes>(c, begin, end, patch);
+}
+HANDSIGHT_WIDE void shade_in_wide(const ShadowConstants& c, int begin, int end, CornerPatch& patch) {
+  shade_with<WideLanes>(c, begin, end, patch);
+}
+
+// Products of the last row with all and with the residual: few enough sums to stay in registers.
+template <class Vector, int Rows>
 HANDSIGHT_INLINE void row_products(const CornerPatch::Row* rows, const CornerPatch::Row& residual, int count,
-                                   float* triangle, float* side) {
-  Lanes a[Rows], sum[Rows]{}, sides{}, rest;
-  for (int n = 0; n < count; n += kLanes) {
+                                   Lanes* triangle, Lanes* side) {
+  constexpr int kParts = Sum<Vector>::kParts, kStep = kLanesOf<Vector>;
+  Sum<Vector> sum[Rows], sides;
+  for (int n = 0; n < count; n += kWideLanes) {
+#pragma GCC unroll 2
+    for (int p = 0; p < kParts; ++p) {
+      Vector last, a;
+      load(&rows[Rows - 1][n + p * kStep], last);
 #pragma GCC unroll 8
-    for (int i = 0; i < Rows; ++i) load(&rows[i][n], a[i]);
-    load(&residual[n], rest);
-#pragma GCC unroll 8
-    for (int i = 0; i < Rows; ++i) sum[i] += a[Rows - 1] * a[i];
-    sides += a[Rows - 1] * rest;
+      for (int i = 0; i < Rows; ++i) load(&rows[i][n + p * kStep], a), sum[i].part[p] += last * a;
+      load(&residual[n + p * kStep], a);
+      sides.part[p] += last * a;
+    }
   }
 #pragma GCC unroll 8
-  for (int i = 0; i < Rows; ++i) triangle[Rows * (Rows - 1) / 2 + i] = total(sum[i]);
-  side[Rows - 1] = total(sides);
+  for (int i = 0; i < Rows; ++i) fold(sum[i], triangle[Rows * (Rows - 1) / 2 + i]);
+  fold(sides, side[Rows - 1]);
 }
 
-HANDSIGHT_LANES void add_up_odd(const CornerPatch& patch, PatchSums& result) {
-  const int count = patch.padded;
-  const CornerPatch::Row *const odd = patch.odd.data(), &rest_of = patch.residual;
-  row_products<1>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
-  row_products<2>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
-  row_products<3>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
-  row_products<4>(odd, rest_of, count, result.odd.data(), result.odd_side.data());
+// All of the triangle, row by row, then those with the residual.
+template <class Vector, int Rows>
+HANDSIGHT_INLINE void all_row_products(const CornerPatch::Row* rows, const CornerPatch::Row& residual, int count,
+                                       Lanes* sums) {
+  constexpr int kTriangle = Rows * (Rows + 1) / 2;
+  row_products<Vector, 1>(rows, residual, count, sums, sums + kTriangle);
+  row_products<Vector, 2>(rows, residual, count, sums, sums + kTriangle);
+  row_products<Vector, 3>(rows, residual, count, sums, sums + kTriangle);
+  row_products<Vector, 4>(rows, residual, count, sums, sums + kTriangle);
+  if constexpr (Rows == 5) row_products<Vector, 5>(rows, residual, count, sums, sums + kTriangle);
 }
 
-HANDSIGHT_LANES void add_up_even(const CornerPatch& patch, PatchSums& result) {
-  const int count = patch.padded;
-  const CornerPatch::Row *const even = patch.even.data(), &rest_of = patch.residual;
-  row_products<1>(even, rest_of, count, result.even.data(), result.even_side.data());
-  row_products<2>(even, rest_of, count, result.even.data(), result.even_side.data());
-  row_products<3>(even, rest_of, count, result.even.data(), result.even_side.data());
-  row_products<4>(even, rest_of, count, result.even.data(), result.even_side.data());
-  row_products<5>(even, rest_of, count, result.even.data(), result.even_side.data());
-  Lanes squares{}, rest;
-  for (int n = 0; n < count; n += kLanes) {
-    load(&patch.residual[n], rest);
-    squares += rest * rest;
-  }
-  result.squares = total(squares);
-  result.weights = result.even[9];  // level with level
+constexpr int kOddSums = 10 + 4, kEvenSums = 15 + 5 + 1, kSums = 24;
+
+template <class Vector>
+HANDSIGHT_INLINE void add_up_odd(const CornerPatch& patch, float* results) {
+  Lanes sums[kSums]{};
+  all_row_products<Vector, 4>(patch.odd.data(), patch.residual, patch.padded, sums);
+  for (int i = 0; i < kOddSums; i += 4) totals(sums + i, results + i);
 }
+
+template <class Vector>
+HANDSIGHT_INLINE void add_up_even(const CornerPatch& patch, float* results) {
+  Lanes sums[kSums]{};
+  all_row_products<Vector, 5>(patch.even.data(), patch.residual, patch.padded, sums);
+  row_products<Vector, 1>(&patch.residual, patch.residual, patch.padded, sums + kEvenSums - 1, sums + kEvenSums);
+  for (int i = 0; i < kEvenSums; i += 4) totals(sums + i, results + i);
+}
+
+HANDSIGHT_LANES void odd_in_lanes(const CornerPatch& patch, float* results) { add_up_odd<Lanes>(patch, results); }
+HANDSIGHT_WIDE void odd_in_wide(const CornerPatch& patch, float* results) { add_up_odd<WideLanes>(patch, results); }
+HANDSIGHT_LANES void even_in_lanes(const CornerPatch& patch, float* results) { add_up_even<Lanes>(patch, results); }
+HANDSIGHT_WIDE void even_in_wide(const CornerPatch& patch, float* results) { add_up_even<WideLanes>(patch, results); }
 
 }  // namespace
 
@@ -227,41 +271,53 @@ Eigen::Vector2i offset_of_pixel(int number) { return {disc().offsets[number][0],
 void gather(const Image& image, const Eigen::Vector2i& centre, int radius, CornerPatch& patch) {
   const Disc& d = disc();
   patch.count = d.count[radius];
-  patch.padded = (patch.count + kLanes - 1) / kLanes * kLanes;
+  patch.padded = in_groups(patch.count);
   // What is left of a larger disc beyond `count` gets no weight, as it lies beyond the rim.
-  if (centre == patch.centre && patch.gathered >= radius) return;
+  const int there = centre == patch.centre && patch.gathered >= 0 ? d.count[patch.gathered] : 0;
+  if (there >= patch.count) return;
   patch.centre = centre, patch.gathered = radius;
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
-  for (int n = 0; n < patch.count; ++n) patch.value[n] = middle[d.v_whole[n] * image.width + d.u_whole[n]];
+  for (int n = there; n < patch.count; ++n) patch.value[n] = middle[d.v_whole[n] * image.width + d.u_whole[n]];
   for (int n = patch.count; n < patch.padded; ++n) patch.value[n] = 0;
 }
 
 void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch) {
+  end = in_groups(end);
   const Constants constants(model, patch.centre, radius);
   if (model.blur < kSharp)
-    evaluate_sharp(SharpEdge(model.blur), constants, begin, end, patch);
+    (has_wide_lanes() ? sharp_in_wide : sharp_in_lanes)(SharpEdge(model.blur), constants, begin, end, patch);
   else
-    evaluate_smooth(SmoothEdge(model.blur), constants, begin, end, patch);
-  if (model.shadow.depth != 0)
-    put_in_shadow(model.shadow, model.position - patch.centre.cast<double>(), begin, end, patch);
+    (has_wide_lanes() ? smooth_in_wide : smooth_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
+  if (!has_shadow(model)) return;
+  const ShadowConstants shadow(model.shadow, model.position - patch.centre.cast<double>());
+  (has_wide_lanes() ? shade_in_wide : shade_in_lanes)(shadow, begin, end, patch);
 }
 
 void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch) {
   if (has_shadow(model) || model.blur < kSharp) return evaluate(model, radius, begin, end, patch);
-  residuals_smooth(SmoothEdge(model.blur), Constants(model, patch.centre, radius), begin, end, patch);
+  end = in_groups(end);
+  const Constants constants(model, patch.centre, radius);
+  (has_wide_lanes() ? residuals_in_wide : residuals_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
 }
 
 PatchSums sums(const CornerPatch& patch) {
   PatchSums result;
-  add_up_odd(patch, result);
-  add_up_even(patch, result);
+  std::array<float, kSums> odd, even;
+  (has_wide_lanes() ? odd_in_wide : odd_in_lanes)(patch, odd.data());
+  (has_wide_lanes() ? even_in_wide : even_in_lanes)(patch, even.data());
+  std::copy_n(odd.begin(), 10, result.odd.begin()), std::copy_n(odd.begin() + 10, 4, result.odd_side.begin());
+  std::copy_n(even.begin(), 15, result.even.begin()), std::copy_n(even.begin() + 15, 5, result.even_side.begin());
+  result.squares = even[20];
+  result.weights = result.even[9];  // level with level
   return result;
 }
 
 std::array<float, 10> odd_sums(const CornerPatch& patch) {
-  PatchSums result;
-  add_up_odd(patch, result);
-  return result.odd;
+  std::array<float, kSums> sums;
+  (has_wide_lanes() ? odd_in_wide : odd_in_lanes)(patch, sums.data());
+  std::array<float, 10> odd;
+  std::copy_n(sums.begin(), 10, odd.begin());
+  return odd;
 }
 
 }  // namespace handsight

@@ -15,7 +15,7 @@ constexpr double kShadeSigma = 0.003;  // 1/px: light that changes by 30 % over 
 constexpr double kLeastNoise = 0.3;    // grey levels: rounding to whole ones alone makes 0.29
 
 constexpr int kMostPatchRadius = 10;   // px
-constexpr int kMostPatchPixels = 456;  // in a disc of kMostPatchRadius + 2, in whole groups
+constexpr int kMostPatchPixels = 464;  // in a disc of kMostPatchRadius + 2, in whole groups
 
 /// A disc of pixels, nearest first, with residuals and derivatives, all times the weight. Odd parameters (position,
 /// shade) and even ones (edges, blur, level, half contrast) have derivatives of opposite parity, so over a disc round
@@ -26,13 +26,13 @@ struct CornerPatch {
   int gathered = -1;             // px, radius of the disc whose pixels are there
   int count = 0;                 // pixels that take part
   int padded = 0;                // pixels in whole groups; those beyond `count` have no weight
-  alignas(32) Row value, weight, residual;
-  alignas(32) std::array<Row, 4> odd;     // by position u, v; shade u, v
-  alignas(32) std::array<Row, 5> even;    // by edge 1, edge 2, blur, level, half contrast
-  alignas(32) std::array<Row, 4> shadow;  // by direction, distance, depth, softness, where the model has a shadow
+  alignas(64) Row value, weight, residual;
+  alignas(64) std::array<Row, 4> odd;     // by position u, v; shade u, v
+  alignas(64) std::array<Row, 5> even;    // by edge 1, edge 2, blur, level, half contrast
+  alignas(64) std::array<Row, 4> shadow;  // by direction, distance, depth, softness, where the model has a shadow
 };
 
-/// Pixels in the disc of `radius` px, 0 to kMostPatchRadius + 2.
+/// Pixels in the disc of `radius` px, 1 to kMostPatchRadius + 2; its four outermost ones do not belong to it.
 int pixels_in_disc(int radius);
 
 /// The pixel that a position (px) lies in; whether the disc of `radius` px round one is inside of the image.
@@ -51,7 +51,7 @@ Eigen::Vector2i offset_of_pixel(int number);
 /// so that one patch serves one image only.
 void gather(const Image& image, const Eigen::Vector2i& centre, int radius, CornerPatch& patch);
 
-/// Residuals and derivatives of the pixels from number `begin` (a multiple of 8) on, up to `end`. The weight is 1 in
+/// Residuals and derivatives of the pixels from number `begin` (a multiple of 16) on, up to `end`. The weight is 1 in
 /// the disc of `radius` px and falls to 0 at radius + 1/2: a hard rim would jump as the position moves. A shadow's edge
 /// stays where it is as the position moves.
 void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <cstring>
 
 #include "vision/corner_lanes.h"
 #include "vision/corner_solve.h"
@@ -17,14 +17,16 @@ constexpr int kUnknowns = 13;           // position, shade; edges, blur, level, 
 constexpr double kSoftnessSigma = 0.5;  // px: the edges of near and far things' shadows
 constexpr double kPenumbra = 0.6;       // px, of a usual shadow's edge before the lens
 constexpr double kMostDepth = 0.9;
-constexpr float kLeastTold = 0.3f;   // of what one light leaves, by two
-constexpr double kLeastGain = 30;    // noise variances, of the sum of squares, for the shadow's four numbers
+constexpr float kLeastTold = 0.3f;  // of what one light leaves, by two
+constexpr double kLeastGain = 30;   // noise variances, of the sum of squares, for the shadow's four numbers
+// Of the grey levels, r.m.s., what one light and what two may leave of a corner whose numbers are guessed.
+constexpr float kMostLeftByOne = 0.45f, kMostLeftByTwo = 0.28f;
 constexpr float kLeastSide = 0.04f;  // of the squares: either light must be seen
 
 using Hessian = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 using Vector = Eigen::Matrix<double, kUnknowns, 1>;
 
-constexpr int kDirections = 16, kBins = 2 * (kMostPatchRadius + 2) + 1;
+constexpr int kDirections = 8, kBins = 2 * (kMostPatchRadius + 2) + 1;
 
 // For each direction the bin of 1 px, along it, that a pixel lies in.
 using Bins = std::array<std::array<std::int8_t, kMostPatchPixels>, kDirections>;
@@ -59,16 +61,23 @@ struct Split {
   Side near, far;
 };
 
-Split best_split(const std::vector<float>& products, const std::vector<float>& squares, const Side& all) {
+// Of each pixel the two sums' terms side by side, so that both are added at once.
+using Terms = std::array<float, 2 * kMostPatchPixels>;
+
+Split best_split(const Terms& terms, int count, const Side& all) {
+  using Pair = float __attribute__((vector_size(2 * sizeof(float))));
   Split best;
-  const int count = static_cast<int>(products.size());
   for (int k = 0; k < kDirections; ++k) {
-    std::array<Side, kBins> in{};
+    std::array<Pair, kBins> in{};
     const std::int8_t* const bin = bins()[k].data();
-    for (int n = 0; n < count; ++n) in[bin[n]].products += products[n], in[bin[n]].squares += squares[n];
+    for (int n = 0; n < count; ++n) {
+      Pair term;
+      std::memcpy(&term, &terms[2 * n], sizeof term);
+      in[bin[n]] += term;
+    }
     Side near;
     for (int b = 0; b + 1 < kBins; ++b) {
-      near.products += in[b].products, near.squares += in[b].squares;
+      near.products += in[b][0], near.squares += in[b][1];
       const Side far = all - near;
       if (near.squares < kLeastSide * all.squares || far.squares < kLeastSide * all.squares) continue;
       const float told = near.told() + far.told();
@@ -81,22 +90,38 @@ Split best_split(const std::vector<float>& products, const std::vector<float>& s
 constexpr int kTile = 4;
 
 // Products of a row with some others, few enough to stay in registers.
+template <class Vector>
 HANDSIGHT_INLINE void tile_products(const float* row, const float* const* others, int count, float* results) {
-  Lanes sum[kTile]{}, a, b;
-  for (int n = 0; n < count; n += kLanes) {
-    load(row + n, a);
+  constexpr int kParts = Sum<Vector>::kParts, kStep = kLanesOf<Vector>;
+  Sum<Vector> sum[kTile];
+  for (int n = 0; n < count; n += kWideLanes) {
+#pragma GCC unroll 2
+    for (int p = 0; p < kParts; ++p) {
+      Vector a, b;
+      load(row + n + p * kStep, a);
 #pragma GCC unroll 4
-    for (int k = 0; k < kTile; ++k) load(others[k] + n, b), sum[k] += a * b;
+      for (int k = 0; k < kTile; ++k) load(others[k] + n + p * kStep, b), sum[k].part[p] += a * b;
+    }
   }
-  for (int k = 0; k < kTile; ++k) results[k] = total(sum[k]);
+  Lanes folded[kTile];
+  for (int k = 0; k < kTile; ++k) fold(sum[k], folded[k]);
+  totals(folded, results);
 }
 
 // The lower triangle of all rows' products, row by row, each row in whole tiles.
 using Products = std::array<std::array<float, kUnknowns + 1 + kTile>, kUnknowns + 1>;
 
-HANDSIGHT_LANES void all_products(const float* const* rows, int count, Products& products) {
+template <class Vector>
+HANDSIGHT_INLINE void all_products(const float* const* rows, int count, Products& products) {
   for (int i = 0; i <= kUnknowns; ++i)
-    for (int j = 0; j <= i; j += kTile) tile_products(rows[i], rows + j, count, &products[i][j]);
+    for (int j = 0; j <= i; j += kTile) tile_products<Vector>(rows[i], rows + j, count, &products[i][j]);
+}
+
+HANDSIGHT_LANES void products_in_lanes(const float* const* rows, int count, Products& products) {
+  all_products<Lanes>(rows, count, products);
+}
+HANDSIGHT_WIDE void products_in_wide(const float* const* rows, int count, Products& products) {
+  all_products<WideLanes>(rows, count, products);
 }
 
 struct Normal {
@@ -126,7 +151,7 @@ Normal normal_equations(const CornerPatch& patch) {
   for (const auto& row : patch.shadow) rows[n++] = row.data();
   std::fill(rows.begin() + kUnknowns, rows.end(), patch.residual.data());
   Products products;
-  all_products(rows.data(), patch.padded, products);
+  (has_wide_lanes() ? products_in_wide : products_in_lanes)(rows.data(), patch.padded, products);
   Normal normal;
   for (int i = 0; i < kUnknowns; ++i) {
     for (int j = 0; j <= i; ++j) normal.hessian(i, j) = normal.hessian(j, i) = products[i][j];
@@ -162,6 +187,16 @@ CornerModel moved(const CornerModel& from, const Vector& step) {
   return to;
 }
 
+// The same image, told from the corner: where the line has passed it, the corner lies in what was the other light.
+CornerModel told_from_corner(const CornerModel& model) {
+  if (model.shadow.distance >= 0) return model;
+  CornerModel same = model;
+  const double there = 1 - model.shadow.depth;
+  same.level *= there, same.half_contrast *= there;
+  same.shadow.direction += M_PI, same.shadow.distance *= -1, same.shadow.depth = 1 - 1 / there;
+  return same;
+}
+
 bool evaluate_at(const Image& image, const CornerModel& model, double radius, CornerPatch& patch) {
   const int reach = static_cast<int>(radius) + 1;
   const Eigen::Vector2i centre = pixel_of(model.position);
@@ -177,21 +212,28 @@ double noise_of(const Normal& normal) {
 
 }  // namespace
 
-std::optional<ShadowEdge> likely_shadow(const CornerPatch& patch, const CornerModel& model, double noise) {
-  std::vector<float> products(patch.count), squares(patch.count);
+std::optional<ShadowEdge> likely_shadow(const CornerPatch& patch, const CornerModel& model, Guess guess, double noise) {
+  Terms terms;
   Side all;
   float values = 0;
   for (int n = 0; n < patch.count; ++n) {
     const float w = patch.weight[n], f = patch.even[4][n];
+    terms[2 * n] = terms[2 * n + 1] = 0;
     if (w <= 0) continue;
     const float m = (w * patch.value[n] - patch.residual[n]) / w, weight = f * f;
-    products[n] = weight * m * patch.value[n], squares[n] = weight * m * m;
-    all.products += products[n], all.squares += squares[n];
+    terms[2 * n] = weight * m * patch.value[n], terms[2 * n + 1] = weight * m * m;
+    all.products += terms[2 * n], all.squares += terms[2 * n + 1];
     values += weight * patch.value[n] * patch.value[n];
   }
-  const Split split = best_split(products, squares, all);
-  const float left = values - all.told(), gain = split.told - all.told();
-  if (!(split.told > 0) || gain < kLeastTold * left || gain < kLeastGain * noise * noise) return std::nullopt;
+  const float left = values - all.told();
+  const auto too_much = [&](float squares, float most) {
+    return guess == Guess::from_circles && squares > most * most * all.squares;
+  };
+  if (too_much(left, kMostLeftByOne)) return std::nullopt;
+  const Split split = best_split(terms, patch.count, all);
+  const float gain = split.told - all.told();
+  if (!(split.told > 0) || too_much(left - gain, kMostLeftByTwo)) return std::nullopt;
+  if (gain < kLeastTold * left || gain < kLeastGain * noise * noise) return std::nullopt;
   const double angle = M_PI * split.direction / kDirections;
   const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
   const double along = split.bin - kBins / 2 + 0.5 - normal.dot(model.position - patch.centre.cast<double>());
@@ -207,13 +249,19 @@ std::optional<ShadowEdge> likely_shadow(const CornerPatch& patch, const CornerMo
   return edge;
 }
 
-std::optional<ShadowFit> fit_with_shadow(const Image& image, const CornerModel& start, double radius, int iterations,
-                                         CornerPatch& patch) {
+std::optional<ShadowFit> fit_with_shadow(const Image& image, const CornerModel& start, double radius,
+                                         const Patience& patience, double image_noise, CornerPatch& patch) {
   ShadowFit fit{start, 0};
   if (!evaluate_at(image, start, radius, patch)) return std::nullopt;
   Normal at = normal_equations(patch);
   double damping = 1e-3;
-  for (int i = 0; i < iterations; ++i) {
+  bool is_at_the_fit = true;  // the patch
+  const auto too_much = [&](const Normal& normal, double most, const CornerModel& model) {
+    const double noise = noise_of(normal), allowed = most * model.half_contrast;
+    return noise * noise > allowed * allowed + image_noise * image_noise;
+  };
+  if (too_much(at, patience.most_at_first, start)) return std::nullopt;
+  for (int i = 0; i < patience.steps; ++i) {
     const double noise = noise_of(at);
     Normal damped = at;
     add_prior(fit.model, noise, damped);
@@ -221,19 +269,23 @@ std::optional<ShadowFit> fit_with_shadow(const Image& image, const CornerModel& 
     Vector step = damped.side;
     if (!solve<kUnknowns>(damped.hessian, step)) return std::nullopt;
     const CornerModel next = moved(fit.model, step);
-    if ((next.position - start.position).norm() > 2.5 || !evaluate_at(image, next, radius, patch)) return std::nullopt;
+    if ((next.position - start.position).norm() > 3 || !evaluate_at(image, next, radius, patch)) return std::nullopt;
     const Normal there = normal_equations(patch);
     const double before = at.squares / at.weights * there.weights + prior_cost(fit.model, noise);
     if (there.squares + prior_cost(next, noise) > before) {
       damping = std::max(10 * damping, 1e-2);
+      is_at_the_fit = false;
       if (damping > 1e3) break;
       continue;
     }
     damping *= 0.2;
-    fit.model = next, at = there;
+    fit.model = next, at = there, is_at_the_fit = true;
+    if (too_much(at, patience.most_on_the_way, next)) return std::nullopt;
     if (step.head<2>().norm() < 0.01 && std::abs(step(10)) < 0.1) break;
   }
-  if (!evaluate_at(image, fit.model, radius, patch)) return std::nullopt;
+  is_at_the_fit &= fit.model.shadow.distance >= 0;
+  fit.model = told_from_corner(fit.model);
+  if (!is_at_the_fit && !evaluate_at(image, fit.model, radius, patch)) return std::nullopt;
   fit.noise = noise_of(at);
   return fit;
 }

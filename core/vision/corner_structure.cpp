@@ -3,15 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "vision/corner_lanes.h"
 
 namespace handsight {
 namespace {
 
-constexpr int kHalf = 16;                          // directions on half a circle
-constexpr std::array<float, 2> kRadii{2.5f, 4.f};  // px: outside of the blur, inside of the cell
+constexpr int kHalf = CrossStructure::kDirections;  // on half a circle
+constexpr std::array<float, 2> kRadii{2.5f, 4.f};   // px: outside of the blur, inside of the cell
+
+constexpr std::size_t kPoints = 2 * kHalf * kRadii.size();
+static_assert(2 * kHalf % kLanes == 0);
 
 struct Circles {
-  std::array<std::array<float, 2>, 2 * kHalf * kRadii.size()> points;  // px, circle by circle
+  std::array<float, kPoints> u, v;  // px, circle by circle
 };
 
 const Circles& circles() {
@@ -21,20 +27,34 @@ const Circles& circles() {
     for (const float radius : kRadii)
       for (int i = 0; i < 2 * kHalf; ++i, ++n) {
         const double angle = M_PI * i / kHalf;
-        c.points[n] = {static_cast<float>(radius * std::cos(angle)), static_cast<float>(radius * std::sin(angle))};
+        c.u[n] = static_cast<float>(radius * std::cos(angle)), c.v[n] = static_cast<float>(radius * std::sin(angle));
       }
     return c;
   }();
   return made;
 }
 
-float bilinear(const Image& image, float u, float v) {
-  const int x = static_cast<int>(u), y = static_cast<int>(v);  // u and v are not negative
-  const float fu = u - static_cast<float>(x), fv = v - static_cast<float>(y);
-  const std::uint8_t *a = image.row(y) + x, *b = a + image.width;
-  const float upper = a[0] + fu * static_cast<float>(a[1] - a[0]);
-  const float lower = b[0] + fu * static_cast<float>(b[1] - b[0]);
-  return upper + fv * (lower - upper);
+// Bilinear values at the circles round (u, v), which must lie in the image.
+HANDSIGHT_LANES void sample_circles(const Image& image, const Circles& at, float u, float v, float* values) {
+  const std::int32_t width = image.width;
+  const std::uint8_t* const pixels = image.pixels.data();
+  for (std::size_t n = 0; n < kPoints; n += kLanes) {
+    Lanes x, y;
+    load(&at.u[n], x), load(&at.v[n], y);
+    x += u, y += v;
+    const Whole column = __builtin_convertvector(x, Whole), row = __builtin_convertvector(y, Whole);
+    const Whole place = row * width + column;
+    Whole upper, lower;  // two neighbours each, the left one in the low byte
+    for (int i = 0; i < kLanes; ++i) {
+      const std::uint8_t *const a = pixels + place[i], *const b = a + width;
+      upper[i] = a[0] | a[1] << 8, lower[i] = b[0] | b[1] << 8;
+    }
+    const Lanes fu = x - __builtin_convertvector(column, Lanes), fv = y - __builtin_convertvector(row, Lanes);
+    const Lanes left = __builtin_convertvector(upper & 255, Lanes), right = __builtin_convertvector(upper >> 8, Lanes);
+    const Lanes below = __builtin_convertvector(lower & 255, Lanes), last = __builtin_convertvector(lower >> 8, Lanes);
+    const Lanes above = left + fu * (right - left), under = below + fu * (last - below);
+    store(above + fv * (under - above), values + n);
+  }
 }
 
 // The mean over the circles, of even[i] = I at angle i and opposite, and the squared difference of these two.
@@ -46,20 +66,18 @@ struct Profile {
 
 Profile profile_round(const Image& image, float u, float v) {
   Profile profile;
-  std::array<float, 2 * kHalf> ring{};
-  const std::array<float, 2>* point = circles().points.data();
-  for (auto& single : profile.single)
-    for (int i = 0; i < 2 * kHalf; ++i, ++point) {
-      const float value = bilinear(image, u + (*point)[0], v + (*point)[1]);
-      ring[i] += value, single[i % kHalf] += value;
-    }
+  std::array<float, kPoints> values;
+  sample_circles(image, circles(), u, v, values.data());
   constexpr float kScale = 1.f / kRadii.size();
-  std::array<float, kHalf> raw;
-  for (int i = 0; i < kHalf; ++i) {
-    raw[i] = 0.5f * kScale * (ring[i] + ring[i + kHalf]);
-    const float odd = 0.5f * kScale * (ring[i] - ring[i + kHalf]);
-    profile.odd_square += odd * odd / kHalf;
+  std::array<float, kHalf> raw{}, odd{};
+  for (std::size_t k = 0; k < kRadii.size(); ++k) {
+    const float *const near = &values[2 * kHalf * k], *const opposite = near + kHalf;
+    for (int i = 0; i < kHalf; ++i) {
+      profile.single[k][i] = near[i] + opposite[i];
+      raw[i] += 0.5f * kScale * (near[i] + opposite[i]), odd[i] += 0.5f * kScale * (near[i] - opposite[i]);
+    }
   }
+  for (int i = 0; i < kHalf; ++i) profile.odd_square += odd[i] * odd[i] / kHalf;
   for (int i = 0; i < kHalf; ++i)  // noise must not make crossings of its own
     profile.even[i] = 0.25f * (raw[(i + kHalf - 1) % kHalf] + 2 * raw[i] + raw[(i + 1) % kHalf]);
   return profile;
@@ -75,6 +93,55 @@ float flatness(const Profile& profile, float middle) {
     outer += sign * (profile.single.back()[i] - 2 * middle);
   }
   return inner / std::max(outer, 1e-3f);
+}
+
+// Mean of the lowest, or of the highest, few.
+constexpr int kFew = 3;
+
+struct Extremes {
+  float low = 0, high = 0;
+};
+
+Extremes extremes(const std::array<float, kHalf>& values) {
+  std::array<float, kFew> low, high;  // sorted, the most extreme first
+  low.fill(1e9f), high.fill(-1e9f);
+  for (const float value : values) {
+    float up = value, down = value;
+    for (float& kept : low) {
+      const float lower = std::min(kept, up);
+      up = std::max(kept, up), kept = lower;
+    }
+    for (float& kept : high) {
+      const float higher = std::max(kept, down);
+      down = std::min(kept, down), kept = higher;
+    }
+  }
+  return {(low[0] + low[1] + low[2]) / kFew, (high[0] + high[1] + high[2]) / kFew};
+}
+
+// What the pattern of two blurred edges that cross in the middle leaves of the profile `even`, whose mean is 0: the sum
+// of squares in half contrasts.
+HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double, 2>& edges, float blur,
+                                      const float* even) {
+  const auto first = static_cast<float>(edges[0]), second = static_cast<float>(edges[1]);
+  const float s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
+  const float scale = static_cast<float>(M_SQRT1_2) / blur;
+  Lanes sums[4]{}, x, y, a, b, bell, e;  // of the pattern, its square, its product with the profile; of its square
+  for (int i = 0; i < kHalf; i += kLanes) {
+    Lanes pattern{};
+    for (std::size_t k = 0; k < kRadii.size(); ++k) {
+      load(&at.u[2 * kHalf * k + i], x), load(&at.v[2 * kHalf * k + i], y);
+      erf_and_bell(scale * (c1 * y - s1 * x), a, bell);
+      erf_and_bell(scale * (c2 * y - s2 * x), b, bell);
+      pattern += (1.f / kRadii.size()) * a * b;
+    }
+    load(even + i, e);
+    sums[0] += pattern, sums[1] += pattern * pattern, sums[2] += pattern * e, sums[3] += e * e;
+  }
+  float total_of[4];
+  totals(sums, total_of);
+  const float variance = total_of[1] - total_of[0] * total_of[0] / kHalf, both = total_of[2];
+  return (total_of[3] - both * both / variance) * variance * variance / (both * both);
 }
 
 }  // namespace
@@ -99,7 +166,7 @@ std::optional<Lighting> may_be_cross(const Image& image, const Eigen::Vector2i& 
     return across > times / 1.5 * opposite && across > times * (opposite - 9 * noise);
   };
   if (beyond(1.5)) return Lighting::even;
-  return beyond(0.9) ? std::optional(Lighting::shadowed) : std::nullopt;
+  return beyond(0.6) ? std::optional(Lighting::shadowed) : std::nullopt;
 }
 
 std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast,
@@ -107,11 +174,7 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   const float reach = kRadii.back() + 1, u = static_cast<float>(centre.x()), v = static_cast<float>(centre.y());
   if (!(u >= reach && v >= reach && u < image.width - reach - 1 && v < image.height - reach - 1)) return std::nullopt;
   const Profile profile = profile_round(image, u, v);
-  std::array<float, kHalf> sorted = profile.even;
-  std::sort(sorted.begin(), sorted.end());
-  constexpr int kFew = kHalf / 5;
-  float black = 0, white = 0;
-  for (int i = 0; i < kFew; ++i) black += sorted[i] / kFew, white += sorted[kHalf - 1 - i] / kFew;
+  const auto [black, white] = extremes(profile.even);
   const float contrast = white - black, middle = 0.5f * (white + black);
   // Blur of 2.5 px leaves half the contrast at these radii.
   if (contrast < 0.4 * min_contrast) return std::nullopt;
@@ -127,7 +190,8 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
     const float here = profile.even[i] - middle, next = profile.even[(i + 1) % kHalf] - middle;
     if ((here < 0) == (next < 0)) continue;
     if (crossings == 2) return std::nullopt;
-    cross.edges[crossings++] = std::fmod(M_PI / kHalf * (i + here / (here - next)), M_PI);
+    const double angle = M_PI / kHalf * (i + here / (here - next));
+    cross.edges[crossings++] = angle < M_PI ? angle : angle - M_PI;
   }
   if (crossings != 2) return std::nullopt;
   if (cross.edges[0] > cross.edges[1]) std::swap(cross.edges[0], cross.edges[1]);
@@ -135,9 +199,20 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   const int index = static_cast<int>(std::lround(between * kHalf / M_PI)) % kHalf;
   cross.level = middle;
   cross.half_contrast = (profile.even[index] > middle ? -0.5 : 0.5) * contrast * (1 + 0.25 * cross.blur * cross.blur);
+  cross.profile = profile.even;
   // Two thirds: this is a guess yet.
   if (3 * std::abs(cross.half_contrast) < min_contrast) return std::nullopt;
   return cross;
+}
+
+double sector_misfit(const CrossStructure& cross) {
+  std::array<float, kHalf> even = cross.profile;
+  const float mean = std::accumulate(even.begin(), even.end(), 0.f) / kHalf;
+  for (float& value : even) value -= mean;
+  float least = 1e9f;
+  for (const float blur : {0.9f, 1.5f, 2.3f})
+    least = std::min(least, left_by_sectors(circles(), cross.edges, blur, even.data()));
+  return std::sqrt(std::max(least, 0.f) / (kHalf - 3));
 }
 
 }  // namespace handsight

@@ -8,12 +8,14 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "vision/corner_lanes.h"
 
 namespace handsight {
 namespace {
 
 constexpr int kMostRadius = 15;
 constexpr int kMostSide = 2 * kMostRadius + 1;
+constexpr int kMostPairs = (kMostSide * kMostSide / 2 + kLanes - 1) / kLanes * kLanes;
 
 int window_radius(double sigma) { return static_cast<int>(std::ceil(3 * sigma)); }
 
@@ -24,8 +26,8 @@ struct Window {
 };
 
 // Bilinear values of the window and its rim of one pixel, central differences inside.
-bool sample_window(const Image& image, const Eigen::Vector2d& centre, int radius, const CornerModel* lit,
-                   Window& window) {
+HANDSIGHT_LANES bool sample_window(const Image& image, const Eigen::Vector2d& centre, int radius,
+                                   const CornerModel* lit, Window& window) {
   const int u = static_cast<int>(std::floor(centre.x())), v = static_cast<int>(std::floor(centre.y()));
   const int rim = radius + 1, side = 2 * rim + 1, inner = 2 * radius + 1;
   if (u < rim || v < rim || u + rim + 1 >= image.width || v + rim + 1 >= image.height) return false;
@@ -61,19 +63,47 @@ struct Normal {
   double squares = 0;
 };
 
-// Sums over half the window: the other half says the same again.
-Normal normal_equations(const Window& window, const float* weight) {
-  std::array<float, 9> sum{};
-  const int last = window.count - 1;
-  for (int n = 0; n < window.count / 2; ++n) {
-    const float difference = window.value[n] - window.value[last - n];
-    const float ju = window.du[n] - window.du[last - n], jv = window.dv[n] - window.dv[last - n];
-    const float g = weight[n], gu = g * ju, gv = g * jv;
+// Of each pixel of half the window and its mirror image the difference of the values, and of the gradients; the other
+// half says the same again.
+struct Pairs {
+  int count = 0;  // in whole groups, the last filled with zeros
+  std::array<float, kMostPairs> value, du, dv;
+};
+
+HANDSIGHT_LANES void subtract_mirrored(const float* values, int count, float* differences) {
+  const float* const last = values + count - 1;
+  for (int n = 0; n < count / 2; ++n) differences[n] = values[n] - last[-n];
+}
+
+void pair_up(const Window& window, Pairs& pairs) {
+  const int half = window.count / 2;
+  pairs.count = (half + kLanes - 1) / kLanes * kLanes;
+  subtract_mirrored(window.value.data(), window.count, pairs.value.data());
+  subtract_mirrored(window.du.data(), window.count, pairs.du.data());
+  subtract_mirrored(window.dv.data(), window.count, pairs.dv.data());
+  for (auto* row : {&pairs.value, &pairs.du, &pairs.dv}) std::fill(&(*row)[half], &(*row)[pairs.count], 0.f);
+}
+
+// weight has as many entries.
+HANDSIGHT_LANES void add_up(const Pairs& pairs, const float* weight, float* sums) {
+  Lanes sum[9]{}, g, difference, ju, jv;
+  for (int n = 0; n < pairs.count; n += kLanes) {
+    load(weight + n, g), load(&pairs.value[n], difference), load(&pairs.du[n], ju), load(&pairs.dv[n], jv);
+    const Lanes gu = g * ju, gv = g * jv;
     sum[0] += gu * ju, sum[1] += gu * jv, sum[2] += gv * jv;
     sum[3] += gu * gu, sum[4] += gu * gv, sum[5] += gv * gv;
     sum[6] += gu * difference, sum[7] += gv * difference;
     sum[8] += g * difference * difference;
   }
+  totals(sum, sums), totals(sum + 4, sums + 4);
+  sums[8] = total(sum[8]);
+}
+
+Normal normal_equations(const Window& window, const float* weight) {
+  Pairs pairs;
+  pair_up(window, pairs);
+  std::array<float, 9> sum;
+  add_up(pairs, weight, sum.data());
   Normal normal;
   normal.hessian << sum[0], sum[1], sum[1], sum[2];
   normal.spread << sum[3], sum[4], sum[4], sum[5];
@@ -83,11 +113,11 @@ Normal normal_equations(const Window& window, const float* weight) {
 }
 
 void gaussian_weights(double sigma, int radius, float* weight) {
-  const double factor = 1 / (2 * M_PI * sigma * sigma);
-  std::array<double, kMostSide> line;
-  for (int i = -radius; i <= radius; ++i) line[i + radius] = std::exp(-0.5 * i * i / (sigma * sigma));
+  std::array<float, kMostSide> line;  // of one direction, so that the product is normalised
+  for (int i = -radius; i <= radius; ++i)
+    line[i + radius] = static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma)) / (std::sqrt(2 * M_PI) * sigma));
   for (int y = 0, n = 0; y <= 2 * radius; ++y)
-    for (int x = 0; x <= 2 * radius; ++x, ++n) weight[n] = static_cast<float>(factor * line[x] * line[y]);
+    for (int x = 0; x <= 2 * radius; ++x, ++n) weight[n] = line[x] * line[y];
 }
 
 // Values brought to full light carry the more noise: the weight of a pair is its G over the pair's variance.
@@ -124,13 +154,13 @@ std::optional<SymmetryPoint> symmetry_point(const Image& image, const Eigen::Vec
     if (!(smaller > 1e-6)) return std::nullopt;
     const Eigen::Matrix2d inverse = normal.hessian.inverse();
     const Eigen::Vector2d step = -inverse * normal.gradient;
+    at += step.norm() > 1 ? Eigen::Vector2d(step.normalized()) : step;
+    if ((at - start).norm() > reach) return std::nullopt;
     if (i == iterations || step.squaredNorm() < 1e-4) {
-      const double variance = normal.squares / weights;
+      const double variance = std::max(normal.squares + step.dot(normal.gradient), 0.0) / weights;  // after the step
       // Both halves of the window make O and its Hessian: twice the sums over one.
       return SymmetryPoint{at, variance * inverse * normal.spread * inverse, 2 * smaller, std::sqrt(variance / 2)};
     }
-    at += step.norm() > 1 ? Eigen::Vector2d(step.normalized()) : step;
-    if ((at - start).norm() > reach) return std::nullopt;
   }
 }
 

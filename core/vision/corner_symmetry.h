@@ -21,7 +21,8 @@ struct SymmetryPoint {
 /// thesis (4.7), from `start`. Nothing where the window leaves the image, the Hessian is singular, or the point is
 /// farther than `reach` px from the start.
 /// Covariance: G is not the inverse covariance of the differences, so it is H^-1 (sum G^2 J J^T var) H^-1 with var
-/// the G-weighted mean square difference at the solution.
+/// the G-weighted mean square difference at the solution. After `iterations` steps one more is taken on trust: what it
+/// leaves is foreseen from the derivatives, not looked at.
 /// With `lit` the image is taken as it would be without that model's shadow, what was dark weighing less.
 std::optional<SymmetryPoint> symmetry_point(const Image& image, const Eigen::Vector2d& start, double sigma,
                                             double reach, int iterations = 4, const CornerModel* lit = nullptr);

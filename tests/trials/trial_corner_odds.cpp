@@ -15,7 +15,7 @@ namespace handsight {
 namespace {
 
 using namespace corner_images;
-using Row = Eigen::Matrix<double, 6, 1>;  // the signs, and the others
+using Row = Eigen::Matrix<double, 7, 1>;  // the signs, the others, the board
 
 struct Example {
   Row signs;
@@ -36,15 +36,16 @@ std::vector<Example> examples(const Image& image, const std::vector<Eigen::Vecto
     if (!fit) continue;
     signs.push_back(signs_of(*fit, noise));
     const double own = corner_log_odds(signs.back());
-    suspects.push_back({candidate, fit->model.position, own, own});
+    suspects.push_back({candidate, fit->model.position, fit->model.edges, fit->model.half_contrast, own, own});
   }
   SaddleField field(image.width, image.height, candidates);
   weigh(suspects, field);
+  const std::vector<double> board = board_signs(suspects);
   std::vector<Example> all;
   for (std::size_t i = 0; i < suspects.size(); ++i) {
     Example example;
     example.signs << Eigen::Map<const Eigen::Matrix<double, 5, 1>>(signs[i].data()),
-        field.others(suspects[i].candidate);
+        std::clamp(field.others(suspects[i].candidate), -2.0, 4.0), board[i];
     for (const Eigen::Vector2d& corner : corners) example.is_corner |= (corner - suspects[i].position).norm() < 2;
     all.push_back(example);
   }
@@ -82,7 +83,7 @@ Image grain(bool in_patches, std::mt19937& random) {
 Row regression(const std::vector<Example>& all) {
   Row weights = Row::Zero();
   for (int i = 0; i < 30; ++i) {
-    Eigen::Matrix<double, 6, 6> hessian = 1e-3 * Eigen::Matrix<double, 6, 6>::Identity();
+    Eigen::Matrix<double, 7, 7> hessian = 1e-3 * Eigen::Matrix<double, 7, 7>::Identity();
     Row gradient = -1e-3 * weights;
     for (const Example& example : all) {
       const double p = 1 / (1 + std::exp(-weights.dot(example.signs)));
@@ -150,7 +151,7 @@ int main(int count, char** words) {
   const Row weights = regression(all);
   fmt::print(
       "weights: constant {:.2f}, radius {:.2f} / px, blur {:.2f} / px, log sigma {:.2f}, log excess {:.2f}, others "
-      "{:.2f}\n",
-      weights(0), weights(1), weights(2), weights(3), weights(4), weights(5));
+      "{:.2f}, board {:.2f}\n",
+      weights(0), weights(1), weights(2), weights(3), weights(4), weights(5), weights(6));
   for (const auto& [name, examples] : sets) report(name, examples, weights);
 }

@@ -160,7 +160,7 @@ TEST(CornerDetector, BesideAShadowsEdgeTheCovarianceIsNotTooSmall) {
     const Eigen::Vector2d error = corner->position - sample.view.corner;
     ++found, normalised += error.dot(corner->covariance.inverse() * error);
   }
-  EXPECT_GE(found, 0.92 * 200);
+  EXPECT_GE(found, 0.95 * 200);        // 0.97 in the trial's larger sample
   EXPECT_LT(normalised / found, 2.8);  // 2 is right; the noise's covariance alone gives above 5
 }
 

@@ -41,18 +41,18 @@ TEST(SaddleField, CountsWhatIsNearAndAsDeepWhateverTheImagesSize) {
         if (candidates[i].stationary && distance >= 2 && distance < 40 && candidates[i].saddle >= 0.25f * own.saddle)
           others += 1 - 2 * probability[i];
       }
-      EXPECT_NEAR(field.others(own), std::clamp(others, -2.0, 4.0), 1e-4);
+      EXPECT_NEAR(field.others(own), others, 1e-4);
     }
   }
 }
 
-// Saddles 20 px apart, all of which say as much of themselves as they leave open.
-std::vector<Suspect> crowd(double own) {
+// Saddles `pitch` px apart, all of which say as much of themselves as they leave open.
+std::vector<Suspect> crowd(double own, double pitch = 20) {
   std::vector<Suspect> all;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) {
-      const Eigen::Vector2d at(20 + 20 * i, 20 + 20 * j);
-      all.push_back({{at, 5, true}, at, own, own});
+      const Eigen::Vector2d at(20 + pitch * i, 20 + pitch * j);
+      all.push_back({{at, 5, true}, at, {}, 0, own, own});
     }
   return all;
 }
@@ -79,6 +79,39 @@ TEST(Weigh, AmongSaddlesThatAreNoneACornerMustShowMore) {
   texture[12].own = texture[12].log_odds = 8;
   weigh(texture, field);
   EXPECT_GT(texture[12].log_odds, kLeastLogOdds);
+}
+
+TEST(BoardSigns, SeeManyWithEdgesAndContrastsAlike) {
+  std::vector<Suspect> board = crowd(0, 15);
+  for (Suspect& suspect : board) suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
+  const auto of = [](const std::vector<Suspect>& suspects) { return board_signs(suspects)[suspects.size() / 2]; };
+  EXPECT_DOUBLE_EQ(of(board), 1);  // 20 neighbours within 40 px
+  auto changed = board;            // the other colours' corners, of which the edges come the other way round
+  for (std::size_t i = 0; i < board.size(); i += 2)
+    changed[i].edges = {1.7 + M_PI, 0.3}, changed[i].half_contrast = -60;
+  EXPECT_DOUBLE_EQ(of(changed), 1);
+  EXPECT_EQ(of({board.begin() + 8, board.begin() + 16}), 0) << "seven may be chance";
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angle(0, M_PI);
+  for (Suspect& suspect : changed) suspect.edges = {angle(random), angle(random)};
+  EXPECT_EQ(of(changed), 0);
+  changed = board;
+  for (std::size_t i = 0; i < board.size(); ++i) changed[i].half_contrast = i == 12 ? 50 : 20;
+  EXPECT_EQ(of(changed), 0);
+}
+
+TEST(Weigh, ABoardsCornersNeedNotAllBeFound) {
+  std::vector<Suspect> board = crowd(1, 15);
+  std::vector<Candidate> candidates = candidates_of(board);
+  for (const Suspect& suspect : board)  // as many again that no fit took
+    candidates.push_back({suspect.position + Eigen::Vector2d(7, 7), 5, true});
+  SaddleField field(140, 140, candidates);
+  auto texture = board;
+  weigh(texture, field);
+  EXPECT_LT(texture[12].log_odds, kLeastLogOdds);
+  for (Suspect& suspect : board) suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
+  weigh(board, field);
+  EXPECT_GT(board[12].log_odds, kLeastLogOdds);
 }
 
 TEST(CornerLogOdds, RiseWithTheDiscAndFallWithBlurSigmaAndWhatTheModelLeaves) {

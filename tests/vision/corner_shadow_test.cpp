@@ -32,8 +32,9 @@ TEST(FitBesideShadow, FindsTheCornerAndTheShadow) {
     const auto cross = cross_structure(beside.image, beside.corner, 20, Lighting::shadowed);
     ASSERT_TRUE(cross) << seed;
     const auto plain = fit_corner(beside.image, beside.corner, *cross, 2);
-    const CornerModel guess = plain ? plain->model : first_guess(beside.corner, *cross);
-    const auto fit = fit_beside_shadow(beside.image, beside.corner, *cross, guess, 2);
+    const CornerModel first = plain ? plain->model : first_guess(beside.corner, *cross);
+    const Guess guess = plain ? Guess::fitted : Guess::from_circles;
+    const auto fit = fit_beside_shadow(beside.image, beside.corner, *cross, first, guess, 2);
     ASSERT_TRUE(fit) << seed;
     const ShadowEdge& shadow = fit->model.shadow;
     EXPECT_NEAR(std::remainder(shadow.direction - angle, 2 * M_PI), 0, 0.1) << seed;
@@ -54,7 +55,7 @@ TEST(FitBesideShadow, FindsNoneInEvenLight) {
     ASSERT_TRUE(cross);
     const auto fit = fit_corner(even.image, even.corner, *cross, 2);
     ASSERT_TRUE(fit);
-    EXPECT_FALSE(fit_beside_shadow(even.image, even.corner, *cross, fit->model, 2)) << seed;
+    EXPECT_FALSE(fit_beside_shadow(even.image, even.corner, *cross, fit->model, Guess::fitted, 2)) << seed;
   }
 }
 

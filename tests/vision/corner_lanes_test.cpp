@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_lanes.h"
+
+#include <gtest/gtest.h>
+
+#include "vision/corner_detector.h"
+#include "vision/corner_truth.h"
+
+namespace handsight {
+namespace {
+
+std::vector<Corner> detect(const Image& image, bool wide) {
+  const bool has = has_wide_lanes();
+  has_wide_lanes() = wide;
+  auto corners = detect_corners(image);
+  has_wide_lanes() = has;
+  return corners;
+}
+
+TEST(Lanes, ResultsAreTheSameBitByBitWhateverTheProcessorHas) {
+  if (!has_wide_lanes()) GTEST_SKIP() << "this processor has no wide lanes to compare with";
+  std::mt19937 random(4);
+  std::vector<Image> images = {corner_images::busy_scene(54, 4, random)};
+  for (const double shade : {1.0, 0.6})  // sharp and blurred, in light and beside a shadow
+    for (int i = 0; i < 20; ++i) images.push_back(corner_images::draw({.shade = {shade, shade}}, random).image);
+  std::size_t found = 0;
+  for (const Image& image : images) {
+    const auto wide = detect(image, true), narrow = detect(image, false);
+    ASSERT_EQ(wide.size(), narrow.size());
+    found += wide.size();
+    for (std::size_t i = 0; i < wide.size(); ++i) {
+      EXPECT_EQ(wide[i].position, narrow[i].position);
+      EXPECT_EQ(wide[i].covariance, narrow[i].covariance);
+      EXPECT_EQ(wide[i].strength, narrow[i].strength);
+    }
+  }
+  EXPECT_GT(found, 80U);
+}
+
+TEST(Lanes, ErfAndBellAreExactToTheirPolynomials) {
+  Lanes x, erf, bell;
+  for (float from = -8; from < 8; from += 0.08f) {
+    for (int i = 0; i < kLanes; ++i) x[i] = from + 0.01f * static_cast<float>(i);
+    erf_and_bell(x, erf, bell);
+    for (int i = 0; i < kLanes; ++i) {
+      EXPECT_NEAR(erf[i], std::erf(x[i]), 3e-5);
+      EXPECT_NEAR(bell[i], std::exp(-x[i] * x[i]), 3e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace handsight
