@@ -8,7 +8,9 @@ trap 'rm -rf "$work"' EXIT
 cp -r "$here/sample_sessions/first_steps" "$work/"
 session=$work/first_steps
 
-step() { printf '\n\033[1m%s\033[0m\n' "$1"; }
+bold='' plain=''
+if [ -t 1 ]; then bold=$'\033[1m' plain=$'\033[0m'; fi
+step() { printf '\n%s%s%s\n' "$bold" "$1" "$plain"; }
 
 step "1. What is in the session?"
 "$cli" check "$session"

@@ -119,29 +119,34 @@ Extremes extremes(const std::array<float, kHalf>& values) {
   return {(low[0] + low[1] + low[2]) / kFew, (high[0] + high[1] + high[2]) / kFew};
 }
 
-// What the pattern of two blurred edges that cross in the middle leaves of the profile `even`, whose mean is 0: the sum
-// of squares in half contrasts.
-HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double, 2>& edges, float blur,
-                                      const float* even) {
+constexpr std::array<float, 3> kBlurs{0.9f, 1.5f, 2.3f};
+
+// The least that the pattern of two blurred edges that cross in the middle leaves of the profile `even`, whose mean is
+// 0: the sum of squares in half contrasts.
+HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double, 2>& edges, const float* even) {
   const auto first = static_cast<float>(edges[0]), second = static_cast<float>(edges[1]);
   const float s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
-  const float scale = static_cast<float>(M_SQRT1_2) / blur;
-  Lanes sums[4]{}, x, y, a, b, bell, e;  // of the pattern, its square, its product with the profile; of its square
-  for (int i = 0; i < kHalf; i += kLanes) {
-    Lanes pattern{};
-    for (std::size_t k = 0; k < kRadii.size(); ++k) {
-      load(&at.u[2 * kHalf * k + i], x), load(&at.v[2 * kHalf * k + i], y);
-      erf_and_bell(scale * (c1 * y - s1 * x), a, bell);
-      erf_and_bell(scale * (c2 * y - s2 * x), b, bell);
-      pattern += (1.f / kRadii.size()) * a * b;
+  float least = 1e9f;
+  for (const float blur : kBlurs) {
+    const float scale = static_cast<float>(M_SQRT1_2) / blur;
+    Lanes sums[4]{}, x, y, a, b, bell, e;  // of the pattern, its square, its product with the profile; of its square
+    for (int i = 0; i < kHalf; i += kLanes) {
+      Lanes pattern{};
+      for (std::size_t k = 0; k < kRadii.size(); ++k) {
+        load(&at.u[2 * kHalf * k + i], x), load(&at.v[2 * kHalf * k + i], y);
+        erf_and_bell(scale * (c1 * y - s1 * x), a, bell);
+        erf_and_bell(scale * (c2 * y - s2 * x), b, bell);
+        pattern += (1.f / kRadii.size()) * a * b;
+      }
+      load(even + i, e);
+      sums[0] += pattern, sums[1] += pattern * pattern, sums[2] += pattern * e, sums[3] += e * e;
     }
-    load(even + i, e);
-    sums[0] += pattern, sums[1] += pattern * pattern, sums[2] += pattern * e, sums[3] += e * e;
+    float sum[4];
+    totals(sums, sum);
+    const float variance = sum[1] - sum[0] * sum[0] / kHalf, both = sum[2];
+    least = std::min(least, (sum[3] - both * both / variance) * variance * variance / (both * both));
   }
-  float total_of[4];
-  totals(sums, total_of);
-  const float variance = total_of[1] - total_of[0] * total_of[0] / kHalf, both = total_of[2];
-  return (total_of[3] - both * both / variance) * variance * variance / (both * both);
+  return least;
 }
 
 }  // namespace
@@ -209,10 +214,7 @@ double sector_misfit(const CrossStructure& cross) {
   std::array<float, kHalf> even = cross.profile;
   const float mean = std::accumulate(even.begin(), even.end(), 0.f) / kHalf;
   for (float& value : even) value -= mean;
-  float least = 1e9f;
-  for (const float blur : {0.9f, 1.5f, 2.3f})
-    least = std::min(least, left_by_sectors(circles(), cross.edges, blur, even.data()));
-  return std::sqrt(std::max(least, 0.f) / (kHalf - 3));
+  return std::sqrt(std::max(left_by_sectors(circles(), cross.edges, even.data()), 0.f) / (kHalf - 3));
 }
 
 }  // namespace handsight

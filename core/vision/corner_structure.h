@@ -27,7 +27,7 @@ struct CrossStructure {
 enum class Lighting { even, shadowed };
 
 /// The cheapest test: 16 pixels on a circle of 3 px. Nothing where points a quarter turn apart differ by too little for
-/// a corner of `min_contrast` grey levels, or less than 0.9 times as opposite ones, beyond what noise of sigma `noise`
+/// a corner of `min_contrast` grey levels, or less than 0.6 times as opposite ones, beyond what noise of sigma `noise`
 /// grey levels makes; 1.5 times is what even light takes. The pixel must be 3 px inside the image.
 std::optional<Lighting> may_be_cross(const Image& image, const Eigen::Vector2i& pixel, double min_contrast,
                                      double noise);
