@@ -112,17 +112,18 @@ SaddleField::SaddleField(int width, int height, const std::vector<Candidate>& ca
 }
 
 template <class Act>
-void SaddleField::each_row_round(const Eigen::Vector2d& position, const Act& act) const {
-  const int x = cell(position.x()), y = cell(position.y());
-  const int left = std::max(x - 1, 0), right = std::min(x + 1, across_ - 1);
-  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, down_ - 1); ++j)  // the cells of a row follow each other
+void SaddleField::each_row_round(const Eigen::Vector2d& position, double reach, const Act& act) const {
+  const auto from = [&](double at) { return cell(std::max(at - reach, 0.0)); };
+  const int left = from(position.x()), right = std::min(cell(position.x() + reach), across_ - 1);
+  const int top = from(position.y()), bottom = std::min(cell(position.y() + reach), down_ - 1);
+  for (int j = top; j <= bottom; ++j)  // the cells of a row follow each other
     act(first_[static_cast<std::size_t>(j * across_ + left)],
         first_[static_cast<std::size_t>(j * across_ + right) + 1]);
 }
 
 double SaddleField::others(const Candidate& candidate) const {
   double more = 0;
-  each_row_round(candidate.position, [&](int begin, int end) {
+  each_row_round(candidate.position, kNear, [&](int begin, int end) {
     more += said(&u_[begin], &v_[begin], &depth_[begin], &says_[begin], end - begin,
                  static_cast<float>(candidate.position.x()), static_cast<float>(candidate.position.y()),
                  kAsDeep * candidate.saddle);
@@ -133,7 +134,7 @@ double SaddleField::others(const Candidate& candidate) const {
 std::vector<int> SaddleField::at(const Eigen::Vector2d& position) const {
   std::vector<int> numbers;
   const auto u = static_cast<float>(position.x()), v = static_cast<float>(position.y());
-  each_row_round(position, [&](int begin, int end) {
+  each_row_round(position, kSame, [&](int begin, int end) {
     for (int n = begin; n < end; ++n) {
       const float x = u_[n] - u, y = v_[n] - v;
       if (x * x + y * y < kSame * kSame) numbers.push_back(n);

@@ -39,8 +39,9 @@ class SaddleField {
   int size() const { return first_.back(); }
 
  private:
+  // Calls act(begin, end) for each row of cells that lie within `reach` px, 40 at most.
   template <class Act>
-  void each_row_round(const Eigen::Vector2d& position, const Act& act) const;
+  void each_row_round(const Eigen::Vector2d& position, double reach, const Act& act) const;
 
   int across_, down_;                        // cells of 40 px
   std::vector<int> first_;                   // of each cell's saddles; one more at the end
