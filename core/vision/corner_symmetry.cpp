@@ -81,7 +81,7 @@ void pair_up(const Window& window, Pairs& pairs) {
   subtract_mirrored(window.value.data(), window.count, pairs.value.data());
   subtract_mirrored(window.du.data(), window.count, pairs.du.data());
   subtract_mirrored(window.dv.data(), window.count, pairs.dv.data());
-  for (auto* row : {&pairs.value, &pairs.du, &pairs.dv}) std::fill(&(*row)[half], &(*row)[pairs.count], 0.f);
+  for (auto* row : {&pairs.value, &pairs.du, &pairs.dv}) std::fill(row->begin() + half, row->begin() + pairs.count, 0.f);
 }
 
 // weight has as many entries.
