@@ -6,6 +6,7 @@
 #include "diagnosis/explanation.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/robot_check.h"
+#include "effects/own_effect.h"
 #include "fit_output.h"
 #include "json_values.h"
 
@@ -15,7 +16,7 @@ namespace {
 Json parameters_json(const Session& session, const DiagnosisCandidate& c) {
   Json list = Json::array();
   for (std::size_t t = 0; t < c.terms.size(); ++t) {
-    const Effect& effect = *find_effect(c.terms[t].id);
+    const Effect& effect = effect_of(c.terms[t]);
     const std::string of = place_name(effect, c.terms[t].joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       list.push_back({{"of", of.empty() ? Json(nullptr) : Json(of)},
@@ -43,7 +44,7 @@ std::string unnamed_id(const Variable& v) {
 
 Json check_json(const DiagnosisCandidate& c) {
   if (!c.check) return nullptr;
-  return {{"text", find_effect(c.id)->check},
+  return {{"text", effect_of(c.terms.front()).check},
           {"prediction", prediction_text(*c.check)},
           {"value", number(c.check->value)},
           {"sigma", number(c.check->sigma)},
@@ -258,12 +259,13 @@ Json improvement_json(const Session& session, const Improvement& m) {
 void add_effects(const std::vector<std::string>& texts, const Session& session, std::vector<EffectTerm>& held,
                  std::vector<EffectTerm>& estimated) {
   const Chain chain = chain_of(session);
+  const OwnEffects own = own_effects_of(session, chain);
   for (const std::string& text : texts) {
     if (text.find('=') != std::string::npos) {
-      add_effect_value(text, session.robot, held);
+      add_effect_value(text, session.robot, held, own);
       continue;
     }
-    const std::vector<EffectTerm> terms = best_choices(session, effect_terms(text, chain));
+    const std::vector<EffectTerm> terms = best_choices(session, effect_terms(text, chain, own));
     estimated.insert(estimated.end(), terms.begin(), terms.end());
   }
 }

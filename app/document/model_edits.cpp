@@ -98,7 +98,7 @@ std::optional<NumberPlace> find_number(ModelSettings& settings, const std::strin
 }
 
 bool holds_all(const EffectTerm& term) {
-  const Effect& effect = *find_effect(term.id);
+  const Effect& effect = effect_of(term);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
     if (is_free(effect, term, p)) return false;
   return true;

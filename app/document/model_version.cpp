@@ -66,7 +66,7 @@ void check_places(const Session& session, const ModelSettings& settings) {
   const Chain chain = chain_of(session);
   for (const auto* terms : {&settings.estimated, &settings.held})
     for (const EffectTerm& term : *terms) {
-      const Effect& effect = *find_effect(term.id);
+      const Effect& effect = effect_of(term);
       const std::vector<int> places = effect_places(effect, chain);
       if (std::find(places.begin(), places.end(), term.joint) == places.end())
         throw InputError(fmt::format("The model has the effect {} at a place that this robot does not have; untick it.",

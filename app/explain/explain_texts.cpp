@@ -104,7 +104,7 @@ QString what_is_left_follows(const Diagnosis& d) {
     if (c.unnamed && c.ln_bayes_factor >= d.threshold)
       return QObject::tr("It follows the %1 (%2).")
           .arg(QString::fromStdString(c.unnamed->localiser.variable->name),
-               QString::fromStdString(c.unnamed->localiser.best.shape));
+               QString::fromStdString(c.unnamed->localiser.best.shape.text));
   if (d.patterns.empty()) return {};
   return QObject::tr("It follows the %1.").arg(QString::fromStdString(d.patterns.front().against.name));
 }

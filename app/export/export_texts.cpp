@@ -43,7 +43,7 @@ QString effects_text(const Session& session, const Fit& fit) {
 std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
   std::vector<MotionLine> lines;
   for (const FittedEffect& f : fit.effects) {
-    const Effect& effect = *find_effect(f.term.id);
+    const Effect& effect = effect_of(f.term);
     const std::string place = place_name(effect, f.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const ShownUnit unit = shown_unit(effect.parameters[p].unit);

@@ -38,7 +38,7 @@ Eigen::MatrixXd covariance_of(const RankedEffect& r) {
 /// Every number within three of its plausible sizes.
 bool is_plausible(const std::vector<EffectTerm>& terms) {
   for (const EffectTerm& term : terms) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * effect.parameters[p].sigma) return false;
   }
@@ -106,8 +106,8 @@ DiagnosisCandidate candidate_of(const RankedLocaliser& l, const Session& session
   return c;
 }
 
-void take_refit(const Refit& r, const RankedEffect& ranked, const Diagnosis& d, const Weighing& weighing,
-                const Session& session, DiagnosisCandidate& c) {
+void take_refit(const Refit& r, double ln_ways, const Diagnosis& d, const Weighing& weighing, const Session& session,
+                DiagnosisCandidate& c) {
   c.refitted = true;
   c.full_fit = r.options;
   c.terms.clear();
@@ -127,7 +127,7 @@ void take_refit(const Refit& r, const RankedEffect& ranked, const Diagnosis& d, 
       (before.solution.normal.data_cost() - r.fit.solution.normal.data_cost()) / (weighing.noise * weighing.noise);
   c.predicted_held_out = predicted_held_out(before, weighing.noise, gained, r.fit.unknowns - before.unknowns);
   c.plausible = is_plausible(c.terms);
-  c.ln_bayes_factor = r.ln_bayes_factor + ranked.ln_bayes_factor - ranked.ln_best;
+  c.ln_bayes_factor = r.ln_bayes_factor - ln_ways;
   if (const auto left = lack_of_fit(r.fit); left && fails_by_much(d))
     c.explained = std::clamp(1 - left->excess() / *d.excess, 0.0, 1.0);
 }

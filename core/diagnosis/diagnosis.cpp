@@ -7,6 +7,7 @@
 
 #include "diagnosis/candidate_report.h"
 #include "diagnosis/clean_model.h"
+#include "diagnosis/curves.h"
 #include "diagnosis/explanation.h"
 #include "diagnosis/judging.h"
 #include "diagnosis/refitting.h"
@@ -45,7 +46,7 @@ class Work {
     tell_apart();
     judge(session_, weighing_.knowledge.known, fits_, d_);
     for (DiagnosisCandidate& c : d_.candidates) {
-      if (c.ln_bayes_factor >= d_.threshold) c.check = predicted_check(d_, c);
+      if (c.ln_bayes_factor >= d_.threshold && !c.unnamed) c.check = predicted_check(d_, c);
       c.explanation = explain(c, d_, session_);
     }
     return std::move(d_);
@@ -150,7 +151,28 @@ class Work {
       refit_candidate(c);
       if (!goes_on(0.6 + 0.3 * ++done / (2.0 * options_.refitted))) return;
     }
+    refit_the_curve();
     sort_candidates();
+  }
+
+  /// The first unnamed candidate as a curve that the model may take in.
+  void refit_the_curve() {
+    const auto c = std::find_if(d_.candidates.begin(), d_.candidates.end(),
+                                [](const DiagnosisCandidate& one) { return one.unnamed.has_value(); });
+    if (!options_.with_curves || c == d_.candidates.end() || c->ln_bayes_factor < d_.threshold) return;
+    const WhitenedModel w = whiten(model_, c->scatter, weighing_.knowledge);
+    const auto curve = find_curve(w, weighing_.knowledge, candidates_.problem, variables_, ranking_.localisers,
+                                  next_curve_id(terms_of(d_.model.fit)));
+    if (!curve) return;
+    const Refit r = refitted({curve->term});
+    if (stopped_ || !r.fit.converged()) return;
+    const auto same = std::find_if(ranking_.localisers.begin(), ranking_.localisers.end(),
+                                   [&](const auto& l) { return l.localiser.variable->name == curve->variable; });
+    if (same != ranking_.localisers.end()) c->unnamed = *same;
+    take_refit(r, curve->ln_ways - ln_odds_of_unnamed, d_, weighing_, session_, *c);
+    c->where = {curve->site};
+    c->path = std::move(path_);
+    if (options_.with_held_out) c->held_out = report(d_.model.session, r.fit, r.options).held_out;
   }
 
   void refit_candidate(DiagnosisCandidate& c) {
@@ -160,7 +182,7 @@ class Work {
     if (!r.fit.converged()) return;
     drop_idle_places(r);
     if (stopped_) return;
-    take_refit(r, ranked(c.id), d_, weighing_, session_, c);
+    take_refit(r, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, weighing_, session_, c);
     c.path = std::move(path_);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
     fits_[c.id] = std::move(r);

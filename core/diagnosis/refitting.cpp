@@ -75,7 +75,7 @@ std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::ve
   std::vector<EffectTerm> settled = terms;
   const Problem& problem = model.fit.problem;
   for (EffectTerm& term : settled) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     const auto order = std::find_if(effect.parameters.begin(), effect.parameters.end(),
                                     [](const EffectParameter& p) { return p.is_choice && p.choices.empty(); });
     if (order == effect.parameters.end()) continue;
@@ -164,7 +164,7 @@ std::vector<EffectTerm> best_choices(const Session& session, const std::vector<E
   std::vector<EffectTerm> settled = terms;
   std::optional<CleanFit> model;
   for (EffectTerm& term : settled) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     if (std::none_of(effect.parameters.begin(), effect.parameters.end(),
                      [](const EffectParameter& p) { return p.is_choice; }))
       continue;

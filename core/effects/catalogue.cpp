@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "effects/list.h"
@@ -42,6 +43,23 @@ const Effect* find_effect(const std::string& id) {
   return found == by_id.end() ? nullptr : found->second;
 }
 
+const Effect* find_effect(const std::string& id, const OwnEffects& own) {
+  for (const std::shared_ptr<const Effect>& effect : own)
+    if (effect->id == id) return effect.get();
+  return find_effect(id);
+}
+
+const Effect& effect_of(const EffectTerm& term) {
+  if (term.own) return *term.own;
+  const Effect* effect = find_effect(term.id);
+  check(effect != nullptr, "\"{}\" is no effect of the catalogue", term.id);
+  return *effect;
+}
+
+EffectTerm term_of(const Effect& effect, int place, std::shared_ptr<const Effect> own) {
+  return {effect.id, place, std::vector<double>(effect.parameters.size(), 0.0), {}, std::move(own)};
+}
+
 std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
   std::vector<int> places;
   if (effect.scope == EffectScope::session) return {-1};
@@ -62,12 +80,30 @@ std::string place_name(const Effect& effect, int place, const Robot& robot) {
   return robot.joints[static_cast<std::size_t>(place)].name;
 }
 
+Sites unmoved_sites(const Chain& chain) {
+  Sites sites;
+  sites.robot.joints.resize(chain.robot.joints.size());
+  sites.markers.assign(static_cast<std::size_t>(chain.marker_count), Vector3::Zero());
+  return sites;
+}
+
+bool is_finite(const Sites& s) {
+  const auto joint = [](const JointChange& j) {
+    return std::isfinite(j.angle) && j.frame.allFinite() && j.after.allFinite() && std::isfinite(j.compliance) &&
+           std::isfinite(j.lateral_compliance) && std::isfinite(j.gap);
+  };
+  return std::all_of(s.robot.joints.begin(), s.robot.joints.end(), joint) && std::isfinite(s.robot.tilt_x) &&
+         std::isfinite(s.robot.tilt_y) && s.mount.allFinite() && s.drift.allFinite() && s.rig.allFinite() &&
+         s.left_camera.allFinite() && s.right_camera.allFinite() && s.body.allFinite() && s.hand.allFinite() &&
+         std::all_of(s.markers.begin(), s.markers.end(), [](const Vector3& m) { return m.allFinite(); });
+}
+
 Sites moved_sites(const Circumstances& c, const std::vector<EffectTerm>& terms) {
   Sites sites;
   sites.markers.assign(static_cast<std::size_t>(c.chain->marker_count), Vector3::Zero());
   if (terms.empty()) return sites;
   sites.robot.joints.resize(c.chain->robot.joints.size());
-  for (const EffectTerm& term : terms) find_effect(term.id)->move(c, term.joint, term.values, sites);
+  for (const EffectTerm& term : terms) effect_of(term).move(c, term.joint, term.values, sites);
   return sites;
 }
 

@@ -56,10 +56,15 @@ Circumstances circumstances_at(const Chain& chain, const Eigen::VectorXd& positi
   return c;
 }
 
+Eigen::VectorXd nominal_torques(const Chain& chain, const Eigen::VectorXd& sensor) {
+  const Posture posture = solve_posture(chain.robot, sensor, chain.gravity);
+  return Eigen::Map<const Eigen::VectorXd>(posture.torque.data(), static_cast<Eigen::Index>(posture.torque.size()));
+}
+
 ObservedEnds observed_ends(const Circumstances& c, const Sites& sites) {
   const Chain& chain = *c.chain;
   const Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, false);
-  return {{posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)],
+  return {{posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)] * small_motion<double>(sites.hand),
            posture.root_from_link[static_cast<std::size_t>(chain.mount_link)], posture.converged},
           small_motion<double>(sites.mount) * small_motion<double>(sites.drift)};
 }

@@ -37,8 +37,11 @@ void set_effects(const Session& session, const Fit& fit, Calibration& c) {
   std::vector<Eigen::Index> place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the fit's
   for (const std::size_t t : terms_by_effect(fit)) {
     const FittedEffect& fitted = fit.effects[t];
-    const Effect& effect = *find_effect(fitted.term.id);
-    if (c.effects.empty() || c.effects.back().id != effect.id) c.effects.push_back({effect.id, {}});
+    const Effect& effect = effect_of(fitted.term);
+    if (c.effects.empty() || c.effects.back().id != effect.id) {
+      c.effects.push_back({effect.id, {}});
+      if (effect.definition) c.definitions.push_back(*effect.definition);
+    }
     const std::string of = place_name(effect, fitted.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& parameter = effect.parameters[p];

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/numbers.h"
+#include "effects/own_effect.h"
 #include "effects/term_numbers.h"
 
 namespace handsight {
@@ -83,11 +84,13 @@ PredictionModel prediction_model(const Fit& fit) { return {terms_of(fit), tcp_sc
 
 PredictionModel prediction_model(const Calibration& calibration, const Robot& robot) {
   PredictionModel model;
+  OwnEffects own;
+  for (const EffectDefinition& d : calibration.definitions) own.push_back(own_effect(d, robot));
   std::vector<NumberPlace> listed;  // where each parameter of the file stands in the model
   std::vector<double> variances;
   for (const CalibrationEffect& e : calibration.effects)
     for (const CalibrationParameter& p : e.parameters) {
-      listed.push_back(add_effect_number(e.id, p.of, p.name, p.value, robot, model.effects));
+      listed.push_back(add_effect_number(e.id, p.of, p.name, p.value, robot, model.effects, own));
       variances.push_back(std::pow(p.sigma.value_or(0), 2));
     }
   if (calibration.tcp_scatter) model.scatter = {*calibration.tcp_scatter, calibration.fit.used};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/rigid.h"
+#include "session/effect_definition.h"
 
 namespace handsight {
 
@@ -49,6 +50,7 @@ struct Calibration {
   std::vector<Vector3> markers;     // m, in the body frame
   std::vector<int> unseen_markers;  // indices of those that have no position: zero in `markers`, no element in the file
   std::vector<CalibrationEffect> effects;
+  std::vector<EffectDefinition> definitions;  // of those effects that are no part of the catalogue
 
   // What a prediction without the session needs; empty or absent in files of other programs.
   std::string tcp;                     // link

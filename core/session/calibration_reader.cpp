@@ -210,7 +210,7 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "session", "created", "software"},
-               {"tcp_from_body", "fit", "markers", "effects", "robot", "gravity", "joints", "tcp_scatter",
+               {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints", "tcp_scatter",
                 "model_covariance", "mount_from_sensor"});
   Calibration calibration;
   calibration.session = find_text(root, "session").value_or("");
@@ -220,6 +220,11 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   if (const auto fit = find_child(root, "fit")) calibration.fit = read_fit(*fit, ignored);
   read_markers(required_child(root, "markers"), calibration, ignored);
   if (const auto effects = find_child(root, "effects")) calibration.effects = read_effects(*effects, ignored);
+  if (const auto definitions = find_child(root, "effect_definitions")) {
+    note_unknown(ignored, *definitions, {}, {"effect"});
+    for (const XmlNode& node : children(*definitions, "effect"))
+      calibration.definitions.push_back(read_effect_definition(node, ignored));
+  }
   read_setting(root, calibration, ignored);
   if (const auto covariance = find_child(root, "model_covariance")) {
     note_unknown(ignored, *covariance, {"order"}, {}, true);

@@ -119,6 +119,10 @@ std::string calibration_text(const Calibration& calibration) {
   write_fit(root, calibration.fit);
   write_markers(root, calibration);
   write_effects(root, calibration.effects);
+  if (!calibration.definitions.empty()) {
+    XMLElement& definitions = *root.InsertNewChildElement("effect_definitions");
+    for (const EffectDefinition& d : calibration.definitions) write_effect_definition(definitions, d);
+  }
   write_setting(root, calibration);
   return xml_text(document);
 }

@@ -99,6 +99,7 @@ Session read_session(const fs::path& path) {
   Robot robot = read_robot_of(session, lines);
   bind_robot(session, std::move(robot), lines);
   check_image_paths(session, lines);
+  session.effect_definitions = find_effect_definitions(file.parent_path(), user_effects_folder(), session.notes);
   return session;
 }
 

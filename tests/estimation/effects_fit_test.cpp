@@ -103,7 +103,7 @@ Recovery recover(const Session& like, const std::vector<EffectTerm>& truth, std:
   Session session = simulate_session(like, options).session;
   std::vector<EffectTerm> start = truth;
   for (EffectTerm& term : start) {
-    const Effect& e = *find_effect(term.id);
+    const Effect& e = effect_of(term);
     for (std::size_t p = 0; p < term.values.size(); ++p)
       if (!e.parameters[p].is_choice) term.values[p] = 0;
   }

@@ -42,7 +42,7 @@ class Explain : public testing::Test {
   std::set<std::string> effects_in_the_model() {
     std::set<std::string> list;
     for (const FittedEffect& f : desk.document().model()->fit->effects)
-      list.insert(f.term.id + " " + place_name(*find_effect(f.term.id), f.term.joint, desk.document().session().robot));
+      list.insert(f.term.id + " " + place_name(effect_of(f.term), f.term.joint, desk.document().session().robot));
     return list;
   }
   static std::set<std::string> effects_of(const nlohmann::json& fit) {
