@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "camera/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace handsight {
@@ -54,6 +55,100 @@ Eigen::Matrix<double, 2, 8> pixel_by_camera_numbers(const Camera& c, const Vecto
   Eigen::Matrix<double, 2, 8> m;
   m.leftCols<4>() << distorted.x(), 0, 1, 0, 0, distorted.y(), 0, 1;
   m.rightCols<4>() = pixel_by_distorted * distorted_by_terms;
+  return m;
+}
+
+namespace {
+
+/// The tangent of the angle to the axis up to which `project` is taken as it is: 1.2 times the farthest corner's.
+double cone_of(const Camera& c) {
+  if (c.width <= 0 || c.height <= 0) return 3;
+  return 1.2 * std::hypot(std::max(c.cx, c.width - c.cx) / c.fx, std::max(c.cy, c.height - c.cy) / c.fy);
+}
+
+/// Without divisions and roots: asked at every measurement of every step.
+bool is_in_cone(const Camera& c, const Vector3& p) {
+  if (!(p.z() > 0)) return false;
+  if (c.width <= 0 || c.height <= 0) return p.head<2>().squaredNorm() <= 9 * p.z() * p.z();
+  const double u = c.fy * std::max(c.cx, c.width - c.cx), v = c.fx * std::max(c.cy, c.height - c.cy);
+  const double scale = c.fx * c.fy / 1.2;
+  return p.head<2>().squaredNorm() * scale * scale <= (u * u + v * v) * p.z() * p.z();
+}
+
+/// A point beyond the cone: xd = direction * radial + tangential * q, q quadratic in the direction.
+struct Beyond {
+  Vector2 direction;        // from the axis to the point
+  double radius = 0;        // m, from the axis
+  double t = 0, extra = 0;  // normalised: the cone's, and how far beyond
+  double slope = 0;         // d extra / d angle
+};
+
+Beyond beyond_cone(const Camera& c, const Vector3& p) {
+  Beyond b;
+  b.radius = p.head<2>().norm();
+  b.direction = b.radius > 0 ? Vector2(p.head<2>() / b.radius) : Vector2::UnitX();  // straight behind: either way
+  b.t = cone_of(c);
+  b.slope = 1 + b.t * b.t;
+  b.extra = b.slope * (std::atan2(b.radius, p.z()) - std::atan(b.t));
+  return b;
+}
+
+/// Where the distortion would fold the image back it goes on outward all the same.
+double radial_slope_beyond(const Camera& c, double t2) {
+  return std::max(1 + t2 * (3 * c.k1 + t2 * (5 * c.k2 + t2 * 7 * c.k3)), 0.2);
+}
+
+Vector2 tangential(const Camera& c, const Vector2& d) {
+  return {2 * c.p1 * d.x() * d.y() + c.p2 * (1 + 2 * d.x() * d.x()),
+          c.p1 * (1 + 2 * d.y() * d.y()) + 2 * c.p2 * d.x() * d.y()};
+}
+
+Vector2 distorted_beyond(const Camera& c, const Beyond& b) {
+  const double t2 = b.t * b.t;
+  const double radial = b.t * (1 + t2 * (c.k1 + t2 * (c.k2 + t2 * c.k3))) + b.extra * radial_slope_beyond(c, t2);
+  return b.direction * radial + (t2 + 2 * b.t * b.extra) * tangential(c, b.direction);
+}
+
+Eigen::Matrix2d pixel_by_distorted(const Camera& c) { return (Eigen::Matrix2d() << c.fx, c.skew, 0, c.fy).finished(); }
+
+}  // namespace
+
+Vector2 project_anywhere(const Camera& c, const Vector3& p, Matrix23& pixel_by_point) {
+  if (is_in_cone(c, p)) return project(c, p, pixel_by_point);
+  const Beyond b = beyond_cone(c, p);
+  const double t2 = b.t * b.t, square = t2 + 2 * b.t * b.extra;
+  const Vector2 d = b.direction, q = tangential(c, d);
+  const double radial = b.t * (1 + t2 * (c.k1 + t2 * (c.k2 + t2 * c.k3))) + b.extra * radial_slope_beyond(c, t2);
+  Eigen::Matrix2d q_by_direction;
+  q_by_direction << 2 * c.p1 * d.y() + 4 * c.p2 * d.x(), 2 * c.p1 * d.x(),  //
+      2 * c.p2 * d.y(), 4 * c.p1 * d.y() + 2 * c.p2 * d.x();
+  const Eigen::Matrix2d by_direction = radial * Eigen::Matrix2d::Identity() + square * q_by_direction;
+  const Vector2 by_extra = d * radial_slope_beyond(c, t2) + 2 * b.t * q;
+  const double distance2 = p.squaredNorm();
+  Matrix23 by_point = Matrix23::Zero();
+  if (b.radius > 0)
+    by_point.leftCols<2>() = by_direction * (Eigen::Matrix2d::Identity() - d * d.transpose()) / b.radius;
+  by_point.leftCols<2>() += by_extra * (b.slope * p.z() / distance2 * d.transpose());
+  by_point.col(2) = by_extra * (-b.slope * b.radius / distance2);
+  const Eigen::Matrix2d by_distorted = pixel_by_distorted(c);
+  pixel_by_point = by_distorted * by_point;
+  return by_distorted * distorted_beyond(c, b) + Vector2(c.cx, c.cy);
+}
+
+Eigen::Matrix<double, 2, 8> pixel_by_camera_numbers_anywhere(const Camera& c, const Vector3& p) {
+  if (is_in_cone(c, p)) return pixel_by_camera_numbers(c, p);
+  const Beyond b = beyond_cone(c, p);
+  const double t2 = b.t * b.t, square = t2 + 2 * b.t * b.extra;
+  const bool folds = 1 + t2 * (3 * c.k1 + t2 * (5 * c.k2 + t2 * 7 * c.k3)) < 0.2;
+  const Vector2 d = b.direction, distorted = distorted_beyond(c, b);
+  Eigen::Matrix<double, 2, 4> by_terms;  // k1, k2, p1, p2
+  by_terms.col(0) = d * (b.t * t2 + (folds ? 0 : 3 * t2 * b.extra));
+  by_terms.col(1) = d * (b.t * t2 * t2 + (folds ? 0 : 5 * t2 * t2 * b.extra));
+  by_terms.col(2) = square * Vector2(2 * d.x() * d.y(), 1 + 2 * d.y() * d.y());
+  by_terms.col(3) = square * Vector2(1 + 2 * d.x() * d.x(), 2 * d.x() * d.y());
+  Eigen::Matrix<double, 2, 8> m;
+  m.leftCols<4>() << distorted.x(), 0, 1, 0, 0, distorted.y(), 0, 1;
+  m.rightCols<4>() = pixel_by_distorted(c) * by_terms;
   return m;
 }
 

@@ -43,6 +43,14 @@ Vector2 project(const Camera& camera, const Vector3& x_in_camera, Matrix23& pixe
 /// Derivative of the image point by (fx, fy, cx, cy, k1, k2, p1, p2), 2 x 8.
 Eigen::Matrix<double, 2, 8> pixel_by_camera_numbers(const Camera& camera, const Vector3& x_in_camera);
 
+/// The same two for residuals that must lead back from anywhere: `project` wherever the image could have the point, in
+/// a cone that reaches 1.2 times as far as the image's corners. Beyond it, and behind the camera, the distance from the
+/// axis in normalised coordinates grows with the angle t to the axis, as t0 + (1 + t0^2) (t - atan t0) with t0 the
+/// cone's, and the distortion goes on as straight as it left the cone: continuous with its first derivatives by the
+/// point everywhere but straight behind. Derivatives by the camera's numbers take the cone as it is.
+Vector2 project_anywhere(const Camera& camera, const Vector3& x_in_camera, Matrix23& pixel_by_point);
+Eigen::Matrix<double, 2, 8> pixel_by_camera_numbers_anywhere(const Camera& camera, const Vector3& x_in_camera);
+
 /// In front of the camera, inside the image by `margin` px, and where the distortion is still one to one.
 bool is_visible(const Camera& camera, const Vector3& x_in_camera, double margin = 0);
 

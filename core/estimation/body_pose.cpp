@@ -66,8 +66,7 @@ std::optional<BodyPose> estimate_body_pose(const StereoRig* rig, const std::vect
     if (!step.allFinite()) return std::nullopt;
     const Rigid next = small_motion<double>(step) * pose;
     const PoseNormal next_normal = pose_normal(rig, sightings, markers_in_body, next);
-    const bool better = next_normal.in_front && next_normal.cost <= normal.cost;
-    if (better || !normal.in_front) {
+    if (next_normal.cost <= normal.cost) {
       pose = next;
       normal = next_normal;
       damping = std::max(damping * 0.1, 1e-15);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effects/term_numbers.h"
+#include "estimation/competition.h"
 #include "estimation/objectives.h"
 #include "estimation/start.h"
 
@@ -249,6 +250,21 @@ void settle_slip_frame(const Session& session, const FitOptions& options, Proble
   }
 }
 
+/// A fit that its start has led nowhere is begun anew from the best of other starts; the cheapest end is kept.
+void search_elsewhere(const Session& session, const FitOptions& options, const Problem& images, const Unknowns& start,
+                      double noise, Fit& result) {
+  const bool is_quick = options.least_gain > 0;
+  if (is_quick || options.objective != Objective::image || !looks_lost(images, result.solution)) return;
+  for (const Unknowns& other : competing_starts(images, start)) {
+    Fit again = result;
+    minimise(session, images, other, options, noise, again);
+    const bool is_better = again.solution.normal.in_front >= result.solution.normal.in_front &&
+                           again.solution.normal.cost < result.solution.normal.cost;
+    if (is_better) result = std::move(again);
+    if (!looks_lost(images, result.solution) || result.solution.stopped) return;
+  }
+}
+
 void set_effect_results(const std::size_t held, Fit& fit) {
   const Eigen::Index first = fit.problem.effect_column();
   for (std::size_t t = 0; t < fit.problem.terms.size(); ++t) {
@@ -310,6 +326,7 @@ Fit fit(const Session& session, const FitOptions& options) {
   if (options.objective == Objective::camera) result.problem.noise = 1e-3;  // points: m
   const double declared = session.is_tracker() ? session.sigma_point.value_or(1) : session.sigma_pixel.value_or(1);
   minimise(session, images, *start, options, declared, result);
+  search_elsewhere(session, options, images, *start, declared, result);
   settle_slip_frame(session, options, images, result);
   if (images.effect_count() > 0) {
     set_effects(images, result.solution.unknowns.effects);

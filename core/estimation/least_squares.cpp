@@ -13,7 +13,8 @@ Eigen::VectorXd inverse_scale(const Eigen::MatrixXd& h) {
   return h.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
 }
 
-/// Steps of the unknowns to columns of the problem: the identity, or with a fixed body its six small motions.
+}  // namespace
+
 Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, bool fixed_body) {
   if (!fixed_body) return Eigen::MatrixXd::Identity(problem.columns(), problem.columns());
   const Eigen::Index markers = 3 * problem.marker_count;
@@ -27,6 +28,8 @@ Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, boo
   return basis;
 }
 
+namespace {
+
 Unknowns stepped(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step, bool fixed_body) {
   if (!fixed_body) return moved(problem, unknowns, step);
   Unknowns next = unknowns;
@@ -36,44 +39,6 @@ Unknowns stepped(const Problem& problem, const Unknowns& unknowns, const Eigen::
     next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.segment<6>(6));
   next.effects += step.tail(problem.effect_count());
   return next;
-}
-
-/// Where a loss bends, in units of the noise: the length that noise alone exceeds once in 20 (chi, 2 to 4 rows).
-double bend(int rows) { return rows <= 2 ? 2.45 : rows == 3 ? 2.80 : 3.08; }
-
-struct Weighted {
-  double weight = 1;
-  double cost = 0;  // noise^2 * rho
-};
-
-Weighted weigh(Loss loss, double squared_length, int rows, double noise) {
-  if (loss == Loss::none || rows == 0) return {1, squared_length};
-  const double limit = bend(rows) * noise;
-  const double length = std::sqrt(squared_length);
-  if (loss == Loss::huber)
-    return length <= limit ? Weighted{1, squared_length} : Weighted{limit / length, 2 * limit * length - limit * limit};
-  const double ratio = squared_length / (limit * limit);
-  return {1 / (1 + ratio), limit * limit * std::log1p(ratio)};
-}
-
-/// Normal equations with the loss's weights at these unknowns; `cost` is the loss, not the weighted squares.
-NormalEquations robust_normal(Problem& problem, const Unknowns& unknowns, const SolveOptions& options) {
-  if (options.loss == Loss::none) return normal_equations(problem, unknowns);
-  double cost = 0;
-  for (ProblemObservation& o : problem.observations) {
-    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
-    o.weights.resize(o.sightings.size());
-    for (std::size_t i = 0; i < o.sightings.size(); ++i) {
-      const Vector3 x = sensor_from_tcp * marker_at(o, unknowns, o.sightings[i].marker);
-      const SightingNormal n = sighting_normal(problem.rig_or_null(), o.sightings[i], x);
-      const Weighted w = weigh(options.loss, n.cost, n.rows, options.noise);
-      o.weights[i] = w.weight;
-      cost += w.cost;
-    }
-  }
-  NormalEquations normal = normal_equations(problem, unknowns);
-  normal.cost = cost + normal.prior_cost;
-  return normal;
 }
 
 /// (H + damping D) step = gradient in the scaled unknowns; a pseudo-inverse where H does not determine them all.
@@ -127,7 +92,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   auto normal_at = [&](const Unknowns& u, bool derives) {
     if (has_effects && u.effects != effect_values(own))
       derives ? set_effects(own, u.effects) : follow_effects(own, u.effects);
-    if (options.loss != Loss::none) return robust_normal(own, u, options);
+    if (options.loss != Loss::none) return weighted_normal_equations(own, u, options.loss, options.noise);
     return normal_equations(has_effects ? own : original, u);
   };
 
@@ -135,8 +100,11 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   solution.unknowns = start;
   if (start.effects.size() != original.effect_count()) solution.unknowns.effects = effect_values(original);
   solution.normal = normal_at(solution.unknowns, true);
+  solution.start_cost = solution.normal.cost;
+  const bool can_start = std::isfinite(solution.start_cost);
   double damping = 1e-8;
-  while (solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
+  bool was_refused = false;
+  while (can_start && solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
     ++solution.iterations;
     solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
     const Eigen::MatrixXd h = solution.basis.transpose() * solution.normal.information * solution.basis;
@@ -144,14 +112,15 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     const Eigen::VectorXd step = damped_step(h, gradient, damping);
     const Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
     const double size = size_of(original, step);
-    NormalEquations normal = normal_at(next, size >= options.reuse_below);
+    // The derivatives that are at hand after a refused step are those of where it led.
+    NormalEquations normal = normal_at(next, was_refused || size >= options.reuse_below);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
     const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < options.least_gain;
     const bool rounding = size < options.smallest_step || gains_nothing;
-    const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost && normal.in_front;
-    const bool was_behind = !solution.normal.in_front && std::isfinite(normal.cost);
-    if (better || was_behind || rounding) {
-      if (std::isfinite(normal.cost) && (better || was_behind)) {
+    const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost;
+    was_refused = !better;
+    if (better || rounding) {
+      if (better) {
         solution.unknowns = next;
         solution.normal = std::move(normal);
       }
@@ -166,6 +135,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
       if (damping > 1e12) break;
     }
   }
+  if (!solution.normal.in_front) solution.converged = false;
   solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
   pseudo_inverse(solution.basis.transpose() * solution.normal.information * solution.basis, &solution.unobservable);
   return solution;

@@ -4,12 +4,9 @@
 
 #include <functional>
 
-#include "estimation/problem.h"
+#include "estimation/loss.h"
 
 namespace handsight {
-
-/// Robust losses on the length of one sighting's residual in units of the noise; `scale` is where they bend.
-enum class Loss { none, huber, cauchy };
 
 struct SolveOptions {
   bool fixed_body = false;  // the markers move as one rigid body: 6 unknowns in place of 3 a marker
@@ -27,16 +24,21 @@ struct SolveOptions {
 
 struct Solution {
   Unknowns unknowns;
-  bool converged = false;
-  bool stopped = false;  // by on_iteration
+  bool converged = false;  // false too where a marker lies behind a camera that saw it: that is no answer
+  bool stopped = false;    // by on_iteration
+  double start_cost = 0;   // at the start; no solution costs more
   int iterations = 0;
   int unobservable = 0;    // directions of the unknowns that the measurements do not determine; left as they were
   NormalEquations normal;  // at the solution, all columns of the problem, weights of the loss included
   Eigen::MatrixXd basis;   // problem columns x unknowns: how the unknowns move the columns
 };
 
-/// From `start`, until no unknown moves by more than rounding.
+/// From `start`, until no unknown moves by more than rounding. No step is taken that raises the cost; where the start
+/// itself has none (it is not finite) it is given back, not converged.
 Solution solve(const Problem& problem, const Unknowns& start, const SolveOptions& options = {});
+
+/// Steps of the unknowns to columns of the problem: the identity, or with a fixed body its six small motions.
+Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, bool fixed_body);
 
 /// The unknowns' covariance basis (basis^T H basis)^+ basis^T for unit noise (1 px or 1 m), by the problem's columns.
 /// Unobservable directions and unseen markers are zero.

@@ -60,6 +60,7 @@ std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknow
   Eigen::MatrixXd stack(stacked_rows, shared + 1);
   Eigen::Index stacked = 0, free_rows = 0;
   auto add_stack = [&] {
+    if (stacked == 0) return;  // a product with no rows divides by their number
     sums.selfadjointView<Eigen::Lower>().rankUpdate(stack.topRows(stacked).transpose());
     stacked = 0;
   };
@@ -79,11 +80,11 @@ std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknow
     stack.middleRows(stacked, left) = rows.shared_and_error.bottomRows(left);
     stacked += left;
   }
+  if (free_rows == 0) return std::nullopt;
   add_stack();
   const Eigen::MatrixXd h = Eigen::MatrixXd(sums.selfadjointView<Eigen::Lower>()).topLeftCorner(shared, shared);
   const Eigen::VectorXd g = sums.row(shared).head(shared).transpose();
   const double squares = sums(shared, shared);
-  if (free_rows == 0) return std::nullopt;
   int unobservable = 0;
   const Eigen::MatrixXd inverse = pseudo_inverse(h, &unobservable);
   Eigen::Index used = -unobservable;

@@ -3,6 +3,7 @@
 
 #include "estimation/angle_axis.h"
 #include "estimation/body_shape.h"
+#include "estimation/trust_region.h"
 
 namespace handsight {
 namespace {
@@ -49,6 +50,20 @@ SolveOptions solve_options(const FitOptions& options, bool fixed_body, double no
           .on_iteration = options.on_iteration};
 }
 
+/// Effects, and losses with their flat flanks, bend the cost: a whole fit of them is Ceres'. Where a quick answer is
+/// asked for, and where nothing bends, our own equations come first; where they do not get there, Ceres goes on.
+Solution minimum(const Problem& problem, const Unknowns& start, const SolveOptions& options) {
+  const bool is_quick = options.least_gain > 0 || options.reuse_below > 0;
+  const bool is_plain = problem.effect_count() == 0 && options.loss == Loss::none;
+  if (!is_quick && !is_plain) return solve_by_trust_region(problem, start, options);
+  Solution ours = solve(problem, start, options);
+  if (ours.converged || ours.stopped) return ours;
+  Solution farther = solve_by_trust_region(problem, ours.unknowns, options);
+  farther.iterations += ours.iterations;
+  farther.start_cost = ours.start_cost;
+  return farther.normal.cost <= ours.normal.cost ? farther : ours;
+}
+
 /// The angle-axis minimum as the solution of a problem, so that every other part of the program reads it alike. The
 /// body frame there is that of the markers as they stand in `unknowns`, taken as the TCP frame moved by nothing.
 std::optional<AngleAxisResult> angle_axis_step(const Problem& problem, const Unknowns& unknowns, double noise) {
@@ -68,11 +83,11 @@ void minimise(const Session& session, const Problem& images, const Unknowns& sta
               double noise, Fit& fit) {
   const Unknowns from = fit.fixed_markers ? with_average_shape(session, images, start, fit.shape_covariance) : start;
   if (options.objective != Objective::angle_axis) {
-    fit.solution = solve(fit.problem, from, solve_options(options, fit.fixed_markers, noise));
+    fit.solution = minimum(fit.problem, from, solve_options(options, fit.fixed_markers, noise));
     return;
   }
   // The image fit of the held body is the start: its poses are where the single observations are looked for.
-  fit.solution = solve(images, from, solve_options(options, true, noise));
+  fit.solution = minimum(images, from, solve_options(options, true, noise));
   fit.problem = images;
   const auto result = angle_axis_step(images, fit.solution.unknowns, noise);
   if (!result)

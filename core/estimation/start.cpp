@@ -36,16 +36,6 @@ void add_sighting(const StereoRig* rig, const Sighting& s, const Rigid& tcp_from
     }
 }
 
-/// A spread of at most `most` observations over the session: enough for a start.
-Problem thinned(const Problem& problem, std::size_t most) {
-  if (problem.observations.size() <= most) return problem;
-  Problem thin = problem;
-  thin.observations.clear();
-  for (std::size_t i = 0; i < most; ++i)
-    thin.observations.push_back(problem.observations[i * problem.observations.size() / most]);
-  return thin;
-}
-
 /// The linear system of the unknown mount. Columns: 3 a marker, 9 of R (column by column), 3 of t; an equation is
 /// root_from_mount^-1 root_from_tcp x - R p - t = 0, its root_from_tcp translation on the right.
 struct MountSystem {
@@ -93,7 +83,17 @@ Unknowns with_rotation(const MountSystem& system, int marker_count, const Matrix
   return u;
 }
 
-/// The 24 rotations that carry the axes onto the axes: no rotation is farther than 63 degrees from one of them.
+}  // namespace
+
+Problem thinned(const Problem& problem, std::size_t most) {
+  if (problem.observations.size() <= most) return problem;
+  Problem thin = problem;
+  thin.observations.clear();
+  for (std::size_t i = 0; i < most; ++i)
+    thin.observations.push_back(problem.observations[i * problem.observations.size() / most]);
+  return thin;
+}
+
 std::vector<Matrix3> axis_rotations() {
   std::vector<Matrix3> all;
   for (int x = 0; x < 3; ++x)
@@ -107,8 +107,6 @@ std::vector<Matrix3> axis_rotations() {
       }
   return all;
 }
-
-}  // namespace
 
 std::vector<Vector3> start_markers(const Problem& problem, const Rigid& mount_from_sensor) {
   std::vector<RaySum> sums(static_cast<std::size_t>(problem.marker_count));

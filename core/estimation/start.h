@@ -16,4 +16,10 @@ std::vector<Vector3> start_markers(const Problem& problem, const Rigid& mount_fr
 /// where there is one. Nothing where an unknown mount cannot be found: no marker seen as a point.
 std::optional<Unknowns> start_values(const Problem& problem, const Mount& mount);
 
+/// A spread of at most `most` observations over the session.
+Problem thinned(const Problem& problem, std::size_t most);
+
+/// The 24 rotations that carry the axes onto the axes: no rotation is farther than 63 degrees from one of them.
+std::vector<Matrix3> axis_rotations();
+
 }  // namespace handsight

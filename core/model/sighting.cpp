@@ -16,14 +16,14 @@ SightingResidual sighting_residual(const StereoRig* rig, const Sighting& sightin
   check(rig != nullptr, "an image sighting of marker {} without cameras", sighting.marker);
   Matrix23 pixel_by_point;
   if (sighting.left) {
-    r.error.head<2>() = *sighting.left - project(rig->left, x_in_sensor, pixel_by_point);
+    r.error.head<2>() = *sighting.left - project_anywhere(rig->left, x_in_sensor, pixel_by_point);
     r.by_point.topRows<2>() = pixel_by_point;
     r.rows = 2;
     r.in_front = x_in_sensor.z() > 0;
   }
   if (sighting.right) {
     const Vector3 x_in_right = rig->right_from_left * x_in_sensor;
-    r.error.segment<2>(r.rows) = *sighting.right - project(rig->right, x_in_right, pixel_by_point);
+    r.error.segment<2>(r.rows) = *sighting.right - project_anywhere(rig->right, x_in_right, pixel_by_point);
     r.by_point.middleRows<2>(r.rows).noalias() = pixel_by_point * rig->right_from_left.rotation;
     r.rows += 2;
     r.in_front = r.in_front && x_in_right.z() > 0;
@@ -35,16 +35,16 @@ CameraColumns camera_columns(const StereoRig& rig, const Sighting& s, const Vect
   CameraColumns columns = CameraColumns::Zero();
   Eigen::Index row = 0;
   if (s.left) {
-    columns.block<2, 8>(row, 6) = pixel_by_camera_numbers(rig.left, x);
+    columns.block<2, 8>(row, 6) = pixel_by_camera_numbers_anywhere(rig.left, x);
     row += 2;
   }
   if (!s.right) return columns;
   const Vector3 in_right = rig.right_from_left * x;
   Matrix23 pixel_by_point;
-  project(rig.right, in_right, pixel_by_point);
+  project_anywhere(rig.right, in_right, pixel_by_point);
   columns.block<2, 3>(row, 0) = pixel_by_point;
   columns.block<2, 3>(row, 3) = -pixel_by_point * cross_matrix(in_right);
-  columns.block<2, 8>(row, 14) = pixel_by_camera_numbers(rig.right, in_right);
+  columns.block<2, 8>(row, 14) = pixel_by_camera_numbers_anywhere(rig.right, in_right);
   return columns;
 }
 

@@ -10,7 +10,8 @@
 namespace handsight {
 
 /// Residuals measured - predicted of one sighting: left u v, right u v (px), or x y z (m). Rows that were not
-/// measured are left out.
+/// measured are left out. Far beyond the image and behind a camera the prediction is `project_anywhere`'s: it grows with
+/// the angle to the axis, so that the residual leads back.
 struct SightingResidual {
   Eigen::Matrix<double, 4, 1> error = Eigen::Matrix<double, 4, 1>::Zero();
   Eigen::Matrix<double, 4, 3> by_point = Eigen::Matrix<double, 4, 3>::Zero();  // d predicted / d x_in_sensor

@@ -56,5 +56,60 @@ TEST(Sighting, SaysWhenThePointIsBehindTheCamera) {
   EXPECT_FALSE(sighting_residual(&rig, seen_by(rig, Vector3(0, 0, 1), true, true), Vector3(0.1, 0, -1)).in_front);
 }
 
+TEST(Sighting, ColumnsAgreeWithDifferencesBehindTheCamerasToo) {
+  const StereoRig rig = *fixture::stand_session().stereo;
+  const Sighting s = seen_by(rig, Vector3(0.1, -0.05, 1.1), true, true);
+  for (const Vector3& x :
+       {Vector3(0.3, 0.2, -1), Vector3(-0.4, 1, 1e-3), Vector3(2, -1, -1e-4), Vector3(3, 0.2, 0.5)}) {
+    const SightingResidual r = sighting_residual(&rig, s, x);
+    const CameraColumns by_cameras = camera_columns(rig, s, x);
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 h = 1e-6 * Vector3::Unit(k);
+      const auto more = sighting_residual(&rig, s, x + h), less = sighting_residual(&rig, s, x - h);
+      EXPECT_LT((r.by_point.col(k) + (more.error - less.error) / 2e-6).norm(), 1e-6 * r.by_point.norm()) << x;
+    }
+    for (const int k : {0, 4, 10, 11, 12, 13, 18, 19, 20, 21}) {  // rig x, ry; k1 k2 p1 p2 of both
+      StereoRig more = rig, less = rig;
+      const double h = 1e-6;
+      if (k < 6) {
+        more.right_from_left = small_motion<double>(h * Vector6::Unit(k)) * rig.right_from_left;
+        less.right_from_left = small_motion<double>(-h * Vector6::Unit(k)) * rig.right_from_left;
+      } else {
+        const auto number = [&](StereoRig& g) -> double& {
+          Camera& c = k < 14 ? g.left : g.right;
+          return k % 8 == 2 ? c.k1 : k % 8 == 3 ? c.k2 : k % 8 == 4 ? c.p1 : c.p2;
+        };
+        number(more) += h;
+        number(less) -= h;
+      }
+      const Eigen::Vector4d slope =
+          (sighting_residual(&less, s, x).error - sighting_residual(&more, s, x).error) / (2 * h);
+      EXPECT_LT((by_cameras.col(k) - slope).norm(), 1e-5 * (1 + by_cameras.col(k).norm())) << k << " at " << x;
+    }
+  }
+}
+
+TEST(Sighting, LeadsBackFromBehindTheCamera) {
+  Session session = fixture::stand_session();
+  const Vector3 seen(0.1, -0.05, 1.1);
+  for (const double focal : {1.0, 20.0}) {  // wide, telephoto
+    StereoRig rig = *session.stereo;
+    rig.left.fx *= focal;
+    rig.left.fy *= focal;
+    const Sighting s = seen_by(rig, seen, true, false);
+    double last = 0;
+    for (int step = 0; step < 3500; ++step) {
+      const double angle = 0.05 * step * 0.0174532925;
+      const Vector3 x = rotation_from_rpy({0, angle, 0}) * seen;
+      const double size = sighting_residual(&rig, s, x).error.norm();
+      EXPECT_GT(size, last) << angle << " rad off, focal length times " << focal;
+      if (step > 0) {
+        EXPECT_LT(size - last, 4 * 820 * focal * 8.7e-4) << "no jump; " << angle << " rad off";
+      }
+      last = size;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace handsight

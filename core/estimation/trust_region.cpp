@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/trust_region.h"
+
+#include <ceres/ceres.h>
+#include <glog/logging.h>
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace handsight {
+namespace {
+
+using MotionNumbers = std::array<double, 12>;  // the rotation column by column, then the translation
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Rows = Eigen::Map<RowMajor>;
+
+MotionNumbers numbers_of(const Rigid& motion) {
+  MotionNumbers numbers;
+  Eigen::Map<Matrix3>(numbers.data()) = motion.rotation;
+  Eigen::Map<Vector3>(numbers.data() + 9) = motion.translation;
+  return numbers;
+}
+
+Rigid motion_of(const double* numbers) {
+  return {Eigen::Map<const Matrix3>(numbers), Eigen::Map<const Vector3>(numbers + 9)};
+}
+
+/// Rigid motions that move by six numbers: X exp(v), as the mount does, or exp(v) X, as the body in the TCP frame.
+class MotionManifold : public ceres::Manifold {
+ public:
+  explicit MotionManifold(bool from_left) : from_left_(from_left) {}
+  int AmbientSize() const override { return 12; }
+  int TangentSize() const override { return 6; }
+
+  bool Plus(const double* x, const double* delta, double* sum) const override {
+    const Rigid step = small_motion<double>(Vector6(Eigen::Map<const Vector6>(delta)));
+    const MotionNumbers moved = numbers_of(from_left_ ? step * motion_of(x) : motion_of(x) * step);
+    std::copy(moved.begin(), moved.end(), sum);
+    return true;
+  }
+  bool Minus(const double* y, const double* x, double* difference) const override {
+    const Rigid from = motion_of(x), to = motion_of(y);
+    const Rigid step = from_left_ ? to * inverse(from) : inverse(from) * to;
+    Eigen::Map<Vector6>(difference) << step.translation, vector_from_rotation(step.rotation);
+    return true;
+  }
+  bool PlusJacobian(const double* x, double* jacobian) const override {
+    Rows(jacobian, 12, 6) = by_step(x);
+    return true;
+  }
+  bool MinusJacobian(const double* x, double* jacobian) const override {
+    Rows(jacobian, 6, 12) = step_by_numbers(x);
+    return true;
+  }
+
+  /// A left inverse of PlusJacobian: a derivative by the step times it is one by the twelve numbers.
+  Eigen::Matrix<double, 6, 12> step_by_numbers(const double* x) const {
+    const Eigen::Matrix<double, 12, 6> by = by_step(x);
+    return Matrix6(by.transpose() * by).inverse() * by.transpose();
+  }
+
+ private:
+  Eigen::Matrix<double, 12, 6> by_step(const double* x) const {
+    const Rigid motion = motion_of(x);
+    Eigen::Matrix<double, 12, 6> by = Eigen::Matrix<double, 12, 6>::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Matrix3 turn = cross_matrix(Vector3(Vector3::Unit(axis)));
+      Eigen::Map<Matrix3>(by.col(3 + axis).data()) = from_left_ ? turn * motion.rotation : motion.rotation * turn;
+      if (from_left_) by.col(3 + axis).tail<3>() = turn * motion.translation;
+    }
+    by.bottomLeftCorner<3, 3>() = from_left_ ? Matrix3(Matrix3::Identity()) : motion.rotation;
+    return by;
+  }
+  bool from_left_;
+};
+
+/// The problem at the unknowns that Ceres tries; all sightings read their places from here.
+class Place : public ceres::EvaluationCallback {
+ public:
+  Place(const Problem& original, const Unknowns& start, const SolveOptions& options)
+      : problem(original),
+        unknowns(start),
+        is_fixed_body(options.fixed_body),
+        mount(numbers_of(start.mount_from_sensor)),
+        body(numbers_of(Rigid{})),
+        effects(start.effects.size()),
+        start_(start) {
+    for (Eigen::Index i = 0; i < effects.size(); ++i) effects[i] = start.effects[i] / sigma(i);
+    motions.resize(problem.observations.size());
+    sensor_from_tcp.resize(problem.observations.size());
+  }
+
+  double sigma(Eigen::Index effect) const { return problem.columns_of_effects[static_cast<std::size_t>(effect)].sigma; }
+
+  void PrepareForEvaluation(bool evaluate_jacobians, bool new_point) override {
+    read();
+    const bool lacks = evaluate_jacobians && !derives_;
+    if (!new_point && !lacks) return;
+    if (problem.effect_count() > 0) place_effects(evaluate_jacobians);
+    derives_ = evaluate_jacobians;
+    for (std::size_t k = 0; k < problem.observations.size(); ++k) {
+      const ProblemObservation& o = problem.observations[k];
+      sensor_from_tcp[k] = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+      if (evaluate_jacobians) motions[k] = motion_by_columns(problem, o, unknowns);
+    }
+    if (!evaluate_jacobians) return;
+    if (problem.mount_is_estimated) mount_step_by_numbers = mount_manifold.step_by_numbers(mount.data());
+    if (is_fixed_body) body_step_by_numbers = body_manifold.step_by_numbers(body.data());
+  }
+
+  /// The unknowns of Ceres' numbers.
+  void read() {
+    for (Eigen::Index i = 0; i < effects.size(); ++i) unknowns.effects[i] = effects[i] * sigma(i);
+    if (problem.mount_is_estimated) unknowns.mount_from_sensor = motion_of(mount.data());
+    if (!is_fixed_body) return;
+    for (std::size_t m = 0; m < unknowns.markers_in_tcp.size(); ++m)
+      unknowns.markers_in_tcp[m] = motion_of(body.data()) * start_.markers_in_tcp[m];
+  }
+
+  Problem problem;
+  Unknowns unknowns;  // its markers are Ceres' own where the body is not held
+  bool is_fixed_body;
+  MotionNumbers mount, body;
+  Eigen::VectorXd effects;  // in plausible sizes
+  MotionManifold mount_manifold{false}, body_manifold{true};
+  Eigen::Matrix<double, 6, 12> mount_step_by_numbers, body_step_by_numbers;
+  std::vector<Rigid> sensor_from_tcp;
+  std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> motions;  // motion_by_columns
+
+ private:
+  void place_effects(bool derives) {
+    if (derives)
+      set_effects(problem, unknowns.effects);
+    else
+      follow_effects(problem, unknowns.effects);
+  }
+  Unknowns start_;
+  bool derives_ = false;
+};
+
+/// Measured - predicted of one sighting in units of the noise; its blocks are the marker or the body, the mount where
+/// it is estimated, the effects where there are any.
+class SightingCost : public ceres::CostFunction {
+ public:
+  SightingCost(const Place& place, std::size_t observation, std::size_t sighting, double weight)
+      : place_(place), observation_(observation), sighting_(sighting), weight_(weight) {
+    set_num_residuals(row_count(seen()));
+    mutable_parameter_block_sizes()->push_back(place.is_fixed_body ? 12 : 3);
+    if (place.problem.mount_is_estimated) mutable_parameter_block_sizes()->push_back(12);
+    if (place.effects.size() > 0) mutable_parameter_block_sizes()->push_back(static_cast<int>(place.effects.size()));
+  }
+
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    const ProblemObservation& o = place_.problem.observations[observation_];
+    const Rigid& sensor_from_tcp = place_.sensor_from_tcp[observation_];
+    const Vector3 in_tcp = marker_at(o, place_.unknowns, seen().marker);
+    const Vector3 x = sensor_from_tcp * in_tcp;
+    const SightingResidual r = sighting_residual(place_.problem.rig_or_null(), seen(), x);
+    const bool is_finite = r.error.allFinite() && r.by_point.allFinite();
+    constexpr double far_off = 1e10;  // no place to stand; a number that is none would end the search
+    for (int row = 0; row < r.rows; ++row) residuals[row] = is_finite ? weight_ * r.error[row] : far_off;
+    if (jacobians) set_jacobians(o, r, x, sensor_from_tcp.rotation, is_finite ? -weight_ : 0.0, jacobians);
+    return true;
+  }
+
+ private:
+  const Sighting& seen() const { return place_.problem.observations[observation_].sightings[sighting_]; }
+
+  void set_jacobians(const ProblemObservation& o, const SightingResidual& r, const Vector3& x, const Matrix3& rotation,
+                     double sign, double** jacobians) const {
+    const Problem& p = place_.problem;
+    const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 4, 3> by_point =
+        sign == 0 ? Eigen::Matrix<double, 4, 3>(Eigen::Matrix<double, 4, 3>::Zero()).topRows(r.rows).eval()
+                  : (sign * r.by_point).topRows(r.rows).eval();
+    Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 4, 6> by_motion(r.rows, 6);
+    by_motion << by_point, -by_point * cross_matrix(x);
+    int block = 0;
+    if (double* by_body = jacobians[block++]) {
+      if (place_.is_fixed_body) {
+        Eigen::Matrix<double, 3, 6> marker_by_step;
+        marker_by_step << Matrix3::Identity(),
+            -cross_matrix(place_.unknowns.markers_in_tcp[static_cast<std::size_t>(seen().marker)]);
+        Rows(by_body, r.rows, 12) = by_point * rotation * marker_by_step * place_.body_step_by_numbers;
+      } else {
+        Rows(by_body, r.rows, 3) = by_point * rotation;
+      }
+    }
+    const auto& motion = place_.motions[observation_];
+    if (p.mount_is_estimated)
+      if (double* by_mount = jacobians[block++])
+        Rows(by_mount, r.rows, 12) = by_motion * motion.leftCols<6>() * place_.mount_step_by_numbers;
+    if (p.effect_count() == 0) return;
+    double* by_effects = jacobians[block];
+    if (!by_effects) return;
+    Rows rows(by_effects, r.rows, p.effect_count());
+    rows.noalias() = by_motion * motion.rightCols(p.effect_count());
+    if (p.cameras_by_effect.cols() > 0 || !o.motion.markers.empty())
+      rows += sign * direct_by_effects(p, o, seen(), r, x, rotation);
+    for (Eigen::Index i = 0; i < p.effect_count(); ++i) rows.col(i) *= place_.sigma(i);
+  }
+
+  const Place& place_;
+  std::size_t observation_, sighting_;
+  double weight_;
+};
+
+/// The priors: every effect's number in plausible sizes.
+class PriorCost : public ceres::CostFunction {
+ public:
+  explicit PriorCost(int count) {
+    set_num_residuals(count);
+    mutable_parameter_block_sizes()->push_back(count);
+  }
+  bool Evaluate(double const* const* numbers, double* residuals, double** jacobians) const override {
+    std::copy(numbers[0], numbers[0] + num_residuals(), residuals);
+    if (jacobians && jacobians[0]) Rows(jacobians[0], num_residuals(), num_residuals()).setIdentity();
+    return true;
+  }
+};
+
+/// Told of every step; ends the search where that wants it, or where a step has gained too little.
+class Watch : public ceres::IterationCallback {
+ public:
+  Watch(const SolveOptions& options, Place& place, double unit) : options_(options), place_(place), unit_(unit) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
+    if (s.iteration == 0 || !s.step_is_successful) return ceres::SOLVER_CONTINUE;
+    place_.read();
+    stopped = options_.on_iteration && !options_.on_iteration(s.iteration, 2 * unit_ * unit_ * s.cost, place_.unknowns);
+    if (stopped) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    const bool gains_nothing = 2 * unit_ * unit_ * s.cost_change < options_.least_gain;
+    return gains_nothing ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+  bool stopped = false;
+
+ private:
+  const SolveOptions& options_;
+  Place& place_;
+  double unit_;
+};
+
+ceres::LossFunction* loss_function(Loss loss, double limit) {
+  if (loss == Loss::huber) return new ceres::HuberLoss(limit);
+  return loss == Loss::cauchy ? new ceres::CauchyLoss(limit) : nullptr;
+}
+
+void add_sightings(Place& place, const SolveOptions& options, double unit, ceres::Problem& squares) {
+  std::map<int, ceres::LossFunction*> losses;  // by rows; the problem owns them
+  for (const int rows : {2, 3, 4})
+    if (options.loss != Loss::none) losses[rows] = loss_function(options.loss, bend(rows) * options.noise / unit);
+  const Problem& p = place.problem;
+  for (std::size_t k = 0; k < p.observations.size(); ++k)
+    for (std::size_t i = 0; i < p.observations[k].sightings.size(); ++i) {
+      const ProblemObservation& o = p.observations[k];
+      const int rows = row_count(o.sightings[i]);
+      if (rows == 0) continue;
+      std::vector<double*> blocks{
+          place.is_fixed_body ? place.body.data()
+                              : place.unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)].data()};
+      if (p.mount_is_estimated) blocks.push_back(place.mount.data());
+      if (place.effects.size() > 0) blocks.push_back(place.effects.data());
+      const bool weighted = options.loss == Loss::none && !o.weights.empty();
+      squares.AddResidualBlock(new SightingCost(place, k, i, (weighted ? std::sqrt(o.weights[i]) : 1.0) / unit),
+                               options.loss == Loss::none ? nullptr : losses[rows], blocks);
+    }
+}
+
+ceres::Solver::Options solver_options(const SolveOptions& options, Watch& watch) {
+  ceres::Solver::Options o;
+  o.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  o.num_threads = 1;
+  o.max_num_iterations = options.most_iterations;
+  // Near the answer a step is Newton's; far from it the region is found in a few evaluations without derivatives.
+  o.initial_trust_region_radius = 1e8;
+  o.max_trust_region_radius = 1e12;
+  o.function_tolerance = 1e-15;
+  o.gradient_tolerance = 1e-300;
+  o.parameter_tolerance = options.smallest_step;
+  o.logging_type = ceres::SILENT;
+  o.callbacks.push_back(&watch);
+  o.update_state_every_iteration = true;
+  return o;
+}
+
+}  // namespace
+
+Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, const SolveOptions& options) {
+  FLAGS_minloglevel = google::GLOG_FATAL;  // core never prints
+  const double unit = problem.noise > 0 ? problem.noise : 1;
+  Unknowns from = start;
+  if (from.effects.size() != problem.effect_count()) from.effects = effect_values(problem);
+  Place place(problem, from, options);
+  ceres::Problem::Options ownership;
+  ownership.evaluation_callback = &place;
+  ownership.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem squares(ownership);
+  add_sightings(place, options, unit, squares);
+  if (problem.mount_is_estimated && squares.HasParameterBlock(place.mount.data()))
+    squares.SetManifold(place.mount.data(), &place.mount_manifold);
+  if (place.is_fixed_body && squares.HasParameterBlock(place.body.data()))
+    squares.SetManifold(place.body.data(), &place.body_manifold);
+  if (place.effects.size() > 0)
+    squares.AddResidualBlock(new PriorCost(static_cast<int>(place.effects.size())), nullptr, place.effects.data());
+  Watch watch(options, place, unit);
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver_options(options, watch), &squares, &summary);
+
+  place.read();
+  Solution solution;
+  solution.unknowns = place.unknowns;
+  solution.iterations = static_cast<int>(summary.iterations.size()) - 1;
+  solution.stopped = watch.stopped;
+  solution.start_cost = 2 * unit * unit * summary.initial_cost;
+  if (problem.effect_count() > 0) set_effects(place.problem, solution.unknowns.effects);
+  solution.normal = weighted_normal_equations(place.problem, solution.unknowns, options.loss, options.noise);
+  const bool ended = summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS;
+  solution.converged = ended && !solution.stopped && solution.normal.in_front && std::isfinite(solution.normal.cost);
+  solution.basis = step_basis(problem, solution.unknowns, options.fixed_body);
+  pseudo_inverse(solution.basis.transpose() * solution.normal.information * solution.basis, &solution.unobservable);
+  return solution;
+}
+
+}  // namespace handsight
