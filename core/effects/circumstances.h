@@ -2,6 +2,7 @@
 // What is known of an observation before any effect: angles, velocities, directions of approach, time.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/chain.h"
@@ -25,6 +26,22 @@ std::vector<Circumstances> circumstances_of(const Session& session, const Chain&
 
 /// For a pose outside any session: at rest, approached from nowhere, at the session's end where things drift.
 Circumstances circumstances_at(const Chain& chain, const Eigen::VectorXd& position);
+
+/// A pose outside any session with what is known of how the robot comes there.
+struct DrivenPose {
+  Eigen::VectorXd position;    // rad or m, in the order of Chain::joints
+  Eigen::VectorXd velocity;    // rad/s or m/s; empty: not known
+  std::optional<double> time;  // s on the session's clock; absent: after the session
+};
+
+/// The times of all observations, ascending.
+std::vector<double> times_of(const Session& session);
+
+/// For poses driven to one after another. The approach is the sign of the velocity, where that is not known or 0 the
+/// way from the pose before, at the first from nowhere. Where a pose has a time and `times` are those of the session,
+/// what drifts and slips is where it was then: a slip has come once the first observation after it has been made.
+std::vector<Circumstances> circumstances_at(const Chain& chain, const std::vector<DrivenPose>& poses,
+                                            const std::vector<double>& times = {});
 
 /// The chain's ends in one observation with all sites moved: joints, mount and drift (the mount's own motion is part of
 /// root_from_mount's end: see sensor_motion).

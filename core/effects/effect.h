@@ -82,7 +82,10 @@ std::vector<int> effect_places(const Effect& effect, const Chain& chain);
 /// The name of a place: a joint's name, "marker 2", or empty.
 std::string place_name(const Effect& effect, int place, const Robot& robot);
 
-/// The sites as these terms move them in one observation.
+/// How many markers there must be for these terms: one more than the highest that one of them sits at.
+int markers_of(const std::vector<EffectTerm>& terms);
+
+/// The sites as these terms move them in one observation; markers that the chain does not count have a place too.
 Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms);
 
 /// Parses `id` (everywhere it may sit) or `id:joint+joint` (marker numbers where it sits at markers) into terms whose

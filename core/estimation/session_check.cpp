@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "estimation/session_oddities.h"
 #include "model/chain.h"
 #include "model/sighting.h"
 #include "vision/image_file.h"
@@ -131,6 +132,7 @@ SessionCheck check_session(const Session& session) {
   SessionCheck check;
   const Chain chain = chain_of(session);
   list_contents(session, chain, check);
+  check.warnings = session_oddities(session);
   check_images(session, check);
   check_limits(session, chain, check);
   check_markers(session, check);
