@@ -8,6 +8,7 @@
 #include "diagnosis/robot_check.h"
 #include "fit_output.h"
 #include "json_values.h"
+#include "limits.h"
 
 namespace handsight::cli {
 namespace {
@@ -263,9 +264,13 @@ void add_effects(const std::vector<std::string>& texts, const Session& session, 
       add_effect_value(text, session.robot, held);
       continue;
     }
-    const std::vector<EffectTerm> terms = best_choices(session, effect_terms(text, chain));
+    const std::vector<EffectTerm> named = effect_terms(text, chain);
+    check_terms(named, session.marker_count);
+    const std::vector<EffectTerm> terms = best_choices(session, named);
     estimated.insert(estimated.end(), terms.begin(), terms.end());
   }
+  check_terms(held, session.marker_count);
+  check_terms(estimated, session.marker_count);
 }
 
 }  // namespace handsight::cli

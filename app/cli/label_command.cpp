@@ -60,7 +60,7 @@ std::vector<int> marker_numbers(const Options& options, int marker_count) {
 }
 
 int run(const Options& options) {
-  Session session = open_session(options.session);
+  Session session = open_session(options.session, options.output);
   if (!session.stereo) throw InputError("A tracker session has no images to label; its markers are points already.");
   Observation& observation = observation_with(session, options.observation);
   if (observation.left_image.empty() || observation.right_image.empty())
