@@ -47,10 +47,8 @@ std::string step_line(const OnlineStep& step) {
 std::optional<ImagePair> read_images(const Session& session, const Observation& o, std::string& refusal) {
   if (o.left_image.empty() || o.right_image.empty() || !session.stereo) return std::nullopt;
   try {
-    ImagePair pair{read_image(folder(session) / o.left_image), read_image(folder(session) / o.right_image)};
-    check_image_size(pair.left, session.stereo->left, o.left_image);
-    check_image_size(pair.right, session.stereo->right, o.right_image);
-    return pair;
+    return ImagePair{read_image(folder(session) / o.left_image, session.stereo->left, o.left_image),
+                     read_image(folder(session) / o.right_image, session.stereo->right, o.right_image)};
   } catch (const InputError& error) {
     refusal = error.what();
     return std::nullopt;

@@ -46,7 +46,7 @@ void check_images(const Session& session, SessionCheck& check) {
   auto look = [&](const std::string& file, const Camera& camera, std::int64_t id) {
     if (file.empty()) return;
     try {
-      check_image_size(read_image(folder(session) / file), camera, file);
+      read_image(folder(session) / file, camera, file);
     } catch (const InputError& error) {
       check.problems.push_back(fmt::format("Observation {}: {}", id, error.what()));
     }
