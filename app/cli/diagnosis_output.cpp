@@ -9,6 +9,7 @@
 #include "effects/own_effect.h"
 #include "fit_output.h"
 #include "json_values.h"
+#include "limits.h"
 
 namespace handsight::cli {
 namespace {
@@ -265,9 +266,13 @@ void add_effects(const std::vector<std::string>& texts, const Session& session, 
       add_effect_value(text, session.robot, held, own);
       continue;
     }
-    const std::vector<EffectTerm> terms = best_choices(session, effect_terms(text, chain, own));
+    const std::vector<EffectTerm> named = effect_terms(text, chain, own);
+    check_terms(named, session.marker_count);
+    const std::vector<EffectTerm> terms = best_choices(session, named);
     estimated.insert(estimated.end(), terms.begin(), terms.end());
   }
+  check_terms(held, session.marker_count);
+  check_terms(estimated, session.marker_count);
 }
 
 }  // namespace handsight::cli

@@ -22,6 +22,7 @@ const char* at(EffectScope scope) {
 }
 
 int run(const Output& output) {
+  output.require_places();
   Json list = Json::array();
   for (const Effect& effect : catalogue()) {
     output.line(fmt::format("{}  ({})", effect.id, effect.title));

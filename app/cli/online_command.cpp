@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iostream>
 
-#include "base/files.h"
 #include "command.h"
 #include "estimation/online.h"
 #include "json_values.h"
+#include "limits.h"
+#include "outputs.h"
 #include "session/session_xml.h"
 #include "vision/image_file.h"
 
@@ -47,10 +47,8 @@ std::string step_line(const OnlineStep& step) {
 std::optional<ImagePair> read_images(const Session& session, const Observation& o, std::string& refusal) {
   if (o.left_image.empty() || o.right_image.empty() || !session.stereo) return std::nullopt;
   try {
-    ImagePair pair{read_image(folder(session) / o.left_image), read_image(folder(session) / o.right_image)};
-    check_image_size(pair.left, session.stereo->left, o.left_image);
-    check_image_size(pair.right, session.stereo->right, o.right_image);
-    return pair;
+    return ImagePair{read_image(folder(session) / o.left_image, session.stereo->left, o.left_image),
+                     read_image(folder(session) / o.right_image, session.stereo->right, o.right_image)};
   } catch (const InputError& error) {
     refusal = error.what();
     return std::nullopt;
@@ -74,15 +72,28 @@ void print_estimate(const Output& output, const OnlineStep& last) {
     output.line("(sigmas from how the observations differ: the model does not agree with them to the noise)");
 }
 
+/// Images that cannot be read say nothing of their observations: those stay undecided.
+void save(const Session& session, std::size_t unreadable, std::size_t with_images, const std::string& refusal) {
+  if (unreadable > 0 && unreadable == with_images)
+    throw InputError(fmt::format("None of the {} observations' images can be read, so that nothing is saved. {}",
+                                 with_images, refusal));
+  if (unreadable > 0)
+    Output::note(
+        fmt::format("The images of {} observations cannot be read; what the session says of these stays as it "
+                    "is. {}",
+                    unreadable, refusal));
+  save_session(session);
+}
+
 int run(const Options& options) {
-  Session session = open_session(options.session);
+  Session session = open_session(options.session, options.output);
   OnlineOptions online_options;
   online_options.match.body_gate = 1e-3 * options.body_gate_mm;
   OnlineCalibration online(session, online_options);
-  std::ofstream json_lines;
-  std::string json_text;
+  std::string json_lines;
   Progress progress("calibrating", session.observations.size());
-  std::size_t taken = 0;
+  std::size_t taken = 0, with_images = 0, unreadable = 0;
+  std::string first_refusal;
   OnlineStep last;
   for (std::size_t k = 0; k < session.observations.size(); ++k) {
     Observation& observation = session.observations[k];
@@ -99,16 +110,19 @@ int run(const Options& options) {
     taken += step.accepted ? 1 : 0;
     options.output.line(step_line(step));
     if (options.output.json_file == "-") {
-      std::cout << step_json(step).dump() << '\n' << std::flush;
+      std::cout << json_text(step_json(step), -1) << '\n' << std::flush;
     } else if (!options.output.json_file.empty()) {
-      json_text += step_json(step).dump() + '\n';
+      json_lines += json_text(step_json(step), -1) + '\n';
     }
-    if (observation.decision != Decision::excluded) keep_step(step, observation);
+    with_images += images || !refusal.empty() ? 1 : 0;
+    unreadable += refusal.empty() ? 0 : 1;
+    if (first_refusal.empty()) first_refusal = refusal;
+    if (observation.decision != Decision::excluded && refusal.empty()) keep_step(step, observation);
     if (step.has_estimate) last = std::move(step);
     progress.at(k + 1);
   }
-  if (!json_text.empty()) replace_file(options.output.json_file, json_text);
-  if (options.save) save_session(session);
+  if (!json_lines.empty()) write_output(options.output.json_file, json_lines, "--json");
+  if (options.save) save(session, unreadable, with_images, first_refusal);
   options.output.line();
   options.output.line(fmt::format("{} of {} observations taken{}", taken, session.observations.size(),
                                   options.save ? "; saved in the session" : ""));
@@ -128,7 +142,7 @@ Command add_online(CLI::App& app) {
   command
       ->add_option("--body-gate", options->body_gate_mm,
                    "mm: how far the markers as a whole may be from their prediction")
-      ->check(CLI::PositiveNumber);
+      ->check(within(0.001, 10000));
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

@@ -231,11 +231,13 @@ void Document::save() {
   const std::string text = session_text(session_);
   const std::string digest = digest_of(text);
   // Marked before the file is replaced: a kill between the two finds the old content, and replays.
-  journal_->append({JournalEntry::Kind::saved, {}, digest});
+  // Where the state folder's disk is full the session itself is saved all the same.
+  const bool is_marked = write_down({JournalEntry::Kind::saved, {}, digest});
   replace_file(session_.file, text);
   session_.source = std::make_shared<const std::string>(text);
   stack_.setClean();
   emit noticed(tr("Saved in %1").arg(QString::fromStdString(session_.file.string())));
+  if (!is_marked) emit noticed(tr("Saved, but the journal cannot be written: a kill would bring the actions back."));
 }
 
 void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {

@@ -87,7 +87,14 @@ void ExportWorkspace::refresh() {
   if (!ready) return;
   refresh_motion();
   refresh_excluded(*model);
-  const QString text = QString::fromStdString(calibration_text(*model->calibration));
+  QString text;
+  try {
+    require_finite(*model->calibration);
+    text = QString::fromStdString(calibration_text(*model->calibration));
+  } catch (const InputError& error) {  // numbers that are not finite
+    text = QString::fromStdString(error.what());
+    save_->setEnabled(false);
+  }
   if (xml_->toPlainText() != text) xml_->setPlainText(text);
   show_changes(text);
 }

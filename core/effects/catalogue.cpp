@@ -98,9 +98,16 @@ bool is_finite(const Sites& s) {
          std::all_of(s.markers.begin(), s.markers.end(), [](const Vector3& m) { return m.allFinite(); });
 }
 
+int markers_of(const std::vector<EffectTerm>& terms) {
+  int count = 0;
+  for (const EffectTerm& term : terms)
+    if (effect_of(term).scope == EffectScope::marker) count = std::max(count, term.joint + 1);
+  return count;
+}
+
 Sites moved_sites(const Circumstances& c, const std::vector<EffectTerm>& terms) {
   Sites sites;
-  sites.markers.assign(static_cast<std::size_t>(c.chain->marker_count), Vector3::Zero());
+  sites.markers.assign(static_cast<std::size_t>(std::max(c.chain->marker_count, markers_of(terms))), Vector3::Zero());
   if (terms.empty()) return sites;
   sites.robot.joints.resize(c.chain->robot.joints.size());
   for (const EffectTerm& term : terms) effect_of(term).move(c, term.joint, term.values, sites);

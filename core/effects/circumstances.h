@@ -2,6 +2,7 @@
 // What is known of an observation before any effect: angles, velocities, directions of approach, time.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/chain.h"
@@ -29,6 +30,22 @@ Circumstances circumstances_at(const Chain& chain, const Eigen::VectorXd& positi
 
 /// Gravity torques of the nominal robot, per joint of the robot, at these sensor values (its springs included).
 Eigen::VectorXd nominal_torques(const Chain& chain, const Eigen::VectorXd& sensor);
+
+/// A pose outside any session with what is known of how the robot comes there.
+struct DrivenPose {
+  Eigen::VectorXd position;    // rad or m, in the order of Chain::joints
+  Eigen::VectorXd velocity;    // rad/s or m/s; empty: not known
+  std::optional<double> time;  // s on the session's clock; absent: after the session
+};
+
+/// The times of all observations, ascending.
+std::vector<double> times_of(const Session& session);
+
+/// For poses driven to one after another. The approach is the sign of the velocity, where that is not known or 0 the
+/// way from the pose before, at the first from nowhere. Where a pose has a time and `times` are those of the session,
+/// what drifts and slips is where it was then: a slip has come once the first observation after it has been made.
+std::vector<Circumstances> circumstances_at(const Chain& chain, const std::vector<DrivenPose>& poses,
+                                            const std::vector<double>& times = {});
 
 /// The chain's ends in one observation with all sites moved: joints, mount and drift (the mount's own motion is part of
 /// root_from_mount's end: see sensor_motion).

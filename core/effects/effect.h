@@ -107,7 +107,10 @@ Sites unmoved_sites(const Chain& chain);
 /// Are all numbers finite?
 bool is_finite(const Sites& sites);
 
-/// The sites as these terms move them in one observation.
+/// How many markers there must be for these terms: one more than the highest that one of them sits at.
+int markers_of(const std::vector<EffectTerm>& terms);
+
+/// The sites as these terms move them in one observation; markers that the chain does not count have a place too.
 Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms);
 
 /// Parses `id` (everywhere it may sit) or `id:joint+joint` (marker numbers where it sits at markers) into terms whose

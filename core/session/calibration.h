@@ -36,6 +36,9 @@ struct CalibrationParameter {
   std::string unit;
 };
 
+/// Terms of one effect, at most one at each place. A model may hold several terms of one effect at one place (a slip
+/// that came twice; a number that is held and estimated): then several of these have the same id, and all of them
+/// count.
 struct CalibrationEffect {
   std::string id;
   std::vector<CalibrationParameter> parameters;
@@ -61,6 +64,7 @@ struct Calibration {
   /// (6 + n) square: xi of tcp_from_body, then every parameter of `effects` in their order; those held have zeros.
   std::optional<Eigen::MatrixXd> model_covariance;
   std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
+  std::vector<double> times;  // s, of all observations in order: what slips and drifts are placed by
 
   std::vector<std::string> notes;  // what the reader ignored, a sentence each; not written
 };

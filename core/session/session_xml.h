@@ -20,8 +20,12 @@ struct SessionLines {
   std::vector<int> observations;  // in the order of Session::observations
 };
 
-/// Reads a session with its robot; `path` is the folder or the file in it. The robot may lie anywhere, its path being
-/// absolute or relative to the folder; images only inside the folder. Image files are not opened.
+/// Names folders, with ':' between, in which the robots of sessions may lie beside the session's own folder.
+inline constexpr char robot_folders_variable[] = "HANDSIGHT_ROBOTS";
+
+/// Reads a session with its robot; `path` is the folder or the file in it. Robot and images lie inside the folder,
+/// links followed; the robot may also lie in a folder "robots" beside the session's folder or above it, which several
+/// sessions share, or in one that HANDSIGHT_ROBOTS names. Image files are not opened.
 Session read_session(const std::filesystem::path& path);
 
 /// Reads the text alone, without the robot; `file` is what sentences call it. Session::file, robot and links
@@ -44,7 +48,8 @@ void check_image_paths(const Session& session, const SessionLines& lines = {});
 /// rotation is then written as rpy, which reads back within rounding.
 std::string session_text(const Session& session);
 
-/// Replaces Session::file by session_text, whole or not at all. InputError where it cannot be written.
+/// Replaces Session::file by session_text, whole or not at all. InputError where it cannot be written, and where the
+/// file no longer holds Session::source: another program has written it since, and what that wrote stays.
 void save_session(const Session& session);
 
 }  // namespace handsight

@@ -5,7 +5,9 @@
 #include <initializer_list>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <stdexcept>
 
+#include "base/bounds.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
@@ -13,16 +15,38 @@
 namespace handsight {
 namespace {
 
+/// OpenCV's messages have no place on standard error: what is wrong becomes a sentence.
+class QuietOpenCv {
+ public:
+  QuietOpenCv() {
+    cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });
+  }
+  ~QuietOpenCv() { cv::redirectError(nullptr); }
+  QuietOpenCv(const QuietOpenCv&) = delete;
+  QuietOpenCv& operator=(const QuietOpenCv&) = delete;
+};
+
 /// The numbers found so far, over all files.
 struct Found {
   std::optional<cv::Mat> camera[2], distortion[2], rotation, translation;
   int width = 0, height = 0;
 };
 
+/// OpenCV makes room for as many numbers as a file says that it has.
+bool is_small(const cv::FileNode& node) {
+  constexpr int most = 64;
+  const auto side_is_small = [&](const char* side) {
+    const cv::FileNode number = node[side];
+    return number.isInt() && static_cast<int>(number) >= 0 && static_cast<int>(number) <= most;
+  };
+  return node.isMap() ? side_is_small("rows") && side_is_small("cols") : node.size() <= most * most;
+}
+
 std::optional<cv::Mat> find_matrix(const cv::FileStorage& file, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     const cv::FileNode node = file[name];
     if (node.empty()) continue;
+    if (!is_small(node)) throw std::length_error("a matrix that is none of a camera's");
     cv::Mat matrix;
     node >> matrix;
     if (matrix.empty() && node.isSeq()) {  // a plain list of numbers
@@ -32,6 +56,9 @@ std::optional<cv::Mat> find_matrix(const cv::FileStorage& file, std::initializer
     }
     if (matrix.empty()) continue;
     matrix.convertTo(matrix, CV_64F);
+    if (matrix.channels() != 1) matrix = matrix.reshape(1);
+    if (!cv::checkRange(matrix, true, nullptr, bounds::distortion.lowest, bounds::distortion.highest))
+      throw std::out_of_range("a number that is not finite or beyond what a camera has");
     return matrix;
   }
   return std::nullopt;
@@ -55,9 +82,21 @@ void read_size(const cv::FileStorage& file, Found& found) {
     }
 }
 
+[[noreturn]] void refuse_storage(const std::filesystem::path& path, std::string_view reason) {
+  throw InputError(
+      fmt::format("{}: is no file that OpenCV's FileStorage wrote (YAML, XML or JSON){}; name the stereo "
+                  "calibration.",
+                  shown_path(path), reason));
+}
+
 void read_one(const std::filesystem::path& path, Found& found) {
+  constexpr std::size_t most = std::size_t{16} << 20;  // bytes
+  const std::string text = read_file(path);
+  if (text.size() > most) refuse_storage(path, fmt::format(": it has {} MB", text.size() >> 20));
+  if (text.find('\0') != std::string::npos) refuse_storage(path, ": it holds a zero byte");
+  const QuietOpenCv quiet;
   try {
-    const cv::FileStorage file(read_file(path), cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    const cv::FileStorage file(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     take(found.camera[0], find_matrix(file, {"M1", "K1", "cameraMatrix1", "camera_matrix_1", "camera_matrix_left",
                                              "left_camera_matrix", "cameraMatrixL", "K_left", "CM1", "mtx_left"}));
     take(found.camera[1], find_matrix(file, {"M2", "K2", "cameraMatrix2", "camera_matrix_2", "camera_matrix_right",
@@ -72,16 +111,18 @@ void read_one(const std::filesystem::path& path, Found& found) {
     take(found.translation, find_matrix(file, {"T", "translation", "stereo_T"}));
     read_size(file, found);
   } catch (const cv::Exception&) {
-    throw InputError(
-        fmt::format("{}: is no file that OpenCV's FileStorage wrote (YAML, XML or JSON); name the stereo "
-                    "calibration.",
-                    shown_path(path)));
+    refuse_storage(path, "");
+  } catch (const std::bad_alloc&) {
+    refuse_storage(path, ": it asks for more memory than there is");
+  } catch (const std::logic_error& error) {  // OpenCV's parsers throw the standard library's own, too
+    refuse_storage(path, fmt::format(" ({})", error.what()));
   }
 }
 
 Camera camera_of(const cv::Mat& k, const std::optional<cv::Mat>& distortion, const char* side, const Found& found,
                  const std::string& files) {
-  if (k.rows != 3 || k.cols != 3 || !(k.at<double>(0, 0) > 0) || !(k.at<double>(1, 1) > 0))
+  const bool is_square = k.rows == 3 && k.cols == 3;
+  if (!is_square || !(k.at<double>(0, 0) > 0) || !(k.at<double>(1, 1) > 0))
     throw InputError(fmt::format("{}: the {} camera matrix is {} x {}; expected 3 x 3 with positive focal lengths.",
                                  files, side, k.rows, k.cols));
   Camera camera{.width = found.width, .height = found.height};
@@ -90,6 +131,14 @@ Camera camera_of(const cv::Mat& k, const std::optional<cv::Mat>& distortion, con
   camera.cx = k.at<double>(0, 2);
   camera.fy = k.at<double>(1, 1);
   camera.cy = k.at<double>(1, 2);
+  for (const double focal : {camera.fx, camera.fy})
+    if (!bounds::focal_length.hold(focal))
+      throw InputError(fmt::format("{}: the {} camera has a focal length of {:g} px; expected one from {:g} to {:g}.",
+                                   files, side, focal, bounds::focal_length.lowest, bounds::focal_length.highest));
+  for (const double number : {camera.skew, camera.cx, camera.cy})
+    if (!bounds::pixel.hold(number))
+      throw InputError(fmt::format("{}: the {} camera matrix holds {:g}; expected at most {:g} px.", files, side,
+                                   number, bounds::pixel.highest));
   if (!distortion) return camera;
   const cv::Mat flat = distortion->reshape(1, 1);
   double* into[] = {&camera.k1, &camera.k2, &camera.p1, &camera.p2, &camera.k3};
