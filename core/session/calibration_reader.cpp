@@ -223,8 +223,8 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "session", "created", "software"},
-               {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints", "tcp_scatter",
-                "model_covariance", "mount_from_sensor", "times"});
+               {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints",
+                "tcp_scatter", "model_covariance", "mount_from_sensor", "times"});
   Calibration calibration;
   calibration.session = find_name(root, "session").value_or("");
   calibration.created = find_text(root, "created").value_or("");
