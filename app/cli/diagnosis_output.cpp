@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/curves.h"
 #include "diagnosis/explanation.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/robot_check.h"
@@ -53,6 +54,21 @@ Json check_json(const DiagnosisCandidate& c) {
           {"observation", c.check->observation ? Json(*c.check->observation) : Json(nullptr)}};
 }
 
+/// What is known of an unnamed function; as a curve that a model may take in where it could be written as one.
+void add_curve_keys(const Session& session, const DiagnosisCandidate& c, Json& j) {
+  const LocaliserTerm& best = c.unnamed->localiser.best;
+  j["variable"] = c.unnamed->localiser.variable->name;
+  j["site"] = best.site == LocaliserSite::joint ? session.robot.joints[static_cast<std::size_t>(best.joint)].name
+              : best.site == LocaliserSite::tcp ? "hand"
+                                                : "mount";
+  j["formula"] = j["definition"] = nullptr;
+  if (c.terms.empty()) return;
+  const EffectDefinition& definition = *c.terms.front().own->definition;
+  if (!c.where.empty()) j["site"] = c.where.front();
+  j["formula"] = formula_text(definition);
+  j["definition"] = effect_definition_text(definition);
+}
+
 Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
   const bool tracker = session.is_tracker();
   const Json null = nullptr;
@@ -72,7 +88,8 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
          {"cannot_be_told_from", c.cannot_be_told_from},
          {"check", check_json(c)},
          {"explanation", c.explanation}};
-  if (c.unnamed) j["variable"] = c.unnamed->localiser.variable->name;
+  j["unnamed"] = c.unnamed.has_value();
+  if (c.unnamed) add_curve_keys(session, c, j);
   return j;
 }
 
@@ -217,16 +234,24 @@ void print_improvement(const Output& out, const Session& session, const Improvem
                        tracker ? "noise/coord." : "noise"));
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
-    const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "- " + s.removed : "+ " + s.added;
-    const std::string instead = !s.added.empty() && !s.removed.empty() ? "in place of " + s.removed + " " : "";
+    const std::string what = i == 0 ? "(as it was)" : "+ " + s.added;
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted), error_text(s.held_out),
-                         error_or_unknown(s.noise, tracker), instead + listed(s.where)));
+                         error_or_unknown(s.noise, tracker), listed(s.where)));
+    if (!s.formula.empty()) out.line("     " + s.formula);
+    if (!s.stands.empty())
+      out.line("     stands in for something else: no robot has " + listed(s.stands));
+    if (!s.removed.empty())
+      out.line(fmt::format("     no longer needed: {}{}", s.removed,
+                           s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged)));
   }
   for (const RefusedStep& r : m.refused)
     out.line(
         fmt::format("     not taken: {}{}: {}", r.id, r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason));
   out.line();
   out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), m.last.reason));
+  if (m.named_share && m.unnamed_share)
+    out.line(fmt::format("Of what exceeded the noise at the start {:.0f} % has names, {:.0f} % follows something without one.",
+                         100 * *m.named_share, 100 * *m.unnamed_share));
   out.line();
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
 }
@@ -239,7 +264,10 @@ Json improvement_json(const Session& session, const Improvement& m) {
   for (const ImprovementStep& s : m.steps)
     steps.push_back({{"added", s.added.empty() ? null : Json(s.added)},
                      {"removed", s.removed.empty() ? null : Json(s.removed)},
+                     {"exchanged", s.exchanged},
                      {"where", s.where},
+                     {"formula", s.formula.empty() ? null : Json(s.formula)},
+                     {"stands_in", s.stands},
                      {"rms_pixel", number(s.fitted.rms_pixel)},
                      {"held_out_rms_pixel", number(s.held_out.rms_pixel)},
                      {"noise_pixel", tracker ? null : number(s.noise)},
@@ -254,6 +282,13 @@ Json improvement_json(const Session& session, const Improvement& m) {
   j["verdict"] = verdict_text(m.last.verdict);
   j["reason"] = m.last.reason;
   j["left"] = diagnosis_json(session, m.last);
+  j["left"]["named_share"] = number(m.named_share);
+  j["left"]["unnamed_share"] = number(m.unnamed_share);
+  Json worth = Json::array();
+  for (const Worth& w : m.worth)
+    worth.push_back({{"id", w.id}, {"where", w.where}, {"unnamed", w.unnamed}, {"follows", w.text.empty() ? null : Json(w.text)},
+                     {"hand_m", number(w.hand_m)}});
+  j["worth"] = worth;
   return j;
 }
 

@@ -10,6 +10,7 @@ namespace {
 struct Options {
   std::string session;
   std::vector<std::string> effects;
+  bool names_only = false;
   Output output;
 };
 
@@ -17,6 +18,7 @@ int run(const Options& o) {
   const Session session = open_session(o.session, o.output);
   ImprovementOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
+  options.with_curves = !o.names_only;
   Progress progress("improve", 100);
   options.on_progress = [&](double done) {
     progress.at(static_cast<std::size_t>(100 * done));
@@ -42,6 +44,7 @@ Command add_improve(CLI::App& app) {
   add_session_option(*command, options->session);
   command->add_option("--effects", options->effects, "Effects in the model from the start");
   add_export_option(*command, options->output);
+  command->add_flag("--names-only", options->names_only, "Take in effects alone, no curves without a name");
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

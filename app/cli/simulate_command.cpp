@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "effects/own_effect.h"
 #include "limits.h"
 #include "outputs.h"
 #include "robot/urdf.h"
@@ -46,7 +47,8 @@ int run(const Options& o) {
   }
   if (o.noise >= 0) options.noise = o.noise;
   if (!o.shift.empty()) options.shift_in_sensor = Vector3(o.shift[0], o.shift[1], o.shift[2]);
-  for (const std::string& effect : o.effects) add_effect_value(effect, like.robot, options.effects);
+  const OwnEffects own = own_effects_of(like, chain_of(like));
+  for (const std::string& effect : o.effects) add_effect_value(effect, like.robot, options.effects, own);
   check_terms(options.effects, like.marker_count);
   for (const std::string& curve : o.curves) options.curves.push_back(parse_curve(curve, like.robot));
   for (const std::string& d : o.disturbances) options.disturbances.push_back(parse_disturbance(d, like.robot));

@@ -24,6 +24,7 @@ constexpr std::size_t most_patterns = 40;
 constexpr double ln_of_idle = 4;   // what places that show little alone must bring together to stay
 constexpr double least_seen = 30;  // chi-squared of a plausible size that poses must show
 constexpr double least_visible_rival = 1;
+constexpr double near_start = 1e-4;  // m, rad: a fit that begins at its own answer need not derive again
 
 class Work {
  public:
@@ -70,6 +71,7 @@ class Work {
     base.estimated = options_.estimated;
     base.start = options_.start;
     if (!base.estimated.empty()) base.smallest_step = 1e-9;
+    if (!base.estimated.empty() && base.start) base.reuse_below = near_start;
     d_.model_options = base;
     base.on_iteration = options_.on_iteration;
     d_.model = options_.fitted ? *options_.fitted : clean_model(session_, base);

@@ -8,20 +8,7 @@ namespace handsight {
 namespace {
 
 constexpr int most_blocks = 10;
-constexpr double ln_20 = 2.995732273553991;
-constexpr double tails = 4;  // degrees of freedom of Student's distribution
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// ln of the density of a mean square, about `usual`, up to a constant. One observation counts as one number: its
-/// coordinates share one error of the pose.
-double ln_density(double mean_square, double usual) {
-  return -(tails + 1) / 2 * std::log1p(mean_square / usual / tails);
-}
+constexpr double least_sigmas = 2.3;  // of the sum of what all observations gain
 
 }  // namespace
 
@@ -42,15 +29,16 @@ bool slip_is_confirmed(const Session& session, const Fit& without, const FitOpti
   const std::vector<double> before = held_out_in_blocks(session, without, without_options, blocks);
   const std::vector<double> after = held_out_in_blocks(session, with, with_options, blocks);
   if (before.size() != after.size() || static_cast<int>(before.size()) != count) return true;
-  const double usual = std::max(median_of(after), 1e-300);
-  double earlier = 0, later = 0;
+  // By the gains' own spread: nothing is taken for normal, and a few observations with much to gain prove little.
+  double earlier = 0, later = 0, squares = 0;
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double gain = ln_density(after[at], usual) - ln_density(before[at], usual);
+    const double gain = before[at] - after[at];
     const auto index = static_cast<std::size_t>(without.problem.observations[at].index);
     (without.problem.source->circumstances[index].order < order ? earlier : later) += gain;
+    squares += gain * gain;
   }
-  return earlier + later > ln_20 && earlier > 0 && later > 0;
+  return earlier > 0 && later > 0 && earlier + later > least_sigmas * std::sqrt(squares);
 }
 
 }  // namespace handsight

@@ -28,6 +28,7 @@ const std::vector<Effect>& catalogue() {
                                               lens_distortion(),
                                               time_lag(),
                                               mount_drift(),
+                                              mount_slip(),
                                               body_slip(),
                                               marker_slip()};
   return effects;

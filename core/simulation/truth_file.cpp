@@ -99,6 +99,8 @@ void write_truth(const SimulatedSession& simulated, const SimulationOptions& opt
   if (!options.shift_in_sensor.isZero())
     root->InsertNewChildElement("shift_in_sensor")->SetAttribute("xyz", three(options.shift_in_sensor).c_str());
   add_effects(*root, simulated);
+  for (const EffectTerm& term : simulated.effects)
+    if (term.own) write_effect_definition(*root->InsertNewChildElement("effect_definition"), *term.own->definition);
   add_curves(*root, simulated, options);
   add_wrong_corners(*root, simulated);
   for (const Disturbance& d : options.disturbances) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots as they are: several effects at once, masses a little wrong, joints that do not repeat, and a shift of the hand
-// that no catalogue has. trial_messy COUNT [FIRST_SEED] [ROBOT] [SHIFT_MM; all for 0, 0.2 and 0.6]
+// Robots as they are: several effects at once, masses a little wrong, joints that do not repeat, and a shift of the
+// hand that no catalogue has. trial_messy COUNT [FIRST_SEED] [ROBOT] [SHIFT_MM; all for 0, 0.2 and 0.6]
 #include <fmt/format.h>
 
 #include <chrono>
@@ -21,7 +21,7 @@ constexpr double mass_error = 0.12, repeatability = 1e-4;  // relative; rad
 
 /// What is true and hidden.
 struct Messy {
-  Session session;              // as measured: the nominal robot
+  Session session;  // as measured: the nominal robot
   Robot true_robot;
   std::vector<EffectTerm> effects;
   std::optional<EffectTerm> shift;
@@ -32,7 +32,8 @@ struct Messy {
 std::optional<EffectTerm> hidden_shift(const Session& like, double size_mm, std::mt19937_64& random) {
   if (size_mm == 0) return std::nullopt;
   std::normal_distribution<double> normal;
-  const std::string joint = like.joints[like.joints.size() - 1 - random() % std::min<std::size_t>(like.joints.size(), 5)];
+  const std::string joint =
+      like.joints[like.joints.size() - 1 - random() % std::min<std::size_t>(like.joints.size(), 5)];
   EffectDefinition d;
   d.id = "hidden_shift";
   d.scope = "session";
@@ -93,7 +94,8 @@ Messy messy_session(int robot, std::uint64_t seed, double size_mm) {
   m.session = s.session;
   m.session.robot = like.robot;
   for (Observation& observation : m.session.observations)
-    for (Eigen::Index j = 0; j < observation.position.size(); ++j) observation.position[j] += repeatability * normal(random);
+    for (Eigen::Index j = 0; j < observation.position.size(); ++j)
+      observation.position[j] += repeatability * normal(random);
   const std::vector<std::optional<Vector3>> known(s.markers_in_tcp.begin(), s.markers_in_tcp.end());
   m.tcp_from_body = body_frame(choose_sides(known), s.markers_in_tcp).tcp_from_body;
   SimulationOptions later = o;
@@ -179,7 +181,7 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, bool with_all, Row
   row.alone.push_back(error_on_fresh(m, fit(m.session)));
   const auto start = std::chrono::steady_clock::now();
   ImprovementOptions options;
-  options.names_first = std::getenv("CURVES_FIRST") == nullptr;
+  options.names_first = std::getenv("NAMES_FIRST") != nullptr;
   const Improvement i = improve(m.session, options);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   row.improved.push_back(error_on_fresh(m, i.last.model.fit));
@@ -196,14 +198,17 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, bool with_all, Row
   row.missing_at_the_end += i.last.verdict == Verdict::missing_effect || i.last.verdict == Verdict::ambiguous;
   std::string curves;
   for (const EffectTerm& t : terms_of(i.last.model.fit))
-    if (is_curve(t)) curves += " [" + t.own->definition->moves.front().site + " " + t.own->definition->moves.front().formula + "]";
+    if (is_curve(t))
+      curves += " [" + t.own->definition->moves.front().site + " " + t.own->definition->moves.front().formula + "]";
   row.curve_seen += !curves.empty();
   ++row.trials;
-  fmt::print("  robot {} seed {} shift {}: alone {:.3f} improve {:.4f} told {:.4f} told everything {:.4f} mm; {:.1f} s, {} steps\n    "
-             "truth{}{}\n    found{}{} ({})\n",
-             robot, seed, size_mm, row.alone.back(), row.improved.back(), row.told.back(), row.everything.back(), seconds,
-             i.steps.size() - 1, listed_ids(truth), m.shift ? " + " + m.shift->own->definition->moves.front().formula : "",
-             listed_ids(found), curves, verdict_text(i.last.verdict));
+  fmt::print(
+      "  robot {} seed {} shift {}: alone {:.3f} improve {:.4f} told {:.4f} told everything {:.4f} mm; {:.1f} s, {} "
+      "steps\n    "
+      "truth{}{}\n    found{}{} ({})\n",
+      robot, seed, size_mm, row.alone.back(), row.improved.back(), row.told.back(), row.everything.back(), seconds,
+      i.steps.size() - 1, listed_ids(truth), m.shift ? " + " + m.shift->own->definition->moves.front().formula : "",
+      listed_ids(found), curves, verdict_text(i.last.verdict));
   std::fflush(stdout);
 }
 
@@ -216,12 +221,15 @@ int messy_trials(const Arguments& a) {
       const int robot = a.robot >= 0 ? a.robot : std::array{3, 1, 3, 2, 3, 0}[static_cast<std::size_t>(i) % 6];
       run_trial(robot, seed, size_mm, std::getenv("WITH_ALL") != nullptr, row);
     }
-    fmt::print("outside the catalogue {} mm, {} robots, medians (mm): TCP->Body alone {:.3f}, all at once {:.3f}, improve {:.4f}, "
-               "told the effects {:.4f}, told everything {:.4f}; names found {:.0f} % of {}, wrong {:.0f} % of {}; missing_effect at "
-               "the end {}\n",
-               size_mm, row.trials, median(row.alone), median(row.all), median(row.improved), median(row.told),
-               median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
-               100.0 * row.wrong / std::max(1, row.named), row.named, row.missing_at_the_end);
+    fmt::print(
+        "outside the catalogue {} mm, {} robots, medians (mm): TCP->Body alone {:.3f}, all at once {:.3f}, improve "
+        "{:.4f}, "
+        "told the effects {:.4f}, told everything {:.4f}; names found {:.0f} % of {}, wrong {:.0f} % of {}; "
+        "missing_effect at "
+        "the end {}\n",
+        size_mm, row.trials, median(row.alone), median(row.all), median(row.improved), median(row.told),
+        median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
+        100.0 * row.wrong / std::max(1, row.named), row.named, row.missing_at_the_end);
   }
   return 0;
 }

@@ -80,6 +80,16 @@ void time_lag(const DrawingKit& kit) {
   kit.text(Ink::effect, {74, 14}, QStringLiteral("+ Δt"), 14);
 }
 
+/// The stand was knocked: the camera is elsewhere from one moment on.
+void mount_slip(const DrawingKit& kit) {
+  kit.line(Ink::help, {8, 88}, {88, 88});
+  kit.link(Ink::model, {30, 88}, {30, 50}, 6);
+  kit.camera(Ink::model, {30, 40}, 0, 42);
+  kit.link(Ink::effect, {46, 88}, {58, 52}, 6);
+  kit.camera(Ink::effect, {61, 42}, 18, 42);
+  kit.arrow(Ink::effect, {34, 70}, {48, 70});
+}
+
 /// The camera creeps while the session lasts: it warms up.
 void mount_drift(const DrawingKit& kit) {
   kit.circle(Ink::model, {14, 80}, 8);
@@ -97,8 +107,13 @@ void mount_drift(const DrawingKit& kit) {
 }  // namespace
 
 std::map<std::string, DrawEffect> camera_drawings() {
-  return {{"camera_mount", camera_mount},       {"stereo_rig", stereo_rig}, {"camera_intrinsics", camera_intrinsics},
-          {"lens_distortion", lens_distortion}, {"time_lag", time_lag},     {"mount_drift", mount_drift}};
+  return {{"camera_mount", camera_mount},
+          {"stereo_rig", stereo_rig},
+          {"camera_intrinsics", camera_intrinsics},
+          {"lens_distortion", lens_distortion},
+          {"time_lag", time_lag},
+          {"mount_drift", mount_drift},
+          {"mount_slip", mount_slip}};
 }
 
 }  // namespace handsight::widgets
