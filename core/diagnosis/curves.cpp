@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_variables = 3, most_refined = 6;
 constexpr double near_best = 8;           // ln: what a form may lack before its setting is refined
-constexpr double catalogue_turns = 2.05;  // waves of one and two turns at a joint have names
+constexpr double catalogue_turns = 2.3;  // slower waves of a joint of its own angle are near those that have names
 constexpr int search_steps = 14;
 
 /// One form at one site, with the directions of the site that it moves.

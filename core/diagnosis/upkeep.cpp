@@ -100,11 +100,11 @@ class Upkeep {
     return take(diagnosed_from(session_, options_, o.estimated, estimate(without)), dropped.front().id);
   }
 
-  /// Names and curves that stood in for another name are exchanged; those that were added last stay.
+  /// Names and curves that stood in for another name are exchanged; a name that was added last stays.
   void exchange_names() {
     for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
       const std::size_t last = end_of_group(terms(), first);
-      if (last == terms().size()) return;
+      if (last == terms().size() && !is_curve(terms()[first])) return;
       const std::string removed = terms()[first].id;
       const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
       if (exchange && !change_.stopped &&

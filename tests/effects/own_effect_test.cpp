@@ -16,7 +16,7 @@
 namespace handsight {
 namespace {
 
-constexpr const char* samples = R"(<handsight_effects version="1">
+constexpr const char* samples = R"xml(<handsight_effects version="1">
   <effect id="belt_wave" title="Belt wave" scope="joint">
     <cause>The belt's teeth.</cause>
     <parameter name="sine" unit="rad" sigma="1e-3"/>
@@ -53,7 +53,7 @@ constexpr const char* samples = R"(<handsight_effects version="1">
     <moves site="left_fx" by="f"/>
     <moves site="left_fy" by="f"/>
   </effect>
-</handsight_effects>)";
+</handsight_effects>)xml";
 
 Session stand() {
   Session session = fixture::stand_session(3);
