@@ -38,19 +38,27 @@ int run(const Options& o) {
   const PredictSource source = predict_source(o.source, o.robot);
   Json list = Json::array();
   for (const std::string& note : source.notes) Output::note(note);
+  if (!source.model.rotation_is_observed)
+    Output::note(
+        "The markers do not show how the body is turned; sigma is that of the position, and rotations have none.");
   o.output.line("      x        y        z m     moved by mm   sigma x  y  z mm       sigma rx  ry  rz deg");
   for (const Eigen::VectorXd& position : wanted_positions(o, source)) {
     const TcpPrediction p = predict_tcp(source.chain, position, source.model);
     const Vector3 t = p.root_from_tcp_est.translation;
     const Vector6 s = p.sigma();
     constexpr double degrees = 57.29577951308232;
-    o.output.line(
-        fmt::format("{:>8.4f} {:>8.4f} {:>8.4f} {:>12.3f}    {:>6.3f} {:>6.3f} {:>6.3f}    {:>7.4f} {:>7.4f} {:>7.4f}",
-                    t.x(), t.y(), t.z(), 1e3 * (t - p.root_from_tcp.translation).norm(), 1e3 * s[0], 1e3 * s[1],
-                    1e3 * s[2], degrees * s[3], degrees * s[4], degrees * s[5]));
+    const bool turns = source.model.rotation_is_observed;
+    const std::string rotation =
+        turns ? fmt::format("{:>7.4f} {:>7.4f} {:>7.4f}", degrees * s[3], degrees * s[4], degrees * s[5])
+              : fmt::format("{:>7} {:>7} {:>7}", "-", "-", "-");
+    o.output.line(fmt::format("{:>8.4f} {:>8.4f} {:>8.4f} {:>12.3f}    {:>6.3f} {:>6.3f} {:>6.3f}    {}", t.x(), t.y(),
+                              t.z(), 1e3 * (t - p.root_from_tcp.translation).norm(), 1e3 * s[0], 1e3 * s[1], 1e3 * s[2],
+                              rotation));
+    Json sigma = numbers(s);
+    for (std::size_t i = 3; i < 6 && !turns; ++i) sigma[i] = nullptr;
     list.push_back({{"root_from_tcp", motion(p.root_from_tcp)},
                     {"root_from_tcp_est", motion(p.root_from_tcp_est)},
-                    {"sigma", numbers(s)}});
+                    {"sigma", sigma}});
   }
   o.output.json(list);
   return done;
