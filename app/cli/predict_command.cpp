@@ -74,21 +74,29 @@ int run(const Options& o) {
   o.output.require_places();
   Json list = Json::array();
   for (const std::string& note : source.notes) Output::note(note);
+  if (!source.model.rotation_is_observed)
+    Output::note(
+        "The markers do not show how the body is turned; sigma is that of the position, and rotations have none.");
   o.output.line("      x        y        z m     moved by mm   sigma x  y  z mm       sigma rx  ry  rz deg");
   for (const Circumstances& pose : wanted_poses(o, source)) {
     const TcpPrediction p = predict_tcp(pose, source.model);
     const Vector3 t = p.root_from_tcp_est.translation;
     const Vector6 s = p.sigma();
     constexpr double degrees = 57.29577951308232;
-    o.output.line(
-        fmt::format("{:>8.4f} {:>8.4f} {:>8.4f} {:>12.3f}    {:>6.3f} {:>6.3f} {:>6.3f}    {:>7.4f} {:>7.4f} {:>7.4f}",
-                    t.x(), t.y(), t.z(), 1e3 * (t - p.root_from_tcp.translation).norm(), 1e3 * s[0], 1e3 * s[1],
-                    1e3 * s[2], degrees * s[3], degrees * s[4], degrees * s[5]));
+    const bool turns = source.model.rotation_is_observed;
+    const std::string rotation =
+        turns ? fmt::format("{:>7.4f} {:>7.4f} {:>7.4f}", degrees * s[3], degrees * s[4], degrees * s[5])
+              : fmt::format("{:>7} {:>7} {:>7}", "-", "-", "-");
+    o.output.line(fmt::format("{:>8.4f} {:>8.4f} {:>8.4f} {:>12.3f}    {:>6.3f} {:>6.3f} {:>6.3f}    {}", t.x(), t.y(),
+                              t.z(), 1e3 * (t - p.root_from_tcp.translation).norm(), 1e3 * s[0], 1e3 * s[1], 1e3 * s[2],
+                              rotation));
+    Json sigma = numbers(s);
+    for (std::size_t i = 3; i < 6 && !turns; ++i) sigma[i] = nullptr;
     list.push_back({{"root_from_tcp", motion(p.root_from_tcp)},
                     {"root_from_tcp_est", motion(p.root_from_tcp_est)},
                     {"root_from_body_est", motion(p.root_from_body_est)},
                     {"root_from_sensor_est", p.root_from_sensor_est ? motion(*p.root_from_sensor_est) : Json(nullptr)},
-                    {"sigma", numbers(s)}});
+                    {"sigma", sigma}});
   }
   o.output.json(list);
   return done;

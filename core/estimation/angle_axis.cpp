@@ -69,7 +69,7 @@ Rows rows_of(const MeasuredPose& pose, const Rigid& tcp_from_body, const Rigid& 
 
 std::optional<AngleAxisResult> fit_angle_axis(const Problem& problem, const std::vector<Vector3>& markers_in_body,
                                               const Rigid& start_tcp_from_body, const Rigid& start_mount_from_sensor,
-                                              double noise) {
+                                              double noise, Loss loss) {
   const auto poses = measure(problem, markers_in_body, start_tcp_from_body, start_mount_from_sensor, noise);
   if (poses.empty() || (problem.mount_is_estimated && poses.size() < 3)) return std::nullopt;
 
@@ -87,14 +87,17 @@ std::optional<AngleAxisResult> fit_angle_axis(const Problem& problem, const std:
 
   const Eigen::Index columns = problem.mount_is_estimated ? 12 : 6;
   Eigen::MatrixXd h(columns, columns), middle(columns, columns);
-  for (int iteration = 0; iteration < 50 && !result.converged; ++iteration) {
+  const int most_iterations = loss == Loss::none ? 50 : 500;  // weights that follow the residuals settle linearly
+  for (int iteration = 0; iteration < most_iterations && !result.converged; ++iteration) {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(columns);
     h.setZero();
     middle.setZero();
     result.rms_m = result.rms_rad = 0;
     for (const MeasuredPose& p : poses) {
       const Rows rows = rows_of(p, result.tcp_from_body, result.mount_from_sensor);
-      const Eigen::MatrixXd weighted = weight.asDiagonal() * rows.by.leftCols(columns);
+      const double squared = rows.error.dot(weight.asDiagonal() * rows.error);
+      const double counts = loss_at(loss, squared, 6, 1).weight;
+      const Eigen::MatrixXd weighted = counts * weight.asDiagonal() * rows.by.leftCols(columns);
       h += rows.by.leftCols(columns).transpose() * weighted;
       gradient += weighted.transpose() * rows.error;
       middle += weighted.transpose() * p.covariance * weighted;

@@ -20,10 +20,11 @@ struct AngleAxisResult {
 
 /// Minimises the sum over observations of |t|^2/sigma_m^2 + |theta|^2/sigma_rad^2 of the motion that carries the
 /// measured body pose onto the predicted one, taken at the body's origin and in the sensor's axes. m and rad are
-/// weighed by the pose noise itself, averaged over the observations. `noise` is that of one coordinate (px or m).
-/// Needs one observation with three markers at least (three with an estimated mount); nothing otherwise.
+/// weighed by the pose noise itself, averaged over the observations. `noise` is that of one coordinate (px or m). A
+/// loss acts on the length of an observation's six numbers in those sigmas. Needs one observation with three markers at
+/// least (three with an estimated mount); nothing otherwise.
 std::optional<AngleAxisResult> fit_angle_axis(const Problem& problem, const std::vector<Vector3>& markers_in_body,
                                               const Rigid& start_tcp_from_body, const Rigid& start_mount_from_sensor,
-                                              double noise);
+                                              double noise, Loss loss = Loss::none);
 
 }  // namespace handsight

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t spread = 60;  // observations: enough for a start
 constexpr std::size_t followed = 5;
 constexpr std::size_t given_back = 3;
+constexpr double hardly_held = 100;  // plausible sizes: a start is sought wherever the measurements lead
 
 bool cameras_are_free(const Problem& problem) { return problem.rig && problem.cameras_by_effect.cols() > 0; }
 
@@ -23,8 +24,10 @@ Problem with_free_cameras(const Problem& images, const std::function<bool(const 
   part.columns_of_effects.clear();
   for (Eigen::Index i = 0; i < images.effect_count(); ++i)
     if (images.cameras_by_effect.cols() > 0 && !images.cameras_by_effect.col(i).isZero(0) &&
-        is_free(images.cameras_by_effect.col(i)))
+        is_free(images.cameras_by_effect.col(i))) {
       part.columns_of_effects.push_back(images.columns_of_effects[static_cast<std::size_t>(i)]);
+      part.columns_of_effects.back().sigma *= hardly_held;
+    }
   place_observations(part);
   return part;
 }
@@ -159,13 +162,22 @@ std::vector<EffectTerm> terms_at(const Problem& part, const std::vector<EffectTe
 
 }  // namespace
 
-bool looks_lost(const Problem& images, const Solution& s) {
-  if (s.stopped) return false;
-  if (!s.converged || !s.normal.in_front) return true;
-  if (s.normal.rows == 0) return false;
-  const double far_off = images.rig ? 0.006 * std::max(images.rig->left.fx, images.rig->right.fx) : 0.06;
-  return std::sqrt(s.normal.data_cost() / s.normal.rows) > far_off;
+namespace {
+
+/// How many times more than few robots explain a solution leaves.
+double far_off(const Problem& images, const Solution& s) {
+  if (s.normal.rows == 0) return 0;
+  const double much = images.rig ? 0.003 * std::max(images.rig->left.fx, images.rig->right.fx) : 0.03;
+  return std::sqrt(s.normal.data_cost() / s.normal.rows) / much;
 }
+
+}  // namespace
+
+bool looks_lost(const Problem& images, const Solution& s) {
+  return !s.stopped && (!s.converged || !s.normal.in_front || far_off(images, s) > 1);
+}
+
+bool is_no_answer(const Problem& images, const Solution& s) { return !s.normal.in_front || far_off(images, s) > 10; }
 
 std::vector<Unknowns> competing_starts(const Problem& images, const Unknowns& given) {
   const bool cameras = cameras_are_free(images);

@@ -7,8 +7,12 @@
 namespace handsight {
 
 /// Does a fit of the images look lost: not converged, a marker behind a camera that saw it, or left with residuals that
-/// no robot explains (more than 0.6 % of the focal length, 6 mm at a metre; with a tracker 60 mm)?
+/// few robots explain (more than 0.3 % of the focal length, 3 mm at a metre; with a tracker 30 mm)?
 bool looks_lost(const Problem& images, const Solution& solution);
+
+/// Is a solution none that anybody should use: a marker behind a camera that saw it, or residuals that no robot
+/// explains (more than 3 % of the focal length; with a tracker 0.3 m)?
+bool is_no_answer(const Problem& images, const Solution& solution);
 
 /// The best few starts for these images, best first; none where nothing but `given` can be tried (a known mount and
 /// cameras that no effect moves). In stages, each on a spread of the observations:

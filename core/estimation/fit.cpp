@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/fit.h"
 
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
 #include "effects/term_numbers.h"
 #include "estimation/competition.h"
+#include "estimation/fit_covariance.h"
+#include "estimation/fit_noise.h"
 #include "estimation/objectives.h"
 #include "estimation/start.h"
+#include "estimation/sure_fit.h"
 
 namespace handsight {
 namespace {
-
-/// Few observations cannot show how observations scatter: below this the scale of the residuals is used instead.
-constexpr std::size_t fewest_for_scatter = 10;
 
 std::string session_name(const Session& session) { return session.file.filename().string(); }
 
@@ -24,110 +22,6 @@ BodySides sides_of(const FitOptions& options, const Problem& problem, const Unkn
   for (std::size_t m = 0; m < unknowns.markers_in_tcp.size(); ++m)
     markers.push_back(problem.marker_is_seen[m] ? std::optional(unknowns.markers_in_tcp[m]) : std::nullopt);
   return choose_sides(markers);
-}
-
-/// Sum over observations of the outer product of their gradients: how much observations differ, whatever the cause.
-Eigen::MatrixXd clustered_middle(const Problem& problem, const Unknowns& unknowns) {
-  Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(problem.columns(), problem.columns());
-  for (const ProblemObservation& o : problem.observations) {
-    NormalEquations one(problem.columns());
-    add_observation(problem, o, unknowns, one);
-    middle.selfadjointView<Eigen::Lower>().rankUpdate(one.gradient);
-  }
-  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {  // a prior is one more measurement, with its own scatter
-    const Eigen::Index column = problem.effect_column() + i;
-    const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
-    middle(column, column) += std::pow(problem.noise / sigma, 2) * problem.noise * problem.noise;
-  }
-  return middle.selfadjointView<Eigen::Lower>();
-}
-
-void set_noise(const Session& session, const Problem& images, Fit& fit) {
-  fit.noise_estimate = estimate_noise(images, fit.solution.unknowns);
-  const auto declared = session.is_tracker() ? session.sigma_point : session.sigma_pixel;
-  if (!declared && !fit.noise_estimate) fit.noise_estimate = noise_from_repeats(images, fit.solution.unknowns);
-  if (declared) {
-    fit.noise = declared;
-  } else if (fit.noise_estimate) {
-    fit.noise = fit.noise_estimate->sigma;
-    if (fit.noise_estimate->from_repeats)
-      fit.notes.push_back(fmt::format(
-          "The noise, {:.3g} {}, is that of poses which were measured again; how well the robot repeats is part of it.",
-          *fit.noise, session.is_tracker() ? "m" : "px"));
-  }
-  if (declared && fit.noise_estimate && std::abs(fit.noise_estimate->sigma - *declared) > 3 * fit.noise_estimate->error)
-    fit.notes.push_back(fmt::format(
-        "The declared noise {:.3g} and the noise seen in the measurements {:.3g} +- {:.2g} {} differ by more than 3 "
-        "sigma; check the declaration, or look for wrong corners and camera errors.",
-        *declared, fit.noise_estimate->sigma, fit.noise_estimate->error, session.is_tracker() ? "m" : "px"));
-}
-
-/// Does the model agree with the measurements down to the noise (p > 1e-3)? Asked of the most efficient fit, images
-/// with free markers: the other objectives leave more of the noise by their nature.
-bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution, bool declared, const Fit& fit) {
-  if (!fit.noise || !(*fit.noise > 0)) return false;
-  const bool is_own = fit.objective == Objective::image && !fit.fixed_markers;
-  const std::optional<Solution> other = is_own ? std::nullopt : std::optional(solve(images, fit.solution.unknowns));
-  int unknowns = static_cast<int>(images.columns()) - (other ? *other : fit.solution).unobservable;
-  for (const char seen : images.marker_is_seen) unknowns -= seen ? 0 : 3;
-  const NormalEquations& efficient = other ? other->normal : at_solution;
-  const double cost = efficient.data_cost();
-  const int degrees = efficient.rows - unknowns;
-  if (degrees <= 0) return true;  // nothing speaks against it
-  const double variance = *fit.noise * *fit.noise;
-  if (!declared) {
-    // The noise was estimated from part of these same residuals, with an error of its own: what is left of them over
-    // is to be no larger (Fisher's F).
-    const int extra = degrees - fit.noise_estimate->degrees;
-    if (extra <= 0) return true;
-    const double ratio = std::max(cost - variance * fit.noise_estimate->degrees, 0.0) / extra / variance;
-    const boost::math::fisher_f expected(extra, fit.noise_estimate->degrees);
-    return boost::math::cdf(boost::math::complement(expected, ratio)) > 1e-3;
-  }
-  const double chi2 = cost / variance;
-  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees), chi2)) > 1e-3;
-}
-
-/// Covariances from the noise where the model fits, from the observations' scatter where it does not.
-void set_covariances(const Problem& images, Loss loss, bool declared, Fit& fit) {
-  const bool is_plain = fit.objective == Objective::image && loss == Loss::none;  // the minimum's own normal equations
-  const NormalEquations at_solution = is_plain ? fit.solution.normal : normal_equations(images, fit.solution.unknowns);
-  fit.rows = at_solution.rows;
-  fit.unknowns = static_cast<int>(fit.solution.basis.cols()) - fit.solution.unobservable;
-  for (const char seen : images.marker_is_seen)
-    if (!seen && !fit.fixed_markers) fit.unknowns -= 3;
-  const int degrees = fit.rows - fit.unknowns;
-  fit.residual_rms = fit.rows > 0 ? std::sqrt(at_solution.data_cost() / fit.rows) : 0;
-  const std::size_t count = fit.problem.observations.size();
-  if (fit.noise && degrees > 0 && *fit.noise > 0)
-    fit.chi2_per_dof = at_solution.data_cost() / (*fit.noise * *fit.noise) / degrees;
-  const bool fits = agrees_with_noise(images, at_solution, declared, fit);
-  fit.covariance_kind = fits ? CovarianceKind::noise : CovarianceKind::scatter;
-  if (fit.objective == Objective::angle_axis) return;  // its own covariance, scaled below
-  const double free_scale = degrees > 0 ? at_solution.data_cost() / degrees : 0.0;
-  if (fits && fit.objective == Objective::image) {
-    fit.parameter_covariance = *fit.noise * *fit.noise * unit_covariance(fit.solution);
-  } else if (!fits && count >= fewest_for_scatter) {
-    const double correction = static_cast<double>(count) / static_cast<double>(count - 1);
-    fit.parameter_covariance =
-        correction * sandwich_covariance(fit.solution, clustered_middle(fit.problem, fit.solution.unknowns));
-  } else if (fit.objective == Objective::image) {
-    fit.parameter_covariance = free_scale * unit_covariance(fit.solution);
-  } else {
-    fit.parameter_covariance =
-        (fits ? *fit.noise * *fit.noise : free_scale) *
-        sandwich_covariance(fit.solution, point_noise_middle(fit.problem, fit.solution.unknowns));
-  }
-}
-
-/// A held shape has an error of its own: what of it the fit does not take up stays in the markers.
-void add_shape_covariance(Fit& fit) {
-  if (fit.shape_covariance.size() == 0) return;
-  const Eigen::MatrixXd& b = fit.solution.basis;
-  const Eigen::MatrixXd& h = fit.solution.normal.information;
-  const Eigen::MatrixXd stays =
-      Eigen::MatrixXd::Identity(h.rows(), h.cols()) - b * pseudo_inverse(b.transpose() * h * b) * b.transpose() * h;
-  fit.parameter_covariance += stays * fit.shape_covariance * stays.transpose();
 }
 
 /// TCP->Body and effects explain the same measurements, so that their errors go together.
@@ -184,8 +78,27 @@ void add_notes(const Session& session, Fit& fit) {
     fit.notes.push_back(
         fmt::format("{} direction{} of the unknowns cannot be observed in these poses and stay as they were.",
                     fit.solution.unobservable, fit.solution.unobservable == 1 ? "" : "s"));
-  if (!fit.solution.converged)
+  if (!fit.solution.normal.in_front)
+    fit.notes.push_back(
+        "A marker would lie behind a camera that saw it: this is no answer; check the mount, the cameras and the "
+        "labels.");
+  else if (fit.objective == Objective::image && is_no_answer(fit.problem, fit.solution))
+    fit.notes.push_back(
+        "What is left is more than any robot explains: this is no answer; check mount, cameras, joints' order and "
+        "labels.");
+  else if (fit.objective == Objective::image && fit.solution.converged && looks_lost(fit.problem, fit.solution))
+    fit.notes.push_back(
+        "What is left is more than few robots explain: look for a wrong mount, rig, joint or label before any number "
+        "is "
+        "used.");
+  else if (!fit.solution.converged)
     fit.notes.push_back(fmt::format("The fit did not converge in {} iterations.", fit.solution.iterations));
+  for (std::size_t t = 0; t < fit.problem.terms.size(); ++t)
+    if (const double times = widened_by(fit.problem, t); times > 1.5)
+      fit.notes.push_back(fmt::format(
+          "{}: the measurements say more than 5 times what is plausible; its plausible sizes were taken {:.0f} "
+          "times as large.",
+          fit.problem.terms[t].id, times));
   for (const ProblemObservation& o : fit.problem.observations) {
     const Observation& observation = session.observations[static_cast<std::size_t>(o.index)];
     if (!o.springs_hold)
@@ -205,18 +118,6 @@ void refuse_cameras_of_points(const Session& session, const FitOptions& options,
   throw InputError(fmt::format("{}: the {} objective cannot estimate {}; use the image objective.",
                                session_name(session), options.objective == Objective::camera ? "camera" : "angle-axis",
                                cameras ? "effects of the cameras" : "effects"));
-}
-
-/// What the priors of effects are weighed against: the noise, or where nothing is known of it the residuals.
-void set_prior_noise(const Session& session, const Unknowns& start, Problem& images) {
-  const auto declared = session.is_tracker() ? session.sigma_point : session.sigma_pixel;
-  if (declared && *declared > 0) {
-    images.noise = *declared;
-    return;
-  }
-  auto estimated = estimate_noise(images, start);
-  if (!estimated) estimated = noise_from_repeats(images, start);
-  images.noise = estimated && estimated->sigma > 0 ? estimated->sigma : session.is_tracker() ? 1e-3 : 0.3;
 }
 
 /// Does a term move the body or its markers on the hand?
@@ -253,21 +154,6 @@ void settle_slip_frame(const Session& session, const FitOptions& options, Proble
     set_effects(images, u.effects);
     set_effects(result.problem, u.effects);
     minimise(session, images, Unknowns(u), options, images.noise, result);
-  }
-}
-
-/// A fit that its start has led nowhere is begun anew from the best of other starts; the cheapest end is kept.
-void search_elsewhere(const Session& session, const FitOptions& options, const Problem& images, const Unknowns& start,
-                      double noise, Fit& result) {
-  const bool is_quick = options.least_gain > 0;
-  if (is_quick || options.objective != Objective::image || !looks_lost(images, result.solution)) return;
-  for (const Unknowns& other : competing_starts(images, start)) {
-    Fit again = result;
-    minimise(session, images, other, options, noise, again);
-    const bool is_better = again.solution.normal.in_front >= result.solution.normal.in_front &&
-                           again.solution.normal.cost < result.solution.normal.cost;
-    if (is_better) result = std::move(again);
-    if (!looks_lost(images, result.solution) || result.solution.stopped) return;
   }
 }
 
@@ -330,16 +216,17 @@ Fit fit(const Session& session, const FitOptions& options) {
         "objective.",
         session_name(session), options.objective == Objective::camera ? "camera" : "angle-axis"));
   if (options.objective == Objective::camera) result.problem.noise = 1e-3;  // points: m
-  const double declared = session.is_tracker() ? session.sigma_point.value_or(1) : session.sigma_pixel.value_or(1);
-  minimise(session, images, *start, options, declared, result);
-  search_elsewhere(session, options, images, *start, declared, result);
+  const double pose_noise =
+      options.objective == Objective::angle_axis ? noise_at_start(session, images, *start).value_or(1) : 1;
+  result.loss_noise = loss_noise(session, images, result.problem, *start, options);
+  minimise_surely(session, images, *start, options, pose_noise, result);
   settle_slip_frame(session, options, images, result);
   if (images.effect_count() > 0) {
     set_effects(images, result.solution.unknowns.effects);
     set_effects(result.problem, result.solution.unknowns.effects);
   }
   set_noise(session, images, result);
-  set_covariances(images, options.loss, (session.is_tracker() ? session.sigma_point : session.sigma_pixel).has_value(),
+  set_covariances(images, options, (session.is_tracker() ? session.sigma_point : session.sigma_pixel).has_value(),
                   result);
   add_shape_covariance(result);
   set_body(options, result);

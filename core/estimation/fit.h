@@ -65,7 +65,8 @@ struct Fit {
   CovarianceKind covariance_kind = CovarianceKind::noise;
   double residual_rms = 0;      // px or m, of one coordinate
   int rows = 0;                 // coordinates
-  int unknowns = 0;             // observable ones
+  int unknowns = 0;             // that the measurements determine: what a prior holds does not count (tr H_data H^-1)
+  double loss_noise = 1;        // px or m: what the bend of a robust loss was measured in
   std::optional<double> noise;  // of one coordinate: declared, else estimated
   std::optional<NoiseEstimate> noise_estimate;
   std::optional<double> chi2_per_dof;

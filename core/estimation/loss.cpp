@@ -5,7 +5,7 @@
 
 namespace handsight {
 
-double bend(int rows) { return rows <= 2 ? 2.45 : rows == 3 ? 2.80 : 3.08; }
+double bend(int rows) { return rows <= 2 ? 2.45 : rows == 3 ? 2.80 : rows == 4 ? 3.08 : 3.55; }
 
 LossValue loss_at(Loss loss, double squared_length, int rows, double noise) {
   if (loss == Loss::none || rows == 0) return {1, squared_length, 0};

@@ -9,15 +9,10 @@ namespace handsight {
 namespace {
 
 /// The average shape laid onto the start's markers: where the body is held rigid from. `covariance` becomes that of the
-/// held markers, by the problem's columns.
-Unknowns with_average_shape(const Session& session, const Problem& images, const Unknowns& start,
-                            Eigen::MatrixXd& covariance) {
+/// held markers, by the problem's columns. Nothing where no observation shows three markers as points.
+std::optional<Unknowns> with_average_shape(const Problem& images, const Unknowns& start, Eigen::MatrixXd& covariance) {
   const auto shape = average_shape(images);
-  if (!shape)
-    throw InputError(fmt::format(
-        "{}: holding the markers fixed needs an observation that shows three of them as points (both cameras, or a "
-        "tracker), and there is none; fit with free markers.",
-        session.file.filename().string()));
+  if (!shape) return std::nullopt;
   Eigen::Matrix3Xd in_tcp(3, images.marker_count), in_shape(3, images.marker_count);
   Eigen::VectorXd weights(images.marker_count);
   for (int m = 0; m < images.marker_count; ++m) {
@@ -39,14 +34,14 @@ Unknowns with_average_shape(const Session& session, const Problem& images, const
   return unknowns;
 }
 
-SolveOptions solve_options(const FitOptions& options, bool fixed_body, double noise) {
+SolveOptions solve_options(const FitOptions& options, const Fit& fit, bool fixed_body) {
   return {.fixed_body = fixed_body,
           .most_iterations = options.most_iterations,
           .smallest_step = options.smallest_step,
           .least_gain = options.least_gain,
           .reuse_below = options.reuse_below,
           .loss = options.loss,
-          .noise = noise,
+          .noise = fit.loss_noise,
           .on_iteration = options.on_iteration};
 }
 
@@ -66,8 +61,9 @@ Solution minimum(const Problem& problem, const Unknowns& start, const SolveOptio
 
 /// The angle-axis minimum as the solution of a problem, so that every other part of the program reads it alike. The
 /// body frame there is that of the markers as they stand in `unknowns`, taken as the TCP frame moved by nothing.
-std::optional<AngleAxisResult> angle_axis_step(const Problem& problem, const Unknowns& unknowns, double noise) {
-  return fit_angle_axis(problem, unknowns.markers_in_tcp, Rigid{}, unknowns.mount_from_sensor, noise);
+std::optional<AngleAxisResult> angle_axis_step(const Problem& problem, const Unknowns& unknowns, double noise,
+                                               Loss loss) {
+  return fit_angle_axis(problem, unknowns.markers_in_tcp, Rigid{}, unknowns.mount_from_sensor, noise, loss);
 }
 
 Unknowns moved_body(const Unknowns& unknowns, const AngleAxisResult& result) {
@@ -81,15 +77,22 @@ Unknowns moved_body(const Unknowns& unknowns, const AngleAxisResult& result) {
 
 void minimise(const Session& session, const Problem& images, const Unknowns& start, const FitOptions& options,
               double noise, Fit& fit) {
-  const Unknowns from = fit.fixed_markers ? with_average_shape(session, images, start, fit.shape_covariance) : start;
+  const std::optional<Unknowns> held =
+      fit.fixed_markers ? with_average_shape(images, start, fit.shape_covariance) : start;
+  if (!held)
+    throw InputError(fmt::format(
+        "{}: holding the markers fixed needs an observation that shows three of them as points (both cameras, or a "
+        "tracker), and there is none; fit with free markers.",
+        session.file.filename().string()));
+  const Unknowns& from = *held;
   if (options.objective != Objective::angle_axis) {
-    fit.solution = minimum(fit.problem, from, solve_options(options, fit.fixed_markers, noise));
+    fit.solution = minimum(fit.problem, from, solve_options(options, fit, fit.fixed_markers));
     return;
   }
   // The image fit of the held body is the start: its poses are where the single observations are looked for.
-  fit.solution = minimum(images, from, solve_options(options, true, noise));
+  fit.solution = minimum(images, from, solve_options(options, fit, true));
   fit.problem = images;
-  const auto result = angle_axis_step(images, fit.solution.unknowns, noise);
+  const auto result = angle_axis_step(images, fit.solution.unknowns, noise, options.loss);
   if (!result)
     throw InputError(fmt::format(
         "{}: the angle-axis objective needs observations with three markers or more ({} of them); use the image "
@@ -112,10 +115,15 @@ void minimise(const Session& session, const Problem& images, const Unknowns& sta
 Unknowns refit(const Fit& fit, const FitOptions& options, const Problem& part, double noise) {
   FitOptions quiet = options;
   quiet.on_iteration = nullptr;
+  Unknowns from = fit.solution.unknowns;
+  if (fit.fixed_markers) {  // the shape of these observations alone: the others must not have told it
+    Eigen::MatrixXd not_read;
+    if (auto held = with_average_shape(part, from, not_read)) from = std::move(*held);
+  }
   if (options.objective != Objective::angle_axis)
-    return solve(part, fit.solution.unknowns, solve_options(quiet, fit.fixed_markers, noise)).unknowns;
-  const auto result = angle_axis_step(part, fit.solution.unknowns, noise);
-  return result ? moved_body(fit.solution.unknowns, *result) : fit.solution.unknowns;
+    return solve(part, from, solve_options(quiet, fit, fit.fixed_markers)).unknowns;
+  const auto result = angle_axis_step(part, from, noise, options.loss);
+  return result ? moved_body(from, *result) : from;
 }
 
 Eigen::MatrixXd point_noise_middle(const Problem& points, const Unknowns& unknowns) {

@@ -79,8 +79,29 @@ TcpScatter tcp_scatter(const Fit& fit) {
   return scatter;
 }
 
+namespace {
+
+/// The covariance given that the rotations of which nothing is known are as they are; false where there are any.
+bool without_unknown_rotations(Eigen::MatrixXd& covariance) {
+  constexpr double nothing_known = 1;  // rad^2
+  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(Matrix3(covariance.block<3, 3>(3, 3)));
+  bool all_known = true;
+  for (int i = 0; i < 3; ++i) {
+    if (eigen.eigenvalues()[i] < nothing_known) continue;
+    const Eigen::VectorXd together = covariance.middleCols<3>(3) * eigen.eigenvectors().col(i);
+    covariance -= together * together.transpose() / eigen.eigenvalues()[i];
+    all_known = false;
+  }
+  return all_known;
+}
+
+}  // namespace
+
 PredictionModel prediction_model(const Fit& fit) {
-  return {terms_of(fit), tcp_scatter(fit), fit.model_covariance, fit.tcp_from_body, estimate(fit).mount_from_sensor};
+  PredictionModel model{terms_of(fit), tcp_scatter(fit), fit.model_covariance, fit.tcp_from_body,
+                        estimate(fit).mount_from_sensor};
+  model.rotation_is_observed = without_unknown_rotations(model.covariance);
+  return model;
 }
 
 PredictionModel prediction_model(const Calibration& calibration, const Robot& robot) {
@@ -115,6 +136,7 @@ PredictionModel prediction_model(const Calibration& calibration, const Robot& ro
   if (calibration.model_covariance) of_file = *calibration.model_covariance;
   model.covariance = Eigen::MatrixXd::Zero(first_of_term.back(), first_of_term.back());
   model.covariance(place_of, place_of) = of_file;
+  model.rotation_is_observed = without_unknown_rotations(model.covariance);
   return model;
 }
 

@@ -25,8 +25,12 @@ struct PredictionModel {
   Eigen::MatrixXd covariance = Matrix6::Zero();  // 6 + n: xi of TCP->Body, then every number of the effects in order
   Rigid tcp_from_body;
   std::optional<Rigid> mount_from_sensor;  // absent: a file that does not say where the sensor sits
+  bool rotation_is_observed =
+      true;  // false: with one or two markers the body's rotation is a convention, kept at its start
 };
 
+/// A rotation of the body of which nothing is known (more than a radian) is no error of where the TCP is: nothing was
+/// learned from it. It is left out of the covariance.
 PredictionModel prediction_model(const Fit& fit);
 
 /// The same from an exported calibration. A file without <model_covariance> tells sigmas alone: TCP->Body and effects

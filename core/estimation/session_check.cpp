@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimation/session_oddities.h"
@@ -96,7 +97,7 @@ void check_markers(const Session& session, SessionCheck& check) {
 
 void check_torques(const Session& session, const Chain& chain, SessionCheck& check) {
   const auto count = static_cast<Eigen::Index>(chain.joints.size());
-  Eigen::VectorXd measured = Eigen::VectorXd::Zero(count), difference = measured;
+  Eigen::VectorXd measured = Eigen::VectorXd::Zero(count), held = measured, pulled = measured;  // sums of squares
   int with_torque = 0;
   for (const Observation& o : session.observations) {
     const Posture posture =
@@ -107,17 +108,19 @@ void check_torques(const Session& session, const Chain& chain, SessionCheck& che
     if (o.torque.size() == 0) continue;
     ++with_torque;
     for (Eigen::Index j = 0; j < count; ++j) {
-      // A motor holds against gravity: what it measures is minus the moment of gravity.
+      // A motor holds against gravity: what it measures is minus the moment of gravity, or, where the driver counts the
+      // other way, that moment; a joint has one sign in all observations.
       const double gravity = posture.torque[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
-      const double off = std::min(std::abs(o.torque[j] + gravity), std::abs(o.torque[j] - gravity));
       measured[j] += o.torque[j] * o.torque[j];
-      difference[j] += off * off;
+      held[j] += std::pow(o.torque[j] + gravity, 2);
+      pulled[j] += std::pow(o.torque[j] - gravity, 2);
     }
   }
   if (with_torque == 0) return;
   check.contents.push_back(fmt::format("{} observations have measured torques.", with_torque));
   for (Eigen::Index j = 0; j < count; ++j) {
-    const double size = std::sqrt(measured[j] / with_torque), off = std::sqrt(difference[j] / with_torque);
+    const double size = std::sqrt(measured[j] / with_torque),
+                 off = std::sqrt(std::min(held[j], pulled[j]) / with_torque);
     if (off > 2 && off > 0.2 * size)
       check.warnings.push_back(fmt::format(
           "Joint {}: measured torques ({:.1f} N m rms) differ from gravity's moments by {:.1f} N m rms; check masses, "

@@ -31,33 +31,64 @@ double pair_score(const CornerPair& pair, const PairOptions& options) {
   return std::pow(pair.point.epipolar_distance / options.epipolar_threshold, 2) + 2 * pair.likeness;
 }
 
-/// Depth-first over the markers; `score` only grows, so that a worse beginning is given up.
-void choose(const std::vector<std::vector<CornerPair>>& candidates, const LabelOptions& options,
-            std::vector<int>& taken, double score, Choice& best) {
-  if (score >= best.score) return;
-  const std::size_t marker = taken.size();
-  if (marker == candidates.size()) {
-    best = {taken, score};
-    return;
-  }
-  for (std::size_t k = 0; k < candidates[marker].size(); ++k) {
-    const CornerPair& pair = candidates[marker][k];
-    double added = pair_score(pair, options.pairs);
-    bool possible = true;
-    for (std::size_t m = 0; m < marker && possible; ++m) {
-      const CornerPair& other = candidates[m][static_cast<std::size_t>(taken[m])];
-      const double apart = (pair.point.point - other.point.point).norm();
-      possible = pair.right != other.right && apart <= options.most_spread;
-      // Of two partners on one epipolar line, the one at the depth of the other markers is the likelier.
-      added += std::pow(std::abs(pair.point.point.z() - other.point.point.z()) / (0.3 * options.most_spread), 2) /
-               static_cast<double>(candidates.size());
+/// Depth-first over the markers. `score` only grows, and what the markers that are left add at least is known, so that
+/// a beginning that cannot win is given up; after `most_looked_at` beginnings the search ends undecided.
+class Chooser {
+ public:
+  static constexpr int most_looked_at = 2'000'000;
+
+  Chooser(const std::vector<std::vector<CornerPair>>& candidates, const LabelOptions& options)
+      : candidates_(candidates), options_(options), least_after_(candidates.size() + 1, 0.0) {
+    for (std::size_t m = candidates.size(); m-- > 0;) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const CornerPair& pair : candidates[m]) least = std::min(least, pair_score(pair, options.pairs));
+      least_after_[m] = least_after_[m + 1] + least;
     }
-    if (!possible) continue;
-    taken.push_back(static_cast<int>(k));
-    choose(candidates, options, taken, score + added, best);
-    taken.pop_back();
+    search(0);
   }
-}
+  const Choice& best() const { return best_; }
+  bool is_undecided() const { return looked_at_ > most_looked_at; }
+
+ private:
+  void search(double score) {
+    if (score + least_after_[taken_.size()] >= best_.score || ++looked_at_ > most_looked_at) return;
+    const std::size_t marker = taken_.size();
+    if (marker == candidates_.size()) {
+      best_ = {taken_, score};
+      return;
+    }
+    std::vector<std::pair<double, int>> next;  // the likeliest first: a good choice early gives up most others
+    for (std::size_t k = 0; k < candidates_[marker].size(); ++k)
+      if (const auto added = cost_of(candidates_[marker][k])) next.emplace_back(*added, static_cast<int>(k));
+    std::stable_sort(next.begin(), next.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [added, k] : next) {
+      taken_.push_back(k);
+      search(score + added);
+      taken_.pop_back();
+    }
+  }
+
+  /// Nothing where the pair cannot stand beside those that are taken.
+  std::optional<double> cost_of(const CornerPair& pair) const {
+    double added = pair_score(pair, options_.pairs);
+    for (std::size_t m = 0; m < taken_.size(); ++m) {
+      const CornerPair& other = candidates_[m][static_cast<std::size_t>(taken_[m])];
+      const double apart = (pair.point.point - other.point.point).norm();
+      if (pair.right == other.right || apart > options_.most_spread) return std::nullopt;
+      // Of two partners on one epipolar line, the one at the depth of the other markers is the likelier.
+      added += std::pow(std::abs(pair.point.point.z() - other.point.point.z()) / (0.3 * options_.most_spread), 2) /
+               static_cast<double>(candidates_.size());
+    }
+    return added;
+  }
+
+  const std::vector<std::vector<CornerPair>>& candidates_;
+  const LabelOptions& options_;
+  std::vector<double> least_after_;
+  std::vector<int> taken_;
+  Choice best_;
+  int looked_at_ = 0;
+};
 
 std::string refuse_triangle(const std::vector<LabelledMarker>& markers, const LabelOptions& options) {
   double longest = 0, shortest = std::numeric_limits<double>::infinity(), height = 0;
@@ -97,6 +128,7 @@ FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, c
     return result;
   };
   std::vector<std::vector<CornerPair>> candidates;
+  std::vector<int> corners;  // of the left image, per marker
   for (std::size_t m = 0; m < pointed.size(); ++m) {
     double distance = 0;
     const int corner = nearest_corner(left, pointed[m], distance);
@@ -105,6 +137,13 @@ FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, c
           "Marker {}: no corner within {:.0f} px of ({:.1f}, {:.1f}) in the left image{}; point nearer to one.", m,
           options.snap_distance, pointed[m].x(), pointed[m].y(),
           corner < 0 ? std::string(" (it has none)") : fmt::format(" (the nearest is {:.1f} px away)", distance)));
+    if (const auto before = std::find(corners.begin(), corners.end(), corner); before != corners.end())
+      return refuse(fmt::format(
+          "Markers {} and {}: both are nearest to the corner at ({:.1f}, {:.1f}) of the left image; point each at a "
+          "corner of its own.",
+          before - corners.begin(), m, left[static_cast<std::size_t>(corner)].position.x(),
+          left[static_cast<std::size_t>(corner)].position.y()));
+    corners.push_back(corner);
     candidates.push_back(corner_pairs(rig, left, right, options.pairs, {corner}));
     if (candidates.back().empty())
       return refuse(
@@ -114,9 +153,13 @@ FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, c
                       m, options.pairs.epipolar_threshold, left[static_cast<std::size_t>(corner)].position.x(),
                       left[static_cast<std::size_t>(corner)].position.y()));
   }
-  Choice best;
-  std::vector<int> taken;
-  choose(candidates, options, taken, 0, best);
+  const Chooser chooser(candidates, options);
+  const Choice& best = chooser.best();
+  if (chooser.is_undecided())
+    return refuse(fmt::format(
+        "{} corners have too many partners in the right image to choose among; point at fewer markers, or at corners "
+        "with a less crowded epipolar line.",
+        pointed.size()));
   if (best.pairs.size() != pointed.size())
     return refuse(fmt::format(
         "The {} corners have no partners in the right image that are all different and within {:.0f} mm of each other; "

@@ -12,6 +12,7 @@
 #include "estimation/fit.h"
 #include "estimation/online.h"
 #include "estimation/start.h"
+#include "estimation/trust_region.h"
 #include "fixtures/arms.h"
 
 namespace handsight {
@@ -185,6 +186,33 @@ void ceres_prepared(benchmark::State& state, bool estimate_mount) {
   refuse_unless_equal(state, estimate(fit(s)), result.unknowns, result.converged);
 }
 
+/// Ceres with our derivatives, as full fits of effects use it; the placing of the observations is part of it.
+void trust_region_prepared(benchmark::State& state, bool estimate_mount) {
+  const Session& s = session(static_cast<int>(state.range(0)), estimate_mount);
+  const Prepared p = prepare(s);
+  Solution solution;
+  for (auto _ : state) benchmark::DoNotOptimize(solution = solve_by_trust_region(p.problem, p.start));
+  state.counters["iterations"] = solution.iterations;
+  refuse_unless_equal(state, estimate(fit(s)), solution.unknowns, solution.converged);
+}
+
+/// A whole fit with effects, from nothing: 14 springs and offsets of the six-axis arm.
+void fit_with_effects(benchmark::State& state, bool estimate_mount) {
+  const Session& s = session(static_cast<int>(state.range(0)), estimate_mount);
+  FitOptions options;
+  const Chain chain = chain_of(s);
+  for (const char* id : {"joint_offset", "joint_elasticity"})
+    for (const EffectTerm& term : effect_terms(id, chain)) options.estimated.push_back(term);
+  int iterations = 0;
+  for (auto _ : state) {
+    const Fit f = fit(s, options);
+    benchmark::DoNotOptimize(&f);
+    iterations = f.solution.iterations;
+    if (!f.converged()) state.SkipWithError("the fit did not converge");
+  }
+  state.counters["iterations"] = iterations;
+}
+
 /// All of what `fit` does except its estimate of the noise: chain ends and start (by our own code), minimum,
 /// covariance of markers and mount.
 void ceres_session(benchmark::State& state, bool estimate_mount) {
@@ -273,7 +301,9 @@ void add_benchmarks() {
   for (const bool mount : {false, true}) {
     add("fit", fit_session, mount, {100, 1000, 10000});
     add("solve_only", solve_prepared, mount, {1000});
+    add("fit_with_effects", fit_with_effects, mount, {100, 1000});
     add("ceres", ceres_prepared, mount, {1000});
+    add("ceres_with_our_derivatives", trust_region_prepared, mount, {1000});
     add("ceres_session_to_covariance", ceres_session, mount, {1000});
     add("incremental_step", incremental_step, mount, {100, 1000}, true);
     add("online_step", online_step, mount, {100, 1000}, true);

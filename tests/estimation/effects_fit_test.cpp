@@ -4,7 +4,9 @@
 
 #include <random>
 
+#include "estimation/body_shape.h"
 #include "estimation/fit_report.h"
+#include "estimation/objectives.h"
 #include "estimation/start.h"
 #include "fixtures/arms.h"
 
@@ -204,6 +206,39 @@ TEST(EffectFit, StopsWhereItsCallbackSaysSo) {
   const Fit f = fit(session, with);
   EXPECT_TRUE(f.solution.stopped);
   EXPECT_EQ(calls, 2);
+}
+
+/// What only a prior holds is no unknown of the measurements: tr(H_data H^-1) = n - sum of sigma^2 / plausible^2.
+TEST(EffectFit, CountsAsUnknownsWhatTheMeasurementsKnow) {
+  SimulationOptions options;
+  options.observations = 40;
+  const Session session = simulate_session(torso_session(), options).session;
+  const Fit f = fit(session, {.estimated = effect_terms("link_elasticity", chain_of(session))});
+  double known_by_priors = 0;
+  for (const FittedEffect& e : f.effects)
+    for (std::size_t p = 0; p < e.sigmas.size(); ++p)
+      known_by_priors += std::pow(e.sigmas[p] / find_effect(e.term.id)->parameters[p].sigma, 2);
+  EXPECT_GT(known_by_priors, 2) << "the test needs numbers that hardly show";
+  EXPECT_EQ(f.unknowns, static_cast<int>(std::lround(9 + f.problem.effect_count() - known_by_priors)));
+  EXPECT_EQ(f.covariance_kind, CovarianceKind::noise);
+}
+
+/// The folds of a held body know the shape from their own observations alone.
+TEST(EffectFit, AFoldAveragesItsOwnShape) {
+  SimulationOptions options;
+  options.observations = 40;
+  const Session session = simulate_session(fixture::stand_session(4), options).session;
+  const FitOptions held{.fix_markers = true};
+  const Fit f = fit(session, held);
+  Problem part = f.problem;
+  part.observations.resize(10);
+  const Unknowns u = refit(f, held, part, 0.2);
+  const BodyShape shape = *average_shape(part), whole = *average_shape(f.problem);
+  const auto side = [](const std::vector<Vector3>& x, std::size_t a, std::size_t b) { return (x[a] - x[b]).norm(); };
+  for (const std::size_t b : {1, 2, 3}) {
+    EXPECT_NEAR(side(u.markers_in_tcp, 0, b), side(shape.markers, 0, b), 1e-9);
+    EXPECT_GT(std::abs(side(whole.markers, 0, b) - side(shape.markers, 0, b)), 1e-7) << "else the test shows nothing";
+  }
 }
 
 }  // namespace

@@ -80,5 +80,39 @@ TEST(NoiseFromRepeats, GivesWayToWhatTheSessionDeclares) {
   EXPECT_EQ(*f.noise, 0.25);
 }
 
+/// A ball that is put into one of several sockets: each is a marker, seen alone.
+TEST(RobotFreeNoise, IsNotToldByMarkersThatAreSeenOneAtATime) {
+  SimulationOptions options;
+  options.observations = 40;
+  Session session = simulate_session(fixture::tracker_session(4), options).session;
+  for (std::size_t k = 0; k < session.observations.size(); ++k)
+    std::erase_if(session.observations[k].sightings,
+                  [&](const Sighting& s) { return s.marker != static_cast<int>(k % 4); });
+  session.sigma_point.reset();
+  const Fit f = fit(session);
+  EXPECT_TRUE(f.converged());
+  EXPECT_FALSE(f.noise_estimate.has_value());
+}
+
+/// A tracker's virtual points stand against each other to the last digit, while the robot does not repeat.
+TEST(RobotFreeNoise, IsNotThatOfPointsThatAreRigidByConstruction) {
+  SimulationOptions options;
+  options.observations = 60;
+  options.noise = 1e-8;
+  Session session = simulate_session(fixture::tracker_session(3), options).session;
+  session.sigma_point.reset();
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal(0, 1e-3);
+  for (Observation& o : session.observations)
+    for (double& q : o.position) q += normal(random);
+  const Fit f = fit(session);
+  EXPECT_GT(f.residual_rms, 1e-4);
+  EXPECT_FALSE(f.noise_estimate.has_value());
+  EXPECT_FALSE(f.noise.has_value());
+  EXPECT_EQ(f.covariance_kind, CovarianceKind::scatter);
+  ASSERT_FALSE(f.notes.empty());
+  EXPECT_NE(f.notes[0].find("rigid by construction"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace handsight

@@ -130,5 +130,21 @@ TEST(Prediction, IsTheSameFromTheExportedFile) {
   }
 }
 
+/// One marker shows where it is and not how the hand is turned: the position is known as well as the marker.
+TEST(Prediction, OfOneMarkerIsAsSureOfThePositionAsTheMarkerIs) {
+  SimulationOptions options;
+  options.observations = 40;
+  const Session session = simulate_session(fixture::tracker_session(1), options).session;
+  const Fit f = fit(session);
+  const PredictionModel model = prediction_model(f);
+  EXPECT_FALSE(model.rotation_is_observed);
+  std::mt19937_64 random(3);
+  const Vector6 sigma = predict_tcp(chain_of(session), some_pose(random), model).sigma();
+  EXPECT_LT(sigma.head<3>().maxCoeff(), 1e-3) << "m; 0.2 mm noise, 40 poses";
+  EXPECT_GT(sigma.head<3>().minCoeff(), 1e-6);
+  const Session three = simulate_session(fixture::tracker_session(3), options).session;
+  EXPECT_TRUE(prediction_model(fit(three)).rotation_is_observed);
+}
+
 }  // namespace
 }  // namespace handsight

@@ -207,5 +207,32 @@ TEST(FollowingObservation, BoardsOfAThousandCornersAreDecidedToo) {
   EXPECT_FALSE(match_markers(scene.rig, scene.left, scene.right, known(markers), std::nullopt).accepted());
 }
 
+TEST(Label, RefusesOneCornerForTwoMarkers) {
+  Scene scene;
+  const std::vector<Vector3> markers = {{0, 0, 0}, {0.07, 0, 0}, {0.02, 0.05, 0}};
+  for (const Vector3& m : markers) scene.add_point(truth * m);
+  scene.add_distractors(200);  // so that the corner's epipolar line has many partners
+  std::vector<Vector2> pointed;
+  for (const Vector3& m : markers) pointed.push_back(project(scene.rig.left, Vector3(truth * m)));
+  pointed[1] = pointed[0] + Vector2(2, 1);
+  const std::string refusal = label_first(scene.rig, scene.left, scene.right, pointed).refusal;
+  EXPECT_NE(refusal.find("Markers 0 and 1: both are nearest to the corner"), std::string::npos) << refusal;
+}
+
+TEST(Label, ChoosesAmongManyMarkersOnCrowdedLines) {
+  Scene scene;
+  std::vector<Vector3> markers;
+  for (int m = 0; m < 12; ++m) markers.push_back({0.03 * (m % 4), 0.03 * (m / 4) + 0.001 * (m % 4), 0.002 * (m % 3)});
+  for (const Vector3& m : markers) scene.add_point(truth * m);
+  scene.add_distractors(400);
+  std::vector<Vector2> pointed;
+  for (const Vector3& m : markers) pointed.push_back(project(scene.rig.left, Vector3(truth * m)));
+  const FirstLabels labels = label_first(scene.rig, scene.left, scene.right, pointed);
+  int right = 0;
+  for (std::size_t m = 0; m < labels.markers.size(); ++m)
+    right += (labels.markers[m].point.point - truth * markers[m]).norm() < 5e-3 ? 1 : 0;
+  EXPECT_TRUE(right >= 8 || labels.refusal.find("too many partners") != std::string::npos) << right << labels.refusal;
+}
+
 }  // namespace
 }  // namespace handsight

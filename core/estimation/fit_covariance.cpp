@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/fit_covariance.h"
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+
+#include "estimation/objectives.h"
+
+namespace handsight {
+namespace {
+
+/// Few observations cannot show how observations scatter: below this the scale of the residuals is used instead.
+constexpr std::size_t fewest_for_scatter = 10;
+
+/// Of the unknowns, how many their priors know: tr(P H^-1). The measurements know the rest, tr(H_data H^-1).
+double known_by_priors(const Problem& problem, const Eigen::MatrixXd& inverse) {
+  double known = 0;
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
+    const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    const Eigen::Index column = problem.effect_column() + i;
+    known += std::pow(problem.noise / sigma, 2) * inverse(column, column);
+  }
+  return known;
+}
+
+/// Effective number of unknowns that a solution takes from the measurements; `inverse` is its unit covariance.
+int unknowns_of(const Problem& problem, const Solution& solution, const Eigen::MatrixXd& inverse, bool fixed_markers) {
+  int count = static_cast<int>(solution.basis.cols()) - solution.unobservable;
+  for (const char seen : problem.marker_is_seen)
+    if (!seen && !fixed_markers) count -= 3;
+  return count - static_cast<int>(std::lround(known_by_priors(problem, inverse)));
+}
+
+/// A prior is one more measurement, with its own scatter.
+void add_prior_scatter(const Problem& problem, Eigen::MatrixXd& middle) {
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
+    const Eigen::Index column = problem.effect_column() + i;
+    const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    middle(column, column) += std::pow(problem.noise / sigma, 2) * problem.noise * problem.noise;
+  }
+}
+
+/// Sum over observations of the outer product of their gradients: how much observations differ, whatever the cause.
+Eigen::MatrixXd clustered_middle(const Problem& problem, const Unknowns& unknowns) {
+  Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(problem.columns(), problem.columns());
+  for (const ProblemObservation& o : problem.observations) {
+    NormalEquations one(problem.columns());
+    add_observation(problem, o, unknowns, one);
+    middle.selfadjointView<Eigen::Lower>().rankUpdate(one.gradient);
+  }
+  add_prior_scatter(problem, middle);
+  return middle.selfadjointView<Eigen::Lower>();
+}
+
+/// Two moments of a robust loss at the solution, by the problem's columns.
+struct LossMoments {
+  Eigen::MatrixXd curvature;  // of half the cost: J^T (rho' + 2 rho'' e e^T) J and the priors
+  Eigen::MatrixXd scores;     // sum over sightings of (J^T rho' e) (J^T rho' e)^T and the priors'
+};
+
+LossMoments loss_moments(Problem& problem, const Unknowns& unknowns, Loss loss, double noise) {
+  LossMoments moments;
+  moments.curvature = weighted_normal_equations(problem, unknowns, loss, noise).information;
+  moments.scores = Eigen::MatrixXd::Zero(problem.columns(), problem.columns());
+  for (ProblemObservation o : problem.observations) {
+    const std::vector<Sighting> sightings = std::move(o.sightings);
+    for (std::size_t i = 0; i < sightings.size(); ++i) {
+      o.sightings = {sightings[i]};
+      o.weights = {1.0};
+      NormalEquations one(problem.columns());
+      add_observation(problem, o, unknowns, one);
+      const LossValue value = loss_at(loss, one.cost, one.rows, noise);
+      moments.curvature += 2 * value.curvature * one.gradient * one.gradient.transpose();
+      moments.scores += value.weight * value.weight * one.gradient * one.gradient.transpose();
+    }
+  }
+  add_prior_scatter(problem, moments.scores);
+  return moments;
+}
+
+/// Does the model agree with the measurements down to the noise (p > 1e-3)? Asked of the most efficient fit, images
+/// with free markers: the other objectives leave more of the noise by their nature.
+bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution, bool declared, const Fit& fit) {
+  if (!fit.noise || !(*fit.noise > 0)) return false;
+  const bool is_own = fit.objective == Objective::image && !fit.fixed_markers;
+  const std::optional<Solution> other = is_own ? std::nullopt : std::optional(solve(images, fit.solution.unknowns));
+  const int unknowns = other ? unknowns_of(images, *other, unit_covariance(*other), false) : fit.unknowns;
+  const NormalEquations& efficient = other ? other->normal : at_solution;
+  const double cost = efficient.data_cost();
+  const int degrees = efficient.rows - unknowns;
+  if (degrees <= 0) return true;  // nothing speaks against it
+  const double variance = *fit.noise * *fit.noise;
+  if (!declared) {
+    // The noise was estimated from part of these same residuals, with an error of its own: what is left of them over
+    // is to be no larger (Fisher's F).
+    const int extra = degrees - fit.noise_estimate->degrees;
+    if (extra <= 0) return true;
+    const double ratio = std::max(cost - variance * fit.noise_estimate->degrees, 0.0) / extra / variance;
+    const boost::math::fisher_f expected(extra, fit.noise_estimate->degrees);
+    return boost::math::cdf(boost::math::complement(expected, ratio)) > 1e-3;
+  }
+  const double chi2 = cost / variance;
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees), chi2)) > 1e-3;
+}
+
+/// With a loss: its curvature about the moment of its scores, of sightings where the noise is all that differs, of
+/// observations where more does.
+void set_loss_covariance(const FitOptions& options, bool fits, Fit& fit) {
+  Problem weighted = fit.problem;
+  const LossMoments moments = loss_moments(weighted, fit.solution.unknowns, options.loss, fit.loss_noise);
+  const auto count = static_cast<double>(fit.problem.observations.size());
+  const bool by_observation = !fits && fit.problem.observations.size() >= fewest_for_scatter;
+  Solution curved = fit.solution;
+  curved.normal.information = moments.curvature;
+  fit.parameter_covariance =
+      by_observation
+          ? count / (count - 1) * sandwich_covariance(curved, clustered_middle(weighted, fit.solution.unknowns))
+          : sandwich_covariance(curved, moments.scores);
+}
+
+}  // namespace
+
+void set_covariances(const Problem& images, const FitOptions& options, bool declared, Fit& fit) {
+  const bool is_plain = fit.objective == Objective::image && options.loss == Loss::none;
+  // The minimum's own normal equations are those of the images without weights.
+  const NormalEquations at_solution = is_plain ? fit.solution.normal : normal_equations(images, fit.solution.unknowns);
+  const Eigen::MatrixXd bread = unit_covariance(fit.solution);
+  fit.rows = at_solution.rows;
+  fit.unknowns = unknowns_of(fit.problem, fit.solution, bread, fit.fixed_markers);
+  const int degrees = fit.rows - fit.unknowns;
+  fit.residual_rms = fit.rows > 0 ? std::sqrt(at_solution.data_cost() / fit.rows) : 0;
+  const std::size_t count = fit.problem.observations.size();
+  if (fit.noise && degrees > 0 && *fit.noise > 0)
+    fit.chi2_per_dof = at_solution.data_cost() / (*fit.noise * *fit.noise) / degrees;
+  const bool fits = agrees_with_noise(images, at_solution, declared, fit);
+  fit.covariance_kind = fits ? CovarianceKind::noise : CovarianceKind::scatter;
+  if (fit.objective == Objective::angle_axis) return;  // has its own
+  if (options.loss != Loss::none) return set_loss_covariance(options, fits, fit);
+  const double free_scale = degrees > 0 ? at_solution.data_cost() / degrees : 0.0;
+  if (fits && fit.objective == Objective::image) {
+    fit.parameter_covariance = *fit.noise * *fit.noise * bread;
+  } else if (!fits && count >= fewest_for_scatter) {
+    const double correction = static_cast<double>(count) / static_cast<double>(count - 1);
+    fit.parameter_covariance = correction * bread * clustered_middle(fit.problem, fit.solution.unknowns) * bread;
+  } else if (fit.objective == Objective::image) {
+    fit.parameter_covariance = free_scale * bread;
+  } else {
+    fit.parameter_covariance = (fits ? *fit.noise * *fit.noise : free_scale) * bread *
+                               point_noise_middle(fit.problem, fit.solution.unknowns) * bread;
+  }
+}
+
+void add_shape_covariance(Fit& fit) {
+  if (fit.shape_covariance.size() == 0) return;
+  const Eigen::MatrixXd& b = fit.solution.basis;
+  const Eigen::MatrixXd& h = fit.solution.normal.information;
+  const Eigen::MatrixXd stays =
+      Eigen::MatrixXd::Identity(h.rows(), h.cols()) - b * pseudo_inverse(b.transpose() * h * b) * b.transpose() * h;
+  fit.parameter_covariance += stays * fit.shape_covariance * stays.transpose();
+}
+
+}  // namespace handsight

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// How sure a fit is: its covariances, and how many of its unknowns the measurements know.
+#pragma once
+
+#include "estimation/fit.h"
+
+namespace handsight {
+
+/// Sets rows, effective unknowns, residuals, chi-squared and the covariance of the problem's columns. `images` is the
+/// problem with the sightings as measured, at the solution; `declared` says whether the noise was. From the noise where
+/// the model agrees with the measurements, else from the observations' scatter. With a loss its own: the inverse of its
+/// curvature about the second moment of its score (Huber 1967), everything at the loss's weights.
+void set_covariances(const Problem& images, const FitOptions& options, bool declared, Fit& fit);
+
+/// A held shape has an error of its own: what of it the fit does not take up stays in the markers.
+void add_shape_covariance(Fit& fit);
+
+}  // namespace handsight

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/fit_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+const std::optional<double>& declared_noise(const Session& session) {
+  return session.is_tracker() ? session.sigma_point : session.sigma_pixel;
+}
+
+/// Robust scale of one coordinate: from the median squared length of the sightings' residuals, which for noise alone is
+/// about (1 - 2/9k)^3 k variances for k rows.
+std::optional<double> median_residual(const Problem& problem, const Unknowns& unknowns) {
+  std::vector<double> variances;
+  for (const ProblemObservation& o : problem.observations)
+    for (const Sighting& s : o.sightings) {
+      const Vector3 x = sensor_from_tcp_at(o, unknowns.mount_from_sensor) * marker_at(o, unknowns, s.marker);
+      const SightingNormal n = sighting_normal(problem.rig_or_null(), s, x);
+      if (n.rows > 0) variances.push_back(n.cost / (n.rows * std::pow(1 - 2.0 / (9 * n.rows), 3)));
+    }
+  if (variances.empty()) return std::nullopt;
+  const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
+  std::nth_element(variances.begin(), middle, variances.end());
+  return *middle > 0 ? std::optional(std::sqrt(*middle)) : std::nullopt;
+}
+
+/// The robot-free noise where it is one, else that of repeated poses.
+std::optional<NoiseEstimate> seen_noise(const Problem& images, const Unknowns& unknowns) {
+  auto estimated = estimate_noise(images, unknowns);
+  if (estimated && are_rigid_by_construction(images, unknowns, *estimated)) estimated.reset();
+  return estimated ? estimated : noise_from_repeats(images, unknowns);
+}
+
+/// px to m: the root mean square of the triangulated points' sigmas for noise of 1.
+double metres_per_unit(const Problem& points) {
+  double sum = 0, count = 0;
+  for (const ProblemObservation& o : points.observations)
+    for (const Matrix3& c : o.point_covariances) {
+      sum += c.trace() / 3;
+      ++count;
+    }
+  return count > 0 ? std::sqrt(sum / count) : 1;
+}
+
+}  // namespace
+
+bool are_rigid_by_construction(const Problem& images, const Unknowns& unknowns, const NoiseEstimate& estimate) {
+  if (estimate.sigma > (images.rig ? 1e-3 : 1e-6)) return false;
+  const auto usual = median_residual(images, unknowns);
+  return usual && *usual > 100 * estimate.sigma;
+}
+
+std::optional<double> noise_at_start(const Session& session, const Problem& images, const Unknowns& start) {
+  const auto& declared = declared_noise(session);
+  if (declared && *declared > 0) return declared;
+  const auto seen = seen_noise(images, start);
+  return seen && seen->sigma > 0 ? std::optional(seen->sigma) : std::nullopt;
+}
+
+void set_prior_noise(const Session& session, const Unknowns& start, Problem& images) {
+  images.noise = noise_at_start(session, images, start).value_or(session.is_tracker() ? 1e-3 : 0.3);
+}
+
+double loss_noise(const Session& session, const Problem& images, const Problem& fitted, const Unknowns& start,
+                  const FitOptions& options) {
+  if (options.loss == Loss::none) return 1;
+  const double unit = options.objective == Objective::camera && images.rig ? metres_per_unit(fitted) : 1;
+  if (const auto noise = noise_at_start(session, images, start)) return *noise * unit;
+  const auto usual = median_residual(images, solve(images, start, {.most_iterations = 30}).unknowns);
+  return usual.value_or(session.is_tracker() ? 1e-3 : 0.3) * unit;
+}
+
+void set_noise(const Session& session, const Problem& images, Fit& fit) {
+  const char* unit = session.is_tracker() ? "m" : "px";
+  fit.noise_estimate = estimate_noise(images, fit.solution.unknowns);
+  if (fit.noise_estimate && are_rigid_by_construction(images, fit.solution.unknowns, *fit.noise_estimate)) {
+    fit.notes.push_back(
+        fmt::format("The markers stand against each other to {:.1g} {}, as no sensor measures: they are rigid by "
+                    "construction, like a tracker's virtual points, and do not tell the noise.",
+                    fit.noise_estimate->sigma, unit));
+    fit.noise_estimate.reset();
+  }
+  const auto& declared = declared_noise(session);
+  if (!declared && !fit.noise_estimate) fit.noise_estimate = noise_from_repeats(images, fit.solution.unknowns);
+  if (declared) {
+    fit.noise = declared;
+  } else if (fit.noise_estimate) {
+    fit.noise = fit.noise_estimate->sigma;
+    if (fit.noise_estimate->from_repeats)
+      fit.notes.push_back(fmt::format(
+          "The noise, {:.3g} {}, is that of poses which were measured again; how well the robot repeats is part of it.",
+          *fit.noise, unit));
+  }
+  if (declared && fit.noise_estimate && std::abs(fit.noise_estimate->sigma - *declared) > 3 * fit.noise_estimate->error)
+    fit.notes.push_back(fmt::format(
+        "The declared noise {:.3g} and the noise seen in the measurements {:.3g} +- {:.2g} {} differ by more than 3 "
+        "sigma; check the declaration, or look for wrong corners and camera errors.",
+        *declared, fit.noise_estimate->sigma, fit.noise_estimate->error, unit));
+}
+
+}  // namespace handsight

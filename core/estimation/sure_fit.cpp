@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/sure_fit.h"
+
+#include <cmath>
+
+#include "estimation/competition.h"
+#include "estimation/objectives.h"
+
+namespace handsight {
+namespace {
+
+constexpr double refuted = 5;      // plausible sizes
+constexpr double most_wide = 1e4;  // times
+
+/// Takes the priors of a widened term back to a tenth where what is then found does not refute them: which width stands
+/// must not depend on where the fit came from.
+void narrow(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
+  for (std::size_t t = 0; t < images.terms.size(); ++t)
+    while (widened_by(images, t) > 1.5) {
+      Problem tighter = images;
+      for (EffectColumn& c : tighter.columns_of_effects)
+        if (c.term == t) c.sigma /= 10;
+      Fit again = fit;
+      again.problem.columns_of_effects = tighter.columns_of_effects;
+      minimise(session, tighter, fit.solution.unknowns, options, noise, again);
+      Problem refuted_then = tighter;
+      if (!again.solution.converged || widen_refuted(refuted_then, again.solution.unknowns.effects)) break;
+      images = std::move(tighter);
+      fit = std::move(again);
+    }
+}
+
+void minimise_widening(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options,
+                       double noise, Fit& fit) {
+  const auto widened = [&](const Eigen::VectorXd& values) {
+    const bool is_wider = widen_refuted(images, values);
+    if (is_wider) fit.problem.columns_of_effects = images.columns_of_effects;
+    return is_wider;
+  };
+  widened(start.effects);
+  minimise(session, images, start, options, noise, fit);
+  while (!fit.solution.stopped && widened(fit.solution.unknowns.effects))
+    minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
+  const bool is_quick = options.least_gain > 0;
+  if (!is_quick && !fit.solution.stopped) narrow(session, images, options, noise, fit);
+}
+
+}  // namespace
+
+double widened_by(const Problem& problem, std::size_t term) {
+  for (const EffectColumn& c : problem.columns_of_effects)
+    if (c.term == term) return c.sigma / find_effect(problem.terms[term].id)->parameters[c.parameter].sigma;
+  return 1;
+}
+
+bool widen_refuted(Problem& problem, const Eigen::VectorXd& values) {
+  if (problem.cameras_by_effect.cols() != values.size()) return false;
+  bool any = false;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const EffectColumn& refuting = problem.columns_of_effects[static_cast<std::size_t>(i)];
+    if (problem.cameras_by_effect.col(i).isZero(0)) continue;
+    while (std::abs(values[i]) > refuted * refuting.sigma && widened_by(problem, refuting.term) < most_wide) {
+      for (EffectColumn& c : problem.columns_of_effects)
+        if (c.term == refuting.term) c.sigma *= 10;
+      any = true;
+    }
+  }
+  return any;
+}
+
+namespace {
+
+void compete(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options, double noise,
+             Fit& fit) {
+  for (const Unknowns& other : competing_starts(images, start)) {
+    Fit again = fit;
+    Problem wide = images;
+    minimise_widening(session, wide, other, options, noise, again);
+    const NormalEquations &now = again.solution.normal, &before = fit.solution.normal;
+    const bool is_better =
+        now.in_front > before.in_front || (now.in_front == before.in_front && now.data_cost() < before.data_cost());
+    if (is_better) {
+      fit = std::move(again);
+      images = std::move(wide);
+    }
+    if (!looks_lost(images, fit.solution) || fit.solution.stopped) return;
+  }
+}
+
+}  // namespace
+
+void minimise_surely(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options,
+                     double noise, Fit& fit) {
+  minimise_widening(session, images, start, options, noise, fit);
+  if (options.least_gain > 0 || options.objective != Objective::image) return;
+  if (looks_lost(images, fit.solution)) compete(session, images, start, options, noise, fit);
+  if (is_no_answer(images, fit.solution)) fit.solution.converged = false;
+}
+
+}  // namespace handsight

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/session_check.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/arms.h"
+
+namespace handsight {
+namespace {
+
+/// A session whose measured torques are `of` the moments of gravity.
+Session with_torques(double (*of)(double)) {
+  SimulationOptions options;
+  options.observations = 20;
+  Session session = simulate_session(fixture::stand_session(), options).session;
+  for (Observation& o : session.observations) {
+    const Posture posture = solve_posture(
+        session.robot, joint_values(session.robot, chain_of(session).joints, o.position), session.gravity);
+    o.torque.resize(o.position.size());
+    for (Eigen::Index j = 0; j < o.torque.size(); ++j) o.torque[j] = of(posture.torque[static_cast<std::size_t>(j)]);
+  }
+  return session;
+}
+
+TEST(CheckSession, TorquesOfEitherSignAreGravitys) {
+  EXPECT_TRUE(check_session(with_torques([](double gravity) { return gravity; })).warnings.empty());
+  EXPECT_TRUE(check_session(with_torques([](double gravity) { return -gravity; })).warnings.empty());
+}
+
+TEST(CheckSession, TorquesWithoutASignAreNotGravitys) {
+  const auto warnings = check_session(with_torques([](double gravity) { return std::abs(gravity); })).warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings[0].find("measured torques"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace handsight
