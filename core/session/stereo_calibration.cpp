@@ -82,18 +82,36 @@ void read_size(const cv::FileStorage& file, Found& found) {
     }
 }
 
-[[noreturn]] void refuse_storage(const std::filesystem::path& path, std::string_view reason) {
+/// OpenCV's parsers call themselves for every level.
+bool is_nested_deeply(const std::string& text) {
+  constexpr int deepest = 64;
+  int brackets = 0, elements = 0, indent = 0;
+  bool at_start = true;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : ' ';
+    if (c == '[' || c == '{') ++brackets;
+    if (c == ']' || c == '}') --brackets;
+    if (c == '<' && next != '!' && next != '?') elements += next == '/' ? -1 : 1;
+    if (c == '/' && next == '>') --elements;
+    indent = c == '\n' ? 0 : at_start && (c == ' ' || c == '-') ? indent + 1 : indent;
+    at_start = c == '\n' || (at_start && (c == ' ' || c == '-'));
+    if (brackets > deepest || elements > deepest || (at_start && indent > 4 * deepest)) return true;
+  }
+  return false;
+}
+
+[[noreturn]] void refuse_storage(const std::string& file, std::string_view reason) {
   throw InputError(
       fmt::format("{}: is no file that OpenCV's FileStorage wrote (YAML, XML or JSON){}; name the stereo "
                   "calibration.",
-                  shown_path(path), reason));
+                  file, reason));
 }
 
-void read_one(const std::filesystem::path& path, Found& found) {
+void read_one(const std::string& text, const std::string& path, Found& found) {
   constexpr std::size_t most = std::size_t{16} << 20;  // bytes
-  const std::string text = read_file(path);
   if (text.size() > most) refuse_storage(path, fmt::format(": it has {} MB", text.size() >> 20));
   if (text.find('\0') != std::string::npos) refuse_storage(path, ": it holds a zero byte");
+  if (is_nested_deeply(text)) refuse_storage(path, ": its elements are nested too deeply");
   const QuietOpenCv quiet;
   try {
     const cv::FileStorage file(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
@@ -187,11 +205,17 @@ Rigid right_from_left_of(const Found& found, const std::string& files, std::vect
 }  // namespace
 
 StereoRig read_stereo_calibration(const std::vector<std::filesystem::path>& files, std::vector<std::string>* notes) {
+  std::vector<StereoCalibrationText> texts;
+  for (const auto& path : files) texts.push_back({read_file(path), shown_path(path.filename())});
+  return parse_stereo_calibration(texts, notes);
+}
+
+StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<std::string>* notes) {
   Found found;
   std::string names;
-  for (const auto& path : files) {
-    read_one(path, found);
-    names += (names.empty() ? "" : ", ") + shown_path(path.filename());
+  for (const StereoCalibrationText& one : texts) {
+    read_one(one.text, one.file, found);
+    names += (names.empty() ? "" : ", ") + one.file;
   }
   const auto require = [&](bool there, const char* what) {
     if (!there)

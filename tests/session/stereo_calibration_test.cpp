@@ -119,6 +119,14 @@ TEST_F(StereoCalibration, WhatOpenCvCannotReadIsOneSentence) {
   expect_refusal({write("zero.yaml", std::string("%YAML:1.0\n\0", 11))}, "zero byte");
 }
 
+TEST_F(StereoCalibration, NestingWithoutEndIsRefusedBeforeItIsParsed) {
+  std::string indented = "%YAML:1.0\n---\n", elements = "<?xml version=\"1.0\"?><opencv_storage>";
+  for (int depth = 0; depth < 3000; ++depth) indented += std::string(static_cast<std::size_t>(depth), ' ') + "a:\n";
+  for (int depth = 0; depth < 100000; ++depth) elements += "<a>";
+  for (const std::string& text : {"{\"a\":" + std::string(1'000'000, '['), indented, elements})
+    expect_refusal({write("deep.yaml", text)}, "nested too deeply");
+}
+
 TEST_F(StereoCalibration, MatricesThatAreNoCamerasAreRefused) {
   std::string text = yaml;
   text.replace(text.find("rows: 3"), 7, "rows: 2000000000");
