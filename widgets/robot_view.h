@@ -113,6 +113,7 @@ class RobotView : public QWidget {
   struct Parts;
   void change();  // the scene: the next painting draws it anew
   void draw(const QSize& size);
+  void show_menu(const QPoint& position);
   void pick(const QPointF& position, bool take);
   void paint_labels(QPainter& painter);
   std::unique_ptr<Parts> parts_;

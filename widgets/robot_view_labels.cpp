@@ -49,8 +49,8 @@ void RobotView::paint_labels(QPainter& painter) {
   }
   QStringList legend;
   if (p.tcp) legend += p.tcp_est ? QStringLiteral("x y z TCP, x′ y′ z′ TCPest") : QStringLiteral("x y z TCP");
-  if (p.bent) legend += QStringLiteral("ghost %1 ×").arg(QString::number(p.ghost_times, 'g', 3));
-  if (!p.arrows.empty()) legend += QStringLiteral("arrows %1 ×").arg(QString::number(p.arrow_times, 'g', 3));
+  if (p.bent) legend += QStringLiteral("ghost %1 ×").arg(short_text(p.ghost_times, 3));
+  if (!p.arrows.empty()) legend += QStringLiteral("arrows %1 ×").arg(short_text(p.arrow_times, 3));
   const QString text = legend.join(QStringLiteral("   "));
   const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text) + 6;
   if (!text.isEmpty())

@@ -125,6 +125,7 @@ void CalibrateWorkspace::connect_player() {
   connect(&show_timer_, &QTimer::timeout, this, &CalibrateWorkspace::show_played);
   connect(&player_, &Player::rewound, this, [this] {
     unshown_.clear();
+    shown_.clear();
     board_->set_points({});
     decisions_->set_entries({});
   });
@@ -142,14 +143,24 @@ void CalibrateWorkspace::show_played() {
     refresh_transport();
     return;
   }
+  // Some may have been decided after all: then everything is shown anew, in its place.
+  const bool is_anew = std::any_of(unshown_.begin(), unshown_.end(),
+                                   [this](const PlayedStep& p) { return !shown_.insert(p.step.id).second; });
+  for (const PlayedStep& p : unshown_) shown_.insert(p.step.id);
+  const std::vector<PlayedStep>& news = is_anew ? player_.steps() : unshown_;
   std::vector<widgets::ConvergencePoint> points;
   std::vector<widgets::DecisionEntry> entries;
-  for (const PlayedStep& played : unshown_) {
+  for (const PlayedStep& played : news) {
     if (played.step.has_estimate && played.step.accepted) points.push_back(point_of(played));
     entries.push_back(entry_of(played, bench_.units));
   }
-  board_->append(points);
-  decisions_->append(entries);
+  if (is_anew) {
+    board_->set_points(points);
+    decisions_->set_entries(std::move(entries));
+  } else {
+    board_->append(points);
+    decisions_->append(entries);
+  }
   const std::int64_t last = unshown_.back().step.id;
   unshown_.clear();
   bench_.selection.select_observation(last);

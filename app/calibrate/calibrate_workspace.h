@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTimer>
+#include <set>
 
 #include "calibrate/player.h"
 #include "frame/workspace.h"
@@ -58,6 +59,7 @@ class CalibrateWorkspace : public Workspace {
   OneMarkerPage* one_marker_;
   OwnPosePage* own_pose_;
   std::vector<PlayedStep> unshown_;  // played, not yet in the views
+  std::set<std::int64_t> shown_;     // observations that are in the views
   QTimer show_timer_;
   bool robot_is_set_ = false, is_stale_ = true;
 };

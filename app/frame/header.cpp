@@ -133,9 +133,11 @@ Jobs& Header::shown_jobs() const { return bench_.jobs.is_busy() ? bench_.jobs : 
 void Header::refresh_job() {
   const JobState state = shown_jobs().state();
   if (!shown_jobs().is_busy()) poll_.stop();
-  // A job of a moment would only flicker.
-  const bool shown = state.is_running && (cancel_->isVisible() || state.seconds_left || state.share > 0.02);
-  progress_->setVisible(shown && state.share > 0);
+  // A job of a moment would only flicker; one that does not know how far it is can be cancelled like any other.
+  constexpr double moment = 0.4;  // s
+  const bool shown =
+      state.is_running && (cancel_->isVisible() || state.seconds_left || state.share > 0.02 || state.seconds > moment);
+  progress_->setVisible(shown);
   cancel_->setVisible(shown);
   if (!shown) return job_->clear();
   QString text = state.title;
@@ -143,6 +145,7 @@ void Header::refresh_job() {
   if (state.seconds_left) text += tr(", %1 left").arg(widgets::duration_text(*state.seconds_left));
   job_->setText(job_->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(job_->width() - 4, 40)));
   job_->setToolTip(text);
+  progress_->setRange(0, state.share > 0 ? 1000 : 0);
   progress_->setValue(static_cast<int>(1000 * state.share));
 }
 

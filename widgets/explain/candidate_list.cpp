@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -110,6 +112,10 @@ void CandidateList::set_cards(std::vector<CardState> cards, CardOrder order) {
 void CandidateList::resort() {
   show_cards(wanted_);
   resort_->hide();
+  // What is best stands on top, and the next click on Add belongs to it.
+  const auto to_the_top = [this] { scroll_->verticalScrollBar()->setValue(0); };
+  to_the_top();
+  QTimer::singleShot(0, scroll_, to_the_top);  // and after what the new layout and the focus make of it
 }
 
 void CandidateList::show_cards(const std::vector<CardState>& in_order) {
