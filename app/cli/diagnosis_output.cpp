@@ -64,7 +64,7 @@ void add_curve_keys(const Session& session, const DiagnosisCandidate& c, Json& j
   j["formula"] = j["definition"] = nullptr;
   if (c.terms.empty()) return;
   const EffectDefinition& definition = *c.terms.front().own->definition;
-  if (!c.where.empty()) j["site"] = c.where.front();
+  j["site"] = sites_text(definition);
   j["formula"] = formula_text(definition);
   j["definition"] = effect_definition_text(definition);
 }
@@ -238,8 +238,7 @@ void print_improvement(const Output& out, const Session& session, const Improvem
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted), error_text(s.held_out),
                          error_or_unknown(s.noise, tracker), listed(s.where)));
     if (!s.formula.empty()) out.line("     " + s.formula);
-    if (!s.stands.empty())
-      out.line("     stands in for something else: no robot has " + listed(s.stands));
+    if (!s.stands.empty()) out.line("     stands in for something else: no robot has " + listed(s.stands));
     if (!s.removed.empty())
       out.line(fmt::format("     no longer needed: {}{}", s.removed,
                            s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged)));
@@ -250,8 +249,9 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   out.line();
   out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), m.last.reason));
   if (m.named_share && m.unnamed_share)
-    out.line(fmt::format("Of what exceeded the noise at the start {:.0f} % has names, {:.0f} % follows something without one.",
-                         100 * *m.named_share, 100 * *m.unnamed_share));
+    out.line(fmt::format(
+        "Of what exceeded the noise at the start {:.0f} % has names, {:.0f} % follows something without one.",
+        100 * *m.named_share, 100 * *m.unnamed_share));
   out.line();
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
 }
@@ -267,6 +267,7 @@ Json improvement_json(const Session& session, const Improvement& m) {
                      {"exchanged", s.exchanged},
                      {"where", s.where},
                      {"formula", s.formula.empty() ? null : Json(s.formula)},
+                     {"variable", s.variable.empty() ? null : Json(s.variable)},
                      {"stands_in", s.stands},
                      {"rms_pixel", number(s.fitted.rms_pixel)},
                      {"held_out_rms_pixel", number(s.held_out.rms_pixel)},
@@ -286,7 +287,10 @@ Json improvement_json(const Session& session, const Improvement& m) {
   j["left"]["unnamed_share"] = number(m.unnamed_share);
   Json worth = Json::array();
   for (const Worth& w : m.worth)
-    worth.push_back({{"id", w.id}, {"where", w.where}, {"unnamed", w.unnamed}, {"follows", w.text.empty() ? null : Json(w.text)},
+    worth.push_back({{"id", w.id},
+                     {"where", w.where},
+                     {"unnamed", w.unnamed},
+                     {"follows", w.text.empty() ? null : Json(w.text)},
                      {"hand_m", number(w.hand_m)}});
   j["worth"] = worth;
   return j;

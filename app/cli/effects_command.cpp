@@ -54,8 +54,7 @@ void print_effect(const Output& output, const Effect& effect) {
   told("Check: ", effect.check);
   told("Source: ", effect.source);
   if (!effect.definition) return;
-  for (const DefinedMove& m : effect.definition->moves)
-    output.line(fmt::format("  Moves {} by {}", m.site, m.formula));
+  for (const DefinedMove& m : effect.definition->moves) output.line(fmt::format("  Moves {} by {}", m.site, m.formula));
   output.line(fmt::format("  From {}, line {}", effect.definition->file, effect.definition->line));
 }
 

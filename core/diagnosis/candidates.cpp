@@ -38,6 +38,12 @@ std::vector<std::vector<double>> choices_of(const Effect& effect, const std::vec
   return all;
 }
 
+std::vector<double> sizes_of(const Effect& effect, const Problem& model) {
+  std::vector<double> sizes;
+  for (const EffectParameter& p : effect.parameters) sizes.push_back(plausible_size(p, model.source->chain));
+  return sizes;
+}
+
 /// Every unit of an effect that is not in the model yet, as a candidate.
 struct Offer {
   const Problem& model;
@@ -59,7 +65,7 @@ void add_unit(const Effect& effect, const EffectTerm& term, CandidateEffect& can
   CandidateUnit unit{term, problem.effect_count() - base_effects, 0};
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
     if (!effect.parameters[p].is_choice) {
-      problem.columns_of_effects.push_back({problem.terms.size(), p, effect.parameters[p].sigma});
+      problem.columns_of_effects.push_back({problem.terms.size(), p, candidate.sizes[p]});
       ++unit.count;
     }
   problem.terms.push_back(term);
@@ -67,7 +73,7 @@ void add_unit(const Effect& effect, const EffectTerm& term, CandidateEffect& can
 }
 
 void Offer::operator()(const Effect& effect, std::shared_ptr<const Effect> own) const {
-  CandidateEffect candidate{&effect, {}, own};
+  CandidateEffect candidate{&effect, {}, sizes_of(effect, model), own};
   for (const int place : effect_places(effect, model.source->chain)) {
     if (effect.scope == EffectScope::marker && !model.marker_is_seen[static_cast<std::size_t>(place)]) continue;
     for (const std::vector<double>& values : choices_of(effect, orders)) {
@@ -103,7 +109,7 @@ Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& te
     EffectTerm at = term;
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) at.values[p] = 0;
-    candidates.effects.push_back({&effect, {}, term.own});
+    candidates.effects.push_back({&effect, {}, sizes_of(effect, model), term.own});
     add_unit(effect, at, candidates.effects.back(), candidates.problem, candidates.base_effects);
   }
   place_observations(candidates.problem);
@@ -115,7 +121,7 @@ Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, co
   candidates.problem = model;
   candidates.base_effects = model.effect_count();
   const Effect& effect = effect_of(term);
-  CandidateEffect candidate{&effect, {}, term.own};
+  CandidateEffect candidate{&effect, {}, sizes_of(effect, model), term.own};
   for (const double order : orders) {
     EffectTerm at = term;
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)

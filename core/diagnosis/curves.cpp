@@ -13,7 +13,7 @@ namespace handsight {
 namespace {
 
 constexpr std::size_t most_variables = 3, most_refined = 6;
-constexpr double near_best = 8;           // ln: what a form may lack before its setting is refined
+constexpr double near_best = 8;          // ln: what a form may lack before its setting is refined
 constexpr double catalogue_turns = 2.3;  // slower waves of a joint of its own angle are near those that have names
 constexpr int search_steps = 14;
 
@@ -233,7 +233,10 @@ std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledg
   found.ln_factor = best->ln_factor;
   found.ln_ways = ln_forms + best->ln_factor - best_value;
   found.variable = best->variable.variable->name;
-  found.site = site_text(*best, robot);
+  found.where = best->site->kind == LocaliserSite::tcp ? "hand"
+                : best->site->kind == LocaliserSite::mount
+                    ? "mount"
+                    : robot.joints[static_cast<std::size_t>(best->site->joint)].name;
   return found;
 }
 
@@ -242,6 +245,12 @@ std::string next_curve_id(const std::vector<EffectTerm>& terms) {
     const std::string id = fmt::format("curve_{}", number);
     if (std::none_of(terms.begin(), terms.end(), [&](const EffectTerm& t) { return t.id == id; })) return id;
   }
+}
+
+std::string sites_text(const EffectDefinition& d) {
+  std::string text;
+  for (const DefinedMove& m : d.moves) text += (text.empty() ? "" : ", ") + m.site;
+  return text;
 }
 
 std::string formula_text(const EffectDefinition& d) {

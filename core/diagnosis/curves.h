@@ -8,10 +8,11 @@
 namespace handsight {
 
 struct FoundCurve {
-  EffectTerm term;             // with the linear estimate
-  double ln_factor = 0;        // linear, of this form against nothing, no odds
-  double ln_ways = 0;          // of the choices in which it could have been another
-  std::string variable, site;  // as a user reads them
+  EffectTerm term;       // with the linear estimate
+  double ln_factor = 0;  // linear, of this form against nothing, no odds
+  double ln_ways = 0;    // of the choices in which it could have been another
+  std::string variable;  // as a user reads it
+  std::string where;     // the joint that it moves, "hand" or "mount"
 };
 
 /// The best curve of these localisers (those near the first in evidence are looked at); none where no formula can say
@@ -25,6 +26,9 @@ std::string next_curve_id(const std::vector<EffectTerm>& terms);
 
 /// Is the term a curve without a name?
 inline bool is_curve(const EffectTerm& term) { return term.own && term.own->is_unnamed(); }
+
+/// "angle", or "hand_x, hand_z": the sites that it moves.
+std::string sites_text(const EffectDefinition& definition);
 
 /// "sine*sin(3.3*q)" and the like, one formula a site: "hand_x: x_sine*sin(3.3*q_arm_4) + ...".
 std::string formula_text(const EffectDefinition& definition);

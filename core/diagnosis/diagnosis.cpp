@@ -24,7 +24,8 @@ constexpr std::size_t most_patterns = 40;
 constexpr double ln_of_idle = 4;   // what places that show little alone must bring together to stay
 constexpr double least_seen = 30;  // chi-squared of a plausible size that poses must show
 constexpr double least_visible_rival = 1;
-constexpr double near_start = 1e-4;  // m, rad: a fit that begins at its own answer need not derive again
+constexpr std::size_t most_curves = 4;  // that are written as formulas
+constexpr double near_start = 1e-4;     // m, rad: a fit that begins at its own answer need not derive again
 
 class Work {
  public:
@@ -157,24 +158,38 @@ class Work {
     sort_candidates();
   }
 
-  /// The first unnamed candidate as a curve that the model may take in.
+  /// The unnamed candidates that pass as curves that the model may take in; the first one fitted in full.
   void refit_the_curve() {
-    const auto c = std::find_if(d_.candidates.begin(), d_.candidates.end(),
-                                [](const DiagnosisCandidate& one) { return one.unnamed.has_value(); });
-    if (!options_.with_curves || c == d_.candidates.end() || c->ln_bayes_factor < d_.threshold) return;
-    const WhitenedModel w = whiten(model_, c->scatter, weighing_.knowledge);
-    const auto curve = find_curve(w, weighing_.knowledge, candidates_.problem, variables_, ranking_.localisers,
-                                  next_curve_id(terms_of(d_.model.fit)));
-    if (!curve) return;
-    const Refit r = refitted({curve->term});
+    if (!options_.with_curves) return;
+    std::size_t written = 0;
+    for (DiagnosisCandidate& c : d_.candidates) {
+      if (!c.unnamed || c.ln_bayes_factor < d_.threshold) continue;
+      const auto curve = written == 0 ? curve_of(c, ranking_.localisers) : curve_of(c, {*c.unnamed});
+      if (!curve) continue;
+      c.terms = {curve->term};
+      c.sigmas = {std::vector<double>(curve->term.values.size(), 0.0)};
+      c.where = {curve->where};
+      if (written++ == 0) refit_curve(*curve, c);
+      if (stopped_ || written == most_curves) return;
+    }
+  }
+
+  std::optional<FoundCurve> curve_of(const DiagnosisCandidate& c, const std::vector<RankedLocaliser>& localisers) {
+    const WhitenedModel w = whiten(model_, c.scatter, weighing_.knowledge);
+    return find_curve(w, weighing_.knowledge, candidates_.problem, variables_, localisers,
+                      next_curve_id(terms_of(d_.model.fit)));
+  }
+
+  void refit_curve(const FoundCurve& curve, DiagnosisCandidate& c) {
+    const Refit r = refitted({curve.term});
     if (stopped_ || !r.fit.converged()) return;
     const auto same = std::find_if(ranking_.localisers.begin(), ranking_.localisers.end(),
-                                   [&](const auto& l) { return l.localiser.variable->name == curve->variable; });
-    if (same != ranking_.localisers.end()) c->unnamed = *same;
-    take_refit(r, curve->ln_ways - ln_odds_of_unnamed, d_, weighing_, session_, *c);
-    c->where = {curve->site};
-    c->path = std::move(path_);
-    if (options_.with_held_out) c->held_out = report(d_.model.session, r.fit, r.options).held_out;
+                                   [&](const auto& l) { return l.localiser.variable->name == curve.variable; });
+    if (same != ranking_.localisers.end()) c.unnamed = *same;
+    take_refit(r, curve.ln_ways - ln_odds_of_unnamed, d_, weighing_, session_, c);
+    c.where = {curve.where};
+    c.path = std::move(path_);
+    if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
   }
 
   void refit_candidate(DiagnosisCandidate& c) {

@@ -17,14 +17,14 @@ namespace {
 constexpr double stand_in = 4;  // plausible sizes
 
 /// "mass -6 kg" and the like: numbers that no robot has.
-std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Robot& robot) {
+std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Chain& chain) {
   std::vector<std::string> list;
   for (const EffectTerm& term : terms) {
     const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& parameter = effect.parameters[p];
-      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * parameter.sigma) continue;
-      const std::string place = place_name(effect, term.joint, robot);
+      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * plausible_size(parameter, chain)) continue;
+      const std::string place = place_name(effect, term.joint, chain.robot);
       list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
                                  parameter.unit));
     }
@@ -37,14 +37,16 @@ std::vector<EffectTerm> last_group(const Diagnosis& d, std::size_t count) {
   return {all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end()};
 }
 
-void note_addition(const DiagnosisCandidate& candidate, const Session& session, const Diagnosis& next,
-                   ModelChange& change) {
+void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, ModelChange& change) {
   ImprovementStep step = step_of(next);
   step.added = candidate.unnamed ? candidate.terms.front().id : candidate.id;
   step.where = candidate.where;
   step.terms = last_group(next, candidate.terms.size());
-  step.stands = implausible_numbers(step.terms, session.robot);
-  if (candidate.unnamed) step.formula = formula_text(*candidate.terms.front().own->definition);
+  step.stands = implausible_numbers(step.terms, next.model.fit.problem.source->chain);
+  if (candidate.unnamed) {
+    step.formula = formula_text(*candidate.terms.front().own->definition);
+    step.variable = candidate.unnamed->localiser.variable->name;
+  }
   change.steps.push_back(std::move(step));
 }
 
@@ -87,7 +89,7 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
         {id, candidate.where, "held out in blocks of time, the observations on both sides of the moment do not agree"});
     return change;
   }
-  note_addition(candidate, session, next, change);
+  note_addition(candidate, next, change);
   change.model = std::move(next);
   keep_up(session, options, before, change);
   if (change.stopped) change.model.reset();
@@ -99,7 +101,7 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
   if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return all;
   std::vector<const DiagnosisCandidate*> order;
   for (const DiagnosisCandidate& c : model.candidates)
-    if (c.ln_bayes_factor >= model.threshold && (!c.unnamed || (options.with_curves && !c.terms.empty())))
+    if (c.ln_bayes_factor >= model.threshold && (!c.unnamed || (options.with_curves && c.refitted)))
       order.push_back(&c);
   if (options.names_first)
     std::stable_partition(order.begin(), order.end(), [](const DiagnosisCandidate* c) { return !c->unnamed; });

@@ -13,7 +13,7 @@ struct ImprovementStep {
   std::vector<std::string> exchanged = {};  // effect ids that came in the place of `removed`, beside `added`
   std::vector<std::string> where;
   std::vector<EffectTerm> terms;    // added, else removed
-  std::string formula;              // of a curve that was added
+  std::string formula, variable;    // of a curve that was added
   std::vector<std::string> stands;  // numbers of it beyond four plausible sizes: it stands in for something else
   ErrorSummary fitted, held_out;
   std::optional<double> noise;  // px or m
@@ -31,7 +31,7 @@ struct ImprovementOptions {
   std::vector<EffectTerm> estimated;  // in the model from the start, estimated; never removed
   int most_steps = 24;
   bool names_first = false;  // a curve is taken in only where no name passes, not where it leads
-  bool with_curves = true;  // curves without a name are taken in beside the names
+  bool with_curves = true;   // curves without a name are taken in beside the names
   /// After every diagnosis and before every change; returning false stops with what there is.
   std::function<bool(const ImprovementStep& latest)> on_step;
   std::function<bool(double done)> on_progress;  // as in DiagnosisOptions

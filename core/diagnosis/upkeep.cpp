@@ -6,6 +6,7 @@
 #include "diagnosis/curves.h"
 #include "diagnosis/exchange.h"
 #include "diagnosis/refitting.h"
+#include "diagnosis/slips.h"
 
 namespace handsight {
 namespace {
@@ -40,7 +41,7 @@ class Upkeep {
   void run() {
     drop_what_is_no_longer_needed();
     exchange_names();
-    look_for_curves_again();
+    look_for_forms_again();
   }
 
  private:
@@ -117,16 +118,42 @@ class Upkeep {
     }
   }
 
-  /// With other terms beside it, a curve may have another form.
-  void look_for_curves_again() {
+  /// With other terms beside it, a curve may have another form, and a slip another moment.
+  void look_for_forms_again() {
     for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
       const std::size_t last = end_of_group(terms(), first);
-      if (last < terms().size() && is_curve(terms()[first])) look_again(first, last);
+      const bool is_earlier = last < terms().size();
+      if (is_earlier && is_curve(terms()[first])) look_for_curve(first, last);
+      if (is_earlier && slip_order(group(first, last))) look_for_moment(first, last);
       first = last;
     }
   }
 
-  void look_again(std::size_t first, std::size_t last) {
+  void look_for_moment(std::size_t first, std::size_t last) {
+    const Diagnosis& d = *change_.model;
+    const Weighing by = weighing(d.model.fit);
+    const std::vector<EffectTerm> present = group(first, last);
+    FitOptions o = options_without(first, last, by);
+    const CleanFit without{d.model.session, fit(d.model.session, o), {}};
+    for (std::size_t t = 0; t < o.estimated.size(); ++t)
+      o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
+    const std::vector<EffectTerm> other = with_best_orders(without, present, by);
+    if (slip_order(other) == slip_order(present) || !goes_on()) return;
+    const Refit now = refit_with(without, o, present, by), then = refit_with(without, o, other, by);
+    if (then.fit.converged() && then.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, last, then);
+  }
+
+  /// The terms from `first` to `last` by those that a refit without them has added.
+  void replace(std::size_t first, std::size_t last, const Refit& refit) {
+    std::vector<EffectTerm> all = terms();
+    const std::vector<EffectTerm> fitted = terms_of(refit.fit);
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(first),
+               fitted.end() - static_cast<std::ptrdiff_t>(refit.added), fitted.end());
+    take(diagnosed_from(session_, options_, all, std::nullopt), "");
+  }
+
+  void look_for_curve(std::size_t first, std::size_t last) {
     const Diagnosis& d = *change_.model;
     const Weighing by = weighing(d.model.fit);
     const std::vector<EffectTerm> present = group(first, last);
@@ -148,11 +175,7 @@ class Upkeep {
     if (!other.fit.converged() ||
         other.ln_bayes_factor - found->ln_ways < now.ln_bayes_factor - found->ln_ways + clearly_better)
       return;
-    std::vector<EffectTerm> all = change_.model->model_options.estimated;
-    const std::vector<EffectTerm> fitted = terms_of(other.fit);
-    all.erase(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
-    all.insert(all.begin() + static_cast<std::ptrdiff_t>(first), fitted.back());
-    take(diagnosed_from(session_, options_, all, std::nullopt), "");
+    replace(first, last, other);
   }
 
   const Session& session_;

@@ -81,6 +81,11 @@ std::string place_name(const Effect& effect, int place, const Robot& robot) {
   return robot.joints[static_cast<std::size_t>(place)].name;
 }
 
+double plausible_size(const EffectParameter& parameter, const Chain& chain) {
+  if (!(parameter.share_of_focal > 0) || !chain.stereo) return parameter.sigma;
+  return parameter.share_of_focal * 0.5 * (chain.stereo->left.fx + chain.stereo->right.fx);
+}
+
 Sites unmoved_sites(const Chain& chain) {
   Sites sites;
   sites.robot.joints.resize(chain.robot.joints.size());

@@ -24,6 +24,7 @@ struct EffectParameter {
   double sigma = 0;        // the plausible size, one standard deviation: the prior's scale
   bool is_choice = false;  // a choice among alternatives (an observation, a form), not a number that a fit may move
   std::vector<double> choices = {};  // the alternatives; empty: the orders of all observations
+  double share_of_focal = 0;         // > 0: `sigma` is for a usual camera; of a session it is this share of fx (px)
 };
 
 /// What the check with the real robot reads, so that the model can predict it (diagnosis/robot_check.h).
@@ -112,6 +113,10 @@ int markers_of(const std::vector<EffectTerm>& terms);
 
 /// The sites as these terms move them in one observation; markers that the chain does not count have a place too.
 Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms);
+
+/// The plausible size of a parameter in this chain: EffectParameter::sigma, or what the cameras' focal length makes of
+/// it.
+double plausible_size(const EffectParameter& parameter, const Chain& chain);
 
 /// Parses `id` (everywhere it may sit) or `id:joint+joint` (marker numbers where it sits at markers) into terms whose
 /// numbers are all 0, to be estimated. InputError as below.

@@ -29,7 +29,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (is_free(effect, term, p))
-        problem.columns_of_effects.push_back({problem.terms.size(), p, effect.parameters[p].sigma});
+        problem.columns_of_effects.push_back({problem.terms.size(), p, plausible_size(effect.parameters[p], chain)});
     problem.terms.push_back(term);
   }
   auto source = std::make_shared<ProblemSource>();
