@@ -100,7 +100,7 @@ int run(const Options& options) {
             [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });
   observation.decision = Decision::none;
   observation.reason.clear();
-  save_session(session);
+  replace_session(session);
   options.output.json(result);
   options.output.line(fmt::format("Saved: observation {} is labelled.", observation.id));
   return done;

@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   try {
     return flushed(run(argc, argv));
   } catch (const InputError& error) {
-    return flushed(fails_with(error.what(), cli::wrong_input));
+    return flushed(fails_with(shortened(error.what(), 600), cli::wrong_input));  // options may be long
   } catch (const std::bad_alloc&) {
     return fails_with("There is not enough memory for this; expected a smaller session or fewer observations.",
                       cli::wrong_input);

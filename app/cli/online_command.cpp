@@ -87,7 +87,7 @@ void save(const Session& session, std::size_t unreadable, std::size_t with_image
         fmt::format("The images of {} observations cannot be read; what the session says of these stays as it "
                     "is. {}",
                     unreadable, refusal));
-  save_session(session);
+  replace_session(session);
 }
 
 /// The steps as they come: shown, written and kept in the session. A step may come again, decided after all.

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "session/session_xml.h"
 
 namespace handsight::cli {
 namespace {
@@ -45,13 +46,7 @@ void note_input(const fs::path& file) {
 }
 
 void note_inputs(const Session& session) {
-  const fs::path home = folder(session);
-  note_input(session.file);
-  for (const std::string& name : {session.robot_file, std::string("truth.xml"), std::string("effects.xml")})
-    note_input(home / name);
-  for (const Observation& o : session.observations)
-    for (const std::string& image : {o.left_image, o.right_image})
-      if (!image.empty()) note_input(home / image);
+  for (const fs::path& file : files_of(session)) note_input(file);
 }
 
 void require_output(const std::string& file, const char* option) {

@@ -61,17 +61,69 @@ EffectTerm term_of(const Effect& effect, int place, std::shared_ptr<const Effect
   return {effect.id, place, std::vector<double>(effect.parameters.size(), 0.0), {}, std::move(own)};
 }
 
+namespace {
+
+/// Marks the joints from a link up to the root.
+void mark_up_to_root(const Robot& robot, int link, std::vector<char>& marked) {
+  for (int j = robot.links[static_cast<std::size_t>(link)].parent_joint; j >= 0;
+       j = robot.links[static_cast<std::size_t>(robot.joints[static_cast<std::size_t>(j)].parent_link)].parent_joint)
+    marked[static_cast<std::size_t>(j)] = 1;
+}
+
+/// Marks joints that carry mass above a marked spring: their posture is its load. Parents come before children.
+void mark_loads(const Robot& robot, std::vector<char>& marked) {
+  const std::size_t count = robot.joints.size();
+  std::vector<char> carries_mass(count, 0), hangs_on_spring(count, 0);
+  for (std::size_t j = count; j-- > 0;) {
+    const auto child = static_cast<std::size_t>(robot.joints[j].child_link);
+    if (robot.links[child].mass > 0) carries_mass[j] = 1;
+    const int above = robot.links[static_cast<std::size_t>(robot.joints[j].parent_link)].parent_joint;
+    if (above >= 0 && carries_mass[j]) carries_mass[static_cast<std::size_t>(above)] = 1;
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    const int above = robot.links[static_cast<std::size_t>(robot.joints[j].parent_link)].parent_joint;
+    if (above < 0) continue;
+    const auto a = static_cast<std::size_t>(above);
+    hangs_on_spring[j] = hangs_on_spring[a] || (marked[a] && robot.joints[a].stiffness > 0);
+  }
+  for (std::size_t j = 0; j < count; ++j)
+    if (hangs_on_spring[j] && carries_mass[j]) marked[j] = 1;
+}
+
+/// The joints that the measurement can depend on: between the root and the chain's two ends, what loads springs there,
+/// and what such joints follow. Wheels, grippers and the other arm are none of them.
+std::vector<char> joints_that_matter(const Chain& chain) {
+  const Robot& robot = chain.robot;
+  std::vector<char> marked(robot.joints.size(), 0);
+  mark_up_to_root(robot, chain.tcp_link, marked);
+  mark_up_to_root(robot, chain.mount_link, marked);
+  mark_loads(robot, marked);
+  for (bool has_new = true; has_new;) {
+    has_new = false;
+    for (std::size_t j = 0; j < marked.size(); ++j)
+      for (const Mimic& mimic : robot.joints[j].mimics) {
+        char& followed = marked[static_cast<std::size_t>(mimic.joint)];
+        has_new = has_new || (marked[j] && !followed);
+        followed = followed || marked[j];
+      }
+  }
+  return marked;
+}
+
+}  // namespace
+
 std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
   std::vector<int> places;
   if (effect.scope == EffectScope::session) return {-1};
   if (effect.scope == EffectScope::marker)
     for (int m = 0; m < chain.marker_count; ++m) places.push_back(m);
-  if (effect.scope == EffectScope::joint || effect.scope == EffectScope::mimic_joint)
-    for (std::size_t j = 0; j < chain.robot.joints.size(); ++j) {
-      const Joint& joint = chain.robot.joints[j];
-      if (joint.moves() && (effect.scope == EffectScope::joint || joint.is_mimic()))
-        places.push_back(static_cast<int>(j));
-    }
+  if (!moves_one_joint(effect)) return places;
+  const std::vector<char> matters = joints_that_matter(chain);
+  for (std::size_t j = 0; j < chain.robot.joints.size(); ++j) {
+    const Joint& joint = chain.robot.joints[j];
+    if (matters[j] && joint.moves() && (effect.scope == EffectScope::joint || joint.is_mimic()))
+      places.push_back(static_cast<int>(j));
+  }
   return places;
 }
 

@@ -96,7 +96,8 @@ inline bool is_free(const Effect& effect, const EffectTerm& term, std::size_t pa
   return !effect.parameters[parameter].is_choice && (parameter >= term.held.size() || term.held[parameter] == 0);
 }
 
-/// The places where an effect may sit in this chain.
+/// The places where an effect may sit in this chain and the measurement can depend on it: no joints beside the way from
+/// the root to TCP and mount, but for those that load springs on it or that joints on it follow.
 std::vector<int> effect_places(const Effect& effect, const Chain& chain);
 
 /// The name of a place: a joint's name, "marker 2", or empty.

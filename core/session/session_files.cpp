@@ -122,6 +122,25 @@ void check_image_paths(const Session& session, const SessionLines& lines) {
     }
 }
 
+std::vector<fs::path> files_of(const Session& session) {
+  const fs::path home = folder(session);
+  std::vector<fs::path> files{session.file};
+  for (const std::string& name : {session.robot_file, std::string("truth.xml"), std::string("effects.xml")})
+    if (!name.empty()) files.push_back(home / name);
+  for (const Observation& o : session.observations)
+    for (const std::string& image : {o.left_image, o.right_image})
+      if (!image.empty()) files.push_back(home / image);
+  return files;
+}
+
+void require_no_file_of(const Session& session, const fs::path& output) {
+  std::error_code error;
+  for (const fs::path& file : files_of(session))
+    if (fs::equivalent(file, output, error))
+      throw InputError(
+          fmt::format("{}: belongs to the session and is not written over; name another file.", shown_path(output)));
+}
+
 Session read_session(const fs::path& path) {
   const fs::path file = file_of(path);
   SessionLines lines;

@@ -117,12 +117,11 @@ std::string session_text(const Session& session) {
   return session.source ? updated_text(session) : text_from_scratch(session);
 }
 
-void save_session(const Session& session) {
-  const std::string text = session_text(session);
-  if (session.source)
-    replace_unchanged_file(session.file, text, digest_of_content(*session.source));
-  else
-    replace_file(session.file, text);
+void save_session(const Session& session) { replace_file(session.file, session_text(session)); }
+
+void replace_session(const Session& session) {
+  if (!session.source) return save_session(session);
+  replace_unchanged_file(session.file, session_text(session), digest_of_content(*session.source));
 }
 
 }  // namespace handsight

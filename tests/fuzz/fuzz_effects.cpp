@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string text(reinterpret_cast<const char*>(data), size);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    handsight::read_line(text.substr(0, end));
+    handsight::read_line(text.substr(0, end).c_str());  // options end at a zero byte
     text.erase(0, end + 1);
   }
   return 0;

@@ -122,6 +122,29 @@ TEST_F(SessionFolder, LinksOutOfTheFolderAreRefused) {
   EXPECT_EQ(refused(), "nothing was refused") << "links inside are fine";
 }
 
+TEST_F(SessionFolder, WhatAnotherProgramSavedIsNotReplaced) {
+  Session mine = read_session(home);
+  Session theirs = mine;
+  mine.observations.front().decision = Decision::excluded;
+  theirs.observations.front().reason = "theirs";
+  theirs.observations.front().decision = Decision::rejected;
+  replace_session(theirs);
+  EXPECT_THAT(refusal_of([&] { replace_session(mine); }), HasSubstr("another program has changed the file"));
+  EXPECT_EQ(read_session(home).observations.front().reason, "theirs");
+  mine.file = home / "copy.xml";
+  save_session(mine);
+  EXPECT_EQ(read_session(home / "copy.xml").observations.front().decision, Decision::excluded);
+}
+
+TEST_F(SessionFolder, NoResultGoesOverItsFiles) {
+  const Session session = read_session(home);
+  EXPECT_THAT(refusal_of([&] { require_no_file_of(session, home / "session.xml"); }),
+              HasSubstr("belongs to the session"));
+  EXPECT_THAT(refusal_of([&] { require_no_file_of(session, home / ".." / home.filename() / "robot.urdf"); }),
+              HasSubstr("belongs to the session"));
+  EXPECT_EQ(refusal_of([&] { require_no_file_of(session, home / "calibration.xml"); }), "nothing was refused");
+}
+
 TEST(SessionFiles, SharedSessionsAreRead) {
   const std::filesystem::path shared = HANDSIGHT_SHARED_DIR;
   if (!std::filesystem::exists(shared / "examples")) GTEST_SKIP() << "no shared examples on this machine";
