@@ -105,7 +105,7 @@ std::vector<EffectTerm> parse_terms(const Json& settings, const char* key) {
                     one.at("values").get<std::vector<double>>()};
     if (one.contains("held"))
       for (const int held : one["held"].get<std::vector<int>>()) term.held.push_back(held != 0 ? 1 : 0);
-    const Effect* effect = &effect_of(term);
+    const Effect* effect = find_effect(term.id);
     if (!effect || effect->parameters.size() != term.values.size() ||
         (!term.held.empty() && term.held.size() != term.values.size()))
       throw InputError("The journal holds an effect that this version does not know.");

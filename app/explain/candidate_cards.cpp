@@ -44,7 +44,7 @@ QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
 }
 
 CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ModelVersion& model) {
-  const Effect& effect = *find_effect(c.id);
+  const Effect& effect = effect_of(c.terms.front());
   CardState card{.id = QString::fromStdString(c.id), .effect = c.id};
   card.title = QString::fromStdString(effect.title);
   card.where = places_text(c.where);
