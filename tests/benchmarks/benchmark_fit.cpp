@@ -196,7 +196,7 @@ void trust_region_prepared(benchmark::State& state, bool estimate_mount) {
   refuse_unless_equal(state, estimate(fit(s)), solution.unknowns, solution.converged);
 }
 
-/// A whole fit with effects, from nothing: 14 springs and offsets of the six-axis arm.
+/// A whole fit with effects, from nothing: an offset and a spring at every joint of the six-axis arm.
 void fit_with_effects(benchmark::State& state, bool estimate_mount) {
   const Session& s = session(static_cast<int>(state.range(0)), estimate_mount);
   FitOptions options;
