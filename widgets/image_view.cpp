@@ -63,6 +63,12 @@ void ImageView::set_frame_size(int width, int height) {
   update();
 }
 
+void ImageView::show_frame(int width, int height) {
+  if (!image_.isNull()) clear({});
+  empty_text_.clear();
+  set_frame_size(width, height);
+}
+
 #define HANDSIGHT_SETTER(name, Type, member) \
   void ImageView::name(Type value) {         \
     member = std::move(value);               \

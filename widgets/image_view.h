@@ -73,6 +73,7 @@ class ImageView : public QWidget {
   void set_image(const QImage& image);         // keeps the viewport where the size is the same, else fits
   void clear(const QString& sentence);         // no image: the sentence in its place
   void set_frame_size(int width, int height);  // without an image: overlays on an empty frame of this size
+  void show_frame(int width, int height);      // the same in place of an image; what is being dragged stays so
   void set_corners(std::vector<Vector2> corners);
   void set_marks(std::vector<ImageMark> marks);
   void set_selected_marker(int marker);  // -1: none

@@ -12,7 +12,7 @@
 
 namespace handsight::widgets {
 
-TriangleSketch::TriangleSketch(QWidget* parent) : QWidget(parent) { setMinimumHeight(130); }
+TriangleSketch::TriangleSketch(QWidget* parent) : QWidget(parent) { setMinimumHeight(96); }
 
 void TriangleSketch::set_state(const TriangleState& state) {
   state_ = state;

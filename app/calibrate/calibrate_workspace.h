@@ -46,6 +46,8 @@ class CalibrateWorkspace : public Workspace {
   void refresh_transport();
   void refresh_observation();
   void refresh_model();
+  void refresh_decisions();
+  void refresh_decision_title(bool is_present);
   void set_robot();
 
   Player player_;

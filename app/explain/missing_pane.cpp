@@ -74,12 +74,8 @@ void MissingPane::make_layout() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(cards_, 1);
   make_until_it_stops();
-  auto* foot = new QHBoxLayout;
-  foot->setSpacing(8);
-  foot->addWidget(until_it_stops_);
-  foot->addWidget(reveal_);
-  foot->addStretch(1);
-  column->addLayout(foot);
+  cards_->add_at_foot(until_it_stops_);
+  cards_->add_at_foot(reveal_);
   pages_ = new QStackedWidget(this);
   for (QWidget* page : {cards, table_page_, truth_page_, static_cast<QWidget*>(poses_)}) pages_->addWidget(page);
   auto* layout = new QVBoxLayout(this);

@@ -73,8 +73,8 @@ void add_staircase(const Workbench& bench, const std::vector<ModelVersionPointer
   }
   state.noise = sizes_of(*versions.back(), noise).noise.in(unit);
   widgets::Staircase stairs;
+  stairs.set_state(std::move(state));  // before it is shown: nothing is on its way
   lay_out(stairs, 640, 240);
-  stairs.set_state(std::move(state));
   pictures.push_back(
       {QObject::tr("How the error fell from step to step, fitted and held out; hatched: the noise"), painted(stairs)});
 }
@@ -92,13 +92,13 @@ void add_cloud(Workbench& bench, const std::vector<ModelVersionPointer>& version
   if (after.empty()) return;
   const bool in_pixels = last->inspection->in_pixels;
   widgets::ResidualCloud cloud;
-  lay_out(cloud, 640, 330);
   cloud.set_unit(in_pixels ? SizeUnit::pixel : SizeUnit::millimetre);
   if (last->fit->noise) cloud.set_noise((in_pixels ? 1 : 1e3) * *last->fit->noise);
   const bool is_one = first == last || before.empty();
   cloud.set_before(is_one ? after : std::move(before), name_of(is_one ? *last : *first));
   if (!is_one) cloud.set_after(std::move(after), name_of(*last));
   cloud.fit();
+  lay_out(cloud, 640, 330);
   pictures.push_back({is_one
                           ? QObject::tr("The residual of every corner; the rings are one and three sigma")
                           : QObject::tr("The residual of every corner, at first and now, on the same axes; the rings "
@@ -192,11 +192,11 @@ void add_robot(const Workbench& bench, const Observation& o, const Inspection& a
   pictures.push_back({QObject::tr("The robot in observation %1, with the deviation of every observation, times %2")
                           .arg(o.id)
                           .arg(times),
-                      view.picture()});
+                      view.picture(sharpness)});
 }
 
 void add_images(Workbench& bench, const Observation& o, std::vector<ReportPicture>& pictures) {
-  if (!bench.document.session().stereo) return;
+  if (!bench.document.session().stereo || o.left_image.empty()) return;
   QWidget pair;
   auto* left = new widgets::ImageView(&pair);
   auto* right = new widgets::ImageView(&pair);

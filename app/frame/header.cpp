@@ -60,6 +60,8 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   session_->setMenu(session_menu);
   session_->setPopupMode(QToolButton::InstantPopup);
   session_->setFont(widgets::text_font(widgets::TextRole::title));
+  session_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  session_->setMinimumWidth(96);  // a long title must not widen the window
   undo_ = button("undo", tr("Undo"), {});
   redo_ = button("redo", tr("Redo"), {});
   job_ = new QLabel(this);
@@ -92,7 +94,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { shown_jobs().stop(); });
   for (Jobs* jobs : {&bench.jobs, &bench.explaining})
     connect(jobs, &Jobs::changed, this, [this] {
-      if (shown_jobs().is_busy() && !poll_.isActive()) poll_.start(100);
+      if (shown_jobs().is_busy() && !poll_.isActive()) poll_.start(50);
       refresh_job();
     });
   connect(&poll_, &QTimer::timeout, this, &Header::refresh_job);

@@ -6,7 +6,6 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QScreen>
-#include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -17,6 +16,7 @@
 #include "export/export_workspace.h"
 #include "frame/appearance.h"
 #include "frame/centre_fill.h"
+#include "frame/centre_room.h"
 #include "frame/doubt_bar.h"
 #include "frame/header.h"
 #include "frame/input_manners.h"
@@ -128,17 +128,11 @@ void MainWindow::make_pages() {
   strip_->setObjectName("strip");
   strip_->setFixedHeight(72);
 
-  // What a workspace needs at least is not to push header, model panel or strip off a small screen.
-  auto* room = new QScrollArea(session);
-  room->setObjectName("centre_room");
-  room->setWidgetResizable(true);
-  room->setFrameShape(QFrame::NoFrame);
-  room->setFocusPolicy(Qt::NoFocus);
-  room->setWidget(centre_);
   auto* middle = new QHBoxLayout;
   middle->setSpacing(0);
   middle->addWidget(rail_);
-  middle->addWidget(room, 1);
+  // What a workspace needs is not to push header, model panel or strip off a small screen.
+  middle->addWidget(new CentreRoom(centre_, session), 1);
   middle->addWidget(panel_);
   auto* rows = new QVBoxLayout(session);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -183,11 +177,6 @@ void MainWindow::show_workspace(int index) {
   if (!bench_.document.is_open()) return;
   fill_->put_back();
   rail_->set_current(index);
-  // Only the page that is shown says how much room it needs.
-  for (int i = 0; i < centre_->count(); ++i) {
-    const auto policy = i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-    centre_->widget(i)->setSizePolicy(policy, policy);
-  }
   centre_->setCurrentIndex(index);
   fit_panel_to_workspace();
   workspaces_[static_cast<std::size_t>(index)]->activate();

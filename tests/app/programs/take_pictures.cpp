@@ -168,6 +168,9 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   photo.take_now("explain_held");
   desk.key(Qt::Key_5, Qt::ControlModifier);
   photo.take("export_effects");
+  desk.type_into(desk.find<QLineEdit>("export_path"), folder_of_pictures + "/report" + suffix + ".xml");
+  desk.press_button("report_pdf");
+  desk.press_button("report_html");
 }
 
 TEST_F(Explained, Tour) {

@@ -250,7 +250,7 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
 }
 
 TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
-  open("hidden_8");
+  open("hidden_6");
   desk.press_button("until_it_stops");
   EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Stop");
   ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
@@ -265,7 +265,7 @@ TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
 }
 
 TEST_F(Explain, AddUntilItStopsCanBeStopped) {
-  open("hidden_8");
+  open("hidden_6");
   desk.press_button("until_it_stops");
   desk.press_button("until_it_stops");
   EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Add until it stops");

@@ -73,6 +73,7 @@ TEST_F(InspectTest, ADragIsWrittenDownAndFittedOnce) {
   while (observations[index].sightings.empty()) ++index;
   const std::int64_t id = observations[index].id;
   desk.window.bench().selection.select_observation(id);
+  QTest::qWait(50);  // the sentence of this observation has another height
   auto* view = desk.find<widgets::ImageView>("inspect_left");
   const Vector2 before = *observations[index].sightings[0].left;
   const QPoint from = view->to_screen(before).toPoint();

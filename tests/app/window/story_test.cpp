@@ -120,9 +120,9 @@ TEST_F(Story, TheThreeBadPosesOfAHundredAreFoundWithTheRightBlame) {
     const std::int64_t id = *desk.window.bench().selection.current().observation;
     ASSERT_NE(desk.window.bench().selected_row(), nullptr) << id;
     EXPECT_EQ(desk.window.bench().selected_row()->blame.letter, truth.at(id)) << id;
-    const auto& shown = desk.find<widgets::BlameBar>("blame")->blame();
-    ASSERT_TRUE(shown) << id;
-    const std::map<char, double> shares = {{'C', shown->cameras}, {'B', shown->body}, {'R', shown->robot}};
+    const auto& bar = desk.find<widgets::BlameBar>("blame")->blame();
+    ASSERT_TRUE(bar) << id;
+    const std::map<char, double> shares = {{'C', bar->cameras}, {'B', bar->body}, {'R', bar->robot}};
     for (const auto& [letter, share] : shares)
       EXPECT_LE(share, shares.at(truth.at(id)))
           << id << ": the bar blames " << letter << " more than the sentence does";
