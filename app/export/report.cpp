@@ -134,10 +134,8 @@ QString body(const Document& document, const ModelVersion& model, const std::vec
                  QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
   text += numbers_part(document, model);
   for (std::size_t i = 0; i < pictures.size(); ++i)
-    // A cell of its own: a caption is not parted from its picture by the end of a page.
-    text += "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td class=\"picture\"><br/>" +
-            pictures[i].caption.toHtmlEscaped() + "<br/><img width=\"600\" src=\"" + source(i) +
-            "\"/></td></tr></table>\n";
+    // The caption below: a picture that goes to the next page takes it along.
+    text += "<p><img width=\"600\" src=\"" + source(i) + "\"/><br/>" + pictures[i].caption.toHtmlEscaped() + "</p>\n";
   return text + decisions_part(model) + checks_part(document) + actions_part(document);
 }
 
@@ -155,7 +153,7 @@ QString report_html(const Document& document, const ModelVersion& model, const s
   return "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"/><title>Handsight</title><style>\n"
          "body{font:14px sans-serif;max-width:760px;margin:32px auto;color:#1b2128;background:#fff}\n"
          "th,td{border-bottom:1px solid #d0d5db;padding:4px 12px 4px "
-         "0}h2{margin-top:32px}img{max-width:100%}td.picture{border:0}\n"
+         "0}h2{margin-top:32px}img{max-width:100%}\n"
          "</style></head><body>\n" +
          body(document, model, pictures, verdict, inside) + "</body></html>\n";
 }
