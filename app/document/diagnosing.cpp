@@ -121,6 +121,7 @@ void Diagnosing::start() {
         }
         if (control.is_cancelled()) return false;
         ImprovementOptions options;
+        options.with_curves = false;  // cards are names
         options.effects = version->settings.held;
         options.estimated = version->settings.estimated;
         options.on_progress = [&](double done) {

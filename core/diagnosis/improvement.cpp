@@ -50,6 +50,15 @@ void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, M
   change.steps.push_back(std::move(step));
 }
 
+/// Without curves beside them, names that leave an unnamed curve on top have explained nothing.
+void take_back(Improvement& settled, Improvement& m) {
+  for (std::size_t i = settled.steps.size(); i < m.steps.size(); ++i)
+    m.refused.push_back({m.steps[i].added, m.steps[i].where,
+                         "with it an unnamed curve, which is to be left out, still explains more than any name"});
+  m.steps = std::move(settled.steps);
+  m.last = std::move(settled.last);
+}
+
 }  // namespace
 
 ImprovementStep step_of(const Diagnosis& model) {
@@ -123,6 +132,7 @@ Improvement improve(const Session& session, const ImprovementOptions& options) {
   m.stopped = m.last.stopped;
   const std::optional<double> excess = m.last.excess;
   std::vector<RefusedStep> refused;  // of the last model
+  Improvement settled = m;           // names alone: the last model that no unnamed curve outdoes
   while (!m.stopped && static_cast<int>(m.steps.size()) <= options.most_steps) {
     if (options.on_step && !options.on_step(m.steps.back())) {
       m.stopped = true;
@@ -135,7 +145,9 @@ Improvement improve(const Session& session, const ImprovementOptions& options) {
     if (!change.model) break;
     m.steps.insert(m.steps.end(), change.steps.begin(), change.steps.end());
     m.last = std::move(*change.model);
+    if (!options.with_curves && !is_outdone(m.last)) settled = m;
   }
+  if (!options.with_curves && is_outdone(m.last) && !m.stopped) take_back(settled, m);
   if (!m.stopped) conclude(session, options, excess, refused, m);
   return m;
 }

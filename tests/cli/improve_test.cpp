@@ -94,8 +94,7 @@ TEST_F(Improve, Hidden8StaysUnexplained) {
   EXPECT_NEAR(r["held_out_rms_pixel"].get<double>(), truth.noise, 0.05 * truth.noise);
   EXPECT_GT(r["left"]["unnamed_share"].get<double>(), 0.9);
   EXPECT_LT(r["left"]["named_share"].get<double>(), 0.1);
-  for (const Json& named : run(sample_session("hidden_8"), {"--names-only"}).json()["steps"])
-    EXPECT_TRUE(named["formula"].is_null()) << named.dump();
+  EXPECT_EQ(run(sample_session("hidden_8"), {"--names-only"}).json()["steps"].size(), 1u);
 }
 
 /// docs/own_effects.md: the same session with the effect that the page defines, and the export read by `predict`.

@@ -82,12 +82,12 @@ void time_lag(const DrawingKit& kit) {
 
 /// The stand was knocked: the camera is elsewhere from one moment on.
 void mount_slip(const DrawingKit& kit) {
-  kit.line(Ink::help, {8, 88}, {88, 88});
-  kit.link(Ink::model, {30, 88}, {30, 50}, 6);
-  kit.camera(Ink::model, {30, 40}, 0, 42);
-  kit.link(Ink::effect, {46, 88}, {58, 52}, 6);
-  kit.camera(Ink::effect, {61, 42}, 18, 42);
-  kit.arrow(Ink::effect, {34, 70}, {48, 70});
+  kit.line(Ink::help, {8, 86}, {84, 86});
+  kit.link(Ink::model, {24, 84}, {24, 56}, 6);
+  kit.camera(Ink::model, {24, 46}, 0, 28);
+  kit.link(Ink::effect, {44, 84}, {54, 58}, 6);
+  kit.camera(Ink::effect, {57, 48}, 14, 26);
+  kit.arrow(Ink::effect, {29, 72}, {43, 72});
 }
 
 /// The camera creeps while the session lasts: it warms up.
