@@ -50,6 +50,22 @@ void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, M
   change.steps.push_back(std::move(step));
 }
 
+/// Nothing is left to add: is there a better name for something? The last step then tells of it, and all begins again.
+bool exchanged_at_the_end(const Session& session, const ImprovementOptions& options, Improvement& m,
+                          const ModelChange& nothing) {
+  constexpr std::size_t most = 8;
+  if (m.stopped || nothing.stopped || m.steps.size() < 2 || m.steps.back().exchanged.size() >= most) return false;
+  ModelChange change;
+  change.model = m.last;
+  change.steps = {m.steps.back()};
+  const bool changed = exchange_at_the_end(session, options, change);
+  m.stopped = change.stopped;
+  if (!changed || m.stopped) return false;
+  m.steps.back() = change.steps.back();
+  m.last = std::move(*change.model);
+  return true;
+}
+
 /// Without curves beside them, names that leave an unnamed curve on top have explained nothing.
 void take_back(Improvement& settled, Improvement& m) {
   for (std::size_t i = settled.steps.size(); i < m.steps.size(); ++i)
@@ -142,7 +158,8 @@ Improvement improve(const Session& session, const ImprovementOptions& options) {
     refused = change.refused;
     m.refused.insert(m.refused.end(), change.refused.begin(), change.refused.end());
     m.stopped = change.stopped;
-    if (!change.model) break;
+    if (!change.model && !exchanged_at_the_end(session, options, m, change)) break;
+    if (m.stopped || !change.model) continue;
     m.steps.insert(m.steps.end(), change.steps.begin(), change.steps.end());
     m.last = std::move(*change.model);
     if (!options.with_curves && !is_outdone(m.last)) settled = m;

@@ -11,7 +11,8 @@
 namespace handsight {
 namespace {
 
-constexpr double clearly_better = 2;  // ln: for another form of a curve
+constexpr int most_groups_each_time = 4;  // exchanges are looked for after every addition up to here, then in the end
+constexpr double clearly_better = 2;      // ln: for another form of a curve
 
 /// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
 /// the estimated ones were 0 and all else followed.
@@ -40,8 +41,15 @@ class Upkeep {
 
   void run() {
     drop_what_is_no_longer_needed();
-    exchange_names();
+    if (group_count() <= most_groups_each_time) exchange_names(false);
     look_for_forms_again();
+  }
+
+  bool run_at_the_end() {
+    if (group_count() <= most_groups_each_time) return false;
+    const std::size_t before = change_.steps.back().exchanged.size();
+    exchange_names(true);
+    return change_.steps.back().exchanged.size() > before;
   }
 
  private:
@@ -62,6 +70,13 @@ class Upkeep {
     o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
                       o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
     return o;
+  }
+
+  int group_count() const {
+    int count = 0;
+    for (std::size_t first = options_.estimated.size(); first < terms().size(); first = end_of_group(terms(), first))
+      ++count;
+    return count;
   }
 
   /// The model in place of the present one, where it does not lift the held-out error; the step says what went.
@@ -102,10 +117,10 @@ class Upkeep {
   }
 
   /// Names and curves that stood in for another name are exchanged; a name that was added last stays.
-  void exchange_names() {
+  void exchange_names(bool with_last) {
     for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
       const std::size_t last = end_of_group(terms(), first);
-      if (last == terms().size() && !is_curve(terms()[first])) return;
+      if (last == terms().size() && !with_last && !is_curve(terms()[first])) return;
       const std::string removed = terms()[first].id;
       const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
       if (exchange && !change_.stopped &&
@@ -211,6 +226,10 @@ std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first
 
 void keep_up(const Session& session, const ImprovementOptions& options, double most, ModelChange& change) {
   Upkeep(session, options, most, change).run();
+}
+
+bool exchange_at_the_end(const Session& session, const ImprovementOptions& options, ModelChange& change) {
+  return Upkeep(session, options, held_out_error(*change.model), change).run_at_the_end();
 }
 
 }  // namespace handsight

@@ -21,4 +21,8 @@ std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first
 /// it lifts the held-out error above `most`.
 void keep_up(const Session& session, const ImprovementOptions& options, double most, ModelChange& change);
 
+/// Looks for better names in the place of all that was added, the last too: once nothing is left to add, where the
+/// model has grown beyond what keep_up looks through after every addition. False where all stays.
+bool exchange_at_the_end(const Session& session, const ImprovementOptions& options, ModelChange& change);
+
 }  // namespace handsight

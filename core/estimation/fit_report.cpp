@@ -114,7 +114,10 @@ Unknowns part_estimate(const Fit& fit, const FitOptions& options, const std::vec
     if (const auto nearby = nearby_estimate(fit, trains)) return *nearby;
   FitOptions fold_options = options;
   // Effects are followed to a ten-thousandth of their plausible size: far below what a fold shows of them.
-  if (fit.problem.effect_count() > 0) fold_options.smallest_step = std::max(options.smallest_step, 1e-7);
+  if (fit.problem.effect_count() > 0) {
+    fold_options.smallest_step = std::max(options.smallest_step, 1e-7);
+    fold_options.reuse_below = std::max(options.reuse_below, 1e-4);
+  }
   return refit(fit, fold_options, part_of(fit.problem, trains), fit.noise.value_or(1));
 }
 
