@@ -51,6 +51,7 @@ std::vector<Worth> worths(const Session& session, const Fit& f) {
     }
     Worth w{e.term.id, place, is_curve(e.term), "", moved_by(f, e.term.id)};
     if (w.unnamed) w.text = e.term.own->definition->cause;
+    while (w.text.ends_with('.')) w.text.pop_back();
     list.push_back(std::move(w));
   }
   return list;

@@ -124,14 +124,10 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
 ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
   ModelChange all;
   if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return all;
-  std::vector<const DiagnosisCandidate*> order;
-  for (const DiagnosisCandidate& c : model.candidates)
-    if (c.ln_bayes_factor >= model.threshold && (!c.unnamed || (options.with_curves && c.refitted)))
-      order.push_back(&c);
-  if (options.names_first)
-    std::stable_partition(order.begin(), order.end(), [](const DiagnosisCandidate* c) { return !c->unnamed; });
-  for (const DiagnosisCandidate* c : order) {
-    ModelChange one = add_candidate(session, options, model, *c);
+  for (const DiagnosisCandidate& c : model.candidates) {
+    const bool can_be_taken = !c.unnamed || (options.with_curves && c.refitted);
+    if (c.ln_bayes_factor < model.threshold || !can_be_taken) continue;
+    ModelChange one = add_candidate(session, options, model, c);
     all.refused.insert(all.refused.end(), one.refused.begin(), one.refused.end());
     all.model = std::move(one.model);
     all.steps = std::move(one.steps);

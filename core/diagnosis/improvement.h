@@ -30,8 +30,8 @@ struct ImprovementOptions {
   std::vector<EffectTerm> effects;    // in the model, held
   std::vector<EffectTerm> estimated;  // in the model from the start, estimated; never removed
   int most_steps = 24;
-  bool names_first = false;  // a curve is taken in only where no name passes, not where it leads
-  bool with_curves = true;   // ... beside the names; without curves, names that leave one on top are taken back
+  /// Curves without a name are taken in beside the names; without them, names that leave a curve on top are taken back.
+  bool with_curves = true;
   /// After every diagnosis and before every change; returning false stops with what there is.
   std::function<bool(const ImprovementStep& latest)> on_step;
   std::function<bool(double done)> on_progress;  // as in DiagnosisOptions

@@ -141,17 +141,6 @@ Fit told(const Messy& m, bool everything) {
   return fit(m.session, o);
 }
 
-Fit all_at_once(const Messy& m) {
-  const Chain chain = chain_of(m.session);
-  FitOptions o;
-  for (const Effect& e : catalogue())
-    if (e.parameters.back().choices.empty() && !e.parameters.back().is_choice)
-      for (const int place : effect_places(e, chain)) o.estimated.push_back(term_of(e, place));
-  o.least_gain = 1e-4;
-  o.most_iterations = 30;
-  return fit(m.session, o);
-}
-
 std::set<std::string> ids_of(const std::vector<EffectTerm>& terms) {
   std::set<std::string> ids;
   for (const EffectTerm& t : terms)
@@ -172,22 +161,19 @@ double median(std::vector<double> v) {
 }
 
 struct Row {
-  std::vector<double> alone, all, improved, told, everything;
+  std::vector<double> alone, improved, told, everything;
   int true_names = 0, found = 0, named = 0, wrong = 0, missing_at_the_end = 0, curve_seen = 0, trials = 0;
 };
 
-void run_trial(int robot, std::uint64_t seed, double size_mm, bool with_all, Row& row) {
+void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
   const Messy m = messy_session(robot, seed, size_mm);
   row.alone.push_back(error_on_fresh(m, fit(m.session)));
   const auto start = std::chrono::steady_clock::now();
-  ImprovementOptions options;
-  options.names_first = std::getenv("NAMES_FIRST") != nullptr;
-  const Improvement i = improve(m.session, options);
+  const Improvement i = improve(m.session);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   row.improved.push_back(error_on_fresh(m, i.last.model.fit));
   row.told.push_back(error_on_fresh(m, told(m, false)));
   row.everything.push_back(error_on_fresh(m, told(m, true)));
-  if (with_all) row.all.push_back(error_on_fresh(m, all_at_once(m)));
   const std::set<std::string> truth = ids_of(m.effects), found = ids_of(terms_of(i.last.model.fit));
   int right = 0;
   for (const std::string& id : found) right += static_cast<int>(truth.count(id));
@@ -219,17 +205,17 @@ int messy_trials(const Arguments& a) {
     for (int i = 0; i < a.count; ++i) {
       const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
       const int robot = a.robot >= 0 ? a.robot : std::array{3, 1, 3, 2, 3, 0}[static_cast<std::size_t>(i) % 6];
-      run_trial(robot, seed, size_mm, std::getenv("WITH_ALL") != nullptr, row);
+      run_trial(robot, seed, size_mm, row);
     }
     fmt::print(
-        "outside the catalogue {} mm, {} robots, medians (mm): TCP->Body alone {:.3f}, all at once {:.3f}, improve "
+        "outside the catalogue {} mm, {} robots, medians (mm): TCP->Body alone {:.3f}, improve "
         "{:.4f}, "
         "told the effects {:.4f}, told everything {:.4f}; names found {:.0f} % of {}, wrong {:.0f} % of {}; "
         "missing_effect at "
         "the end {}\n",
-        size_mm, row.trials, median(row.alone), median(row.all), median(row.improved), median(row.told),
-        median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
-        100.0 * row.wrong / std::max(1, row.named), row.named, row.missing_at_the_end);
+        size_mm, row.trials, median(row.alone), median(row.improved), median(row.told), median(row.everything),
+        100.0 * row.found / std::max(1, row.true_names), row.true_names, 100.0 * row.wrong / std::max(1, row.named),
+        row.named, row.missing_at_the_end);
   }
   return 0;
 }
