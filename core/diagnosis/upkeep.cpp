@@ -79,6 +79,16 @@ class Upkeep {
     return count;
   }
 
+  /// The model without these terms, fitted on the same points, and the options that go on from there.
+  std::pair<CleanFit, FitOptions> fitted_without(std::size_t first, std::size_t last, const Weighing& by) const {
+    const Session& points = change_.model->model.session;
+    FitOptions o = options_without(first, last, by);
+    CleanFit without{points, fit(points, o), {}};
+    for (std::size_t t = 0; t < o.estimated.size(); ++t)
+      o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
+    return {std::move(without), std::move(o)};
+  }
+
   /// The model in place of the present one, where it does not lift the held-out error; the step says what went.
   bool take(Diagnosis next, const std::string& removed) {
     change_.stopped = change_.stopped || next.stopped;
@@ -145,13 +155,9 @@ class Upkeep {
   }
 
   void look_for_moment(std::size_t first, std::size_t last) {
-    const Diagnosis& d = *change_.model;
-    const Weighing by = weighing(d.model.fit);
+    const Weighing by = weighing(change_.model->model.fit);
     const std::vector<EffectTerm> present = group(first, last);
-    FitOptions o = options_without(first, last, by);
-    const CleanFit without{d.model.session, fit(d.model.session, o), {}};
-    for (std::size_t t = 0; t < o.estimated.size(); ++t)
-      o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
+    const auto [without, o] = fitted_without(first, last, by);
     const std::vector<EffectTerm> other = with_best_orders(without, present, by);
     if (slip_order(other) == slip_order(present) || !goes_on()) return;
     const Refit now = refit_with(without, o, present, by), then = refit_with(without, o, other, by);
@@ -169,13 +175,9 @@ class Upkeep {
   }
 
   void look_for_curve(std::size_t first, std::size_t last) {
-    const Diagnosis& d = *change_.model;
-    const Weighing by = weighing(d.model.fit);
+    const Weighing by = weighing(change_.model->model.fit);
     const std::vector<EffectTerm> present = group(first, last);
-    FitOptions o = options_without(first, last, by);
-    const CleanFit without{d.model.session, fit(d.model.session, o), {}};
-    for (std::size_t t = 0; t < o.estimated.size(); ++t)
-      o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
+    const auto [without, o] = fitted_without(first, last, by);
     Candidates none;
     none.problem = with_motions(without.fit.problem);
     none.base_effects = none.problem.effect_count();
@@ -187,10 +189,9 @@ class Upkeep {
     const auto found = find_curve(w, by.knowledge, none.problem, variables, ranking.localisers, present.front().id);
     if (!found || formula_text(*found->term.own->definition) == formula_text(*present.front().own->definition)) return;
     const Refit now = refit_with(without, o, present, by), other = refit_with(without, o, {found->term}, by);
-    if (!other.fit.converged() ||
-        other.ln_bayes_factor - found->ln_ways < now.ln_bayes_factor - found->ln_ways + clearly_better)
-      return;
-    replace(first, last, other);
+    // Both were chosen in as many ways.
+    if (other.fit.converged() && other.ln_bayes_factor > now.ln_bayes_factor + clearly_better)
+      replace(first, last, other);
   }
 
   const Session& session_;

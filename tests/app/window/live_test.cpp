@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot that moves while the window watches: images and angles arrive in the session's folder.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <QToolButton>
-#include <atomic>
 #include <fstream>
-#include <thread>
 
 #include "app/arriving_session.h"
 #include "app/window/pages.h"
