@@ -2,10 +2,10 @@
 # Shared by ./run and ./test: the packages of Debian 12 that Handsight needs, and how it is built.
 
 build_packages=(g++ cmake ninja-build ccache mold libeigen3-dev libceres-dev libopencv-dev libtinyxml2-dev libcli11-dev
-  nlohmann-json3-dev libfmt-dev libboost-dev)
+  nlohmann-json3-dev libfmt-dev libboost-dev libmuparser-dev pkg-config)
 window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev libvtk9-dev libqcustomplot-dev
   libqcustomplot2.1-qt6 fonts-dejavu-core)
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick poppler-utils)
 
 # install_missing WHY PACKAGE...: asks apt for those that are not there; says what and why before it does.
 install_missing() {

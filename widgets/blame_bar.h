@@ -18,6 +18,7 @@ class BlameBar : public QWidget {
  public:
   explicit BlameBar(QWidget* parent = nullptr);
   void set_blame(std::optional<Blame> blame);
+  const std::optional<Blame>& blame() const { return blame_; }
   /// In words: what it is, what would make it right. Wraps.
   void set_sentence(const QString& sentence);
   QSize sizeHint() const override;

@@ -127,11 +127,22 @@ int ConvergencePlot::settled_at(int curve) const {
   return first + 1 >= samples_.size() ? 0 : samples_[first].count;
 }
 
+/// In full where the axis is as long as that.
+void ConvergencePlot::name_y_axis() {
+  constexpr int long_enough = 170;
+  const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
+  plot_->yAxis->setLabel(has_bands && height() >= long_enough ? QStringLiteral("%1 from last").arg(unit_) : unit_);
+}
+
+void ConvergencePlot::resizeEvent(QResizeEvent* event) {
+  PlotWidget::resizeEvent(event);
+  name_y_axis();
+}
+
 void ConvergencePlot::fill() {
   const double factor = factor_of(unit_);
   const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
-  const QString label = has_bands ? QStringLiteral("%1 from last") : QStringLiteral("%1");
-  plot_->yAxis->setLabel(label.arg(unit_));
+  name_y_axis();
   for (std::size_t i = 0; i < 3; ++i) {
     // Where a band says how well a value is known, what matters is the way to the last one.
     const double origin = has_bands ? samples_.back().value[i] : 0;

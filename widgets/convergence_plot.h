@@ -48,6 +48,7 @@ class ConvergencePlot : public PlotWidget {
   void observation_hovered(qint64 id);
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   void restyle() override;
   std::vector<PlotColumn> columns() const override;
   QString text_at(const QPointF& position) override;
@@ -56,6 +57,7 @@ class ConvergencePlot : public PlotWidget {
 
  private:
   void fill();
+  void name_y_axis();
   void place_selected();
   void mark_settled();
   const Sample* sample_at(const QPointF& position) const;

@@ -26,6 +26,11 @@ class DecisionModel : public QAbstractListModel {
     const DecisionEntry& entry = entries[static_cast<std::size_t>(index.row())];
     if (role == Qt::DisplayRole)
       return QStringLiteral("%1 %2 %3").arg(entry.id).arg(what(entry), entry.reason).trimmed();
+    if (role == Qt::AccessibleTextRole)
+      return QStringLiteral("%1 %2 %3 %4")
+          .arg(entry.id)
+          .arg(what(entry), size_text(entry.size), entry.reason)
+          .trimmed();
     if (role == Qt::ToolTipRole) return entry.reason.isEmpty() ? QVariant() : entry.reason;
     return {};
   }

@@ -54,7 +54,8 @@ DesktopTheme::DesktopTheme(QObject* parent) : QObject(parent), kind_(kind_of_pal
 
 void DesktopTheme::setting_changed(const QString& group, const QString& key, const QDBusVariant& value) {
   if (group != kGroup || key != kKey) return;
-  const ThemeKind kind = kind_of_answer(value.variant()).value_or(kind_);
+  // Desktops that were dark and are so no longer say "no preference" (GNOME), not "light".
+  const ThemeKind kind = kind_of_answer(value.variant()).value_or(ThemeKind::light);
   if (kind == kind_) return;
   kind_ = kind;
   emit changed(kind);

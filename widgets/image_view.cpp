@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/image_contrast.h"
 #include "widgets/image_view_drag.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
@@ -37,6 +38,7 @@ void ImageView::set_title(const QString& title) {
 void ImageView::set_image(const QImage& image) {
   const QSizeF before = frame_size();
   image_ = image;
+  refresh_shown();
   frame_width_ = image.width();
   frame_height_ = image.height();
   if (before != frame_size() || is_fitted_) fit();
@@ -44,7 +46,7 @@ void ImageView::set_image(const QImage& image) {
 }
 
 void ImageView::clear(const QString& sentence) {
-  image_ = {};
+  image_ = shown_ = {};
   frame_width_ = frame_height_ = 0;
   empty_text_ = sentence;
   corners_.clear(), epipolar_line_.clear(), marks_.clear(), axes_.clear(), arrows_.clear(), candidates_.clear();
@@ -59,6 +61,12 @@ void ImageView::set_frame_size(int width, int height) {
   frame_height_ = height;
   if (is_new || is_fitted_) fit();
   update();
+}
+
+void ImageView::show_frame(int width, int height) {
+  if (!image_.isNull()) clear({});
+  empty_text_.clear();
+  set_frame_size(width, height);
 }
 
 #define HANDSIGHT_SETTER(name, Type, member) \
@@ -82,6 +90,22 @@ HANDSIGHT_SETTER(set_loupe, bool, has_loupe_)
 void ImageView::set_labelling(bool labelling) {
   is_labelling_ = labelling;
   setCursor(labelling ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void ImageView::set_stretched(bool stretched) {
+  is_stretched_ = stretched;
+  refresh_shown();
+  update();
+}
+
+void ImageView::refresh_shown() { shown_ = is_stretched_ ? with_stretched_contrast(image_) : image_; }
+
+bool ImageView::is_inside(const Vector2& px) const {
+  return px.x() >= -0.5 && px.y() >= -0.5 && px.x() <= frame_width_ - 0.5 && px.y() <= frame_height_ - 0.5;
+}
+
+Vector2 ImageView::nearest_inside(const Vector2& px) const {
+  return px.cwiseMax(Vector2(0, 0)).cwiseMin(Vector2(frame_width_ - 1, frame_height_ - 1));
 }
 
 QRectF ImageView::image_area() const { return QRectF(rect()).adjusted(0, title_.isEmpty() ? 0 : kHeader, 0, 0); }

@@ -60,9 +60,9 @@ struct ImageViewport {
 };
 
 /// Wheel zooms at the pointer, dragging pans (with the left button where nothing is grabbed, always with the middle
-/// one), double click fits. What a click does depends on the mode: viewing, it selects the mark under it; labelling,
-/// it says where it was and marks can be dragged and nudged. The pointer and keys never change what is shown in it by
-/// themselves: signals ask, setters answer.
+/// one), double click fits (where it is not labelling). What a click does depends on the mode: viewing, it selects the
+/// mark under it; labelling, it says where it was and marks can be dragged and nudged. The pointer and keys never
+/// change what is shown in it by themselves: signals ask, setters answer.
 class ImageView : public QWidget {
   Q_OBJECT
  public:
@@ -73,6 +73,7 @@ class ImageView : public QWidget {
   void set_image(const QImage& image);         // keeps the viewport where the size is the same, else fits
   void clear(const QString& sentence);         // no image: the sentence in its place
   void set_frame_size(int width, int height);  // without an image: overlays on an empty frame of this size
+  void show_frame(int width, int height);      // the same in place of an image; what is being dragged stays so
   void set_corners(std::vector<Vector2> corners);
   void set_marks(std::vector<ImageMark> marks);
   void set_selected_marker(int marker);  // -1: none
@@ -84,6 +85,8 @@ class ImageView : public QWidget {
   void set_candidates(std::vector<ImageCandidate> candidates);
   void set_hovered_candidate(int index);  // -1: none
   void set_labelling(bool labelling);
+  /// Shows dark or pale images with their grey levels spread over all that a screen has; image() stays as it is.
+  void set_stretched(bool stretched);
   void set_loupe(bool shown);  // 8 x, beside the pointer, never under it
   void set_viewport(const ImageViewport& viewport);
   void fit();
@@ -145,7 +148,11 @@ class ImageView : public QWidget {
   void paint_pointer_loupe(QPainter& painter) const;
   void paint_title(QPainter& painter) const;
 
-  QImage image_;
+  void refresh_shown();
+  bool is_inside(const Vector2& px) const;
+  Vector2 nearest_inside(const Vector2& px) const;
+
+  QImage image_, shown_;  // shown_: as it is painted
   QString title_, empty_text_;
   int frame_width_ = 0, frame_height_ = 0;
   std::vector<Vector2> corners_, epipolar_line_;
@@ -155,7 +162,7 @@ class ImageView : public QWidget {
   std::vector<ImageCandidate> candidates_;
   int selected_marker_ = -1, hovered_marker_ = -1, hovered_candidate_ = -1;
   double magnification_ = 1;
-  bool is_labelling_ = false, has_loupe_ = false, is_fitted_ = true;
+  bool is_labelling_ = false, has_loupe_ = false, is_fitted_ = true, is_stretched_ = false;
   ImageViewport viewport_;
   std::optional<QPointF> pointer_;
   std::unique_ptr<Drag> drag_;

@@ -2,6 +2,7 @@
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMetaMethod>
 #include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,8 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
   if (!drag_->has_moved && std::hypot(d.x(), d.y()) < 4) return;
   drag_->has_moved = true;
   if (drag_->kind == Drag::marker) {
-    emit marker_dragged(drag_->number, to_image(event->position() + drag_->grip), false, event->modifiers());
+    const Vector2 to = nearest_inside(to_image(event->position() + drag_->grip));
+    emit marker_dragged(drag_->number, to, false, event->modifiers());
     return;
   }
   ImageViewport v = drag_->viewport;
@@ -71,23 +73,22 @@ void ImageView::mouseReleaseEvent(QMouseEvent* event) {
   if (!drag_ || event->button() != drag_->button) return;
   const std::unique_ptr<Drag> drag = std::move(drag_);
   if (drag->kind == Drag::marker && drag->has_moved) {
-    emit marker_dragged(drag->number, to_image(event->position() + drag->grip), true, event->modifiers());
+    const Vector2 to = nearest_inside(to_image(event->position() + drag->grip));
+    emit marker_dragged(drag->number, to, true, event->modifiers());
     return;
   }
   if (drag->has_moved || drag->button != Qt::LeftButton || drag->number >= 0) return;
   const int candidate = candidate_at(event->position());
   if (candidate >= 0)
     emit candidate_chosen(candidates_[static_cast<std::size_t>(candidate)].index);
-  else if (is_labelling_)
+  else if (is_labelling_ && is_inside(to_image(event->position())))
     emit pointed(to_image(event->position()), event->modifiers());
 }
 
 void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
-  // While labelling two quick clicks are two clicks.
-  if (is_labelling_ || event->button() != Qt::LeftButton) {
-    mousePressEvent(event);
-    return;
-  }
+  if (event->button() != Qt::LeftButton) return mousePressEvent(event);
+  // While labelling the first click has done what is to be done: the second one places nothing.
+  if (is_labelling_ && isSignalConnected(QMetaMethod::fromSignal(&ImageView::pointed))) return;
   fit();
   emit viewport_changed(viewport_);
 }

@@ -60,7 +60,7 @@ void ImageView::paint_image(QPainter& painter) const {
                          .intersected(image_.rect());
   if (part.isEmpty()) return;
   const QPointF at = to_screen({part.left() - 0.5, part.top() - 0.5});
-  painter.drawImage(QRectF(at, QSizeF(part.size()) * viewport_.zoom), image_, QRectF(part));
+  painter.drawImage(QRectF(at, QSizeF(part.size()) * viewport_.zoom), shown_, QRectF(part));
 }
 
 void ImageView::paint_corners(QPainter& painter) const {
@@ -177,7 +177,7 @@ void ImageView::paint_pointer_loupe(QPainter& painter) const {
   if (x + side > area.right()) x = pointer_->x() - gap - side;
   if (y < area.top()) y = pointer_->y() + gap;
   const QRectF target(x, y, side, side);
-  paint_loupe(painter, target, image_, to_image(*pointer_), 8);
+  paint_loupe(painter, target, shown_, to_image(*pointer_), 8);
   painter.setPen(QPen(colors().control_edge, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(target);
@@ -198,7 +198,7 @@ void ImageView::paint_title(QPainter& painter) const {
   }
   if (!arrows_.empty() && magnification_ != 1 && !frame_size().isEmpty()) {
     painter.setFont(text_font(TextRole::small));
-    const QString text = QStringLiteral("arrows %1 ×").arg(QString::number(magnification_, 'g', 3));
+    const QString text = QStringLiteral("arrows %1 ×").arg(times_text(magnification_));
     draw_plate(painter, QPointF(6, height() - 12.0), text, c.ink1, c.panel);
   }
 }

@@ -323,8 +323,13 @@ void ModelPanel::add_parameter(const ModelEffect& effect, int index, QWidget* bo
 }
 
 void ModelPanel::rebuild() {
-  const QWidget* focused = content_->isAncestorOf(focusWidget()) ? focusWidget() : nullptr;
+  QWidget* focused = content_->isAncestorOf(focusWidget()) ? focusWidget() : nullptr;
   const QString focus = focused ? focused->objectName() : QString();
+  // A number that is being typed is neither taken nor lost because the rows come anew.
+  auto* typing = qobject_cast<QLineEdit*>(focused);
+  const QString typed = typing && typing->isModified() ? typing->text() : QString();
+  const int cursor = typing ? typing->cursorPosition() : 0;
+  for (QLineEdit* field : content_->findChildren<QLineEdit*>()) field->blockSignals(true);
   while (QLayoutItem* item = list_->takeAt(0)) {
     if (item->widget()) {
       // A check box's own click may be what led here: it must outlive its signal.
@@ -344,7 +349,15 @@ void ModelPanel::rebuild() {
   if (focus.isEmpty()) return;
   for (int i = list_->count(); i-- > 0;)
     if (QWidget* box = list_->itemAt(i)->widget())
-      if (auto* again = box->findChild<QWidget*>(focus)) return again->setFocus();
+      if (auto* again = box->findChild<QWidget*>(focus)) {
+        again->setFocus();
+        auto* field = qobject_cast<QLineEdit*>(again);
+        if (!field || typed.isEmpty()) return;
+        field->setText(typed);
+        field->setModified(true);
+        field->setCursorPosition(cursor);
+        return;
+      }
 }
 
 bool ModelPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -59,6 +59,8 @@ static QString exact_text(double value) {
   return text;
 }
 
+QString times_text(double factor) { return exact_text(factor); }
+
 QString with_sigma_text(std::optional<double> value, std::optional<double> sigma) {
   if (!is_known(value)) return kUnknown;
   if (!is_known(sigma) || *sigma <= 0) return exact_text(*value);

@@ -16,6 +16,9 @@ QString fixed_text(std::optional<double> value, int decimals);
 /// 10).
 QString short_text(std::optional<double> value, int digits = 2);
 
+/// A factor: 1, 2.5, 2000; no zeros that say nothing.
+QString times_text(double factor);
+
 /// "12.34 ± 0.05": sigma to two digits, the value to the same place; an exact value (no sigma) to at most four digits.
 QString with_sigma_text(std::optional<double> value, std::optional<double> sigma);
 

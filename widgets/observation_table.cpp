@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "widgets/observation_table_model.h"
 #include "widgets/theme.h"
@@ -151,6 +152,7 @@ void ObservationTable::set_units(SizeUnit first, std::optional<SizeUnit> second)
 }
 
 void ObservationTable::set_rows(std::vector<ObservationRow> rows) {
+  const std::vector<ObservationId> chosen = selected_many();
   is_telling_ = true;
   const bool is_first = model_->rows().empty();
   model_->set_rows(std::move(rows));
@@ -158,9 +160,7 @@ void ObservationTable::set_rows(std::vector<ObservationRow> rows) {
   if (is_first)
     filter_->sort(view_->horizontalHeader()->sortIndicatorSection(), view_->horizontalHeader()->sortIndicatorOrder());
   is_telling_ = false;
-  const ObservationId before = selected_;
-  selected_ = kNoObservation;
-  set_selected(before);
+  select_again(chosen);
   update_summary();
   resort_->setVisible(!is_first && !filter_->is_in_order());
 }
@@ -174,6 +174,7 @@ void ObservationTable::set_selected(ObservationId id) {
   const int row = model_->row_of(id);
   if (id == selected_ && row >= 0 && selected_many().size() == 1) return;
   selected_ = row < 0 ? kNoObservation : id;
+  are_many_ = false;
   is_telling_ = true;
   const QModelIndex index = row < 0 ? QModelIndex() : filter_->mapFromSource(model_->index(row, 0));
   if (index.isValid()) {
@@ -185,6 +186,34 @@ void ObservationTable::set_selected(ObservationId id) {
   is_telling_ = false;
 }
 
+void ObservationTable::set_selected_many(const std::vector<ObservationId>& ids, ObservationId current) {
+  if (ids.size() < 2) return set_selected(current);
+  std::vector<ObservationId> now = selected_many(), wanted;
+  for (const ObservationId id : ids)
+    if (const int row = model_->row_of(id); row >= 0 && filter_->mapFromSource(model_->index(row, 0)).isValid())
+      wanted.push_back(id);
+  std::sort(now.begin(), now.end());
+  std::sort(wanted.begin(), wanted.end());
+  selected_ = model_->row_of(current) < 0 ? kNoObservation : current;
+  are_many_ = wanted.size() > 1;
+  if (now == wanted) return;
+  is_telling_ = true;
+  QItemSelection rows;
+  for (const ObservationId id : wanted) {
+    const QModelIndex index = filter_->mapFromSource(model_->index(model_->row_of(id), 0));
+    rows.select(index, index);
+  }
+  view_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  is_telling_ = false;
+  update_summary();
+}
+
+/// What was chosen stays chosen when rows come anew or are filtered.
+void ObservationTable::select_again(const std::vector<ObservationId>& ids) {
+  const ObservationId before = std::exchange(selected_, kNoObservation);
+  ids.size() > 1 ? set_selected_many(ids, before) : set_selected(before);
+}
+
 void ObservationTable::set_hovered(ObservationId id) {
   hovered_ = id;
   model_->set_hovered(id);
@@ -194,10 +223,9 @@ void ObservationTable::set_highlighted(std::vector<ObservationId> ids) { model_-
 
 void ObservationTable::set_filter(RowFilter filter) {
   filter_buttons_->button(static_cast<int>(filter))->setChecked(true);
+  const std::vector<ObservationId> chosen = selected_many();
   filter_->set_kind(filter);
-  const ObservationId before = selected_;
-  selected_ = kNoObservation;
-  set_selected(before);
+  select_again(chosen);
   update_summary();
 }
 
@@ -228,7 +256,8 @@ void ObservationTable::report_selection() {
   const std::vector<ObservationId> ids = selected_many();
   update_summary();
   if (ids.size() > 1) emit observations_selected(std::vector<qint64>(ids.begin(), ids.end()));
-  if (ids.size() != 1 || ids.front() == selected_) return;
+  const bool were_many = std::exchange(are_many_, ids.size() > 1);
+  if (ids.size() != 1 || (ids.front() == selected_ && !were_many)) return;
   selected_ = ids.front();
   emit observation_selected(selected_);
 }

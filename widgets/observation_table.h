@@ -44,6 +44,8 @@ class ObservationTable : public QWidget {
   void set_units(SizeUnit first, std::optional<SizeUnit> second);
   void set_row(const ObservationRow& row);
   void set_selected(ObservationId id);
+  /// Several at once, `current` among them; fewer than two: as set_selected.
+  void set_selected_many(const std::vector<ObservationId>& ids, ObservationId current);
   void set_hovered(ObservationId id);
   void set_highlighted(std::vector<ObservationId> ids);
   void set_filter(RowFilter filter);
@@ -70,6 +72,7 @@ class ObservationTable : public QWidget {
 
  private:
   void report_selection();
+  void select_again(const std::vector<ObservationId>& ids);
   void show_menu(const QPoint& position);
   void update_summary();
   void ask_for_change(bool exclude);
@@ -83,7 +86,7 @@ class ObservationTable : public QWidget {
   QPushButton *empty_action_, *resort_;
   QString empty_text_, empty_action_text_;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
-  bool is_telling_ = false;
+  bool is_telling_ = false, are_many_ = false;
 };
 
 }  // namespace handsight::widgets

@@ -23,6 +23,7 @@ class ReadOutLine : public QWidget {
   /// Something small at the right end, for good.
   void add_at_end(QWidget* widget);
   QString pointer_text() const;
+  const QString& message() const { return message_; }  // the last one, while it is shown
   QSize sizeHint() const override;
 
  signals:

@@ -180,11 +180,13 @@ std::optional<Vector3> RobotView::arrow_tip(ObservationId id) const {
   return Vector3(arrow->from + parts_->arrow_times * arrow->residual);
 }
 
-QImage RobotView::picture() {
-  draw(size() * devicePixelRatioF());
+QImage RobotView::picture(double scale) {
+  const double ratio = scale > 0 ? scale : devicePixelRatioF();
+  draw((QSizeF(size()) * ratio).toSize());
   QImage image = parts_->picture;
-  if (image.isNull()) image = QImage(size() * devicePixelRatioF(), QImage::Format_RGB32), image.fill(colors().panel);
-  image.setDevicePixelRatio(devicePixelRatioF());
+  if (image.isNull())
+    image = QImage((QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32), image.fill(colors().panel);
+  image.setDevicePixelRatio(ratio);
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   paint_labels(painter);

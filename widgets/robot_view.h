@@ -85,7 +85,8 @@ class RobotView : public QWidget {
   std::optional<QPointF> to_screen(const Vector3& in_root) const;
   /// The end of an observation's arrow as drawn; nothing where it has none.
   std::optional<Vector3> arrow_tip(ObservationId id) const;
-  QImage picture();  // as shown, labels included
+  QImage picture(
+      double scale = 0);  // as shown, labels included; px of the picture for each of the widget's, 0: its own
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -113,6 +114,7 @@ class RobotView : public QWidget {
   struct Parts;
   void change();  // the scene: the next painting draws it anew
   void draw(const QSize& size);
+  void show_menu(const QPoint& position);
   void pick(const QPointF& position, bool take);
   void paint_labels(QPainter& painter);
   std::unique_ptr<Parts> parts_;

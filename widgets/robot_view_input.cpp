@@ -73,6 +73,7 @@ void RobotView::mouseMoveEvent(QMouseEvent* event) {
 void RobotView::mouseReleaseEvent(QMouseEvent* event) {
   if (!parts_->has_moved && event->button() == Qt::LeftButton) pick(event->position(), true);
   parts_->button = Qt::NoButton;
+  if (!parts_->has_moved && event->button() == Qt::RightButton) show_menu(event->globalPosition().toPoint());
 }
 
 void RobotView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -138,14 +139,18 @@ void RobotView::keyPressEvent(QKeyEvent* event) {
 }
 
 void RobotView::contextMenuEvent(QContextMenuEvent* event) {
-  if (parts_->has_moved) return;  // it was the end of a zoom
+  // Of the mouse it comes when the button goes down, before anybody knows whether that begins a zoom.
+  if (event->reason() != QContextMenuEvent::Mouse) show_menu(event->globalPos());
+}
+
+void RobotView::show_menu(const QPoint& position) {
   QMenu menu(this);
   menu.addAction(QStringLiteral("See all"), this, [this] { look(StandardView::all); });
   menu.addAction(QStringLiteral("See the TCP"), this, [this] { look(StandardView::tcp); });
   menu.addAction(QStringLiteral("As the left camera sees it"), this, [this] { look(StandardView::camera); });
   menu.addSeparator();
   menu.addAction(QStringLiteral("Copy the picture"), this, [this] { QApplication::clipboard()->setImage(picture()); });
-  menu.exec(event->globalPos());
+  menu.exec(position);
 }
 
 }  // namespace handsight::widgets

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QPainter>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "widgets/number_text.h"
 #include "widgets/paint_tools.h"
@@ -9,6 +11,27 @@
 #include "widgets/theme.h"
 
 namespace handsight::widgets {
+namespace {
+
+QRectF plate_rect(const QPointF& position, const QSizeF& size) {
+  return {QPointF(position.x(), position.y() - size.height() / 2), size};
+}
+
+/// The place nearest to the wanted one at which a plate of this size lies over no other; the wanted one where there is
+/// none near.
+QPointF free_place(const QPointF& wanted, const QSizeF& size, const std::vector<QRectF>& taken) {
+  for (const double radius : {0.0, 14.0, 24.0, 36.0, 50.0})
+    for (int step = 0; step < (radius > 0 ? 12 : 1); ++step) {
+      const double angle = 0.5236 * step;
+      const QPointF place = wanted + radius * QPointF(std::cos(angle), std::sin(angle));
+      const QRectF plate = plate_rect(place, size).adjusted(-1, -1, 1, 1);
+      if (std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(plate); }))
+        return place;
+    }
+  return wanted;
+}
+
+}  // namespace
 
 void RobotView::paint_labels(QPainter& painter) {
   static const std::array<QString, 3> letters = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
@@ -19,8 +42,18 @@ void RobotView::paint_labels(QPainter& painter) {
     return;
   }
   painter.setFont(text_font(TextRole::small));
+  std::vector<QRectF> taken;
+  const QFontMetricsF label_metrics(painter.font());
   const auto plate = [&](const Vector3& in_root, const QString& text, const QPointF& offset) {
-    if (const auto at = to_screen(in_root)) draw_plate(painter, *at + offset, text, c.ink1, c.panel);
+    const auto at = to_screen(in_root);
+    if (!at) return;
+    const QSizeF size(std::max(label_metrics.horizontalAdvance(text) + 6, 14.0), label_metrics.height());
+    const QPointF place = free_place(*at + offset, size, taken);
+    if (place != *at + offset) {  // moved aside: a line to what it names
+      painter.setPen(QPen(c.ink3, 1));
+      painter.drawLine(*at, plate_rect(place, size).center());
+    }
+    taken.push_back(draw_plate(painter, place, text, c.ink1, c.panel));
   };
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
@@ -49,12 +82,17 @@ void RobotView::paint_labels(QPainter& painter) {
   }
   QStringList legend;
   if (p.tcp) legend += p.tcp_est ? QStringLiteral("x y z TCP, x′ y′ z′ TCPest") : QStringLiteral("x y z TCP");
-  if (p.bent) legend += QStringLiteral("ghost %1 ×").arg(QString::number(p.ghost_times, 'g', 3));
-  if (!p.arrows.empty()) legend += QStringLiteral("arrows %1 ×").arg(QString::number(p.arrow_times, 'g', 3));
-  const QString text = legend.join(QStringLiteral("   "));
-  const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text) + 6;
-  if (!text.isEmpty())
-    draw_plate(painter, QPointF(std::max(width() - wide - 6, 64.0), height() - 13.0), text, c.ink2, c.panel);
+  if (p.bent) legend += QStringLiteral("ghost %1 ×").arg(times_text(p.ghost_times));
+  if (!p.arrows.empty()) legend += QStringLiteral("arrows %1 ×").arg(times_text(p.arrow_times));
+  // Right of the triad; where there is too little room for one line, a line each.
+  constexpr double least_left = 64;
+  const QFontMetricsF metrics(painter.font());
+  const QString together = legend.join(QStringLiteral("   "));
+  if (metrics.horizontalAdvance(together) + 12 + least_left <= width() && !together.isEmpty()) legend = {together};
+  double low = height() - 13.0;
+  for (auto line = legend.rbegin(); line != legend.rend(); ++line, low -= 18)
+    draw_plate(painter, QPointF(std::max(width() - metrics.horizontalAdvance(*line) - 12, least_left), low), *line,
+               c.ink2, c.panel);
   if (hasFocus()) draw_focus(painter, rect());
 }
 

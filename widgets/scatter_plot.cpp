@@ -184,20 +184,37 @@ void ScatterPlot::fill() {
   ring();
 }
 
+ScatterPlot::Extent ScatterPlot::extent() const {
+  const double floor = 3 * noise_.value_or(0);  // noise alone never fills the plot
+  Extent e{1e300, -1e300, -floor, floor};
+  if (!noise_) e.low = 1e300, e.high = -1e300;
+  for (const ScatterPoint& point : points_) {
+    e.left = std::min(e.left, point.x);
+    e.right = std::max(e.right, point.x);
+    e.low = std::min(e.low, point.y);
+    e.high = std::max(e.high, point.y);
+  }
+  return e;
+}
+
 void ScatterPlot::fit() {
   if (points_.empty()) return replot();
-  double left = 1e300, right = -1e300, low = -1.5 * noise_.value_or(0), high = 1.5 * noise_.value_or(0);
-  if (!noise_) low = 1e300, high = -1e300;
-  for (const ScatterPoint& point : points_) {
-    left = std::min(left, point.x);
-    right = std::max(right, point.x);
-    low = std::min(low, point.y);
-    high = std::max(high, point.y);
-  }
-  const double wide = std::max((right - left) * 0.04, 1e-9), tall = std::max((high - low) * 0.06, 1e-9);
-  plot_->xAxis->setRange(left - wide, right + wide);
-  plot_->yAxis->setRange(low - tall, high + tall);
+  fitted_ = extent();
+  const double wide = std::max((fitted_.right - fitted_.left) * 0.04, 1e-9),
+               tall = std::max((fitted_.high - fitted_.low) * 0.06, 1e-9);
+  plot_->xAxis->setRange(fitted_.left - wide, fitted_.right + wide);
+  plot_->yAxis->setRange(fitted_.low - tall, fitted_.high + tall);
   replot();
+}
+
+void ScatterPlot::fit_if_outgrown() {
+  if (points_.empty()) return;
+  constexpr double slack = 0.1;
+  const Extent now = extent();
+  const double wide = slack * (fitted_.right - fitted_.left), tall = slack * (fitted_.high - fitted_.low);
+  const bool is_outgrown = now.left < fitted_.left - wide || now.right > fitted_.right + wide ||
+                           now.low < fitted_.low - tall || now.high > fitted_.high + tall;
+  if (is_outgrown) fit();
 }
 
 const ScatterPoint* ScatterPlot::point_at(const QPointF& position) const {

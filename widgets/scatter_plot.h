@@ -37,6 +37,8 @@ class ScatterPlot : public PlotWidget {
   void set_highlighted(std::vector<ObservationId> ids);
   void set_brushing(bool brushing);  // dragging selects instead of panning; Shift does so always
   void fit() override;
+  /// Fits anew only where the points have outgrown the axes of the last fit.
+  void fit_if_outgrown();
 
  signals:
   void observation_selected(qint64 id);
@@ -64,6 +66,11 @@ class ScatterPlot : public PlotWidget {
   QString x_quantity_, x_unit_, y_quantity_, y_unit_;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
   std::shared_ptr<Layers> layers_;
+  struct Extent {
+    double left = 0, right = 0, low = 0, high = 0;
+  };
+  Extent extent() const;
+  Extent fitted_;
 };
 
 }  // namespace handsight::widgets

@@ -76,6 +76,8 @@ const Colors& colors() { return colors_of(current()); }
 
 ThemeKind theme() { return current(); }
 
+void set_colors(ThemeKind kind) { current() = kind; }
+
 void apply_theme(QApplication& application, ThemeKind kind) {
   current() = kind;
   QApplication::setStyle(new ControlStyle);

@@ -35,6 +35,8 @@ struct Colors {
 const Colors& colors();
 const Colors& colors_of(ThemeKind kind);
 ThemeKind theme();
+/// Changes them without a word to anybody: for pictures on paper, painted and done with before the window paints again.
+void set_colors(ThemeKind kind);
 
 /// Fusion style, palette and fonts for the whole application; before the first show(), and again to change the theme.
 /// Every widget gets a PaletteChange.

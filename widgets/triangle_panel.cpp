@@ -89,6 +89,11 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
   sentence_->setAutoFillBackground(true);
   sentence_->setBackgroundRole(QPalette::Window);
   sentence_->setForegroundRole(QPalette::WindowText);
+  action_ = new QPushButton(this);
+  action_->setObjectName(QStringLiteral("triangle_action"));
+  action_->setMinimumHeight(kControlHeight);
+  action_->hide();
+  connect(action_, &QPushButton::clicked, this, &TrianglePanel::action_requested);
   candidates_title_ = new QLabel(this);
   candidate_table_ = make_table({QStringLiteral("line px"), QStringLiteral("depth m"), QStringLiteral("sides")}, this);
   candidate_table_->setAccessibleName(QStringLiteral("Candidates on the epipolar line"));
@@ -102,7 +107,7 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kGap, 6, kGap, kGap);
   layout->setSpacing(kGap);
-  for (QWidget* widget : std::initializer_list<QWidget*>{title_, sketch_, sides_, markers_, sentence_,
+  for (QWidget* widget : std::initializer_list<QWidget*>{title_, sketch_, sides_, markers_, sentence_, action_,
                                                          candidates_title_, candidate_table_})
     layout->addWidget(widget);
   layout->setStretchFactor(sketch_, 1);
@@ -169,6 +174,8 @@ void TrianglePanel::refresh() {
   candidate_table_->setPalette(rows);
   sentence_->setText(state_.sentence.isEmpty() ? QString() : sign + state_.sentence);
   sentence_->setVisible(!state_.sentence.isEmpty());
+  action_->setText(state_.action);
+  action_->setVisible(!state_.action.isEmpty());
   use_->setEnabled(state_.can_use);
   discard_->setEnabled(state_.can_discard);
   refresh_markers();

@@ -38,7 +38,10 @@ struct TriangleState {
   std::vector<TriangleMarker> markers;
   std::vector<TriangleSide> sides;
   TriangleVerdict verdict = TriangleVerdict::waiting;
-  QString sentence;         // what is next, or why it will not do
+  QString sentence;  // what is next, or why it will not do
+  QString action;    // a button beside it; empty: none
+  std::vector<TriangleMarker>
+      known;                // how the markers are numbered elsewhere, in any frame; drawn while few are placed
   bool can_use = false;     // the main button
   bool can_discard = true;  // the other one
   int selected_marker = -1;
@@ -64,6 +67,7 @@ class TrianglePanel : public QFrame {
  signals:
   void use_requested();      // "Use it"
   void discard_requested();  // "Next observation"
+  void action_requested();   // TriangleState::action
   void marker_selected(int number);
   void marker_removed(int number);
   void marker_renumbered(int number, int to);
@@ -86,7 +90,7 @@ class TrianglePanel : public QFrame {
   TriangleSketch* sketch_;
   QTableWidget *markers_, *candidate_table_;
   QLabel *title_, *sides_, *sentence_, *candidates_title_;
-  QPushButton *use_ = nullptr, *discard_ = nullptr;
+  QPushButton *use_ = nullptr, *discard_ = nullptr, *action_ = nullptr;
   bool is_filling_ = false;
 };
 

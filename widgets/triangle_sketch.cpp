@@ -12,18 +12,28 @@
 
 namespace handsight::widgets {
 
-TriangleSketch::TriangleSketch(QWidget* parent) : QWidget(parent) { setMinimumHeight(130); }
+TriangleSketch::TriangleSketch(QWidget* parent) : QWidget(parent) { setMinimumHeight(96); }
 
 void TriangleSketch::set_state(const TriangleState& state) {
   state_ = state;
   update();
 }
 
+bool TriangleSketch::shows_known() const {
+  const auto placed = std::count_if(state_.markers.begin(), state_.markers.end(),
+                                    [](const TriangleMarker& m) { return m.in_left_camera.has_value(); });
+  return state_.known.size() >= 3 && placed < 3;
+}
+
+const std::vector<TriangleMarker>& TriangleSketch::drawn() const {
+  return shows_known() ? state_.known : state_.markers;
+}
+
 std::optional<QPointF> TriangleSketch::place(int number) const {
   // Seen along the camera's axis, at the mean depth: x right, y down.
   Vector2 low(1e300, 1e300), high(-1e300, -1e300);
   std::optional<Vector2> here;
-  for (const TriangleMarker& marker : state_.markers) {
+  for (const TriangleMarker& marker : drawn()) {
     if (!marker.in_left_camera) continue;
     const Vector2 at = marker.in_left_camera->head<2>();
     low = low.cwiseMin(at);
@@ -38,11 +48,36 @@ std::optional<QPointF> TriangleSketch::place(int number) const {
   return room.center() + QPointF(from_middle.x(), from_middle.y());
 }
 
+void TriangleSketch::paint_known(QPainter& painter) const {
+  const Colors& c = colors();
+  painter.setFont(number_font(TextRole::small));
+  painter.setPen(QPen(c.ink3, 1, Qt::DashLine));
+  for (std::size_t a = 0; a < state_.known.size(); ++a)
+    for (std::size_t b = a + 1; b < state_.known.size(); ++b) {
+      const auto from = place(state_.known[a].number), to = place(state_.known[b].number);
+      if (from && to) painter.drawLine(*from, *to);
+    }
+  for (const TriangleMarker& marker : state_.known) {
+    const auto at = place(marker.number);
+    if (!at) continue;
+    painter.setPen(QPen(c.ink3, 1));
+    painter.setBrush(c.sunken);
+    painter.drawEllipse(*at, 9, 9);
+    painter.setPen(c.ink2);
+    painter.drawText(QRectF(*at - QPointF(9, 9), QSizeF(18, 18)), Qt::AlignCenter, QString::number(marker.number));
+  }
+  painter.setFont(text_font(TextRole::small));
+  painter.setPen(c.ink2);
+  draw_text(painter, QRectF(rect()).adjusted(8, 4, -8, 0), Qt::AlignLeft | Qt::AlignTop,
+            tr("As the other observations number them"));
+}
+
 void TriangleSketch::paintEvent(QPaintEvent*) {
   const Colors& c = colors();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), c.sunken);
+  if (shows_known()) return paint_known(painter);
   const bool is_empty = std::none_of(state_.markers.begin(), state_.markers.end(),
                                      [](const TriangleMarker& m) { return m.in_left_camera.has_value(); });
   if (is_empty) {
@@ -71,6 +106,7 @@ void TriangleSketch::paintEvent(QPaintEvent*) {
 }
 
 void TriangleSketch::mousePressEvent(QMouseEvent* event) {
+  if (shows_known()) return;
   for (const TriangleMarker& marker : state_.markers) {
     const auto at = place(marker.number);
     if (!at) continue;

@@ -8,7 +8,8 @@
 
 namespace handsight::widgets {
 
-/// Markers and sides to scale, with numbers and lengths; click takes a marker.
+/// Markers and sides to scale, with numbers and lengths; click takes a marker. Until they are placed, how they are
+/// numbered elsewhere.
 class TriangleSketch : public QWidget {
   Q_OBJECT
  public:
@@ -23,7 +24,10 @@ class TriangleSketch : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
+  bool shows_known() const;
+  const std::vector<TriangleMarker>& drawn() const;
   std::optional<QPointF> place(int number) const;
+  void paint_known(QPainter& painter) const;
   TriangleState state_;
 };
 

@@ -36,13 +36,15 @@ widgets::ConvergencePoint point_of(const PlayedStep& played) {
   return p;
 }
 
-widgets::DecisionEntry entry_of(const PlayedStep& played, const DisplayUnits& units) {
+/// With the error against `row`: the present model's where there is one, else that of the moment of the decision.
+widgets::DecisionEntry entry_of(const PlayedStep& played, const InspectionRow* row, const DisplayUnits& units) {
   widgets::DecisionEntry e{.id = played.step.id, .reason = QString::fromStdString(played.step.reason)};
   e.state = played.step.accepted ? widgets::CellState::used : widgets::CellState::rejected;
-  if (!played.row.markers.empty()) {
-    e.size = units.shown(size_of(played.row));
-    e.rms_over_sigma = played.row.ratio;
-    e.coordinates = played.row.coordinates;
+  if (!row) row = &played.row;
+  if (!row->markers.empty()) {
+    e.size = units.shown(size_of(*row));
+    e.rms_over_sigma = row->ratio;
+    e.coordinates = row->coordinates;
   }
   return e;
 }
@@ -125,6 +127,7 @@ void CalibrateWorkspace::connect_player() {
   connect(&show_timer_, &QTimer::timeout, this, &CalibrateWorkspace::show_played);
   connect(&player_, &Player::rewound, this, [this] {
     unshown_.clear();
+    shown_.clear();
     board_->set_points({});
     decisions_->set_entries({});
   });
@@ -142,14 +145,25 @@ void CalibrateWorkspace::show_played() {
     refresh_transport();
     return;
   }
+  // Some may have been decided after all: then everything is shown anew, in its place.
+  const bool is_anew = std::any_of(unshown_.begin(), unshown_.end(),
+                                   [this](const PlayedStep& p) { return !shown_.insert(p.step.id).second; });
+  for (const PlayedStep& p : unshown_) shown_.insert(p.step.id);
+  const std::vector<PlayedStep>& news = is_anew ? player_.steps() : unshown_;
   std::vector<widgets::ConvergencePoint> points;
   std::vector<widgets::DecisionEntry> entries;
-  for (const PlayedStep& played : unshown_) {
+  for (const PlayedStep& played : news) {
     if (played.step.has_estimate && played.step.accepted) points.push_back(point_of(played));
-    entries.push_back(entry_of(played, bench_.units));
+    entries.push_back(entry_of(played, nullptr, bench_.units));
   }
-  board_->append(points);
-  decisions_->append(entries);
+  refresh_decision_title(false);
+  if (is_anew) {
+    board_->set_points(points);
+    decisions_->set_entries(std::move(entries));
+  } else {
+    board_->append(points);
+    decisions_->append(entries);
+  }
   const std::int64_t last = unshown_.back().step.id;
   unshown_.clear();
   bench_.selection.select_observation(last);
@@ -198,14 +212,13 @@ void CalibrateWorkspace::connect_selection() {
     if (!player_.is_playing()) refresh_transport();
   });
   connect(&bench_.document, &Document::model_changed, this, [this] {
+    if (!player_.is_playing()) refresh_decisions();
     is_stale_ = true;
     if (is_active()) refresh_model();
   });
   connect(&bench_.units, &DisplayUnits::changed, this, [this] {
     show_played();
-    std::vector<widgets::DecisionEntry> entries;
-    for (const PlayedStep& played : player_.steps()) entries.push_back(entry_of(played, bench_.units));
-    decisions_->set_entries(std::move(entries));
+    refresh_decisions();
     if (is_active()) refresh_observation();
   });
   connect(own_pose_, &OwnPosePage::changed, this, [this] {
@@ -229,7 +242,11 @@ WorkStatus CalibrateWorkspace::status() const {
   const auto rejected = std::count_if(s.observations.begin(), s.observations.end(),
                                       [](const Observation& o) { return o.decision == Decision::rejected; });
   if (player_.is_playing()) return {WorkState::open, tr("playing")};
-  if (taken == 0) return {WorkState::open, tr("ready to play")};
+  const bool any_images = std::any_of(s.observations.begin(), s.observations.end(),
+                                      [](const Observation& o) { return !o.left_image.empty(); });
+  if (taken == 0)
+    return any_images ? WorkStatus{WorkState::open, tr("ready to play")}
+                      : WorkStatus{WorkState::done, tr("needs no play")};
   return {WorkState::done,
           rejected > 0 ? tr("%1 taken, %2 rejected").arg(taken).arg(rejected) : tr("%1 taken").arg(taken)};
 }
@@ -285,6 +302,22 @@ void CalibrateWorkspace::refresh_observation() {
     scene_->set_ellipsoid(std::nullopt);
     show_pose(bench_.document, *o, row, *scene_);
   }
+}
+
+void CalibrateWorkspace::refresh_decisions() {
+  const bool is_present = bench_.document.model() && bench_.document.model()->fit && !player_.is_playing();
+  std::vector<widgets::DecisionEntry> entries;
+  for (const PlayedStep& played : player_.steps())
+    entries.push_back(entry_of(played, is_present ? bench_.row(played.step.id) : nullptr, bench_.units));
+  if (!entries.empty()) decisions_->set_entries(std::move(entries));
+  refresh_decision_title(is_present);
+}
+
+void CalibrateWorkspace::refresh_decision_title(bool is_present) {
+  const int place = tabs_->indexOf(decisions_);
+  tabs_->setTabText(place, is_present || player_.steps().empty() ? tr("Decisions") : tr("Decisions, errors of then"));
+  tabs_->setTabToolTip(place, is_present ? tr("The errors are those of the present model")
+                                         : tr("The errors are those of the moment of the decision"));
 }
 
 void CalibrateWorkspace::refresh_model() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTimer>
+#include <set>
 
 #include "calibrate/player.h"
 #include "frame/workspace.h"
@@ -45,6 +46,8 @@ class CalibrateWorkspace : public Workspace {
   void refresh_transport();
   void refresh_observation();
   void refresh_model();
+  void refresh_decisions();
+  void refresh_decision_title(bool is_present);
   void set_robot();
 
   Player player_;
@@ -58,6 +61,7 @@ class CalibrateWorkspace : public Workspace {
   OneMarkerPage* one_marker_;
   OwnPosePage* own_pose_;
   std::vector<PlayedStep> unshown_;  // played, not yet in the views
+  std::set<std::int64_t> shown_;     // observations that are in the views
   QTimer show_timer_;
   bool robot_is_set_ = false, is_stale_ = true;
 };

@@ -114,13 +114,17 @@ void ObjectivePage::compare() {
         for (std::size_t i = 0; i < 3 && !control.is_cancelled(); ++i) {
           ModelSettings one = settings;
           one.objective = objectives[i];
-          results[i] = make_version(session, one, revision, {});
+          results[i] = make_version(session, one, revision, {}, {}, going_on(control));
           control.report(static_cast<double>(i + 1) / 3);
         }
         return results;
       },
       [this](const std::array<ModelVersionPointer, 3>& results) {
         if (results[0] && results[0]->revision == bench_.document.revision()) show_results(results);
+      },
+      [this](const QString& sentence) {
+        sentence_->setText(sentence);
+        sentence_->show();
       });
 }
 

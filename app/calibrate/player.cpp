@@ -62,19 +62,31 @@ InspectionRow stand_of(Player::Run& run, const Observation& o, std::size_t index
   return row;
 }
 
-PlayedStep play_one(Player::Run& run, std::size_t index) {
+PlayedStep played_step(Player::Run& run, std::size_t index, OnlineStep step) {
+  PlayedStep played{.step = std::move(step)};
+  played.row = stand_of(run, run.session.observations[index], index, played.step);
+  played.search = run.online.mount_progress();
+  return played;
+}
+
+/// The step of one observation, after those of earlier ones that are decided with it.
+void play_one(Player::Run& run, std::size_t index, std::vector<PlayedStep>& played) {
   const Observation& o = run.session.observations[index];
-  PlayedStep played;
+  OnlineStep step;
   std::string refusal;
   const auto images = read_pair(run.session, o, refusal);
   if (refusal.empty()) {
-    played.step = run.online.add(o, images ? &*images : nullptr);
+    step = run.online.add(o, images ? &*images : nullptr);
   } else {
-    played.step.id = o.id;
-    played.step.reason = refusal;
+    step.id = o.id;
+    step.reason = refusal;
   }
-  played.row = stand_of(run, o, index, played.step);
-  return played;
+  const auto& all = run.session.observations;
+  for (OnlineStep& revised : run.online.take_revised()) {
+    const auto earlier = std::find_if(all.begin(), all.end(), [&](const Observation& x) { return x.id == revised.id; });
+    played.push_back(played_step(run, static_cast<std::size_t>(earlier - all.begin()), std::move(revised)));
+  }
+  played.push_back(played_step(run, index, std::move(step)));
 }
 
 }  // namespace
@@ -84,7 +96,10 @@ Player::Player(Workbench& bench, QObject* parent) : QObject(parent), bench_(benc
   connect(&timer_, &QTimer::timeout, this, &Player::next);
   connect(&bench.document, &Document::closed, this, &Player::rewind);
   connect(&bench.document, &Document::edited, this, [this](const std::vector<std::int64_t>& ids) {
-    if (!is_own_edit_ && !ids.empty()) rewind();
+    if (is_own_edit_ || ids.empty()) return;
+    const bool goes_on = wants_label().has_value();
+    rewind();
+    if (goes_on) play();
   });
   // What was under way is dropped: the online estimate would not know of it, or know too much.
   connect(&bench.jobs, &Jobs::stopped, this, [this] {
@@ -98,6 +113,10 @@ const PlayedStep* Player::step_of(std::int64_t id) const {
   const int index = bench_.document.index_of(id);
   return index >= 0 && static_cast<std::size_t>(index) < steps_.size() ? &steps_[static_cast<std::size_t>(index)]
                                                                        : nullptr;
+}
+
+std::optional<OnlineCalibration::MountProgress> Player::wants_label() const {
+  return is_finished() && !is_playing_ && !steps_.empty() ? steps_.back().search : std::nullopt;
 }
 
 void Player::play() {
@@ -154,8 +173,12 @@ void Player::arrive(const std::vector<Observation>& arrived) {
             .joins = arrival_join_,
             .added = arrived};
   is_own_edit_ = true;
-  bench_.document.perform(std::move(edit));
+  const bool is_done = bench_.document.perform(std::move(edit));
   is_own_edit_ = false;
+  if (!is_done) {
+    arrival_join_ = 0;
+    return;
+  }
   if (run_) arrived_.insert(arrived_.end(), arrived.begin(), arrived.end());
   emit state_changed();
   if (!is_playing_) arrival_join_ = 0;
@@ -173,6 +196,7 @@ void Player::rewind() {
   arrival_join_ = 0;
   accepted_ = 0;
   is_busy_ = false;
+  bench_.label_wanted.reset();
   bench_.jobs.cancel("play");
   emit rewound();
   emit state_changed();
@@ -215,7 +239,7 @@ void Player::next() {
         begun.start();
         for (std::size_t i = index; i < end && !control.is_cancelled(); ++i) {
           if (i > index && begun.elapsed() >= longest) break;
-          played->push_back(play_one(*run, i));
+          play_one(*run, i, *played);
         }
         return played;
       },
@@ -231,16 +255,17 @@ void Player::next() {
       });
 }
 
-void Player::write_down(const std::vector<PlayedStep>& played) {
+bool Player::write_down(const std::vector<PlayedStep>& played) {
   std::vector<std::pair<std::int64_t, ObservationState>> after;
   for (const PlayedStep& p : played) {
+    std::erase_if(after, [&](const auto& one) { return one.first == p.step.id; });  // the last word counts
     const Observation* o = bench_.document.find(p.step.id);
     if (!o || o->decision == Decision::excluded) continue;
     Observation decided = *o;
     keep_step(p.step, decided);
     after.push_back({o->id, state_of(decided)});
   }
-  if (after.empty()) return;
+  if (after.empty()) return true;
   Edit edit = bench_.document.edit_of(
       tr("played to observation %1: %2 of %3 taken").arg(after.back().first).arg(accepted_).arg(steps_.size()), after);
   edit.joins = join_;
@@ -251,19 +276,29 @@ void Player::write_down(const std::vector<PlayedStep>& played) {
                         .arg(played.back().step.accepted ? tr("taken") : tr("rejected"));
   }
   is_own_edit_ = true;
-  bench_.document.perform(std::move(edit));
+  const bool is_done = bench_.document.perform(std::move(edit));
   is_own_edit_ = false;
+  return is_done;
 }
 
 void Player::take(std::vector<PlayedStep> played) {
   is_busy_ = false;
   is_single_ = false;
   for (PlayedStep& p : played) {
+    const auto place = static_cast<std::size_t>(bench_.document.index_of(p.step.id));
+    const bool is_again = place < steps_.size();
+    if (is_again) accepted_ -= steps_[place].step.accepted ? 1 : 0;
     accepted_ += p.step.accepted ? 1 : 0;
     p.accepted = accepted_;
-    steps_.push_back(p);
+    if (is_again) {
+      steps_[place] = p;
+    } else {
+      steps_.push_back(p);
+    }
   }
-  write_down(played);
+  // Decisions that cannot be written down are not there: the play starts over when there is room again.
+  if (!write_down(played)) return rewind();
+  if (is_finished()) bench_.label_wanted = steps_.back().search ? steps_.back().search->label_next : std::nullopt;
   emit stepped(played);
   if (is_finished() && is_live_ && is_playing_) {
     hold_refit(false);

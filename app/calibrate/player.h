@@ -18,6 +18,7 @@ struct PlayedStep {
   OnlineStep step;
   InspectionRow row;  // without markers where nothing was estimated or found
   std::size_t accepted = 0;
+  std::optional<OnlineCalibration::MountProgress> search;  // while the mount is looked for
 };
 
 class Player : public QObject {
@@ -32,6 +33,8 @@ class Player : public QObject {
   std::size_t position() const { return steps_.size(); }  // observations decided in this play
   const std::vector<PlayedStep>& steps() const { return steps_; }
   const PlayedStep* step_of(std::int64_t id) const;
+  /// The play is over and the mount still unknown: which observation to label next. It goes on by itself when one is.
+  std::optional<OnlineCalibration::MountProgress> wants_label() const;
   struct Run;
 
   /// From where it stopped; from the beginning where it was finished, or where the session was changed since.
@@ -48,7 +51,7 @@ class Player : public QObject {
   void set_speed(double per_second);
 
  signals:
-  /// One or more, as many as were decided since the last time.
+  /// One or more, as many as were decided since the last time; among them may be earlier ones, decided after all.
   void stepped(const std::vector<PlayedStep>& steps);
   void state_changed();
   void rewound();
@@ -57,7 +60,7 @@ class Player : public QObject {
   std::size_t due() const;  // how many observations the next job is to decide
   void next();
   void take(std::vector<PlayedStep> played);
-  void write_down(const std::vector<PlayedStep>& played);
+  bool write_down(const std::vector<PlayedStep>& played);
   void start_clock();
   void stop();
   void hold_refit(bool held);

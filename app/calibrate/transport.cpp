@@ -52,6 +52,13 @@ void Transport::make_layout() {
   progress_ = new QLabel(this);
   progress_->setObjectName("play_progress");
   progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its words must not widen the window
+  label_next_ = new QPushButton(this);
+  label_next_->setObjectName("label_next");
+  label_next_->setToolTip(tr("Opens it in Label; with its markers labelled the play goes on by itself"));
+  label_next_->hide();
+  connect(label_next_, &QPushButton::clicked, this, [this] {
+    if (bench_.label_wanted) emit bench_.relabel_requested(*bench_.label_wanted);
+  });
   ghost_ = new QSlider(Qt::Horizontal, this);
   ghost_->setObjectName("ghost");
   ghost_->setRange(0, static_cast<int>(std::size(magnifications)) - 1);
@@ -60,12 +67,13 @@ void Transport::make_layout() {
   ghost_text_ = new QLabel(this);
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_, speed_, watch_}) {
+  for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_, speed_, watch_, label_next_}) {
     w->setMinimumHeight(28);
-    row->addWidget(w);
+    if (w != label_next_) row->addWidget(w);
   }
   row->addSpacing(8);
   row->addWidget(progress_, 1);
+  row->addWidget(label_next_);
   row->addWidget(ghost_text_);
   row->addWidget(ghost_);
   auto* rows = new QVBoxLayout(this);
@@ -153,6 +161,13 @@ QString Transport::progress_text() const {
   const std::size_t count = bench_.document.session().observations.size(), at = player_.position();
   if (at == 0) return tr("%1 to play").arg(counted(static_cast<qint64>(count), "observation", "observations"));
   const std::size_t taken = player_.steps().back().accepted;
+  if (const auto& search = player_.steps().back().search)
+    return tr("%1 of %2 observations. The cameras' mount is still unknown: %3 labelled, %4 left open, which agree on "
+              "none yet.")
+        .arg(at)
+        .arg(count)
+        .arg(search->labelled)
+        .arg(search->open);
   return tr("%1 of %2 observations, %3 taken, %4 rejected").arg(at).arg(count).arg(taken).arg(at - taken);
 }
 
@@ -165,6 +180,9 @@ void Transport::refresh() {
   watch_->setEnabled(has_images);
   if (watch_->isChecked() && !live_.is_watching()) watch_->setChecked(false);
   progress_->setText(progress_text());
+  progress_->setToolTip(progress_->text());
+  label_next_->setVisible(bench_.label_wanted && !player_.is_playing());
+  if (bench_.label_wanted) label_next_->setText(tr("Label observation %1 next").arg(*bench_.label_wanted));
   live_row_->setVisible(live_.is_watching());
   live_text_->setText(live_.state_text());
 }

@@ -40,7 +40,7 @@ class Transport : public QWidget {
   Workbench& bench_;
   Player& player_;
   LiveWatch live_;
-  QPushButton* play_;
+  QPushButton *play_, *label_next_;
   QToolButton *step_, *rewind_, *watch_, *sources_;
   QComboBox* speed_;
   QLabel *progress_, *ghost_text_, *live_text_;

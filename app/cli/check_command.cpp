@@ -14,14 +14,15 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session);
+  const Session session = open_session(o.session, o.output);
   const SessionCheck check = check_session(session);
   for (const std::string& line : check.contents) o.output.line(line);
   for (const std::string& line : check.warnings) o.output.line("warning: " + line);
   for (const std::string& line : check.problems) o.output.line("PROBLEM: " + line);
-  o.output.line(check.problems.empty() ? "Everything in the session works."
-                                       : fmt::format("{} problem{}: these would not work.", check.problems.size(),
-                                                     check.problems.size() == 1 ? "" : "s"));
+  o.output.line(check.problems.empty() && check.warnings.empty() ? "Everything in the session works."
+                : check.problems.empty() ? "Everything in the session can be used; look at what is odd."
+                                         : fmt::format("{} problem{}: these would not work.", check.problems.size(),
+                                                       check.problems.size() == 1 ? "" : "s"));
   o.output.json({{"contents", check.contents},
                  {"warnings", check.warnings},
                  {"problems", check.problems},

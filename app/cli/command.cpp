@@ -6,27 +6,66 @@
 #include <cstdio>
 #include <iostream>
 
-#include "base/files.h"
+#include "base/text.h"
+#include "outputs.h"
+#include "session/calibration_xml.h"
 #include "session/session_xml.h"
 
 namespace handsight::cli {
 
 void Output::line(const std::string& text) const {
-  if (to_people()) std::cout << text << '\n';
+  if (to_people()) std::cout << printable(text) << '\n';
 }
 
 void Output::json(const Json& result) const {
   if (json_file.empty()) return;
   // A number that is not finite has no JSON; nlohmann writes null for it.
-  const std::string text = result.dump(1) + '\n';
+  const std::string text = json_text(result, 1) + '\n';
   if (json_file == "-") {
     std::cout << text;
   } else {
-    replace_file(json_file, text);
+    write_output(json_file, text, "--json");
   }
 }
 
-void Output::note(const std::string& text) { std::cerr << "note: " << text << '\n'; }
+void Output::require_places() const {
+  if (json_file == "-" && export_file == "-")
+    throw InputError("--json - and --export - both want standard output; give one of them a file.");
+  require_output(json_file, "--json");
+  require_output(export_file, "--export");
+}
+
+void Output::calibration(const Calibration& calibration) const {
+  if (export_file.empty()) return;
+  require_finite(calibration);
+  const std::string text = calibration_text(calibration);
+  if (export_file == "-") {
+    std::cout << text;
+    return;
+  }
+  write_output(export_file, text, "--export");
+  line("Written: " + export_file);
+}
+
+void Output::note(const std::string& text) { std::cerr << "note: " << printable(text) << '\n'; }
+
+std::string json_text(const Json& result, int indent) {
+  const std::string plain = result.dump(indent, ' ', false, Json::error_handler_t::replace);
+  std::string text;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(plain[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < plain.size() ? plain[i + 1] : 0);
+    if (byte == 0x7F) {
+      text += "\\u007f";
+    } else if (byte == 0xC2 && next < 0xA0) {
+      text += fmt::format("\\u{:04x}", next);
+      ++i;
+    } else {
+      text += plain[i];
+    }
+  }
+  return text;
+}
 
 Progress::Progress(std::string what, std::size_t total)
     : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -44,7 +83,14 @@ void Progress::at(std::size_t count) {
 
 Session open_session(const std::string& path) {
   Session session = read_session(path);
+  note_inputs(session);
   for (const std::string& note : session.notes) Output::note(note);
+  return session;
+}
+
+Session open_session(const std::string& path, const Output& output) {
+  Session session = open_session(path);
+  output.require_places();
   return session;
 }
 
@@ -54,6 +100,10 @@ void add_session_option(CLI::App& app, std::string& session) {
 
 void add_json_option(CLI::App& app, Output& output) {
   app.add_option("--json", output.json_file, "Write the whole result as JSON to this file; - is standard output");
+}
+
+void add_export_option(CLI::App& app, Output& output) {
+  app.add_option("--export", output.export_file, "Write the calibration XML to this file; - is standard output");
 }
 
 }  // namespace handsight::cli

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "session/calibration.h"
 #include "session/session.h"
 
 namespace handsight::cli {
@@ -17,18 +18,26 @@ using Json = nlohmann::ordered_json;
 enum ExitCode { done = 0, answer_is_no = 1, wrong_input = 2 };
 
 /// Results: a short table for people on standard output, or with --json the whole result in a file ("-": standard
-/// output, and nothing else is printed there).
+/// output, and nothing else is printed there). So with --export for the calibration.
 struct Output {
-  std::string json_file;
+  std::string json_file, export_file;
 
-  bool to_people() const { return json_file != "-"; }
+  bool to_people() const { return json_file != "-" && export_file != "-"; }
+  /// InputError where a result could not be written; asked before the work begins.
+  void require_places() const;
   /// Prints one line for people; nothing where standard output belongs to JSON.
   void line(const std::string& text = "") const;
   /// Writes the whole result; the file is replaced whole. Nothing without --json.
   void json(const Json& result) const;
+  /// Writes the calibration and says so. Nothing without --export.
+  void calibration(const Calibration& calibration) const;
   /// A note on standard error.
   static void note(const std::string& text);
 };
+
+/// JSON as text in which no control character stands as it is (JSON itself allows DEL and C1), bytes that are not UTF-8
+/// are replaced. `indent` -1: on one line.
+std::string json_text(const Json& result, int indent);
 
 /// A bar on standard error, where that is a terminal.
 class Progress {
@@ -49,12 +58,16 @@ struct Command {
   std::function<int()> run;
 };
 
-/// Reads a session (folder or session.xml) and prints its notes.
+/// Reads a session (folder or session.xml) and prints its notes; no output goes over its files from then on.
 Session open_session(const std::string& path);
+
+/// The same, for a command whose outputs must have a place.
+Session open_session(const std::string& path, const Output& output);
 
 /// Adds `SESSION` and `--json` to a command.
 void add_session_option(CLI::App& app, std::string& session);
 void add_json_option(CLI::App& app, Output& output);
+void add_export_option(CLI::App& app, Output& output);
 
 Command add_check(CLI::App& app);
 Command add_detect(CLI::App& app);

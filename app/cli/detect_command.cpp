@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "json_values.h"
+#include "outputs.h"
 #include "vision/corner_pairs.h"
 #include "vision/image_file.h"
 
@@ -37,11 +38,12 @@ void print_corners(const Output& out, const char* name, const std::vector<Corner
 }
 
 int run(const Options& o) {
-  const Session session = open_session(o.session);
+  note_input(o.left);
+  note_input(o.right);
+  const Session session = open_session(o.session, o.output);
   if (!session.stereo) throw InputError("detect needs a session with cameras; this one has a tracker.");
-  const Image left_image = read_image(o.left), right_image = read_image(o.right);
-  check_image_size(left_image, session.stereo->left, o.left);
-  check_image_size(right_image, session.stereo->right, o.right);
+  const Image left_image = read_image(o.left, session.stereo->left, o.left),
+              right_image = read_image(o.right, session.stereo->right, o.right);
   const std::vector<Corner> left = detect_corners(left_image), right = detect_corners(right_image);
   print_corners(o.output, "left", left);
   print_corners(o.output, "right", right);

@@ -12,7 +12,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session);
+  const Session session = open_session(o.session, o.output);
   DiagnosisOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
   Progress progress("diagnose", 100);

@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/curves.h"
 #include "diagnosis/explanation.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/robot_check.h"
+#include "effects/own_effect.h"
 #include "fit_output.h"
 #include "json_values.h"
+#include "limits.h"
 
 namespace handsight::cli {
 namespace {
@@ -15,7 +18,7 @@ namespace {
 Json parameters_json(const Session& session, const DiagnosisCandidate& c) {
   Json list = Json::array();
   for (std::size_t t = 0; t < c.terms.size(); ++t) {
-    const Effect& effect = *find_effect(c.terms[t].id);
+    const Effect& effect = effect_of(c.terms[t]);
     const std::string of = place_name(effect, c.terms[t].joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       list.push_back({{"of", of.empty() ? Json(nullptr) : Json(of)},
@@ -43,12 +46,27 @@ std::string unnamed_id(const Variable& v) {
 
 Json check_json(const DiagnosisCandidate& c) {
   if (!c.check) return nullptr;
-  return {{"text", find_effect(c.id)->check},
+  return {{"text", effect_of(c.terms.front()).check},
           {"prediction", prediction_text(*c.check)},
           {"value", number(c.check->value)},
           {"sigma", number(c.check->sigma)},
           {"unit", c.check->unit},
           {"observation", c.check->observation ? Json(*c.check->observation) : Json(nullptr)}};
+}
+
+/// What is known of an unnamed function; as a curve that a model may take in where it could be written as one.
+void add_curve_keys(const Session& session, const DiagnosisCandidate& c, Json& j) {
+  const LocaliserTerm& best = c.unnamed->localiser.best;
+  j["variable"] = c.unnamed->localiser.variable->name;
+  j["site"] = best.site == LocaliserSite::joint ? session.robot.joints[static_cast<std::size_t>(best.joint)].name
+              : best.site == LocaliserSite::tcp ? "hand"
+                                                : "mount";
+  j["formula"] = j["definition"] = nullptr;
+  if (c.terms.empty()) return;
+  const EffectDefinition& definition = *c.terms.front().own->definition;
+  j["site"] = sites_text(definition);
+  j["formula"] = formula_text(definition);
+  j["definition"] = effect_definition_text(definition);
 }
 
 Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
@@ -70,7 +88,8 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
          {"cannot_be_told_from", c.cannot_be_told_from},
          {"check", check_json(c)},
          {"explanation", c.explanation}};
-  if (c.unnamed) j["variable"] = c.unnamed->localiser.variable->name;
+  j["unnamed"] = c.unnamed.has_value();
+  if (c.unnamed) add_curve_keys(session, c, j);
   return j;
 }
 
@@ -215,16 +234,24 @@ void print_improvement(const Output& out, const Session& session, const Improvem
                        tracker ? "noise/coord." : "noise"));
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
-    const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "- " + s.removed : "+ " + s.added;
-    const std::string instead = !s.added.empty() && !s.removed.empty() ? "in place of " + s.removed + " " : "";
+    const std::string what = i == 0 ? "(as it was)" : "+ " + s.added;
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted), error_text(s.held_out),
-                         error_or_unknown(s.noise, tracker), instead + listed(s.where)));
+                         error_or_unknown(s.noise, tracker), listed(s.where)));
+    if (!s.formula.empty()) out.line("     " + s.formula);
+    if (!s.stands.empty()) out.line("     stands in for something else: no robot has " + listed(s.stands));
+    if (!s.removed.empty())
+      out.line(fmt::format("     no longer needed: {}{}", s.removed,
+                           s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged)));
   }
   for (const RefusedStep& r : m.refused)
     out.line(
         fmt::format("     not taken: {}{}: {}", r.id, r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason));
   out.line();
   out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), m.last.reason));
+  if (m.named_share && m.unnamed_share)
+    out.line(fmt::format(
+        "Of what exceeded the noise at the start {:.0f} % has names, {:.0f} % follows something without one.",
+        100 * *m.named_share, 100 * *m.unnamed_share));
   out.line();
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
 }
@@ -237,7 +264,11 @@ Json improvement_json(const Session& session, const Improvement& m) {
   for (const ImprovementStep& s : m.steps)
     steps.push_back({{"added", s.added.empty() ? null : Json(s.added)},
                      {"removed", s.removed.empty() ? null : Json(s.removed)},
+                     {"exchanged", s.exchanged},
                      {"where", s.where},
+                     {"formula", s.formula.empty() ? null : Json(s.formula)},
+                     {"variable", s.variable.empty() ? null : Json(s.variable)},
+                     {"stands_in", s.stands},
                      {"rms_pixel", number(s.fitted.rms_pixel)},
                      {"held_out_rms_pixel", number(s.held_out.rms_pixel)},
                      {"noise_pixel", tracker ? null : number(s.noise)},
@@ -252,20 +283,35 @@ Json improvement_json(const Session& session, const Improvement& m) {
   j["verdict"] = verdict_text(m.last.verdict);
   j["reason"] = m.last.reason;
   j["left"] = diagnosis_json(session, m.last);
+  j["left"]["named_share"] = number(m.named_share);
+  j["left"]["unnamed_share"] = number(m.unnamed_share);
+  Json worth = Json::array();
+  for (const Worth& w : m.worth)
+    worth.push_back({{"id", w.id},
+                     {"where", w.where},
+                     {"unnamed", w.unnamed},
+                     {"follows", w.text.empty() ? null : Json(w.text)},
+                     {"hand_m", number(w.hand_m)}});
+  j["worth"] = worth;
   return j;
 }
 
 void add_effects(const std::vector<std::string>& texts, const Session& session, std::vector<EffectTerm>& held,
                  std::vector<EffectTerm>& estimated) {
   const Chain chain = chain_of(session);
+  const OwnEffects own = own_effects_of(session, chain);
   for (const std::string& text : texts) {
     if (text.find('=') != std::string::npos) {
-      add_effect_value(text, session.robot, held);
+      add_effect_value(text, session.robot, held, own);
       continue;
     }
-    const std::vector<EffectTerm> terms = best_choices(session, effect_terms(text, chain));
+    const std::vector<EffectTerm> named = effect_terms(text, chain, own);
+    check_terms(named, session.marker_count);
+    const std::vector<EffectTerm> terms = best_choices(session, named);
     estimated.insert(estimated.end(), terms.begin(), terms.end());
   }
+  check_terms(held, session.marker_count);
+  check_terms(estimated, session.marker_count);
 }
 
 }  // namespace handsight::cli

@@ -4,6 +4,7 @@
 #include "command.h"
 #include "estimation/one_marker.h"
 #include "json_values.h"
+#include "limits.h"
 
 namespace handsight::cli {
 namespace {
@@ -16,7 +17,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session);
+  const Session session = open_session(o.session, o.output);
   OneMarkerOptions options = o.one_marker;
   if (!o.marker_in_tcp.empty())
     options.marker_in_tcp = Vector3(o.marker_in_tcp[0], o.marker_in_tcp[1], o.marker_in_tcp[2]);
@@ -61,11 +62,12 @@ Command add_effective_mass(CLI::App& app) {
   add_session_option(*command, options->session);
   command->add_option("--marker", options->one_marker.marker, "Which marker");
   command->add_option("--stiffness", options->one_marker.default_stiffness, "N m/rad, of joints that declare none")
-      ->check(CLI::PositiveNumber);
+      ->check(within(bounds::stiffness));
   command
       ->add_option("--marker-in-tcp", options->marker_in_tcp,
                    "m, x y z: the initial guess; a fit of the session where it is left out")
-      ->expected(3);
+      ->expected(3)
+      ->check(within(-10, 10));
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "effects/effect.h"
+#include "effects/own_effect.h"
 
 namespace handsight::cli {
 namespace {
@@ -21,38 +21,69 @@ const char* at(EffectScope scope) {
   return "";
 }
 
-int run(const Output& output) {
+struct Options {
+  std::string session;
+  Output output;
+};
+
+Json effect_json(const Effect& effect) {
+  Json parameters = Json::array();
+  for (const EffectParameter& p : effect.parameters)
+    parameters.push_back({{"name", p.name}, {"unit", p.unit}, {"sigma", p.sigma}});
+  Json j{{"id", effect.id},
+         {"title", effect.title},
+         {"cause", effect.cause},
+         {"parameters", parameters},
+         {"visibility", effect.visibility},
+         {"check", effect.check},
+         {"source", effect.source},
+         {"from", effect.definition ? effect.definition->file : "catalogue"}};
+  if (effect.definition) j["definition"] = effect_definition_text(*effect.definition);
+  return j;
+}
+
+void print_effect(const Output& output, const Effect& effect) {
+  output.line(fmt::format("{}  ({})", effect.id, effect.title));
+  const auto told = [&](const char* what, const std::string& text) {
+    if (!text.empty()) output.line(std::string("  ") + what + text);
+  };
+  told("", effect.cause);
+  for (const EffectParameter& p : effect.parameters)
+    output.line(fmt::format("  {} [{}], plausible size {:g}{}", p.name, p.unit, p.sigma, at(effect.scope)));
+  told("Seen: ", effect.visibility);
+  told("Check: ", effect.check);
+  told("Source: ", effect.source);
+  if (!effect.definition) return;
+  for (const DefinedMove& m : effect.definition->moves) output.line(fmt::format("  Moves {} by {}", m.site, m.formula));
+  output.line(fmt::format("  From {}, line {}", effect.definition->file, effect.definition->line));
+}
+
+int run(const Options& o) {
+  o.output.require_places();
   Json list = Json::array();
-  for (const Effect& effect : catalogue()) {
-    output.line(fmt::format("{}  ({})", effect.id, effect.title));
-    output.line("  " + effect.cause);
-    Json parameters = Json::array();
-    for (const EffectParameter& p : effect.parameters) {
-      output.line(fmt::format("  {} [{}], plausible size {:g}{}", p.name, p.unit, p.sigma, at(effect.scope)));
-      parameters.push_back({{"name", p.name}, {"unit", p.unit}, {"sigma", p.sigma}});
-    }
-    output.line("  Seen: " + effect.visibility);
-    output.line("  Check: " + effect.check);
-    output.line("  Source: " + effect.source);
-    list.push_back({{"id", effect.id},
-                    {"title", effect.title},
-                    {"cause", effect.cause},
-                    {"parameters", parameters},
-                    {"visibility", effect.visibility},
-                    {"check", effect.check},
-                    {"source", effect.source}});
+  OwnEffects own;
+  if (!o.session.empty()) {
+    const Session session = open_session(o.session);
+    own = own_effects_of(session, chain_of(session));
   }
-  output.json(list);
+  const auto tell = [&](const Effect& effect) {
+    print_effect(o.output, effect);
+    list.push_back(effect_json(effect));
+  };
+  for (const Effect& effect : catalogue()) tell(effect);
+  for (const std::shared_ptr<const Effect>& effect : own) tell(*effect);
+  o.output.json(list);
   return done;
 }
 
 }  // namespace
 
 Command add_effects(CLI::App& app) {
-  auto output = std::make_shared<Output>();
-  CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects");
-  add_json_option(*command, *output);
-  return {command, [output] { return run(*output); }};
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, and a session's own");
+  command->add_option("--session", options->session, "A session folder: its own effects are told too");
+  add_json_option(*command, options->output);
+  return {command, [options] { return run(*options); }};
 }
 
 }  // namespace handsight::cli

@@ -7,20 +7,19 @@
 #include "estimation/export.h"
 #include "estimation/fit_report.h"
 #include "fit_output.h"
-#include "session/calibration_xml.h"
 
 namespace handsight::cli {
 namespace {
 
 struct Options {
-  std::string session, objective = "image", loss = "none", export_file;
+  std::string session, objective = "image", loss = "none";
   std::vector<std::string> effects;
   bool fix_markers = false, without_wrong_points = false;
   Output output;
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session);
+  const Session session = open_session(o.session, o.output);
   FitOptions options;
   options.objective = o.objective == "camera"       ? Objective::camera
                       : o.objective == "angle-axis" ? Objective::angle_axis
@@ -38,10 +37,8 @@ int run(const Options& o) {
   Json json = fit_json(session, result, told, options);
   if (o.without_wrong_points) json["wrong_points"] = wrong_points_json(clean.wrong);
   o.output.json(json);
-  if (!o.export_file.empty()) {
-    write_calibration(o.export_file, calibration_of(session, result, told, options, "handsight " HANDSIGHT_VERSION));
-    o.output.line("Written: " + o.export_file);
-  }
+  if (!o.output.export_file.empty())
+    o.output.calibration(calibration_of(session, result, told, options, "handsight " HANDSIGHT_VERSION));
   return result.converged() ? done : answer_is_no;
 }
 
@@ -60,7 +57,7 @@ Command add_fit(CLI::App& app) {
                     "Leave out single points that are wrong whatever the robot does, as diagnose and the window do");
   command->add_option("--effects", options->effects,
                       "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
-  command->add_option("--export", options->export_file, "Write the calibration XML");
+  add_export_option(*command, options->output);
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

@@ -34,7 +34,7 @@ Json parameters_json(const Session& session, const std::vector<FittedEffect>& ef
   Json list = Json::array();
   for (const FittedEffect& e : effects) {
     if (e.term.id != id) continue;
-    const Effect* effect = find_effect(id);
+    const Effect* effect = &effect_of(e.term);
     for (std::size_t p = 0; p < effect->parameters.size(); ++p)
       list.push_back(
           {{"of", e.term.joint >= 0 ? Json(place_name(*effect, e.term.joint, session.robot)) : Json(nullptr)},
@@ -48,10 +48,19 @@ Json parameters_json(const Session& session, const std::vector<FittedEffect>& ef
 
 Json effects_json(const Session& session, const std::vector<FittedEffect>& effects) {
   Json list = Json::array();
-  for (const Effect& effect : catalogue()) {
-    Json parameters = parameters_json(session, effects, effect.id);
-    if (!parameters.empty()) list.push_back({{"id", effect.id}, {"parameters", parameters}});
-  }
+  const auto add = [&](const std::string& id, const EffectDefinition* definition) {
+    Json parameters = parameters_json(session, effects, id);
+    if (parameters.empty()) return;
+    list.push_back({{"id", id}, {"parameters", parameters}});
+    if (definition) list.back()["definition"] = effect_definition_text(*definition);
+  };
+  for (const Effect& effect : catalogue()) add(effect.id, nullptr);
+  std::vector<std::string> told;
+  for (const FittedEffect& e : effects)
+    if (e.term.own && std::find(told.begin(), told.end(), e.term.id) == told.end()) {
+      told.push_back(e.term.id);
+      add(e.term.id, e.term.own->definition.get());
+    }
   return list;
 }
 
@@ -60,7 +69,7 @@ void print_effects(const Output& out, const Session& session, const Fit& fit) {
   out.line();
   out.line("Effects in the model");
   for (const FittedEffect& e : fit.effects) {
-    const Effect& effect = *find_effect(e.term.id);
+    const Effect& effect = effect_of(e.term);
     const std::string place = place_name(effect, e.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       out.line(fmt::format("  {:<22} {:<12} {:<11} {:>11.4g}{} {}", e.term.id, place, effect.parameters[p].name,

@@ -3,21 +3,22 @@
 #include "diagnosis_output.h"
 #include "estimation/export.h"
 #include "fit_output.h"
-#include "session/calibration_xml.h"
 
 namespace handsight::cli {
 namespace {
 
 struct Options {
-  std::string session, export_file;
+  std::string session;
   std::vector<std::string> effects;
+  bool names_only = false;
   Output output;
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session);
+  const Session session = open_session(o.session, o.output);
   ImprovementOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
+  options.with_curves = !o.names_only;
   Progress progress("improve", 100);
   options.on_progress = [&](double done) {
     progress.at(static_cast<std::size_t>(100 * done));
@@ -26,11 +27,9 @@ int run(const Options& o) {
   const Improvement m = improve(session, options);
   print_improvement(o.output, session, m);
   o.output.json(improvement_json(session, m));
-  if (!o.export_file.empty()) {
-    write_calibration(o.export_file, calibration_of(session, m.last.model.fit, m.last.report, m.last.model_options,
-                                                    "handsight " HANDSIGHT_VERSION));
-    o.output.line("Written: " + o.export_file);
-  }
+  if (!o.output.export_file.empty())
+    o.output.calibration(
+        calibration_of(session, m.last.model.fit, m.last.report, m.last.model_options, "handsight " HANDSIGHT_VERSION));
   const bool no = m.last.verdict == Verdict::unexplained || m.last.verdict == Verdict::too_few_observations ||
                   !m.last.model.fit.converged();
   return no ? answer_is_no : done;
@@ -44,7 +43,8 @@ Command add_improve(CLI::App& app) {
       "improve", "Diagnoses, adds what is missing, refits, until the model is adequate or nothing helps");
   add_session_option(*command, options->session);
   command->add_option("--effects", options->effects, "Effects in the model from the start");
-  command->add_option("--export", options->export_file, "Write the calibration XML of the last model");
+  add_export_option(*command, options->output);
+  command->add_flag("--names-only", options->names_only, "Take in effects alone, no curves without a name");
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

@@ -60,7 +60,7 @@ std::vector<int> marker_numbers(const Options& options, int marker_count) {
 }
 
 int run(const Options& options) {
-  Session session = open_session(options.session);
+  Session session = open_session(options.session, options.output);
   if (!session.stereo) throw InputError("A tracker session has no images to label; its markers are points already.");
   Observation& observation = observation_with(session, options.observation);
   if (observation.left_image.empty() || observation.right_image.empty())
@@ -69,10 +69,9 @@ int run(const Options& options) {
   const std::vector<int> numbers_of = marker_numbers(options, session.marker_count);
   std::vector<Vector2> pointed;
   for (const std::string& text : options.left) pointed.push_back(parse_point(text));
-  const Image left = read_image(folder(session) / observation.left_image);
-  const Image right = read_image(folder(session) / observation.right_image);
-  check_image_size(left, session.stereo->left, observation.left_image);
-  check_image_size(right, session.stereo->right, observation.right_image);
+  const Image left = read_image(folder(session) / observation.left_image, session.stereo->left, observation.left_image);
+  const Image right =
+      read_image(folder(session) / observation.right_image, session.stereo->right, observation.right_image);
   const FirstLabels labels = label_first(*session.stereo, detect_corners(left), detect_corners(right), pointed);
   Json result{{"observation", observation.id}, {"refusal", labels.refusal}, {"markers", Json::array()}};
   if (!labels.refusal.empty()) {
@@ -107,7 +106,7 @@ int run(const Options& options) {
             [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });
   observation.decision = Decision::none;
   observation.reason.clear();
-  save_session(session);
+  replace_session(session);
   options.output.json(result);
   options.output.line(fmt::format("Saved: observation {} is labelled.", observation.id));
   return done;

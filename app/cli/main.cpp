@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // handsight-cli: everything that the workbench does, without a window.
+#include <csignal>
 #include <iostream>
+#include <new>
+#include <sstream>
 
+#include "base/text.h"
 #include "command.h"
 
 namespace {
@@ -20,23 +24,45 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? cli::done : cli::wrong_input;
+    std::ostringstream out, err;
+    const int code = app.exit(error, out, err);
+    std::cout << printable(out.str());
+    std::cerr << printable(err.str());
+    return code == 0 ? cli::done : cli::wrong_input;
   }
   for (const cli::Command& command : commands)
     if (command.app->parsed()) return command.run();
   return cli::wrong_input;
 }
 
+int fails_with(const std::string& sentence, int exit_code) {
+  std::cerr << printable(sentence) << '\n';
+  return exit_code;
+}
+
+/// A result that did not arrive is no success.
+int flushed(int exit_code) {
+  std::cout.flush();
+  if (std::cout) return exit_code;
+  return fails_with(
+      "Standard output cannot be written (is the disk full, or the reader gone?): the result is not whole.",
+      cli::wrong_input);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A reader that has gone or a file that may not grow are told by the writing itself.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return run(argc, argv);
+    return flushed(run(argc, argv));
   } catch (const InputError& error) {
-    std::cerr << error.what() << '\n';
-    return cli::wrong_input;
+    return flushed(fails_with(shortened(error.what(), 600), cli::wrong_input));  // options may be long
+  } catch (const std::bad_alloc&) {
+    return fails_with("There is not enough memory for this; expected a smaller session or fewer observations.",
+                      cli::wrong_input);
   } catch (const std::exception& error) {
-    std::cerr << "handsight-cli failed, which is an error of its own: " << error.what() << '\n';
-    return 3;
+    return fails_with(std::string("handsight-cli failed, which is an error of its own: ") + error.what(), 3);
   }
 }

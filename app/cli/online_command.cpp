@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iostream>
+#include <set>
 
-#include "base/files.h"
 #include "command.h"
 #include "estimation/online.h"
 #include "json_values.h"
+#include "limits.h"
+#include "outputs.h"
 #include "session/session_xml.h"
 #include "vision/image_file.h"
 
@@ -28,6 +29,7 @@ Json step_json(const OnlineStep& step) {
             {"state", step.accepted ? "accepted" : "rejected"},
             {"reason", step.reason},
             {"milliseconds", step.milliseconds}};
+  if (step.is_open) line["open"] = true;  // the same id comes again once it is decided
   line["tcp_from_body"] = step.has_estimate ? six(step.tcp_from_body) : Json(nullptr);
   line["sigma"] = step.has_estimate ? numbers(step.sigma) : Json(nullptr);
   line["tcp_from_tcp_est"] = step.tcp_from_tcp_est ? six(*step.tcp_from_tcp_est) : Json(nullptr);
@@ -35,7 +37,10 @@ Json step_json(const OnlineStep& step) {
 }
 
 std::string step_line(const OnlineStep& step) {
-  std::string text = fmt::format("{:>5}  {}", step.id, step.accepted ? "taken   " : "rejected");
+  std::string text = fmt::format("{:>5}  {}", step.id,
+                                 step.accepted  ? "taken   "
+                                 : step.is_open ? "open    "
+                                                : "rejected");
   if (!step.accepted) return text + "  " + step.reason;
   text += fmt::format("  {} markers {}", step.sightings.size(), step.from_images ? "found   " : "labelled");
   if (step.has_estimate && step.tcp_from_tcp_est)
@@ -47,10 +52,8 @@ std::string step_line(const OnlineStep& step) {
 std::optional<ImagePair> read_images(const Session& session, const Observation& o, std::string& refusal) {
   if (o.left_image.empty() || o.right_image.empty() || !session.stereo) return std::nullopt;
   try {
-    ImagePair pair{read_image(folder(session) / o.left_image), read_image(folder(session) / o.right_image)};
-    check_image_size(pair.left, session.stereo->left, o.left_image);
-    check_image_size(pair.right, session.stereo->right, o.right_image);
-    return pair;
+    return ImagePair{read_image(folder(session) / o.left_image, session.stereo->left, o.left_image),
+                     read_image(folder(session) / o.right_image, session.stereo->right, o.right_image)};
   } catch (const InputError& error) {
     refusal = error.what();
     return std::nullopt;
@@ -74,46 +77,99 @@ void print_estimate(const Output& output, const OnlineStep& last) {
     output.line("(sigmas from how the observations differ: the model does not agree with them to the noise)");
 }
 
+/// Images that cannot be read say nothing of their observations: those stay undecided.
+void save(const Session& session, std::size_t unreadable, std::size_t with_images, const std::string& refusal) {
+  if (unreadable > 0 && unreadable == with_images)
+    throw InputError(fmt::format("None of the {} observations' images can be read, so that nothing is saved. {}",
+                                 with_images, refusal));
+  if (unreadable > 0)
+    Output::note(
+        fmt::format("The images of {} observations cannot be read; what the session says of these stays as it "
+                    "is. {}",
+                    unreadable, refusal));
+  replace_session(session);
+}
+
+/// The steps as they come: shown, written and kept in the session. A step may come again, decided after all.
+class Steps {
+ public:
+  Steps(Session& session, const Options& options) : session_(session), options_(options) {}
+
+  void take(const OnlineStep& step) {
+    options_.output.line(step_line(step));
+    if (options_.output.json_file == "-") {
+      std::cout << json_text(step_json(step), -1) << '\n' << std::flush;
+    } else if (!options_.output.json_file.empty()) {
+      json_lines_ += json_text(step_json(step), -1) + '\n';
+    }
+    for (Observation& o : session_.observations)
+      if (o.id == step.id && o.decision != Decision::excluded && !unreadable_.count(o.id)) keep_step(step, o);
+    if (step.accepted)
+      taken_.insert(step.id);
+    else
+      taken_.erase(step.id);
+    if (step.has_estimate) last_ = step;
+  }
+  std::size_t taken() const { return taken_.size(); }
+  const OnlineStep& last() const { return last_; }
+  const std::string& json_lines() const { return json_lines_; }
+
+  /// An observation whose images cannot be read is not decided.
+  void note_images(std::int64_t id, bool has_images, const std::string& refusal) {
+    with_images_ += has_images || !refusal.empty() ? 1 : 0;
+    if (refusal.empty()) return;
+    unreadable_.insert(id);
+    if (first_refusal_.empty()) first_refusal_ = refusal;
+  }
+  void save() const { cli::save(session_, unreadable_.size(), with_images_, first_refusal_); }
+
+ private:
+  Session& session_;
+  const Options& options_;
+  std::set<std::int64_t> taken_;
+  OnlineStep last_;
+  std::string json_lines_, first_refusal_;
+  std::set<std::int64_t> unreadable_;
+  std::size_t with_images_ = 0;
+};
+
+OnlineStep decided(OnlineCalibration& online, const Session& session, const Observation& observation, Steps& steps) {
+  std::string refusal;
+  const auto images =
+      observation.decision == Decision::excluded ? std::nullopt : read_images(session, observation, refusal);
+  steps.note_images(observation.id, images.has_value(), refusal);
+  if (refusal.empty()) return online.add(observation, images ? &*images : nullptr);
+  OnlineStep step;
+  step.id = observation.id;
+  step.reason = refusal;
+  return step;
+}
+
 int run(const Options& options) {
-  Session session = open_session(options.session);
+  Session session = open_session(options.session, options.output);
   OnlineOptions online_options;
   online_options.match.body_gate = 1e-3 * options.body_gate_mm;
   OnlineCalibration online(session, online_options);
-  std::ofstream json_lines;
-  std::string json_text;
   Progress progress("calibrating", session.observations.size());
-  std::size_t taken = 0;
-  OnlineStep last;
+  Steps steps(session, options);
   for (std::size_t k = 0; k < session.observations.size(); ++k) {
-    Observation& observation = session.observations[k];
-    std::string refusal;
-    const auto images =
-        observation.decision == Decision::excluded ? std::nullopt : read_images(session, observation, refusal);
-    OnlineStep step;
-    if (!refusal.empty()) {
-      step.id = observation.id;
-      step.reason = refusal;
-    } else {
-      step = online.add(observation, images ? &*images : nullptr);
-    }
-    taken += step.accepted ? 1 : 0;
-    options.output.line(step_line(step));
-    if (options.output.json_file == "-") {
-      std::cout << step_json(step).dump() << '\n' << std::flush;
-    } else if (!options.output.json_file.empty()) {
-      json_text += step_json(step).dump() + '\n';
-    }
-    if (observation.decision != Decision::excluded) keep_step(step, observation);
-    if (step.has_estimate) last = std::move(step);
+    const OnlineStep step = decided(online, session, session.observations[k], steps);
+    for (const OnlineStep& revised : online.take_revised()) steps.take(revised);
+    steps.take(step);
     progress.at(k + 1);
   }
-  if (!json_text.empty()) replace_file(options.output.json_file, json_text);
-  if (options.save) save_session(session);
+  if (!steps.json_lines().empty()) write_output(options.output.json_file, steps.json_lines(), "--json");
+  if (options.save) steps.save();
   options.output.line();
-  options.output.line(fmt::format("{} of {} observations taken{}", taken, session.observations.size(),
+  options.output.line(fmt::format("{} of {} observations taken{}", steps.taken(), session.observations.size(),
                                   options.save ? "; saved in the session" : ""));
-  if (!last.has_estimate) return answer_is_no;
-  print_estimate(options.output, last);
+  if (const auto open = online.mount_progress())
+    options.output.line(
+        fmt::format("The cameras' mount is still unknown: {} labelled and {} open observations do not agree on one.{}",
+                    open->labelled, open->open,
+                    open->label_next ? fmt::format(" Label observation {} next.", *open->label_next) : std::string()));
+  if (!steps.last().has_estimate) return answer_is_no;
+  print_estimate(options.output, steps.last());
   return done;
 }
 
@@ -128,7 +184,7 @@ Command add_online(CLI::App& app) {
   command
       ->add_option("--body-gate", options->body_gate_mm,
                    "mm: how far the markers as a whole may be from their prediction")
-      ->check(CLI::PositiveNumber);
+      ->check(within(0.001, 10000));
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "base/files.h"
 #include "base/numbers.h"
 #include "command.h"
 #include "diagnosis/planning.h"
 #include "diagnosis_output.h"
 #include "json_values.h"
+#include "outputs.h"
 
 namespace handsight::cli {
 namespace {
@@ -108,11 +108,12 @@ void write_csv(const std::string& file, const Session& session, const Plan& p) {
       text += (j > 0 ? "," : "") + format_number(pose.position[j]);
     text += '\n';
   }
-  replace_file(file, text);
+  write_output(file, text, "--csv");
 }
 
 int run(const Options& o) {
-  const Session session = open_session(o.session);
+  const Session session = open_session(o.session, o.output);
+  require_output(o.csv_file, "--csv");
   PlanOptions options;
   options.count = o.count;
   add_effects(o.effects, session, options.effects, options.estimated);

@@ -21,6 +21,7 @@ PredictSource from_session(const std::string& path, const std::string& robot_fil
   source.chain = chain_of(session);
   source.joint_names = session.joints;
   source.model = prediction_model(fitted);
+  source.times = times_of(session);
   if (source.model.scatter.observations < 3)
     source.notes.push_back(
         "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "
@@ -44,9 +45,11 @@ PredictSource from_calibration(const std::string& path, const std::string& robot
   session.gravity = c.gravity.value_or(session.gravity);
   session.joints = c.joints;
   PredictSource source;
-  source.chain = chain_of(session);
   source.joint_names = c.joints;
   source.model = prediction_model(c, session.robot);
+  session.marker_count = std::max(static_cast<int>(c.markers.size()), markers_of(source.model.effects));
+  source.chain = chain_of(session);
+  source.times = c.times;
   source.notes = c.notes;
   if (!c.effects.empty() && !c.model_covariance)
     source.notes.push_back(

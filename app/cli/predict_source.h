@@ -10,6 +10,7 @@ struct PredictSource {
   Chain chain;
   std::vector<std::string> joint_names;
   PredictionModel model;
+  std::vector<double> times;  // s, of the session's observations; empty: not known
   std::vector<std::string> notes;
 };
 

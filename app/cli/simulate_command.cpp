@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "effects/own_effect.h"
+#include "limits.h"
+#include "outputs.h"
 #include "robot/urdf.h"
 #include "simulation/simulated_files.h"
 
@@ -34,7 +37,8 @@ int images_wanted(const std::string& text, int observations) {
 std::string effects_text(std::size_t count) { return fmt::format("{} effect{}", count, count == 1 ? "" : "s"); }
 
 int run(const Options& o) {
-  Session like = open_session(o.like);
+  note_input(o.robot);
+  Session like = open_session(o.like, o.output);
   SimulationOptions options = o.simulation;
   std::filesystem::path robot_file = folder(like) / like.robot_file;
   if (!o.robot.empty()) {
@@ -43,7 +47,9 @@ int run(const Options& o) {
   }
   if (o.noise >= 0) options.noise = o.noise;
   if (!o.shift.empty()) options.shift_in_sensor = Vector3(o.shift[0], o.shift[1], o.shift[2]);
-  for (const std::string& effect : o.effects) add_effect_value(effect, like.robot, options.effects);
+  const OwnEffects own = own_effects_of(like, chain_of(like));
+  for (const std::string& effect : o.effects) add_effect_value(effect, like.robot, options.effects, own);
+  check_terms(options.effects, like.marker_count);
   for (const std::string& curve : o.curves) options.curves.push_back(parse_curve(curve, like.robot));
   for (const std::string& d : o.disturbances) options.disturbances.push_back(parse_disturbance(d, like.robot));
   ImageOptions image = o.image;
@@ -80,30 +86,30 @@ Command add_simulate(CLI::App& app) {
   command
       ->add_option("--wrong-corners", o->simulation.wrong_corners,
                    "Share of the image points displaced by N(0, 8 px) in u and in v")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--unseen", o->simulation.unseen, "Share of the markers that are missing")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(within(0, 1));
+  command->add_option("--unseen", o->simulation.unseen, "Share of the markers that are missing")->check(within(0, 1));
   command->add_option("--observations", o->simulation.observations, "How many")->check(CLI::Range(1, 100000));
   command->add_option("--seed", o->simulation.seed, "Every random thing follows from it");
   command->add_option("--title", o->simulation.title, "Title of the session");
-  command->add_option("--noise", o->noise, "px (m with a tracker) of one coordinate")->check(CLI::NonNegativeNumber);
+  command->add_option("--noise", o->noise, "px (m with a tracker) of one coordinate")->check(within(0, 1000));
   command->add_flag("--undeclared", o->undeclared, "Do not write the noise into the session");
   command->add_option("--joint-range", o->simulation.joint_range, "Share of the joint limits that poses are drawn from")
-      ->check(CLI::Range(0.01, 1.0));
+      ->check(within(0.01, 1));
   command->add_option("--body-size", o->simulation.body_size, "m: longest side of the markers, about")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--nearest", o->simulation.nearest, "m: from the left camera")->check(CLI::PositiveNumber);
-  command->add_option("--farthest", o->simulation.farthest, "m: from the left camera")->check(CLI::PositiveNumber);
+      ->check(within(1e-4, 10));
+  command->add_option("--nearest", o->simulation.nearest, "m: from the left camera")->check(within(1e-3, 1000));
+  command->add_option("--farthest", o->simulation.farthest, "m: from the left camera")->check(within(1e-3, 1000));
   command->add_flag("--follow", o->simulation.follow, "Neighbouring observations are neighbours in posture");
   command->add_option("--shift", o->shift, "m, x y z: every marker is measured off by this in the sensor's frame")
-      ->expected(3);
+      ->expected(3)
+      ->check(within(-10, 10));
   command->add_option("--disturb", o->disturbances,
                       "ID:joint:NAME=RAD, ID:marker:INDEX=METRES or ID:right_image:NAME=RAD");
   command->add_option("--images", o->images, "all, none, or how many observations get images")
       ->expected(0, 1)
       ->default_str("all");
-  command->add_option("--image-noise", o->image.noise_grey, "grey levels")->check(CLI::NonNegativeNumber);
-  command->add_option("--image-blur", o->image.blur_px, "px")->check(CLI::NonNegativeNumber);
+  command->add_option("--image-noise", o->image.noise_grey, "grey levels")->check(within(0, 255));
+  command->add_option("--image-blur", o->image.blur_px, "px")->check(within(0, 20));
   command->add_option("--distractors", o->image.distractors, "corners in the scene that are no markers")
       ->check(CLI::Range(0, 500));
   add_json_option(*command, o->output);

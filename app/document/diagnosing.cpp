@@ -49,8 +49,7 @@ Diagnosing::Diagnosing(Document& document, Jobs& jobs, QObject* parent)
 
 void Diagnosing::set_wanted(bool wanted) {
   is_wanted_ = wanted;
-  if (!wanted) return jobs_.cancel("diagnosis");
-  follow();
+  if (wanted) follow();  // what runs goes on: who leaves may come back
 }
 
 std::shared_ptr<const CandidateView> Diagnosing::view_of(const std::string& id) const {
@@ -122,11 +121,12 @@ void Diagnosing::start() {
         }
         if (control.is_cancelled()) return false;
         ImprovementOptions options;
+        options.with_curves = false;  // cards are names
         options.effects = version->settings.held;
         options.estimated = version->settings.estimated;
         options.on_progress = [&](double done) {
           control.report(done);
-          share_ = done;
+          if (done > share_) share_ = done;
           post([this] { emit progressed(); });
           return !control.is_cancelled();
         };
@@ -154,7 +154,11 @@ void Diagnosing::start() {
         hand_over(&Diagnosing::views_changed);
         return true;
       },
-      [this](bool) { emit progressed(); });
+      [this](bool) { emit progressed(); },
+      [this](const QString& sentence) {
+        emit document_.noticed(sentence);
+        emit progressed();
+      });
 }
 
 void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis,

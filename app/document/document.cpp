@@ -17,7 +17,7 @@ class EditCommand : public QUndoCommand {
   void redo() override {
     if (after_ == 0) {
       before_ = document_.state_;
-      after_ = edit_.only_reads() ? before_ : ++document_.last_state_;
+      after_ = edit_.leaves_model() ? before_ : ++document_.last_state_;
     }
     document_.apply(edit_, true, after_);
   }
@@ -58,6 +58,8 @@ void Document::open(const std::filesystem::path& path) {
   session_ = std::move(session);
   settings_ = {};
   readings_.clear();
+  drafts_.clear();
+  digest_ = digest;
   number_observations();
   state_ = ++last_state_;
   const JournalContents contents = journal_->take_contents();
@@ -76,7 +78,7 @@ void Document::open(const std::filesystem::path& path) {
 void Document::close() {
   if (!journal_) return;
   // What session.xml cannot hold (the model's effects, what was measured) stays in the journal.
-  if (stack_.isClean() && settings_ == ModelSettings{} && readings_.empty()) {
+  if (stack_.isClean() && settings_ == ModelSettings{} && readings_.empty() && drafts_.empty()) {
     try {
       journal_->clear(digest_of(read_file(session_.file)));
     } catch (const InputError&) {
@@ -90,6 +92,7 @@ void Document::close() {
   second_looks_.clear();
   session_ = {};
   readings_.clear();
+  drafts_.clear();
   index_of_.clear();
   state_ = ++last_state_;
   emit closed();
@@ -168,6 +171,20 @@ Edit Document::edit_of_reading(const std::string& effect, const std::optional<Ro
   return edit;
 }
 
+const LabelDraft* Document::draft_of(std::int64_t id) const {
+  const auto found = drafts_.find(id);
+  return found == drafts_.end() ? nullptr : &found->second;
+}
+
+Edit Document::edit_of_draft(const QString& sentence, std::int64_t id, const std::optional<LabelDraft>& draft) const {
+  const LabelDraft* known = draft_of(id);
+  if (!known && !draft) return {};
+  if (known && draft && *known == *draft) return {};
+  Edit edit{.sentence = sentence};
+  edit.draft = DraftEdit{id, known ? std::optional(*known) : std::nullopt, draft};
+  return edit;
+}
+
 bool Document::write_down(const JournalEntry& entry) {
   if (is_replaying_) return true;
   try {
@@ -184,10 +201,11 @@ void Document::push(Edit edit) {
   stack_.push(new EditCommand(*this, std::move(edit)));
 }
 
-void Document::perform(Edit edit) {
-  if (!journal_ || edit.is_empty()) return;
-  if (!write_down({JournalEntry::Kind::done, edit, {}})) return;
+bool Document::perform(Edit edit) {
+  if (!journal_ || edit.is_empty()) return true;
+  if (!write_down({JournalEntry::Kind::done, edit, {}})) return false;
   push(std::move(edit));
+  return true;
 }
 
 QString Document::errors_text(int from, int to) const {
@@ -230,26 +248,60 @@ void Document::save() {
   if (!journal_) return;
   const std::string text = session_text(session_);
   const std::string digest = digest_of(text);
+  const std::string aside = set_aside_what_another_wrote();
   // Marked before the file is replaced: a kill between the two finds the old content, and replays.
-  journal_->append({JournalEntry::Kind::saved, {}, digest});
+  // Where the state folder's disk is full the session itself is saved all the same.
+  const bool is_marked = write_down({JournalEntry::Kind::saved, {}, digest});
   replace_file(session_.file, text);
   session_.source = std::make_shared<const std::string>(text);
+  digest_ = digest;
   stack_.setClean();
-  emit noticed(tr("Saved in %1").arg(QString::fromStdString(session_.file.string())));
+  const QString saved = tr("Saved in %1").arg(QString::fromStdString(session_.file.string()));
+  emit noticed(aside.empty() ? saved
+                             : tr("%1; another program had changed it meanwhile, and what it wrote is kept in %2.")
+                                   .arg(saved, QString::fromStdString(aside)));
+  if (!is_marked) emit noticed(tr("Saved, but the journal cannot be written: a kill would bring the actions back."));
 }
 
-void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
-  state_ = becomes;
-  if (edit.settings) settings_ = forward ? edit.settings->after : edit.settings->before;
+/// Where session.xml is no longer what was read or last written: copies it beside, and says where to.
+std::string Document::set_aside_what_another_wrote() const {
+  std::error_code error;
+  if (!std::filesystem::exists(session_.file, error)) return {};
+  const std::string theirs = read_file(session_.file);
+  const std::string digest = digest_of(theirs);
+  if (digest == digest_) return {};
+  std::filesystem::path aside = session_.file;
+  aside.replace_filename(session_.file.stem().string() + "." + digest.substr(0, 8) +
+                         session_.file.extension().string());
+  replace_file(aside, theirs);
+  return aside.string();
+}
+
+/// What no model depends on: readings of the robot, unfinished labels.
+void Document::apply_notes(const Edit& edit, bool forward) {
   if (edit.reading) {
     const std::optional<RobotReading>& reading = forward ? edit.reading->after : edit.reading->before;
     readings_.erase(edit.reading->effect);
     if (reading) readings_[edit.reading->effect] = *reading;
   }
-  if (edit.only_reads()) {  // the model stays what it is
-    if (!is_replaying_) emit readings_changed();
-    return;
+  if (edit.draft) {
+    const std::optional<LabelDraft>& draft = forward ? edit.draft->after : edit.draft->before;
+    drafts_.erase(edit.draft->observation);
+    if (draft) drafts_[edit.draft->observation] = *draft;
   }
+}
+
+void Document::tell_notes(const Edit& edit) {
+  if (is_replaying_) return;
+  if (edit.reading) emit readings_changed();
+  if (edit.draft) emit draft_changed(edit.draft->observation);
+}
+
+void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
+  state_ = becomes;
+  if (edit.settings) settings_ = forward ? edit.settings->after : edit.settings->before;
+  apply_notes(edit, forward);
+  if (edit.leaves_model()) return tell_notes(edit);
   if (!applies_) return;
   std::vector<std::int64_t> ids;
   for (const Observation& o : edit.added) ids.push_back(o.id);
@@ -267,6 +319,7 @@ void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
   const ModelVersionPointer shown = shown_;
   if (!forward) remove_observations(edit.added);
   if (is_replaying_) return;
+  tell_notes(edit);
   if (shown_ != shown) emit model_changed();
   if (edit.settings) emit settings_changed();
   emit edited(ids);

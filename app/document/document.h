@@ -40,8 +40,8 @@ class Document : public QObject {
   const Observation* find(std::int64_t id) const;
 
   /// Does one action: written to the journal, then done, then announced. An edit that changes nothing is left out.
-  /// Where it cannot be written down it is not done, and `noticed` says why.
-  void perform(Edit edit);
+  /// False where it cannot be written down: then it is not done, and `noticed` says why.
+  bool perform(Edit edit);
   void undo();
   void redo();
   /// Back to before the first action, one by one.
@@ -78,6 +78,11 @@ class Document : public QObject {
   /// Remembers what was measured (absent: forgets it). Empty where that changes nothing.
   Edit edit_of_reading(const std::string& effect, const std::optional<RobotReading>& reading) const;
 
+  /// Unfinished labels of an observation; null where there are none.
+  const LabelDraft* draft_of(std::int64_t id) const;
+  /// Remembers unfinished labels (absent: forgets them). Empty where that changes nothing.
+  Edit edit_of_draft(const QString& sentence, std::int64_t id, const std::optional<LabelDraft>& draft) const;
+
   /// A new number for Edit::joins.
   std::int64_t new_join() { return ++last_join_; }
 
@@ -91,6 +96,8 @@ class Document : public QObject {
   void edited(const std::vector<std::int64_t>& ids);
   void settings_changed();
   void readings_changed();
+  /// The unfinished labels of this observation came, changed or went.
+  void draft_changed(std::int64_t id);
   void model_changed();
   void saved_changed(bool is_saved);
   /// A sentence for the read-out line.
@@ -99,6 +106,9 @@ class Document : public QObject {
  private:
   friend class EditCommand;
   void apply(const Edit& edit, bool forward, std::int64_t becomes);
+  void apply_notes(const Edit& edit, bool forward);
+  void tell_notes(const Edit& edit);
+  std::string set_aside_what_another_wrote() const;
   static constexpr std::int64_t most_looks = 1 << 20;
   static std::int64_t state_in(std::int64_t revision) { return revision / most_looks; }
   void add_observations(const std::vector<Observation>& added);
@@ -113,8 +123,10 @@ class Document : public QObject {
   Session session_;
   ModelSettings settings_;
   std::map<std::string, RobotReading> readings_;
+  std::map<std::int64_t, LabelDraft> drafts_;
   std::unordered_map<std::int64_t, int> index_of_;
   std::unique_ptr<Journal> journal_;
+  std::string digest_;  // of session.xml as it was read or last written
   QUndoStack stack_;
   std::map<int, ModelVersionPointer> versions_;  // by index of the undo stack
   ModelVersionPointer shown_;

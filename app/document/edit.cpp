@@ -164,6 +164,31 @@ std::optional<RobotReading> parse_reading_json(const std::string& effect, const 
   return reading;
 }
 
+Json draft_json(const std::optional<LabelDraft>& draft) {
+  if (!draft) return nullptr;
+  Json list = Json::array();
+  for (const DraftMarker& m : *draft) {
+    list.push_back({{"marker", m.marker}, {"left", point_json(m.left)}, {"free", m.left_is_free}});
+    if (m.right) list.back()["right"] = point_json(*m.right);
+  }
+  return list;
+}
+
+Vector2 point_at(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
+
+std::optional<LabelDraft> parse_draft(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  LabelDraft draft;
+  for (const Json& one : json)
+    draft.push_back({within(one.at("marker"), 0, 63), point_at(one.at("left")), one.at("free").get<bool>(),
+                     point_of<Vector2>(one, "right")});
+  return draft;
+}
+
+DraftEdit parse_draft_edit(const Json& json) {
+  return {json.at("observation").get<std::int64_t>(), parse_draft(json.at("before")), parse_draft(json.at("after"))};
+}
+
 ReadingEdit parse_reading_edit(const Json& json) {
   const std::string effect = json.at("effect").get<std::string>();
   if (!find_effect(effect)) throw InputError("The journal holds an effect that this version does not know.");
@@ -209,6 +234,11 @@ Edit joined(Edit earlier, const Edit& later) {
   if (later.settings)
     earlier.settings = {earlier.settings ? earlier.settings->before : later.settings->before, later.settings->after};
   if (later.reading) earlier.reading = later.reading;  // readings never join others
+  if (later.draft) {
+    const bool is_same = earlier.draft && earlier.draft->observation == later.draft->observation;
+    const auto before = is_same ? earlier.draft->before : later.draft->before;
+    earlier.draft = {later.draft->observation, before, later.draft->after};
+  }
   return earlier;
 }
 
@@ -226,6 +256,10 @@ std::string edit_text(const Edit& edit) {
     json["reading"] = {{"effect", edit.reading->effect},
                        {"before", reading_json(edit.reading->before)},
                        {"after", reading_json(edit.reading->after)}};
+  if (edit.draft)
+    json["draft"] = {{"observation", edit.draft->observation},
+                     {"before", draft_json(edit.draft->before)},
+                     {"after", draft_json(edit.draft->after)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -242,6 +276,7 @@ Edit parse_edit(const std::string& text) {
     if (json.contains("settings"))
       edit.settings = {parse_settings(json["settings"].at("before")), parse_settings(json["settings"].at("after"))};
     if (json.contains("reading")) edit.reading = parse_reading_edit(json["reading"]);
+    if (json.contains("draft")) edit.draft = parse_draft_edit(json["draft"]);
     return edit;
   } catch (const Json::exception&) {
     throw InputError("A line of the journal is no action that this version understands.");

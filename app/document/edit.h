@@ -50,20 +50,38 @@ struct ReadingEdit {
   std::optional<RobotReading> before, after;
 };
 
+/// One marker of labels that are not finished yet: where it was pointed at, and the partner where the user took one.
+struct DraftMarker {
+  int marker = 0;
+  Vector2 left{0, 0};
+  bool left_is_free = false;     // on no corner
+  std::optional<Vector2> right;  // absent: the program finds it
+
+  bool operator==(const DraftMarker& other) const = default;
+};
+using LabelDraft = std::vector<DraftMarker>;
+
+/// Unfinished labels of one observation; absent: none, the observation's own labels stand.
+struct DraftEdit {
+  std::int64_t observation = 0;
+  std::optional<LabelDraft> before, after;
+};
+
 /// One action. `sentence` says what was done in the past tense without a subject: "excluded observation 7".
 struct Edit {
   QString sentence;
   std::vector<ObservationEdit> observations;
   std::optional<SettingsEdit> settings;
   std::optional<ReadingEdit> reading;
+  std::optional<DraftEdit> draft;
   /// Actions with the same number, pushed one after the other, are one action to undo: a drag, a play. 0: alone.
   std::int64_t joins = 0;
   /// New observations for the end of the session, as they came; what is known of them is in `observations`.
   std::vector<Observation> added;
 
-  bool is_empty() const { return added.empty() && observations.empty() && !settings && !reading; }
+  bool is_empty() const { return added.empty() && observations.empty() && !settings && !reading && !draft; }
   /// Does it leave the model as it is?
-  bool only_reads() const { return added.empty() && observations.empty() && !settings && reading; }
+  bool leaves_model() const { return added.empty() && observations.empty() && !settings && (reading || draft); }
 };
 
 /// `later` follows `earlier`: both as one, with the later sentence.

@@ -72,12 +72,15 @@ struct Read {
   std::string base;  // digest of the session file that the entries start from
   std::vector<JournalEntry> entries;
   std::size_t good_bytes = 0;
+  std::size_t not_understood = 0;  // whole lines from the first one that this version cannot read
+  bool is_foreign = false;         // not a journal of this version at all
 };
 
 Read read_entries(const std::string& text) {
   Read read;
   const std::vector<std::string> lines = whole_lines(text);
-  if (lines.empty() || !lines[0].starts_with("handsight journal 1 ")) return read;
+  read.is_foreign = !lines.empty() && !lines[0].starts_with("handsight journal 1 ");
+  if (lines.empty() || read.is_foreign) return read;
   read.base = lines[0].substr(20, 32);
   read.good_bytes = lines[0].size() + 1;
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -90,6 +93,7 @@ Read read_entries(const std::string& text) {
     }
     read.good_bytes += lines[i].size() + 1;
   }
+  read.not_understood = lines.size() - 1 - read.entries.size();
   return read;
 }
 
@@ -110,46 +114,72 @@ Journal::Journal(const fs::path& session_file, const std::string& digest)
   std::error_code error;
   fs::create_directories(folder, error);
   file_ = folder / (hash(session_file_.string()) + ".journal");
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-  if (descriptor_ < 0)
+  open_.descriptor = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  if (open_.descriptor < 0)
     throw InputError(
         fmt::format("{}: the journal of this session cannot be written ({}); make its folder writable or "
                     "set XDG_STATE_HOME to another.",
                     shown_path(file_), std::strerror(errno)));
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    ::close(descriptor_);
-    descriptor_ = -1;
+  if (::flock(open_.descriptor, LOCK_EX | LOCK_NB) != 0)
     throw InputError(fmt::format("{}: the session is open in another window of Handsight; work there or close it.",
                                  shown_path(session_file_)));
+  recover(digest);
+}
+
+Journal::File::~File() {
+  if (descriptor >= 0) ::close(descriptor);
+}
+
+/// A copy beside the journal, under a name that is not taken by another one.
+fs::path Journal::set_aside(const std::string& text, const std::string& why) const {
+  const fs::path aside = file_.string() + "." + hash(text).substr(0, 8) + ".aside";
+  try {
+    replace_file(aside, text);
+  } catch (const InputError&) {
+    throw InputError(
+        fmt::format("{}: {}, and it cannot be set aside in {}; make room there, or move the journal away yourself.",
+                    shown_path(file_), why, shown_path(aside)));
   }
-  Read read = read_entries(read_file(file_));
+  return aside;
+}
+
+void Journal::recover(const std::string& digest) {
+  const std::string text = read_file(file_);
+  Read read = read_entries(text);
+  if (read.is_foreign) {
+    const fs::path aside = set_aside(text, "the journal is of another version of Handsight");
+    contents_.notice = fmt::format(
+        "The journal of this session is of another version of Handsight and was left unread; it is kept in {}.",
+        shown_path(aside));
+    return start(digest);
+  }
   bool matches = read.base == digest;
   for (std::size_t i = read.entries.size(); i-- > 0 && contents_.in_file == 0;)
     if (read.entries[i].kind == JournalEntry::Kind::saved && read.entries[i].digest == digest) {
       contents_.in_file = i + 1;
       matches = true;
     }
-  if (read.good_bytes == 0 || (!matches && read.entries.empty())) {
-    start(digest);
-    return;
-  }
+  const bool is_whole = read.not_understood == 0;
+  if (read.good_bytes == 0 || (!matches && read.entries.empty() && is_whole)) return start(digest);
   if (!matches) {
-    const fs::path aside = file_.string() + "." + read.base.substr(0, 8) + ".aside";
-    fs::copy_file(file_, aside, fs::copy_options::overwrite_existing, error);
+    const fs::path aside = set_aside(text, "session.xml was changed by another program");
     contents_ = {};
     contents_.notice =
         fmt::format("session.xml was changed by another program; {} unsaved actions from before that are kept in {}.",
-                    read.entries.size(), shown_path(aside));
-    start(digest);
-    return;
+                    read.entries.size() + read.not_understood, shown_path(aside));
+    return start(digest);
   }
-  if (::ftruncate(descriptor_, static_cast<off_t>(read.good_bytes)) != 0)
+  if (!is_whole) {
+    const fs::path aside = set_aside(text, "the journal has lines that this version does not understand");
+    contents_.notice = fmt::format(
+        "Line {} of the journal is no action that this version of Handsight understands: the {} before it are done, "
+        "the "
+        "{} from it on are not; the whole journal is kept in {}.",
+        read.entries.size() + 2, read.entries.size(), read.not_understood, shown_path(aside));
+  }
+  if (::ftruncate(open_.descriptor, static_cast<off_t>(read.good_bytes)) != 0)
     throw InputError(fmt::format("{}: the journal cannot be repaired: {}.", shown_path(file_), std::strerror(errno)));
   contents_.entries = std::move(read.entries);
-}
-
-Journal::~Journal() {
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 JournalContents Journal::take_contents() { return std::exchange(contents_, {}); }
@@ -159,20 +189,24 @@ void Journal::append(const JournalEntry& entry) { write_line(line_of(entry)); }
 void Journal::clear(const std::string& digest) { start(digest); }
 
 void Journal::start(const std::string& digest) {
-  if (::ftruncate(descriptor_, 0) != 0)
+  if (::ftruncate(open_.descriptor, 0) != 0)
     throw InputError(fmt::format("{}: the journal cannot be written: {}.", shown_path(file_), std::strerror(errno)));
   write_line("handsight journal 1 " + digest + " " + session_file_.string());
 }
 
 void Journal::write_line(const std::string& line) {
   const std::string text = line + "\n";
-  const off_t before = ::lseek(descriptor_, 0, SEEK_END);
-  const ssize_t written = ::write(descriptor_, text.data(), text.size());
-  if (written == static_cast<ssize_t>(text.size()) && ::fdatasync(descriptor_) == 0) return;
+  const off_t before = ::lseek(open_.descriptor, 0, SEEK_END);
+  const ssize_t written = ::write(open_.descriptor, text.data(), text.size());
+  if (written == static_cast<ssize_t>(text.size()) && ::fdatasync(open_.descriptor) == 0) return;
   const int error = written < 0 || written == static_cast<ssize_t>(text.size()) ? errno : ENOSPC;
   // Half a line would swallow the next one.
-  if (before >= 0 && ::ftruncate(descriptor_, before) != 0) {
-  }
+  const bool is_whole = before >= 0 && ::ftruncate(open_.descriptor, before) == 0;
+  if (!is_whole && ::write(open_.descriptor, "\n", 1) != 1)
+    throw InputError(
+        fmt::format("{}: the last action could not be written down ({}), and half of it stands there; save "
+                    "the session and open it again.",
+                    shown_path(file_), std::strerror(error)));
   throw InputError(fmt::format("{}: the last action could not be written down ({}); make room and save the session.",
                                shown_path(file_), std::strerror(error)));
 }

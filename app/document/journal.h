@@ -36,11 +36,12 @@ std::string digest_of(const std::string& bytes);
 
 class Journal {
  public:
-  /// Opens (or makes) the journal of a session file whose content has this digest. Entries made for another content
-  /// are set aside under another name, and the notice says where. InputError where another window has it open, or
-  /// where it cannot be written.
+  /// Opens (or makes) the journal of a session file whose content has this digest. Entries made for another content,
+  /// and everything from a line on that this version does not understand, are set aside under another name, and the
+  /// notice says where. InputError where another window has it open, or where it (or what is to be set aside) cannot be
+  /// written: nothing of it is touched then.
   Journal(const std::filesystem::path& session_file, const std::string& digest);
-  ~Journal();
+  ~Journal() = default;
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
@@ -58,10 +59,21 @@ class Journal {
  private:
   void write_line(const std::string& line);
   void start(const std::string& digest);
+  void recover(const std::string& digest);
+  std::filesystem::path set_aside(const std::string& text, const std::string& why) const;
+
+  /// An open file, closed (and with it unlocked) whatever happens.
+  struct File {
+    File() = default;
+    ~File();
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    int descriptor = -1;
+  };
 
   std::filesystem::path session_file_;
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  File open_;
   JournalContents contents_;
 };
 

@@ -98,7 +98,7 @@ std::optional<NumberPlace> find_number(ModelSettings& settings, const std::strin
 }
 
 bool holds_all(const EffectTerm& term) {
-  const Effect& effect = *find_effect(term.id);
+  const Effect& effect = effect_of(term);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
     if (is_free(effect, term, p)) return false;
   return true;
@@ -116,7 +116,7 @@ void bring_by_hand(ModelSettings& settings, const std::string& id) {
 }
 
 QString number_text(const Document& document, const NumberPlace& place) {
-  const Effect& effect = *find_effect(place.term->id);
+  const Effect& effect = effect_of(*place.term);
   return QObject::tr("the %1 of %2")
       .arg(QString::fromStdString(effect.parameters[place.parameter].name),
            effect_of(effect.id, places_of({*place.term}, document.session())));
@@ -128,7 +128,7 @@ Edit with_number_held(const Document& document, const std::string& id, std::size
   ModelSettings after = settings_with_values(document);
   bring_by_hand(after, id);
   const auto place = find_number(after, id, number);
-  if (!place || find_effect(id)->parameters[place->parameter].is_choice) return {};
+  if (!place || effect_of(*place->term).parameters[place->parameter].is_choice) return {};
   place->term->held.resize(place->term->values.size(), 0);
   place->term->held[place->parameter] = held ? 1 : 0;
   const QString name = number_text(document, *place);
@@ -146,7 +146,7 @@ Edit with_value(const Document& document, const std::string& id, std::size_t num
   ModelSettings after = settings_with_values(document);
   const auto place = find_number(after, id, number);
   if (!place) return {};
-  const Effect& effect = *find_effect(id);
+  const Effect& effect = effect_of(*place->term);
   const bool is_in_held = !terms_of_effect(after.held, id).empty();
   const EffectParameter& p = effect.parameters[place->parameter];
   if (p.is_choice || (!is_in_held && is_free(effect, *place->term, place->parameter))) return {};
@@ -171,7 +171,8 @@ std::vector<EffectTerm> best_places(const Session& session, const ModelSettings&
   for (const DiagnosisCandidate& c : d.candidates)
     if (c.id == id && !c.terms.empty()) return c.terms;
   const Chain chain = chain_of(session);
-  if (effect_places(*find_effect(id), chain).empty()) return {};
+  const Effect* effect = find_effect(id);
+  if (!effect || effect_places(*effect, chain).empty()) return {};
   return best_choices(session, effect_terms(id, chain));
 }
 

@@ -18,6 +18,10 @@ ErrorAndNoise error_and_noise(const ModelVersion& version) {
   result.error = of(report.held_out);
   result.held_out = result.error.has_value();
   if (!result.error) result.error = of(report.fitted);
+  if (report.used < fewest_that_tell) {
+    result.error.reset();
+    result.held_out = false;
+  }
   if (version.fit->noise) result.noise = as_told(*version.fit->noise, result.in_pixels);
   return result;
 }
@@ -66,7 +70,7 @@ void check_places(const Session& session, const ModelSettings& settings) {
   const Chain chain = chain_of(session);
   for (const auto* terms : {&settings.estimated, &settings.held})
     for (const EffectTerm& term : *terms) {
-      const Effect& effect = *find_effect(term.id);
+      const Effect& effect = effect_of(term);
       const std::vector<int> places = effect_places(effect, chain);
       if (std::find(places.begin(), places.end(), term.joint) == places.end())
         throw InputError(fmt::format("The model has the effect {} at a place that this robot does not have; untick it.",
@@ -103,19 +107,29 @@ ModelVersionPointer inspected_again(const Session& session, const ModelVersion& 
 }
 
 ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,
-                                 QString cause, const SecondLooks& looks) {
+                                 QString cause, const SecondLooks& looks, const std::function<bool()>& goes_on) {
   auto version = std::make_shared<ModelVersion>();
   version->revision = revision;
   version->cause = std::move(cause);
   version->settings = settings;
   version->options = options_of(settings);
+  // Of the version itself nothing may hold on to the one who asked.
+  const auto asking = [&](FitOptions options) {
+    if (goes_on) options.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };
+    return options;
+  };
+  const auto stop_here = [&] {
+    if (goes_on && !goes_on()) throw InputError("The fit was stopped.");
+  };
   try {
     check_places(session, settings);
-    CleanFit clean = clean_model(session, version->options);
+    CleanFit clean = clean_model(session, asking(version->options));
+    stop_here();
     version->wrong_points = clean.wrong;
     version->options.estimated = with_values_of(clean.fit, settings).estimated;
     if (settings.has_effects()) version->options.start = estimate(clean.fit);
-    auto told = std::make_shared<FitReport>(report(clean.session, clean.fit, version->options));
+    auto told = std::make_shared<FitReport>(report(clean.session, clean.fit, asking(version->options)));
+    stop_here();
     tell(session, looks, std::make_shared<Fit>(std::move(clean.fit)), std::move(told), *version);
   } catch (const InputError& error) {
     version->refusal = QString::fromStdString(error.what());

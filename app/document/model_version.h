@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <memory>
 #include <unordered_map>
 
@@ -48,6 +49,8 @@ struct ErrorAndNoise {
     return error && noise && *noise > 0 ? std::optional(*error / *noise) : std::nullopt;
   }
 };
+/// With fewer observations than this a fit agrees with them whatever is wrong: no error is told.
+inline constexpr int fewest_that_tell = 3;
 ErrorAndNoise error_and_noise(const ModelVersion& version);
 
 /// Standard deviations of tcp_from_body: of the body's origin (m), and of the rotations about the TCP's axes (rad).
@@ -68,8 +71,10 @@ ModelVersionPointer inspected_again(const Session& session, const ModelVersion& 
 /// Do two versions hold the same fit?
 inline bool same_fit(const ModelVersion& a, const ModelVersion& b) { return a.fit && a.fit == b.fit; }
 
-/// Fits a session and reports; a refusal of the fit becomes the version's sentence.
+/// Fits a session and reports; a refusal of the fit becomes the version's sentence. Where `goes_on` answers no the fit
+/// ends as soon as it can, and what comes back is worth nothing.
 ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,
-                                 QString cause, const SecondLooks& looks = {});
+                                 QString cause, const SecondLooks& looks = {},
+                                 const std::function<bool()>& goes_on = {});
 
 }  // namespace handsight::app

@@ -46,9 +46,9 @@ void Refit::start() {
   jobs_.start<ModelVersionPointer>(
       "fit", tr("Fitting %1").arg(counted(used, "observation", "observations")),
       [copy = session, settings = document_.settings(), revision = document_.revision(), cause,
-       looks = document_.second_looks(), before = document_.model_before_second_looks()](JobControl&) {
+       looks = document_.second_looks(), before = document_.model_before_second_looks()](JobControl& control) {
         return before && before->fit ? inspected_again(copy, *before, revision, looks)
-                                     : make_version(copy, settings, revision, cause, looks);
+                                     : make_version(copy, settings, revision, cause, looks, going_on(control));
       },
       [this](const ModelVersionPointer& version) { document_.take_version(version); },
       [this](const QString& sentence) { emit document_.noticed(sentence); });

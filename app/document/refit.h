@@ -19,6 +19,8 @@ class Refit : public QObject {
   /// While held (a session is played, a marker dragged) nothing is fitted; what was missed is fitted at release.
   void hold();
   void release();
+  /// Fits a state whose fit was stopped.
+  void again() { schedule(); }
   bool is_pending() const { return timer_.isActive() || jobs_.is_busy("fit"); }
 
  private:

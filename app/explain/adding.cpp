@@ -86,6 +86,7 @@ void Adding::add(const std::string& id) {
        looks = bench_.document.second_looks()](JobControl& control) {
         show_the_fit(*run.before, run.candidate, observation, *watch);
         ImprovementOptions options;
+        options.with_curves = false;  // cards are names
         options.effects = settings.held;
         options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
         options.on_progress = [&](double done) {

@@ -31,11 +31,6 @@ widgets::ErrorLeft card_error(const DiagnosisCandidate& c, const Diagnosis& d, c
   return {sizes.held_out.in(unit), left.in(unit), sizes.noise.in(unit), !c.held_out, widgets::unit_name(unit)};
 }
 
-QString odds_text(double ln_bayes_factor) {
-  if (ln_bayes_factor > 13.8) return QObject::tr("more than a million to one");
-  return QObject::tr("about %1 to one").arg(std::lround(std::exp(ln_bayes_factor)));
-}
-
 /// What the residuals follow that this candidate acts by.
 QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
   for (const DiagnosisPattern& p : d.patterns) {
@@ -49,7 +44,7 @@ QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
 }
 
 CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ModelVersion& model) {
-  const Effect& effect = *find_effect(c.id);
+  const Effect& effect = effect_of(c.terms.front());
   CardState card{.id = QString::fromStdString(c.id), .effect = c.id};
   card.title = QString::fromStdString(effect.title);
   card.where = places_text(c.where);
@@ -117,6 +112,11 @@ const Refusal* refusal_of(const std::string& id, const Document& document, const
 
 }  // namespace
 
+QString odds_text(double ln_odds) {
+  if (ln_odds > 13.8) return QObject::tr("more than a million to one");
+  return QObject::tr("about %1 to one").arg(std::lround(std::exp(std::max(ln_odds, 0.0))));
+}
+
 bool still_stands(const Refusal& refusal, const Document& document) {
   const QUndoStack& stack = document.undo_stack();
   return refusal.revision == document.revision() ||
@@ -139,7 +139,9 @@ std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersio
       cards.back().why_not = r->reason;
     }
   }
-  std::stable_partition(cards.begin(), cards.end(), [](const CardState& c) { return c.why_not.isEmpty(); });
+  // What no robot is built like, or what was refused, is never the first word.
+  std::stable_partition(cards.begin(), cards.end(),
+                        [](const CardState& c) { return c.why_not.isEmpty() && c.caution.isEmpty(); });
   if (honest && !stops) cards.push_back(*honest);
   return cards;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/explain_texts.h"
 
+#include "document/counted.h"
 #include "document/effect_words.h"
 #include "widgets/number_text.h"
 
@@ -39,6 +40,9 @@ Told told(const VersionSizes& sizes, widgets::SizeUnit unit) {
 QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
   if (!model.fit) return model.refusal;
   const ErrorAndNoise e = error_and_noise(model);
+  if (model.report->used < fewest_that_tell)
+    return QObject::tr("%1 alone cannot show an error: label or play more.")
+        .arg(counted(model.report->used, "observation", "observations"));
   if (!e.error) return QObject::tr("The error is not known.");
   const Told t = told(sizes_of(model, model.fit->noise), unit);
   if (!e.noise)
@@ -60,17 +64,63 @@ namespace {
 
 using widgets::SessionState;
 
+/// The best with a name, of a size that is plausible; where there is none such, the best with a name.
 const DiagnosisCandidate* best_named(const Diagnosis& d) {
-  for (const DiagnosisCandidate& c : d.candidates)
-    if (!c.unnamed) return &c;
-  return nullptr;
+  const DiagnosisCandidate* best = nullptr;
+  for (const DiagnosisCandidate& c : d.candidates) {
+    if (c.unnamed) continue;
+    if (c.plausible && c.ln_bayes_factor >= d.threshold) return &c;
+    if (!best) best = &c;
+  }
+  return best;
 }
 
-QString blame_sentence(const std::optional<widgets::Blame>& blame) {
+enum class Part { cameras, body, robot };
+
+/// What a cause moves: the cameras and where they sit, the marker body on the hand, or the robot.
+Part part_of(const DiagnosisCandidate& c, const Diagnosis& d) {
+  const Problem& problem = d.model.fit.problem;
+  if (!problem.source) return Part::robot;
+  const auto& all = problem.source->circumstances;
+  const std::size_t every = all.size() / 100 + 1;  // a slip begins somewhere on the way
+  for (std::size_t i = 0; i < all.size(); i += every) {
+    const Sites sites = moved_sites(all[i], c.terms);
+    const bool moves_cameras = !sites.mount.isZero() || !sites.drift.isZero() || !sites.rig.isZero() ||
+                               !sites.left_camera.isZero() || !sites.right_camera.isZero();
+    if (moves_cameras) return Part::cameras;
+    const bool moves_markers =
+        std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(); });
+    if (moves_markers || !sites.body.isZero()) return Part::body;
+  }
+  return Part::robot;
+}
+
+/// Whose fault the error is, in the light of what was found missing: its share belongs to what it moves.
+std::optional<widgets::Blame> blame_with_cause(std::optional<widgets::Blame> blame, const Diagnosis& d) {
+  const DiagnosisCandidate* best = best_named(d);
+  if (!blame || !best || !best->explained || !best->plausible) return blame;
+  const double share = std::clamp(*best->explained, 0.0, 1.0);
+  for (double* part : {&blame->cameras, &blame->body, &blame->robot}) *part *= 1 - share;
+  switch (part_of(*best, d)) {
+    case Part::cameras:
+      blame->cameras += share;
+      break;
+    case Part::body:
+      blame->body += share;
+      break;
+    case Part::robot:
+      blame->robot += share;
+      break;
+  }
+  return blame;
+}
+
+QString blame_sentence(const std::optional<widgets::Blame>& blame, bool in_pixels) {
   if (!blame) return {};
-  const std::pair<double, QString> parts[] = {{blame->robot, QObject::tr("the robot")},
-                                              {blame->body, QObject::tr("the marker body")},
-                                              {blame->cameras, QObject::tr("the cameras")}};
+  const std::pair<double, QString> parts[] = {
+      {blame->robot, QObject::tr("the robot")},
+      {blame->body, QObject::tr("the marker body")},
+      {blame->cameras, in_pixels ? QObject::tr("the cameras") : QObject::tr("the tracker")}};
   const auto& most = *std::max_element(std::begin(parts), std::end(parts),
                                        [](const auto& a, const auto& b) { return a.first < b.first; });
   return QObject::tr("%1 % of it comes from %2.").arg(std::lround(100 * most.first)).arg(most.second);
@@ -104,7 +154,7 @@ QString what_is_left_follows(const Diagnosis& d) {
     if (c.unnamed && c.ln_bayes_factor >= d.threshold)
       return QObject::tr("It follows the %1 (%2).")
           .arg(QString::fromStdString(c.unnamed->localiser.variable->name),
-               QString::fromStdString(c.unnamed->localiser.best.shape));
+               QString::fromStdString(c.unnamed->localiser.best.shape.text));
   if (d.patterns.empty()) return {};
   return QObject::tr("It follows the %1.").arg(QString::fromStdString(d.patterns.front().against.name));
 }
@@ -114,23 +164,28 @@ QString unexplained_sentence(const Diagnosis& d, const ErrorAndNoise& e, const T
       .arg(t.error, e.noise ? t.noise : QObject::tr("unknown"), what_is_left_follows(d));
 }
 
+/// What, where, how much, whose: names first, so that they are read where there is little room.
 QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const std::optional<widgets::Blame>& blame,
                          widgets::SizeUnit unit) {
   const DiagnosisCandidate& best = *best_named(d);
   const ErrorAndNoise e = error_and_noise(model);
   const Told t = told(sizes_of(model, model.fit->noise), unit);
   // How many mm that is at the hand stands beside it.
-  QString first = e.error && e.noise
-                      ? QObject::tr("The model misses by %1 where the noise is %2.").arg(t.error, t.noise)
-                      : comparison_sentence(model, unit);
-  const QString whose = blame_sentence(blame);
-  if (!whose.isEmpty()) first += ' ' + whose;
+  QString misses = e.error && e.noise
+                       ? QObject::tr("The model misses by %1 where the noise is %2.").arg(t.error, t.noise)
+                       : comparison_sentence(model, unit);
+  const QString whose = blame_sentence(blame, e.in_pixels);
+  if (!whose.isEmpty()) misses += ' ' + whose;
   const QString name = effect_of(best.id, best.where);
+  if (!best.plausible)
+    return misses + ' ' +
+           QObject::tr("No plausible cause explains it: %1 would help, but at more than three times what is plausible.")
+               .arg(name);
   if (d.verdict == Verdict::ambiguous && !best.cannot_be_told_from.empty())
-    return first + ' ' +
-           QObject::tr("%1 or %2: on these poses they look the same.")
-               .arg(name.left(1).toUpper() + name.mid(1), effect_of(best.cannot_be_told_from.front(), {}));
-  return first + ' ' + QObject::tr("Most likely missing: %1.").arg(name);
+    return QObject::tr("%1 or %2: on these poses they look the same.")
+               .arg(name.left(1).toUpper() + name.mid(1), effect_of(best.cannot_be_told_from.front(), {})) +
+           ' ' + misses;
+  return QObject::tr("Most likely missing: %1.").arg(name) + ' ' + misses;
 }
 
 }  // namespace
@@ -153,7 +208,7 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
   v.state = SessionState::looking;
   if (!d) {
     if (!is_running) v.state = e.noise ? SessionState::waiting : SessionState::noise_unknown;
-    const QString whose = e.ratio().value_or(0) >= 1.25 ? blame_sentence(v.blame) : QString();
+    const QString whose = e.ratio().value_or(0) >= 1.25 ? blame_sentence(v.blame, e.in_pixels) : QString();
     if (!whose.isEmpty()) v.sentence += ' ' + whose;
     return v;
   }
@@ -169,11 +224,13 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
     case Verdict::missing_effect:
     case Verdict::ambiguous:
       v.state = d->verdict == Verdict::ambiguous ? SessionState::ambiguous : SessionState::missing;
+      v.blame = blame_with_cause(v.blame, *d);
       v.sentence = missing_sentence(model, *d, v.blame, unit);
       break;
     case Verdict::unexplained:
       if (names_lead_on) {
         v.state = SessionState::missing;
+        v.blame = blame_with_cause(v.blame, *d);
         v.sentence = missing_sentence(model, *d, v.blame, unit);
         break;
       }

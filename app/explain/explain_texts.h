@@ -43,6 +43,9 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
                                             const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
 
 /// "0.24 px", "3.1 mm": an error as the session measures it, from px or m.
+/// "about 12 to one", "more than a million to one".
+QString odds_text(double ln_odds);
+
 QString error_with_unit(double error, bool in_pixels);
 
 }  // namespace handsight::app

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -164,6 +165,7 @@ WorkStatus ExplainWorkspace::status() const {
       return {WorkState::care, tr("an effect is missing")};
     if (d->verdict == Verdict::unexplained) return {WorkState::care, tr("unexplained")};
   }
+  if (model->report->used < fewest_that_tell) return {WorkState::waiting, tr("waits for more observations")};
   const auto ratio = error_and_noise(*model).ratio();
   if (!ratio) return {WorkState::open, tr("noise unknown")};
   return *ratio < 1.25 ? WorkStatus{WorkState::done, tr("down at the noise")}
@@ -176,12 +178,13 @@ void ExplainWorkspace::activate() {
 }
 
 void ExplainWorkspace::hideEvent(QHideEvent* event) {
+  Workspace::hideEvent(event);
+  if (event->spontaneous()) return;  // the whole window was minimised: it comes back as it was
   if (!adding_.is_running()) bench_.diagnosing.set_wanted(false);
   hold_noise(false);
   hold_blink(false);
   stop_trying();
   if (tour_) tour_->stop();
-  Workspace::hideEvent(event);
 }
 
 void ExplainWorkspace::refresh_in_turns() {

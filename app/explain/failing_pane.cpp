@@ -63,6 +63,15 @@ void FailingPane::make_layout() {
   setMinimumSize(420, 330);  // what comes and goes inside must not make the window grow
 }
 
+/// With little height three plots that can be read are more than nine that cannot.
+void FailingPane::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  constexpr int high_enough = 460, one_row = 108;
+  const int rows = height() < high_enough ? 1 : 3;
+  page_->setMaximumHeight(rows == 1 ? one_row : QWIDGETSIZE_MAX);
+  page_->set_rows(rows);
+}
+
 void FailingPane::connect_all() {
   shows_timer_.setInterval(0);
   connect(&shows_timer_, &QTimer::timeout, this, &FailingPane::find_next_shows);
@@ -138,7 +147,8 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
   }
   page_->set_selected_plot(chosen_);
   fill_large();
-  if (first) large_->fit();  // the axes stay while the user looks
+  // The axes stay while the user looks, as long as they hold what is shown.
+  first ? large_->fit() : large_->fit_if_outgrown();
   refresh_selection();
 }
 

@@ -43,6 +43,9 @@ class FailingPane : public QWidget {
   const std::vector<PlotKey>& places() const { return places_; }
   void refresh_selection();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void make_layout();
   void connect_all();

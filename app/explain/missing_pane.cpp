@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "base/error.h"
+#include "explain/adding_on.h"
 #include "explain/poses_pane.h"
 #include "explain/robot_checks.h"
 #include "explain/truth.h"
@@ -72,13 +73,29 @@ void MissingPane::make_layout() {
   auto* column = new QVBoxLayout(cards);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(cards_, 1);
-  column->addWidget(reveal_, 0, Qt::AlignLeft);
+  make_until_it_stops();
+  cards_->add_at_foot(until_it_stops_);
+  cards_->add_at_foot(reveal_);
   pages_ = new QStackedWidget(this);
   for (QWidget* page : {cards, table_page_, truth_page_, static_cast<QWidget*>(poses_)}) pages_->addWidget(page);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(pages_);
   setMinimumSize(360, 200);
+}
+
+void MissingPane::make_until_it_stops() {
+  adding_on_ = new AddingOn(bench_, adding_, *cards_, this);
+  until_it_stops_ = new QPushButton(this);
+  until_it_stops_->setObjectName("until_it_stops");
+  until_it_stops_->setToolTip(tr("Adds the first card, and the first of what is left, until nothing more helps"));
+  const auto show_state = [this] {
+    until_it_stops_->setText(adding_on_->is_running() ? tr("Stop") : tr("Add until it stops"));
+  };
+  show_state();
+  connect(adding_on_, &AddingOn::changed, this, show_state);
+  connect(until_it_stops_, &QPushButton::clicked, this,
+          [this] { adding_on_->is_running() ? adding_on_->stop() : adding_on_->start(); });
 }
 
 void MissingPane::connect_all() {
@@ -158,6 +175,14 @@ void MissingPane::refresh_truth() {
 }
 
 void MissingPane::refresh() {
+  refresh_cards();
+  const bool can_begin = cards_->count() > 0 && cards_->card(0)->state().kind == widgets::CardKind::candidate &&
+                         cards_->card(0)->state().can_add;
+  until_it_stops_->setEnabled(can_begin || adding_on_->is_running());
+  adding_on_->look();
+}
+
+void MissingPane::refresh_cards() {
   const ModelVersionPointer model = bench_.document.model();
   const auto diagnosis = bench_.diagnosing.diagnosis();
   reveal_->setVisible(bench_.document.is_open() && knows_truth(bench_.document.session()));

@@ -18,6 +18,7 @@ class TruthPanel;
 
 namespace handsight::app {
 
+class AddingOn;
 class PosesPane;
 
 class MissingPane : public QWidget {
@@ -42,6 +43,8 @@ class MissingPane : public QWidget {
 
  private:
   void make_layout();
+  void make_until_it_stops();
+  void refresh_cards();
   void connect_all();
   void refresh_truth();
   void explain_row(const QString& id);
@@ -49,6 +52,8 @@ class MissingPane : public QWidget {
 
   Workbench& bench_;
   Adding& adding_;
+  AddingOn* adding_on_;
+  QPushButton* until_it_stops_;
   ModelVersionPointer shown_for_;  // the version that the cards are of
   QStackedWidget* pages_;
   widgets::CandidateList* cards_;

@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "base/numbers.h"
 #include "document/effect_words.h"
+#include "explain/explain_texts.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -77,6 +78,9 @@ PosesPane::PosesPane(Workbench& bench, QWidget* parent) : QWidget(parent), bench
     if (plan_ && chosen >= 0 && chosen < static_cast<int>(plan_->poses.size()))
       emit pose_chosen(plan_->poses[static_cast<std::size_t>(chosen)].position);
   });
+  connect(&bench.explaining, &Jobs::stopped, this, [this] {
+    if (!plan_ && table_->rowCount() == 0) sentence_->setText(tr("Stopped before poses were found."));
+  });
   connect(&bench.document, &Document::opened, this, [this] {
     path_->setText(QString::fromStdString((folder(bench_.document.session()) / "poses.csv").string()));
     plan_.reset();
@@ -117,8 +121,7 @@ void PosesPane::show_plan(const Plan& made, const QString& what) {
   QString text = tr("%1 more poses would %2. Choose one to see it in 3D.").arg(made.poses.size()).arg(what);
   if (!made.tells_apart) text = tr("No pose that the cameras could see would %1.").arg(what);
   if (made.tells_apart && !made.poses.empty() && made.poses.back().ln_bayes_factor)
-    text += ' ' + tr("Expected odds after them: e^%1 to one.")
-                      .arg(widgets::short_text(made.poses.back().ln_bayes_factor->minCoeff()));
+    text += ' ' + tr("Expected odds after them: %1.").arg(odds_text(made.poses.back().ln_bayes_factor->minCoeff()));
   sentence_->setText(text);
   QStringList names;
   for (const std::string& joint : session.joints) names << QString::fromStdString(joint);

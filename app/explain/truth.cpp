@@ -87,7 +87,7 @@ void add_what_was_not_hidden(const Session& session, const Truth& truth, const F
       return t.id == f.term.id && t.joint == f.term.joint;
     });
     if (is_hidden) continue;
-    const Effect& effect = *find_effect(f.term.id);
+    const Effect& effect = effect_of(f.term);
     const std::string place = place_name(effect, f.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const ShownUnit unit = shown_unit(effect.parameters[p].unit);

@@ -100,6 +100,13 @@ void WatchingPane::connect_all() {
   connect(cloud_, &widgets::ResidualCloud::read_out, &bench_, &Workbench::pointed_at);
   connect(cloud_, &widgets::ResidualCloud::observation_selected, this,
           [this](qint64 id) { bench_.selection.select_observation(id); });
+  connect(cloud_, &widgets::ResidualCloud::observation_hovered, this,
+          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  connect(robot_, &widgets::RobotView::joint_selected, this, [this](const QString& joint) {
+    Selected s = bench_.selection.current();
+    s.joint = joint.toStdString();
+    bench_.selection.select(s);
+  });
   connect(robot_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
   connect(&adding_, &Adding::began, this, &WatchingPane::began);
   connect(&adding_, &Adding::iterated, cost_, &widgets::CostCurve::append);
@@ -110,6 +117,7 @@ void WatchingPane::connect_all() {
     a_ = b_ = -1;
     rows_.clear();
     cost_->clear();
+    cloud_->reset();
     left_->setCurrentIndex(tab_stairs);
     tabs_->button(tab_stairs)->setChecked(true);
   });

@@ -63,7 +63,7 @@ QWidget* ExportWorkspace::make_left() {
   motion_ = plain_table(4, left);
   motion_->setObjectName("motion");
   motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
-  motion_->setMinimumHeight(7 * 24 + 36);
+  motion_->setMinimumHeight(4 * 24 + 36);  // more where there is room; else it scrolls
   layout->addWidget(motion_);
   excluded_title_ = heading(tr("Not used"), left);
   layout->addWidget(excluded_title_);

@@ -2,6 +2,7 @@
 #include "export/export_texts.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "base/numbers.h"
 #include "document/effect_words.h"
@@ -14,7 +15,9 @@ namespace {
 
 constexpr double degrees = 57.29577951308232;
 
-QString number(double value) { return QString::fromStdString(format_number(value)); }
+QString number(double value) {
+  return std::isfinite(value) ? QString::fromStdString(format_number(value)) : QStringLiteral("unknown");
+}
 
 /// By how much (m, rms over the observations) the effects move the hand before the cameras.
 double moved_by_effects(const Fit& fit) {
@@ -43,7 +46,7 @@ QString effects_text(const Session& session, const Fit& fit) {
 std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
   std::vector<MotionLine> lines;
   for (const FittedEffect& f : fit.effects) {
-    const Effect& effect = *find_effect(f.term.id);
+    const Effect& effect = effect_of(f.term);
     const std::string place = place_name(effect, f.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const ShownUnit unit = shown_unit(effect.parameters[p].unit);

@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "document/counted.h"
+#include "explain/explain_texts.h"
 #include "export/fresh_poses.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
@@ -33,6 +34,9 @@ using widgets::TextRole;
 
 /// "hit: 4.1 of 12"
 QString fresh_text(const FreshPose& pose) {
+  if (pose.is_known_bad && !pose.is_hit)
+    return QObject::tr("known to be wrong: %1 of %2")
+        .arg(widgets::short_text(1e3 * pose.distance), widgets::short_text(1e3 * pose.allowed));
   return (pose.is_hit ? QObject::tr("hit: %1 of %2") : QObject::tr("miss: %1 of %2"))
       .arg(widgets::short_text(1e3 * pose.distance), widgets::short_text(1e3 * pose.allowed));
 }
@@ -67,6 +71,7 @@ ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(
 WorkStatus ExportWorkspace::status() const {
   const ModelVersionPointer model = bench_.document.shown_model();
   if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
+  if (model->report->used < fewest_that_tell) return {WorkState::waiting, tr("waits for more observations")};
   if (exported_ == bench_.document.revision()) return {WorkState::done, tr("exported")};
   return {WorkState::open, exported_ < 0 ? tr("ready") : tr("changed since")};
 }
@@ -87,7 +92,14 @@ void ExportWorkspace::refresh() {
   if (!ready) return;
   refresh_motion();
   refresh_excluded(*model);
-  const QString text = QString::fromStdString(calibration_text(*model->calibration));
+  QString text;
+  try {
+    require_finite(*model->calibration);
+    text = QString::fromStdString(calibration_text(*model->calibration));
+  } catch (const InputError& error) {  // numbers that are not finite
+    text = QString::fromStdString(error.what());
+    save_->setEnabled(false);
+  }
   if (xml_->toPlainText() != text) xml_->setPlainText(text);
   show_changes(text);
 }
@@ -141,11 +153,19 @@ void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
           : tr("%1 not used").arg(counted(static_cast<qint64>(unused.size()), "observation", "observations")));
   excluded_->setVisible(!unused.empty());
   const auto fresh = fresh_poses(*model.inspection);
-  const auto hits = std::count_if(fresh.begin(), fresh.end(), [](const FreshPose& p) { return p.is_hit; });
+  const auto count = [&](auto test) { return std::count_if(fresh.begin(), fresh.end(), test); };
+  const auto hits = count([](const FreshPose& p) { return p.is_hit && !p.is_known_bad; });
+  const auto bad = count([](const FreshPose& p) { return p.is_known_bad; });
+  const auto tests = static_cast<qint64>(fresh.size()) - bad;
+  QString sentence = tests == 0
+                         ? tr("Fresh poses: none that the fit has not seen can test it.")
+                         : tr("Fresh poses: of %1 that the fit has not seen, %2 within the 95 % ellipsoid of those "
+                              "it has.")
+                               .arg(tests)
+                               .arg(hits == 1 ? tr("1 lies") : tr("%1 lie").arg(hits));
+  if (bad > 0) sentence += ' ' + tr("%1 known to be wrong count neither way.").arg(bad);
   fresh_->setVisible(!fresh.empty());
-  fresh_->setText(tr("Fresh poses: of %1 that the fit has not seen, %2 within the 95 % ellipsoid of those it has.")
-                      .arg(fresh.size())
-                      .arg(hits == 1 ? tr("1 lies") : tr("%1 lie").arg(hits)));
+  fresh_->setText(sentence);
   excluded_->setRowCount(static_cast<int>(unused.size()));
   for (int r = 0; r < excluded_->rowCount(); ++r) {
     const Unused& u = unused[static_cast<std::size_t>(r)];
@@ -212,8 +232,11 @@ void ExportWorkspace::save_report(bool pdf) {
   file.replace_extension(pdf ? ".pdf" : ".html");
   try {
     const auto pictures = report_pictures(bench_);
-    const QByteArray bytes =
-        pdf ? report_pdf(bench_.document, *model, pictures) : report_html(bench_.document, *model, pictures).toUtf8();
+    const QString verdict = session_verdict(*model, bench_.diagnosing.diagnosis().get(), false,
+                                            bench_.diagnosing.names_lead_on(), bench_.units.unit())
+                                .sentence;
+    const QByteArray bytes = pdf ? report_pdf(bench_.document, *model, pictures, verdict)
+                                 : report_html(bench_.document, *model, pictures, verdict).toUtf8();
     replace_file(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     say(tr("Written: %1").arg(QString::fromStdString(file.string())), false);
   } catch (const std::exception& error) {

@@ -13,6 +13,7 @@ struct FreshPose {
   double distance = 0;  // m, of TCPest from the TCP that the model predicts
   double allowed = 0;   // m, how far the 95 % ellipsoid reaches in that direction
   bool is_hit = false;
+  bool is_known_bad = false;  // its measurement is wrong, or it was rejected for being off: no test of the model
 };
 
 /// Every observation whose hand was seen and that is not part of the fit, against the ellipsoid in which 95 % of new

@@ -19,17 +19,21 @@
 namespace handsight::app {
 namespace {
 
-QString row(const QStringList& cells, const char* tag = "td") {
+/// What stands in the columns after the first: numbers to the right, words to the left.
+enum class Columns { numbers, words };
+
+QString row(const QStringList& cells, Columns columns, const char* tag = "td") {
   QString text = "<tr>";
   for (int i = 0; i < cells.size(); ++i)
-    text += QString("<%1 align=\"%2\">%3</%1>").arg(tag, i == 0 ? "left" : "right", cells[i].toHtmlEscaped());
+    text += QString("<%1 align=\"%2\">%3</%1>")
+                .arg(tag, i == 0 || columns == Columns::words ? "left" : "right", cells[i].toHtmlEscaped());
   return text + "</tr>\n";
 }
 
-QString table(const QStringList& head, const std::vector<QStringList>& rows) {
+QString table(const QStringList& head, const std::vector<QStringList>& rows, Columns columns = Columns::numbers) {
   QString text = "<table cellspacing=\"0\" cellpadding=\"4\">\n";
-  if (!head.isEmpty()) text += row(head, "th");
-  for (const QStringList& r : rows) text += row(r);
+  if (!head.isEmpty()) text += row(head, columns, "th");
+  for (const QStringList& r : rows) text += row(r, columns);
   return text + "</table>\n";
 }
 
@@ -40,12 +44,24 @@ QString error_text(const ErrorSummary& e) {
   return parts.isEmpty() ? QString("-") : parts.join(", ");
 }
 
+/// Nine places: the full numbers are in the XML.
+QString matrix_table(const Rigid& motion) {
+  const Matrix4 m = matrix_from_rigid(motion);
+  std::vector<QStringList> rows;
+  for (int r = 0; r < 4; ++r) {
+    QStringList cells;
+    for (int c = 0; c < 4; ++c) cells << widgets::fixed_text(m(r, c), r < 3 ? 9 : 0);
+    rows.push_back(cells);
+  }
+  return table({}, rows);
+}
+
 QString numbers_part(const Document& document, const ModelVersion& model) {
   std::vector<QStringList> rows;
   for (const MotionLine& l : motion_lines(model, MotionForm::xyz_rpy))
     rows.push_back({l.name, l.value, l.sigma.isEmpty() ? QString() : "± " + l.sigma, l.unit});
   QString text = "<h2>" + QObject::tr("TCP→Body") + "</h2>\n" + table({}, rows);
-  text += "<pre>" + motion_text(model.fit->tcp_from_body, MotionForm::matrix) + "</pre>\n";
+  text += "<p>" + QObject::tr("As a matrix, in m:") + "</p>\n" + matrix_table(model.fit->tcp_from_body);
   rows.clear();
   for (const MotionLine& l : effect_lines(document.session(), *model.fit))
     rows.push_back(
@@ -76,8 +92,8 @@ QString decisions_part(const ModelVersion& model) {
   std::vector<QStringList> rows;
   for (const Unused& u : model.report->rejected)
     rows.push_back({QString::number(u.id), QString::fromStdString(u.reason)});
-  return "<h2>" + QObject::tr("Not used") + "</h2>\n" + table({QObject::tr("Observation"), QObject::tr("Why")}, rows) +
-         wrong;
+  return "<h2>" + QObject::tr("Not used") + "</h2>\n" +
+         table({QObject::tr("Observation"), QObject::tr("Why")}, rows, Columns::words) + wrong;
 }
 
 QString checks_part(const Document& document) {
@@ -110,21 +126,23 @@ QString actions_part(const Document& document) {
 
 /// `source` gives the picture's address: inside the file, or of a resource.
 QString body(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
-             const std::function<QString(std::size_t)>& source) {
+             const QString& verdict, const std::function<QString(std::size_t)>& source) {
   const Session& s = document.session();
   const QString title = QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
-  QString text = "<h1>" + title.toHtmlEscaped() + "</h1>\n<p><b>" + comparison_sentence(model).toHtmlEscaped() +
-                 "</b></p>\n<p>" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
+  QString text = "<h1>" + title.toHtmlEscaped() + "</h1>\n<p><b>" + verdict.toHtmlEscaped() + "</b></p>\n<p>" +
+                 QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
                  QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
   text += numbers_part(document, model);
   for (std::size_t i = 0; i < pictures.size(); ++i)
-    text += "<p>" + pictures[i].caption.toHtmlEscaped() + "<br/><img width=\"560\" src=\"" + source(i) + "\"/></p>\n";
+    // The caption below: a picture that goes to the next page takes it along.
+    text += "<p><img width=\"600\" src=\"" + source(i) + "\"/><br/>" + pictures[i].caption.toHtmlEscaped() + "</p>\n";
   return text + decisions_part(model) + checks_part(document) + actions_part(document);
 }
 
 }  // namespace
 
-QString report_html(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures) {
+QString report_html(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
+                    const QString& verdict) {
   const auto inside = [&](std::size_t i) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -134,26 +152,28 @@ QString report_html(const Document& document, const ModelVersion& model, const s
   };
   return "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"/><title>Handsight</title><style>\n"
          "body{font:14px sans-serif;max-width:760px;margin:32px auto;color:#1b2128;background:#fff}\n"
-         "th,td{border-bottom:1px solid #d0d5db;padding:4px 12px 4px 0}h2{margin-top:32px}pre{font-size:12px}\n"
+         "th,td{border-bottom:1px solid #d0d5db;padding:4px 12px 4px "
+         "0}h2{margin-top:32px}img{max-width:100%}\n"
          "</style></head><body>\n" +
-         body(document, model, pictures, inside) + "</body></html>\n";
+         body(document, model, pictures, verdict, inside) + "</body></html>\n";
 }
 
-QByteArray report_pdf(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures) {
+QByteArray report_pdf(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
+                      const QString& verdict) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   {
     QPdfWriter writer(&buffer);
     writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins(QMarginsF(18, 18, 18, 18), QPageLayout::Millimeter);
+    writer.setPageMargins(QMarginsF(0, 0, 0, 0), QPageLayout::Millimeter);  // the text keeps 2 cm by itself
     writer.setTitle(QString::fromStdString(document.session().title));
     writer.setCreator("handsight " HANDSIGHT_VERSION);
     QTextDocument text;
     for (std::size_t i = 0; i < pictures.size(); ++i)
       text.addResource(QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), pictures[i].image);
     text.setDefaultFont(QFont("DejaVu Sans", 9));
-    text.setHtml(body(document, model, pictures, [](std::size_t i) { return QString("picture:%1").arg(i); }));
+    text.setHtml(body(document, model, pictures, verdict, [](std::size_t i) { return QString("picture:%1").arg(i); }));
     text.print(&writer);
   }
   return bytes;

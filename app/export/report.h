@@ -17,10 +17,12 @@ struct ReportPicture {
   QImage image;
 };
 
-/// One whole HTML file, pictures inside it.
-QString report_html(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures);
+/// One whole HTML file, pictures inside it. `verdict` says in a sentence or two how good the model is.
+QString report_html(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
+                    const QString& verdict);
 
 /// The same as PDF, A4.
-QByteArray report_pdf(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures);
+QByteArray report_pdf(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
+                      const QString& verdict);
 
 }  // namespace handsight::app

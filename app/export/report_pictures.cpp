@@ -1,34 +1,241 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/report_pictures.h"
 
+#include <QPainter>
+
+#include "explain/fit_watch.h"
+#include "explain/pattern_plots.h"
+#include "frame/observation_views.h"
 #include "inspect/inspection_rows.h"
+#include "widgets/explain/pattern_page.h"
+#include "widgets/explain/residual_cloud.h"
+#include "widgets/explain/staircase.h"
 #include "widgets/histogram_plot.h"
 #include "widgets/residual_map.h"
+#include "widgets/theme.h"
 
 namespace handsight::app {
+namespace {
 
-std::vector<ReportPicture> report_pictures(const Workbench& bench) {
-  std::vector<ReportPicture> pictures;
-  const Inspection* all = bench.inspection();
-  if (!all) return pictures;
+using widgets::SizeUnit;
+
+constexpr double sharpness = 2;  // px of a picture for each of the page's
+
+/// Paper is light, whatever the window is; back to the window's own at the end.
+class OnPaper {
+ public:
+  OnPaper() : before_(widgets::theme()) { widgets::set_colors(widgets::ThemeKind::light); }
+  ~OnPaper() { widgets::set_colors(before_); }
+  OnPaper(const OnPaper&) = delete;
+  OnPaper& operator=(const OnPaper&) = delete;
+
+ private:
+  widgets::ThemeKind before_;
+};
+
+/// A widget that is laid out and painted as if it were shown, at this size.
+template <class Widget>
+void lay_out(Widget& widget, int width, int height) {
+  widget.setAttribute(Qt::WA_DontShowOnScreen);
+  widget.resize(width, height);
+  widget.show();
+}
+
+QImage painted(QWidget& widget) {
+  QImage image(widget.size() * sharpness, QImage::Format_RGB32);
+  image.setDevicePixelRatio(sharpness);
+  image.fill(widgets::colors().panel);
+  widget.render(&image, {}, {}, QWidget::DrawChildren);
+  return image;
+}
+
+std::vector<ModelVersionPointer> fitted_versions(const Document& document) {
+  std::vector<ModelVersionPointer> fitted;
+  for (const ModelVersionPointer& v : document.versions())
+    if (v && v->fit && (fitted.empty() || !same_fit(*fitted.back(), *v))) fitted.push_back(v);
+  return fitted;
+}
+
+QString name_of(const ModelVersion& version) {
+  return version.cause.isEmpty() ? QObject::tr("as opened") : version.cause;
+}
+
+void add_staircase(const Workbench& bench, const std::vector<ModelVersionPointer>& versions,
+                   std::vector<ReportPicture>& pictures) {
+  if (versions.size() < 2) return;
+  const SizeUnit unit = bench.units.unit();
+  const auto noise = versions.back()->fit->noise;
+  widgets::StaircaseState state;
+  state.unit = widgets::unit_name(unit);
+  for (const ModelVersionPointer& v : versions) {
+    const VersionSizes sizes = sizes_of(*v, noise);
+    state.versions.push_back({name_of(*v), sizes.fitted.in(unit), sizes.held_out.in(unit)});
+  }
+  state.noise = sizes_of(*versions.back(), noise).noise.in(unit);
+  widgets::Staircase stairs;
+  stairs.set_state(std::move(state));  // before it is shown: nothing is on its way
+  lay_out(stairs, 640, 240);
+  pictures.push_back(
+      {QObject::tr("How the error fell from step to step, fitted and held out; hatched: the noise"), painted(stairs)});
+}
+
+std::vector<widgets::CloudPoint> cloud_of_version(Workbench& bench, const ModelVersionPointer& version) {
+  const auto residuals = bench.diagnosing.residuals_of(version);
+  if (!residuals) return {};
+  return cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, bench.document.session()));
+}
+
+void add_cloud(Workbench& bench, const std::vector<ModelVersionPointer>& versions,
+               std::vector<ReportPicture>& pictures) {
+  const ModelVersionPointer &first = versions.front(), &last = versions.back();
+  auto before = cloud_of_version(bench, first), after = cloud_of_version(bench, last);
+  if (after.empty()) return;
+  const bool in_pixels = last->inspection->in_pixels;
+  widgets::ResidualCloud cloud;
+  cloud.set_unit(in_pixels ? SizeUnit::pixel : SizeUnit::millimetre);
+  if (last->fit->noise) cloud.set_noise((in_pixels ? 1 : 1e3) * *last->fit->noise);
+  const bool is_one = first == last || before.empty();
+  cloud.set_before(is_one ? after : std::move(before), name_of(is_one ? *last : *first));
+  if (!is_one) cloud.set_after(std::move(after), name_of(*last));
+  cloud.fit();
+  lay_out(cloud, 640, 330);
+  pictures.push_back({is_one
+                          ? QObject::tr("The residual of every corner; the rings are one and three sigma")
+                          : QObject::tr("The residual of every corner, at first and now, on the same axes; the rings "
+                                        "are one and three sigma"),
+                      painted(cloud)});
+}
+
+void add_patterns(Workbench& bench, const ModelVersionPointer& version, const std::vector<PlotKey>& keys,
+                  const QString& caption, std::vector<ReportPicture>& pictures) {
+  const auto residuals = bench.diagnosing.residuals_of(version);
+  if (!residuals) return;
+  std::vector<widgets::PatternPlot> plots;
+  for (const PlotKey& key : keys)
+    if (auto plot = pattern_plot(key, *residuals, bench)) plots.push_back(std::move(*plot));
+  if (plots.empty()) return;
+  widgets::PatternPage page;
+  lay_out(page, 660, 420);
+  page.set_plots(std::move(plots));
+  pictures.push_back({caption, painted(page)});
+}
+
+/// Where the first model failed, and the same plots of the last one.
+void add_failures(Workbench& bench, const std::vector<ModelVersionPointer>& versions,
+                  std::vector<ReportPicture>& pictures) {
+  const auto residuals = bench.diagnosing.residuals_of(versions.front());
+  if (!residuals) return;
+  const std::vector<PlotKey> keys = strongest_plots(*residuals);
+  const bool is_one = versions.size() < 2;
+  add_patterns(bench, versions.front(), keys,
+               is_one ? QObject::tr("The residual against what it may follow, strongest first")
+                      : QObject::tr("Where the first model failed: the residual against what it followed most"),
+               pictures);
+  if (!is_one)
+    add_patterns(bench, versions.back(), keys, QObject::tr("The same with the model as it is now"), pictures);
+}
+
+void add_histogram(const Workbench& bench, const Inspection& all, std::vector<ReportPicture>& pictures) {
   widgets::HistogramPlot histogram;
-  histogram.resize(640, 320);
-  histogram.set_noise(all->noise ? std::optional((all->in_pixels ? 1 : 1e3) * *all->noise) : std::nullopt,
-                      all->in_pixels ? "px" : "mm");
+  lay_out(histogram, 640, 300);
+  histogram.set_noise(all.noise ? std::optional((all.in_pixels ? 1 : 1e3) * *all.noise) : std::nullopt,
+                      all.in_pixels ? "px" : "mm");
   histogram.set_unit(bench.units.unit());
   histogram.set_cells(bench.cells());
   histogram.fit();
   pictures.push_back({QObject::tr("Error of each observation against the noise (hatched: what noise alone shows)"),
                       histogram.picture()});
+}
+
+void add_map(const Workbench& bench, std::vector<ReportPicture>& pictures) {
   const Session& s = bench.document.session();
-  if (!s.stereo) return pictures;
+  if (!s.stereo) return;
   widgets::ResidualMap map;
-  map.resize(640, 480);
+  lay_out(map, 640, 480);
   map.set_image_size(s.stereo->left.width, s.stereo->left.height);
   map.set_unit(bench.units.unit());
   map.set_points(map_points(bench));
   map.fit();
   pictures.push_back({QObject::tr("Residuals over the image, arrows magnified"), map.picture()});
+}
+
+/// The worst of the observations that count; with images where any has them.
+const Observation* shown_observation(const Workbench& bench, const Inspection& all) {
+  const Observation* best = nullptr;
+  double worst = -1;
+  for (const InspectionRow& row : all.rows) {
+    const Observation* o = bench.document.find(row.id);
+    if (!o || !row.is_used || !row.rms || row.markers.empty()) continue;
+    const double rank = *row.rms + (o->left_image.empty() ? 0 : 1e6);
+    if (rank <= worst) continue;
+    worst = rank;
+    best = o;
+  }
+  return best;
+}
+
+void add_robot(const Workbench& bench, const Observation& o, const Inspection& all,
+               std::vector<ReportPicture>& pictures) {
+  const Session& s = bench.document.session();
+  widgets::RobotView view;
+  lay_out(view, 640, 480);
+  view.set_robot(s.robot, (folder(s) / s.robot_file).parent_path());
+  const InspectionRow* row = bench.row(o.id);
+  show_pose(bench.document, o, row, view);
+  view.set_arrows(scene_arrows(all));
+  double typical = 0;
+  for (const InspectionRow& r : all.rows)
+    if (r.is_used && r.rms_m) typical = std::max(typical, *r.rms_m);
+  const double times = round_magnification(typical, 0.1);
+  view.set_arrow_magnification(times);
+  view.look(widgets::StandardView::all);
+  pictures.push_back({QObject::tr("The robot in observation %1, with the deviation of every observation, times %2")
+                          .arg(o.id)
+                          .arg(times),
+                      view.picture(sharpness)});
+}
+
+void add_images(Workbench& bench, const Observation& o, std::vector<ReportPicture>& pictures) {
+  if (!bench.document.session().stereo || o.left_image.empty()) return;
+  QWidget pair;
+  auto* left = new widgets::ImageView(&pair);
+  auto* right = new widgets::ImageView(&pair);
+  lay_out(pair, 660, 262);
+  left->setGeometry(0, 0, 327, 262);
+  right->setGeometry(333, 0, 327, 262);
+  left->show();
+  right->show();
+  const InspectionRow* row = bench.row(o.id);
+  show_images(bench, o, row, *left, *right, true);
+  const double times = row ? round_magnification(row->worst_size, 40) : 1;
+  left->set_magnification(times);
+  right->set_magnification(times);
+  left->fit();
+  right->fit();
+  pictures.push_back(
+      {QObject::tr("Observation %1: markers measured and predicted, residuals times %2").arg(o.id).arg(times),
+       painted(pair)});
+}
+
+}  // namespace
+
+std::vector<ReportPicture> report_pictures(Workbench& bench) {
+  std::vector<ReportPicture> pictures;
+  const Inspection* all = bench.inspection();
+  if (!all) return pictures;
+  const OnPaper paper;
+  const std::vector<ModelVersionPointer> versions = fitted_versions(bench.document);
+  if (!versions.empty()) {
+    add_staircase(bench, versions, pictures);
+    add_cloud(bench, versions, pictures);
+    add_failures(bench, versions, pictures);
+  }
+  add_histogram(bench, *all, pictures);
+  add_map(bench, pictures);
+  if (const Observation* o = shown_observation(bench, *all)) {
+    add_images(bench, *o, pictures);
+    add_robot(bench, *o, *all, pictures);
+  }
   return pictures;
 }
 

@@ -101,7 +101,9 @@ VersionSizes sizes_of(const FitReport& report, bool in_pixels, std::optional<dou
 
 VersionSizes sizes_of(const ModelVersion& version, std::optional<double> noise) {
   if (!version.fit) return {};
-  return sizes_of(*version.report, version.inspection->in_pixels, version.fit->noise, noise);
+  VersionSizes sizes = sizes_of(*version.report, version.inspection->in_pixels, version.fit->noise, noise);
+  if (version.report->used < fewest_that_tell) sizes.fitted = sizes.held_out = {};
+  return sizes;
 }
 
 ResidualSize size_of_error(double error, bool in_pixels, std::optional<double> noise) {

@@ -60,6 +60,8 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   session_->setMenu(session_menu);
   session_->setPopupMode(QToolButton::InstantPopup);
   session_->setFont(widgets::text_font(widgets::TextRole::title));
+  session_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  session_->setMinimumWidth(96);  // a long title must not widen the window
   undo_ = button("undo", tr("Undo"), {});
   redo_ = button("redo", tr("Redo"), {});
   job_ = new QLabel(this);
@@ -92,7 +94,7 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { shown_jobs().stop(); });
   for (Jobs* jobs : {&bench.jobs, &bench.explaining})
     connect(jobs, &Jobs::changed, this, [this] {
-      if (shown_jobs().is_busy() && !poll_.isActive()) poll_.start(100);
+      if (shown_jobs().is_busy() && !poll_.isActive()) poll_.start(50);
       refresh_job();
     });
   connect(&poll_, &QTimer::timeout, this, &Header::refresh_job);
@@ -133,9 +135,11 @@ Jobs& Header::shown_jobs() const { return bench_.jobs.is_busy() ? bench_.jobs : 
 void Header::refresh_job() {
   const JobState state = shown_jobs().state();
   if (!shown_jobs().is_busy()) poll_.stop();
-  // A job of a moment would only flicker.
-  const bool shown = state.is_running && (cancel_->isVisible() || state.seconds_left || state.share > 0.02);
-  progress_->setVisible(shown && state.share > 0);
+  // A job of a moment would only flicker; one that does not know how far it is can be cancelled like any other.
+  constexpr double moment = 0.4;  // s
+  const bool shown =
+      state.is_running && (cancel_->isVisible() || state.seconds_left || state.share > 0.02 || state.seconds > moment);
+  progress_->setVisible(shown);
   cancel_->setVisible(shown);
   if (!shown) return job_->clear();
   QString text = state.title;
@@ -143,6 +147,7 @@ void Header::refresh_job() {
   if (state.seconds_left) text += tr(", %1 left").arg(widgets::duration_text(*state.seconds_left));
   job_->setText(job_->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(job_->width() - 4, 40)));
   job_->setToolTip(text);
+  progress_->setRange(0, state.share > 0 ? 1000 : 0);
   progress_->setValue(static_cast<int>(1000 * state.share));
 }
 

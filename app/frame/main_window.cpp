@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QScreen>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -15,12 +16,16 @@
 #include "export/export_workspace.h"
 #include "frame/appearance.h"
 #include "frame/centre_fill.h"
+#include "frame/centre_room.h"
+#include "frame/doubt_bar.h"
 #include "frame/header.h"
+#include "frame/input_manners.h"
 #include "frame/key_list.h"
 #include "frame/model_effects.h"
 #include "frame/rail.h"
 #include "inspect/inspect_workspace.h"
 #include "label/label_workspace.h"
+#include "start/preferences.h"
 #include "start/session_places.h"
 #include "start/start_page.h"
 #include "widgets/model_panel.h"
@@ -33,7 +38,6 @@ namespace handsight::app {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle(tr("Handsight"));
-  resize(1440, 900);
   make_menu();
   make_pages();
   make_shortcuts();
@@ -45,6 +49,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(&bench_, &Workbench::workspace_requested, this, &MainWindow::show_workspace);
   connect(&bench_, &Workbench::relabel_requested, this, [this] { show_workspace(0); });
   session_closed();
+  open_in_size();
+  new InputManners(this);
 }
 
 MainWindow::~MainWindow() {
@@ -65,6 +71,9 @@ void MainWindow::make_menu() {
   add(tr("&Open a session…"), QKeySequence::Open, [this] { choose_session(); });
   add(tr("&New session from images…"), QKeySequence::New, [this] { SessionWizard::run(*this); });
   add(tr("&Save"), QKeySequence::Save, [this] { save(); });
+  QAction* fit = add(tr("&Fit again"), QKeySequence(Qt::Key_F5), [this] {
+    if (bench_.document.is_open() && !bench_.document.model()) bench_.refit.again();
+  });
   menu_->addSeparator();
   add(tr("&Undo everything"), {}, [this] { bench_.document.undo_all(); });
   QAction* fresh = add(tr("Start this sample &anew"), {}, [this] {
@@ -78,7 +87,8 @@ void MainWindow::make_menu() {
   add(tr("&Keys"), QKeySequence(Qt::Key_Question), [this] { show_keys(); });
   add(tr("&Close the session"), QKeySequence::Close, [this] { bench_.document.close(); });
   add(tr("&Quit"), QKeySequence::Quit, [this] { close(); });
-  connect(menu_, &QMenu::aboutToShow, this, [this, fresh] {
+  connect(menu_, &QMenu::aboutToShow, this, [this, fresh, fit] {
+    fit->setEnabled(bench_.document.is_open() && !bench_.document.model() && !bench_.refit.is_pending());
     fresh->setVisible(bench_.document.is_open() && !sample_of(bench_.document.session().file).empty());
   });
 }
@@ -121,18 +131,20 @@ void MainWindow::make_pages() {
   auto* middle = new QHBoxLayout;
   middle->setSpacing(0);
   middle->addWidget(rail_);
-  middle->addWidget(centre_, 1);
+  // What a workspace needs is not to push header, model panel or strip off a small screen.
+  middle->addWidget(new CentreRoom(centre_, session), 1);
   middle->addWidget(panel_);
   auto* rows = new QVBoxLayout(session);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(0);
   rows->addWidget(header_);
+  rows->addWidget(new DoubtBar(bench_, session));
   rows->addLayout(middle, 1);
   rows->addWidget(read_out_);
   rows->addWidget(strip_);
   pages_->addWidget(session);
   connect(rail_, &Rail::chosen, this, &MainWindow::show_workspace);
-  connect(panel_, &widgets::ModelPanel::folded_changed, this, [this](bool folded) { panel_folded_by_user_ = folded; });
+  connect(panel_, &widgets::ModelPanel::folded_changed, this, [this](bool folded) { panel_choice_ = folded; });
   connect(panel_, &widgets::ModelPanel::joint_selected, this, [this](const QString& joint) {
     Selected selected = bench_.selection.current();
     selected.joint = joint.toStdString();
@@ -175,9 +187,8 @@ int MainWindow::workspace() const { return centre_->currentIndex(); }
 void MainWindow::fit_panel_to_workspace() {
   const auto wanted = workspaces_[static_cast<std::size_t>(centre_->currentIndex())]->panel();
   panel_->setVisible(wanted != Workspace::Panel::absent);
-  const bool by_user = panel_folded_by_user_;
-  panel_->set_folded(by_user || wanted == Workspace::Panel::folded);
-  panel_folded_by_user_ = by_user;
+  constexpr int wide_enough = 1400;  // px: the panel beside plots that can still be read
+  panel_->set_folded(wanted == Workspace::Panel::folded || panel_choice_.value_or(width() < wide_enough));
 }
 
 void MainWindow::refresh_panel() {
@@ -239,6 +250,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
       return fill_->put_back() ? void() : bench_.selection.up();
     case Qt::Key_M:
       panel_->set_folded(!panel_->is_folded());
+      panel_choice_ = panel_->is_folded();
       return;
     default:
       QMainWindow::keyPressEvent(event);
@@ -247,7 +259,29 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 
 void MainWindow::show_keys() { KeyList::show_over(this); }
 
+/// In the size it last had, never larger than the screen.
+void MainWindow::open_in_size() {
+  const QRect screen = QMainWindow::screen()->availableGeometry();
+  const QStringList last = preference("window size").split('x');
+  QSize size(1440, 900);
+  if (last.size() == 2 && last[0].toInt() >= 640 && last[1].toInt() >= 400) size = {last[0].toInt(), last[1].toInt()};
+  constexpr int title_bar = 32;  // px, of the frame that the desktop puts round it
+  const QSize room(screen.width(), screen.height() - title_bar);
+  const bool is_cut = size.width() >= room.width() || size.height() >= room.height();
+  resize(size.boundedTo(room));
+  if (is_cut) move(screen.topLeft());
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  constexpr int wide_enough = 1400;
+  const bool crosses = (event->oldSize().width() < wide_enough) != (event->size().width() < wide_enough);
+  if (crosses && bench_.document.is_open() && !panel_choice_) fit_panel_to_workspace();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!isMaximized() && !isFullScreen())
+    remember_preference("window size", QString("%1x%2").arg(width()).arg(height()));
   bench_.document.close();
   event->accept();
 }

@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "frame/model_editor.h"
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void make_menu();
@@ -69,6 +71,7 @@ class MainWindow : public QMainWindow {
   void refresh_crumbs();
   void refresh_rail();
   void fit_panel_to_workspace();
+  void open_in_size();
   void step(int by);
 
   Workbench bench_;
@@ -87,9 +90,9 @@ class MainWindow : public QMainWindow {
   widgets::ObservationStrip* strip_;
   widgets::UnitSwitch* units_;
   std::vector<Workspace*> workspaces_;
-  QTimer strip_timer_;  // a play edits many times a second
-  QTimer panel_timer_;  // one action may tell several times
-  bool panel_folded_by_user_ = false;
+  QTimer strip_timer_;                // a play edits many times a second
+  QTimer panel_timer_;                // one action may tell several times
+  std::optional<bool> panel_choice_;  // folded by the user, or unfolded; absent: as the window's width has it
 };
 
 }  // namespace handsight::app

@@ -62,6 +62,8 @@ void MainWindow::connect_strip() {
 void MainWindow::connect_read_out() {
   connect(&bench_.document, &Document::noticed, this,
           [this](const QString& sentence) { read_out_->show_message(sentence); });
+  for (Jobs* jobs : {&bench_.jobs, &bench_.background, &bench_.explaining})
+    connect(jobs, &Jobs::failed, this, [this](const QString& sentence) { read_out_->show_message(sentence); });
   for (Jobs* jobs : {&bench_.jobs, &bench_.explaining})
     connect(jobs, &Jobs::stopped, this, [this] { read_out_->show_message(tr("Stopped. Everything is as before.")); });
   connect(&bench_, &Workbench::pointed_at, read_out_, &widgets::ReadOutLine::set_pointer);

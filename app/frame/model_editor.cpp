@@ -8,10 +8,11 @@ namespace handsight::app {
 
 void ModelEditor::tick(const QString& id, bool in_model) {
   const std::string name = id.toStdString();
-  if (!in_model) return bench_.document.perform(without_effect(bench_.document, name));
+  const auto perform = [this](Edit edit) { bench_.document.perform(std::move(edit)); };
+  if (!in_model) return perform(without_effect(bench_.document, name));
   if (const auto diagnosis = bench_.diagnosing.diagnosis())
     for (const DiagnosisCandidate& c : diagnosis->candidates)
-      if (c.id == name && !c.terms.empty()) return bench_.document.perform(with_effect(bench_.document, c.terms));
+      if (c.id == name && !c.terms.empty()) return perform(with_effect(bench_.document, c.terms));
   const std::int64_t revision = bench_.document.revision();
   bench_.jobs.start<std::vector<EffectTerm>>(
       "places", tr("Looking where %1 would act").arg(effect_of(name, {})),

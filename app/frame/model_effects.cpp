@@ -82,7 +82,7 @@ std::vector<widgets::ModelParameter> effect_parameters(const Session& session, c
                                                        const std::vector<std::vector<double>>& sigmas) {
   std::vector<widgets::ModelParameter> list;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const Effect& effect = *find_effect(terms[t].id);
+    const Effect& effect = effect_of(terms[t]);
     const QString of = QString::fromStdString(place_name(effect, terms[t].joint, session.robot));
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& number = effect.parameters[p];

@@ -109,8 +109,7 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
     } else if (!shown.refusal.isEmpty()) {
       view->clear(shown.refusal);
     } else {
-      view->clear({});
-      view->set_frame_size(camera.width, camera.height);
+      view->show_frame(camera.width, camera.height);
     }
     const auto noise = bench.inspection() ? bench.inspection()->noise : std::nullopt;
     view->set_marks(row ? image_marks(*row, is_left, *s.stereo, noise, bench.units)

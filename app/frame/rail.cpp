@@ -22,6 +22,7 @@ RailButton::RailButton(const QString& name, int number, QWidget* parent) : QAbst
   setToolTip(tr("%1 (Ctrl+%2)").arg(name).arg(number));
   setAccessibleName(name);
   setCursor(Qt::PointingHandCursor);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
 }
 
 void RailButton::set_status(const WorkStatus& status) {

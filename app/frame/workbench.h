@@ -47,6 +47,9 @@ class Workbench : public QObject {
   void try_out(std::optional<double> error, std::unordered_map<std::int64_t, double> ratios = {});
   std::optional<double> predicted_error() const { return predicted_error_; }
 
+  /// The observation whose label a play waits for: the mount is unknown, and it would tell most.
+  std::optional<std::int64_t> label_wanted;
+
   /// Actions on observations, each one action to undo. Ids that are so already are left out.
   void exclude(const std::vector<std::int64_t>& ids, const std::string& reason = "by the user");
   void include(const std::vector<std::int64_t>& ids);

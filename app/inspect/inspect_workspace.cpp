@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
+#include <algorithm>
 
 #include "frame/observation_views.h"
 #include "inspect/inspection_rows.h"
@@ -80,6 +81,12 @@ void InspectWorkspace::connect_images() {
             [this, is_left](int marker, const Vector2& px, bool finished, Qt::KeyboardModifiers keys) {
               relabel_in_place(is_left, marker, px, finished, keys.testFlag(Qt::AltModifier));
             });
+    connect(view, &ImageView::marker_removed, this, &InspectWorkspace::remove_marker);
+    connect(view, &ImageView::marker_renumbered, this, &InspectWorkspace::renumber);
+    connect(view, &ImageView::marker_hovered, this, [this](int marker) {
+      left_->set_hovered_marker(marker);
+      right_->set_hovered_marker(marker);
+    });
     connect(view, &ImageView::marker_nudged, this, [this, is_left](int marker, const Vector2& delta) {
       const Observation* o = bench_.selected_observation();
       if (!o) return;
@@ -90,21 +97,55 @@ void InspectWorkspace::connect_images() {
   }
 }
 
+/// While it is dragged only the mark moves; what is let go is the action.
 void InspectWorkspace::relabel_in_place(bool left, int marker, const Vector2& px, bool finished, bool free) {
   const Observation* o = bench_.selected_observation();
   if (!o || o->sightings.empty()) return;
-  if (join_ == 0) join_ = bench_.document.new_join();
+  widgets::ImageView& view = left ? *left_ : *right_;
+  if (!finished) {
+    std::vector<widgets::ImageMark> marks = view.marks();
+    for (widgets::ImageMark& m : marks)
+      if (m.marker == marker && m.role == widgets::MarkRole::measured) m.position = px;
+    return view.set_marks(std::move(marks));
+  }
   ObservationState after = state_of(*o);
   for (Sighting& s : after.sightings) {
     if (s.marker != marker) continue;
-    const QImage& image = left ? left_->image() : right_->image();
-    (left ? s.left : s.right) = finished && !free ? snapped(image, px).value_or(px) : px;
+    (left ? s.left : s.right) = free ? px : snapped(view.image(), px).value_or(px);
     s.by = MarkedBy::hand;
   }
-  Edit edit = bench_.document.edit_of(tr("moved marker %1 of observation %2").arg(marker).arg(o->id), {{o->id, after}});
-  edit.joins = join_;
-  if (finished) join_ = 0;
-  bench_.document.perform(std::move(edit));
+  relabel(tr("moved marker %1 of observation %2").arg(marker).arg(o->id), o->id, after);
+}
+
+void InspectWorkspace::relabel(const QString& sentence, std::int64_t id, const ObservationState& after) {
+  Edit edit = bench_.document.edit_of(sentence, {{id, after}});
+  if (edit.is_empty()) return refresh_observation();
+  // Unfinished labels of before know nothing of it.
+  edit.draft = bench_.document.edit_of_draft({}, id, std::nullopt).draft;
+  if (!bench_.document.perform(std::move(edit))) refresh_observation();
+}
+
+void InspectWorkspace::remove_marker(int marker) {
+  const Observation* o = bench_.selected_observation();
+  if (!o) return;
+  ObservationState after = state_of(*o);
+  std::erase_if(after.sightings, [&](const Sighting& s) { return s.marker == marker; });
+  relabel(tr("removed marker %1 of observation %2").arg(marker).arg(o->id), o->id, after);
+}
+
+void InspectWorkspace::renumber(int marker, int to) {
+  const Observation* o = bench_.selected_observation();
+  if (!o) return;
+  const int count = bench_.document.session().marker_count;
+  if (to >= count) {
+    emit bench_.document.noticed(tr("There is no marker %1: this session has markers 0 to %2.").arg(to).arg(count - 1));
+    return;
+  }
+  ObservationState after = state_of(*o);
+  for (Sighting& s : after.sightings) s.marker = s.marker == marker ? to : s.marker == to ? marker : s.marker;
+  std::sort(after.sightings.begin(), after.sightings.end(),
+            [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });
+  relabel(tr("made marker %1 of observation %2 marker %3").arg(marker).arg(o->id).arg(to), o->id, after);
 }
 
 void InspectWorkspace::connect_plots() {
@@ -137,6 +178,11 @@ void InspectWorkspace::connect_plots() {
           [this](qint64 id) { bench_.selection.select_observation(id); });
   connect(scene_, &widgets::RobotView::observation_hovered, this,
           [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  connect(scene_, &widgets::RobotView::joint_selected, this, [this](const QString& joint) {
+    Selected s = bench_.selection.current();
+    s.joint = joint.toStdString();
+    bench_.selection.select(s);
+  });
   connect(scene_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
 }
 
@@ -153,21 +199,24 @@ void InspectWorkspace::try_threshold(double threshold, const std::vector<std::in
     without.observations[static_cast<std::size_t>(bench_.document.index_of(id))].decision = Decision::excluded;
   bench_.jobs.start<ModelVersionPointer>(
       "threshold", tr("Fitting without them"),
-      [without, settings = bench_.document.settings(), revision = now->revision](JobControl&) {
-        return make_version(without, settings, revision, {});
+      [without, settings = bench_.document.settings(), revision = now->revision](JobControl& control) {
+        return make_version(without, settings, revision, {}, {}, going_on(control));
       },
       [this, now, beyond](const ModelVersionPointer& then) {
         if (then->revision != bench_.document.revision()) return;
         beyond_text_->setText(
             exclusion_sentence(*now, *then, beyond.size(), static_cast<std::size_t>(now->report->used), bench_.units));
         exclude_beyond_->setEnabled(then->fit != nullptr);
-      });
+      },
+      [this](const QString& sentence) { beyond_text_->setText(sentence); });
 }
 
 void InspectWorkspace::connect_bench() {
   connect(&bench_.document, &Document::opened, this, [this] {
     robot_is_set_ = false;
     is_stale_ = true;
+    histogram_->set_threshold(std::nullopt);  // that of another session
+    beyond_.clear();
   });
   const auto stale = [this] {
     is_stale_ = true;
@@ -186,7 +235,7 @@ void InspectWorkspace::connect_bench() {
   connect(&bench_.selection, &Selection::changed, this, [this] {
     if (!is_active()) return;
     const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
-    table_->set_selected(id);
+    table_->set_selected_many(chosen(), id);
     if (tabs_->currentIndex() == 0) {
       histogram_->set_selected(id);
     } else {
@@ -244,7 +293,7 @@ void InspectWorkspace::refresh_rows() {
   const bool has_fit = bench_.inspection() != nullptr;
   refresh_units();
   table_->set_rows(has_fit ? table_rows(bench_) : std::vector<widgets::ObservationRow>{});
-  table_->set_selected(bench_.selection.current().observation.value_or(widgets::kNoObservation));
+  table_->set_selected_many(chosen(), bench_.selection.current().observation.value_or(widgets::kNoObservation));
 }
 
 void InspectWorkspace::refresh_units() {
@@ -301,9 +350,7 @@ void InspectWorkspace::refresh_observation() {
   look_->setEnabled(row && row->worst_marker >= 0);
   relabel_->setEnabled(o && !o->left_image.empty());
   blame_->set_sentence(blame_sentence(row, o, bench_.document.session().stereo.has_value()));
-  blame_->set_blame(row && row->blame.letter != 0
-                        ? std::optional(widgets::Blame{row->blame.cameras, row->blame.body, row->blame.robot})
-                        : std::nullopt);
+  blame_->set_blame(row ? shown_blame(row->blame) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));
     right_->clear({});

@@ -44,6 +44,9 @@ class InspectWorkspace : public Workspace {
   void refresh_observation();
   void refresh_plots();
   void relabel_in_place(bool left, int marker, const Vector2& px, bool finished, bool free);
+  void relabel(const QString& sentence, std::int64_t id, const ObservationState& after);
+  void remove_marker(int marker);
+  void renumber(int marker, int to);
   void try_threshold(double threshold, const std::vector<std::int64_t>& beyond);
   std::vector<std::int64_t> chosen() const;
 
@@ -57,7 +60,6 @@ class InspectWorkspace : public Workspace {
   QPushButton *exclude_, *include_, *look_, *relabel_, *exclude_beyond_;
   QLabel *magnified_, *beyond_text_;
   std::vector<std::int64_t> beyond_;
-  std::int64_t join_ = 0;
   bool is_stale_ = true, robot_is_set_ = false;
 };
 

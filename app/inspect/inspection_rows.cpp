@@ -73,6 +73,19 @@ std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   return points;
 }
 
+std::optional<widgets::Blame> shown_blame(const Blame& blame) {
+  switch (blame.letter) {
+    case 'C':
+      return widgets::Blame{1, 0, 0};
+    case 'B':
+      return widgets::Blame{blame.cameras, blame.body + blame.robot, 0};
+    case 'R':
+      return widgets::Blame{blame.cameras, blame.body, blame.robot};
+    default:
+      return std::nullopt;
+  }
+}
+
 QString blame_sentence(const InspectionRow* row, const Observation* observation, bool in_pixels) {
   if (!observation) return QObject::tr("Choose an observation in the strip, a plot or the 3D view.");
   if (!row) {
@@ -86,7 +99,8 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation,
   QString text;
   switch (row->blame.letter) {
     case 'C':
-      text = QObject::tr("The cameras: the two images do not agree with each other. ");
+      text = in_pixels ? QObject::tr("The cameras: the two images do not agree with each other. ")
+                       : QObject::tr("The tracker: its points do not agree with each other. ");
       break;
     case 'B':
       text = QObject::tr("The marker body: the markers are not where they sit on the hand. ");

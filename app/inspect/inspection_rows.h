@@ -3,10 +3,15 @@
 #pragma once
 
 #include "frame/workbench.h"
+#include "widgets/blame_bar.h"
 #include "widgets/observation_table.h"
 #include "widgets/residual_map.h"
 
 namespace handsight::app {
+
+/// The shares as the bar shows them: what follows from the cause to look at first is counted with it. Images that do
+/// not agree make body and robot look wrong too, a body that is wrong the robot. Nothing where nothing stands out.
+std::optional<widgets::Blame> shown_blame(const Blame& blame);
 
 std::vector<widgets::ObservationRow> table_rows(const Workbench& bench);
 std::vector<widgets::MapPoint> map_points(const Workbench& bench);

@@ -71,7 +71,7 @@ void Jobs::finish(const std::shared_ptr<Job>& job) {
   running_.reset();
   if (!job->control.is_cancelled()) {
     if (!job->failure.isEmpty()) {
-      if (job->failed) job->failed(job->failure);
+      job->failed ? job->failed(job->failure) : emit failed(tr("%1: %2").arg(job->title, job->failure));
     } else {
       job->done();
     }
@@ -84,6 +84,7 @@ void Jobs::cancel(const QString& kind) {
   std::erase_if(waiting_, [&](const auto& job) { return any || job->kind == kind; });
   if (!running_ || !(any || running_->kind == kind)) return;
   running_->control.cancelled_ = true;
+  emit changed();
 }
 
 void Jobs::stop() {
@@ -99,9 +100,9 @@ bool Jobs::is_busy(const QString& kind) const {
 }
 
 JobState Jobs::state() const {
-  if (!running_) return {};
-  JobState state{true, running_->title, running_->control.share_, {}};
+  if (!running_ || running_->control.is_cancelled()) return {};
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - running_->begin).count();
+  JobState state{true, running_->title, running_->control.share_, seconds, {}};
   // A guess from little of the work jumps about: the first parts of a job are not like the others.
   if (state.share > 0.05 && seconds > (state.share > 0.2 ? 1 : 4))
     state.seconds_left = seconds * (1 - state.share) / state.share;

@@ -18,8 +18,10 @@ namespace handsight::app {
 class JobControl {
  public:
   bool is_cancelled() const { return cancelled_; }
-  /// Share that is done, 0 to 1.
-  void report(double share) { share_ = share; }
+  /// Share that is done, 0 to 1; one that is less than was told before is kept to oneself.
+  void report(double share) {
+    if (share > share_) share_ = share;
+  }
 
  private:
   friend class Jobs;
@@ -31,7 +33,8 @@ class JobControl {
 struct JobState {
   bool is_running = false;
   QString title;
-  double share = 0;                    // 0 to 1
+  double share = 0;                    // 0 to 1; 0: the job does not say
+  double seconds = 0;                  // since it began
   std::optional<double> seconds_left;  // nothing while too little is done to tell
 };
 
@@ -44,7 +47,8 @@ class Jobs : public QObject {
   ~Jobs() override;
 
   /// Runs `work` in the background, then `done` with its result in this thread. A job of the same `kind` that waits or
-  /// runs is cancelled and its result dropped: only the newest counts. A sentence that `work` throws goes to `failed`.
+  /// runs is cancelled and its result dropped: only the newest counts. A sentence that `work` throws goes to `failed`,
+  /// and to the signal of that name where there is none.
   template <class Result>
   void start(const QString& kind, const QString& title, std::function<Result(JobControl&)> work,
              std::function<void(Result)> done, std::function<void(QString)> failed = {}) {
@@ -69,6 +73,8 @@ class Jobs : public QObject {
   /// A job began, ended, or went on.
   void changed();
   void stopped(const QString& title);
+  /// Why a job that nobody answers for came to nothing.
+  void failed(const QString& sentence);
   void idle();
 
  private:
@@ -91,5 +97,10 @@ class Jobs : public QObject {
   std::shared_ptr<Job> running_;
   std::deque<std::shared_ptr<Job>> waiting_;
 };
+
+/// What a long computation asks from time to time: may it go on?
+inline std::function<bool()> going_on(const JobControl& control) {
+  return [&control] { return !control.is_cancelled(); };
+}
 
 }  // namespace handsight::app

@@ -20,6 +20,8 @@ void LabelWorkspace::make_layout() {
   right_->setObjectName("label_right");
   left_->set_labelling(true);
   right_->set_labelling(true);
+  left_->set_stretched(true);
+  right_->set_stretched(true);
   left_->set_loupe(true);
   left_loupe_ = new widgets::Loupe(this);
   right_loupe_ = new widgets::Loupe(this);
@@ -63,14 +65,8 @@ void LabelWorkspace::make_layout() {
 
 void LabelWorkspace::connect_left() {
   using widgets::ImageView;
-  connect(left_, &ImageView::pointed, this, [this](const Vector2& px, Qt::KeyboardModifiers keys) {
-    const std::size_t before = labeller_.markers().size();
-    sentence_ = labeller_.point(px, keys.testFlag(Qt::AltModifier));
-    if (labeller_.markers().size() > before)
-      for (const auto& [number, m] : labeller_.markers())
-        if (number == static_cast<int>(before) || marker_ < 0) marker_ = number;
-    refresh();
-  });
+  connect(left_, &ImageView::pointed, this,
+          [this](const Vector2& px, Qt::KeyboardModifiers keys) { placed(px, keys.testFlag(Qt::AltModifier)); });
   connect(left_, &ImageView::pointer_moved, this, [this](const Vector2& px) {
     left_loupe_->set_center(px);
     right_->set_epipolar_line(labeller_.epipolar_line(px));
@@ -93,35 +89,27 @@ void LabelWorkspace::connect_left() {
             [this, is_left](int marker, const Vector2& px, bool finished, Qt::KeyboardModifiers keys) {
               marker_ = marker;
               labeller_.move(marker, is_left, px, !finished || keys.testFlag(Qt::AltModifier));
-              refresh();
+              if (!finished) return refresh();
+              remember(tr("moved marker %1 of observation %2").arg(marker).arg(observation_));
             });
     connect(view, &ImageView::marker_nudged, this, [this, is_left](int marker, const Vector2& delta) {
       const auto found = labeller_.markers().find(marker);
       if (found == labeller_.markers().end() || (!is_left && !found->second.right)) return;
       const Vector2 from = is_left ? found->second.left.position : found->second.right->position;
       labeller_.move(marker, is_left, from + delta, true);
-      refresh();
+      if (nudged_ != marker) nudge_join_ = bench_.document.new_join();
+      nudged_ = marker;
+      remember(tr("nudged marker %1 of observation %2").arg(marker).arg(observation_), nudge_join_);
     });
-    connect(view, &ImageView::marker_removed, this, [this](int marker) {
-      labeller_.remove(marker);
-      marker_ = -1;
-      refresh();
-    });
-    connect(view, &ImageView::marker_renumbered, this, [this](int marker, int to) {
-      labeller_.renumber(marker, to);
-      marker_ = to;
-      refresh();
-    });
+    connect(view, &ImageView::marker_removed, this, &LabelWorkspace::remove_marker);
+    connect(view, &ImageView::marker_renumbered, this, &LabelWorkspace::renumber);
     connect(view, &ImageView::read_out, &bench_, &Workbench::pointed_at);
   }
 }
 
 void LabelWorkspace::connect_right() {
   using widgets::ImageView;
-  connect(right_, &ImageView::candidate_chosen, this, [this](int index) {
-    labeller_.choose_partner(marker_, index);
-    refresh();
-  });
+  connect(right_, &ImageView::candidate_chosen, this, &LabelWorkspace::choose_partner);
   connect(right_, &ImageView::candidate_hovered, this, [this](int index) {
     const auto& corners = labeller_.corners().right;
     if (index >= 0 && index < static_cast<int>(corners.size()))
@@ -134,7 +122,7 @@ void LabelWorkspace::connect_right() {
       return;
     }
     labeller_.move(marker_, false, px, keys.testFlag(Qt::AltModifier));
-    refresh();
+    remember(tr("chose the partner of marker %1 of observation %2").arg(marker_).arg(observation_));
   });
 }
 
@@ -143,20 +131,10 @@ void LabelWorkspace::connect_panel() {
   connect(triangle_, &TrianglePanel::use_requested, this, &LabelWorkspace::use);
   connect(triangle_, &TrianglePanel::discard_requested, this, &LabelWorkspace::next_observation);
   connect(triangle_, &TrianglePanel::marker_selected, this, &LabelWorkspace::select_marker);
-  connect(triangle_, &TrianglePanel::marker_removed, this, [this](int marker) {
-    labeller_.remove(marker);
-    marker_ = -1;
-    refresh();
-  });
-  connect(triangle_, &TrianglePanel::marker_renumbered, this, [this](int marker, int to) {
-    labeller_.renumber(marker, to);
-    marker_ = to;
-    refresh();
-  });
-  connect(triangle_, &TrianglePanel::candidate_chosen, this, [this](int index) {
-    labeller_.choose_partner(marker_, index);
-    refresh();
-  });
+  connect(triangle_, &TrianglePanel::marker_removed, this, &LabelWorkspace::remove_marker);
+  connect(triangle_, &TrianglePanel::marker_renumbered, this, &LabelWorkspace::renumber);
+  connect(triangle_, &TrianglePanel::candidate_chosen, this, &LabelWorkspace::choose_partner);
+  connect(triangle_, &TrianglePanel::action_requested, &bench_.document, &Document::undo);
   connect(triangle_, &TrianglePanel::candidate_hovered, right_, &widgets::ImageView::set_hovered_candidate);
 }
 

@@ -24,11 +24,17 @@ LabelWorkspace::LabelWorkspace(Workbench& bench, QWidget* parent) : Workspace(be
   connect(&bench.selection, &Selection::changed, this, [this] {
     if (is_active()) show_observation();
   });
-  connect(&bench.document, &Document::edited, this, [this] {
+  // What is shown is read again where it was changed elsewhere: corrected, undone, taken by a play.
+  connect(&bench.document, &Document::edited, this, [this](const std::vector<std::int64_t>& ids) {
     emit status_changed();
-    if (!is_active()) return;
+    if (is_own_edit_ || std::find(ids.begin(), ids.end(), observation_) == ids.end()) return;
     observation_ = -1;
-    show_observation();
+    if (is_active()) show_observation();
+  });
+  connect(&bench.document, &Document::draft_changed, this, [this](std::int64_t id) {
+    if (is_own_edit_ || id != observation_) return;
+    observation_ = -1;
+    if (is_active()) show_observation();
   });
   connect(&bench, &Workbench::relabel_requested, this, [this](qint64 id) {
     bench_.selection.select_observation(id);
@@ -36,6 +42,7 @@ LabelWorkspace::LabelWorkspace(Workbench& bench, QWidget* parent) : Workspace(be
   });
   connect(&bench.document, &Document::closed, this, [this] {
     observation_ = corners_of_ = -1;
+    corners_ = {};
     left_->clear({});
     right_->clear({});
   });
@@ -70,11 +77,15 @@ void LabelWorkspace::show_observation() {
     return;
   }
   if (o->id == observation_) return;
-  observation_ = o->id;
-  marker_ = -1;
+  const bool is_same = o->id == shown_;
+  observation_ = shown_ = o->id;
+  if (!is_same) marker_ = -1;
   sentence_.clear();
+  can_take_back_ = false;
+  nudged_ = -1;
   const Session& s = bench_.document.session();
-  labeller_.start(s, *o, corners_of_ == o->id ? labeller_.corners() : CornersOfPair{});
+  labeller_.start(s, *o, corners_of_ == o->id ? corners_ : CornersOfPair{}, bench_.document.draft_of(o->id));
+  if (!labeller_.markers().contains(marker_)) marker_ = -1;
   const ShownImage left = bench_.images.image(s, *o, true), right = bench_.images.image(s, *o, false);
   const QString none = s.is_tracker() ? tr("A tracker session has no images; its markers are points already.")
                                       : tr("Observation %1 has no images to label.").arg(o->id);
@@ -87,6 +98,7 @@ void LabelWorkspace::show_observation() {
       view->clear(shown.refusal.isEmpty() ? none : shown.refusal);
     } else {
       view->set_image(shown.image);
+      if (!is_same) view->fit();
     }
   };
   show(left_, left_loupe_, left, tr("Left"), o->left_image);
@@ -101,13 +113,17 @@ void LabelWorkspace::find_corners(std::int64_t id) {
       [left = left_->image(), right = right_->image()](JobControl&) {
         return CornersOfPair{detect_corners(grey_image(left)), detect_corners(grey_image(right))};
       },
-      [this, id](CornersOfPair corners) { corners_found(id, std::move(corners)); });
+      [this, id](CornersOfPair corners) { corners_found(id, std::move(corners)); },
+      [this](const QString& sentence) { say(sentence); });
 }
 
 void LabelWorkspace::corners_found(std::int64_t id, CornersOfPair corners) {
   if (id != observation_) return;
   corners_of_ = id;
-  labeller_.set_corners(std::move(corners));
+  corners_ = std::move(corners);
+  const Observation* o = bench_.document.find(id);
+  if (!o) return;
+  labeller_.start(bench_.document.session(), *o, corners_, bench_.document.draft_of(id));
   refresh();
 }
 
@@ -183,6 +199,10 @@ void LabelWorkspace::refresh_panel() {
   state.can_use = labeller_.will_do();
   state.can_discard = has_images || bench_.document.session().observations.size() > 1;
   state.verdict = widgets::TriangleVerdict::waiting;
+  if (can_take_back_) state.action = tr("As I clicked them");
+  for (std::size_t m = 0; m < labeller_.known().in_body.size(); ++m)
+    if (const auto& x = labeller_.known().in_body[m])
+      state.known.push_back({.number = static_cast<int>(m), .in_left_camera = *x});
   if (!sentence_.isEmpty()) {
     state.verdict = widgets::TriangleVerdict::care;
     state.sentence = sentence_;
@@ -217,17 +237,74 @@ void LabelWorkspace::refresh_panel() {
   triangle_->set_candidates(marker_, std::move(rows));
 }
 
+void LabelWorkspace::remember(const QString& sentence, std::int64_t join) {
+  Edit edit = bench_.document.edit_of_draft(sentence, observation_, labeller_.draft());
+  edit.joins = join;
+  is_own_edit_ = true;
+  const bool is_done = bench_.document.perform(std::move(edit));
+  is_own_edit_ = false;
+  if (!is_done) {  // what cannot be written down is not there
+    observation_ = -1;
+    return show_observation();
+  }
+  refresh();
+}
+
+void LabelWorkspace::placed(const Vector2& px, bool free) {
+  can_take_back_ = false;
+  sentence_ = labeller_.point(px, free);
+  if (labeller_.placed() < 0) return refresh();
+  marker_ = labeller_.placed();
+  remember(tr("placed marker %1 of observation %2").arg(marker_).arg(observation_));
+  number_by_sides();
+}
+
+/// Three corners in another order than in the other observations are the same markers still.
+void LabelWorkspace::number_by_sides() {
+  if (static_cast<int>(labeller_.markers().size()) < labeller_.wanted()) return;
+  const std::map<int, int> numbers = labeller_.numbers_by_sides();
+  if (numbers.empty()) return;
+  QStringList order;
+  for (const auto& [from, to] : numbers) order << QString::number(to);
+  labeller_.renumber_all(numbers);
+  if (const auto found = numbers.find(marker_); found != numbers.end()) marker_ = found->second;
+  remember(tr("renumbered the markers of observation %1 by their sides").arg(observation_));
+  sentence_ = tr("By their sides these are markers %1 of the other observations: renumbered.").arg(order.join(", "));
+  can_take_back_ = true;
+  refresh();
+}
+
+void LabelWorkspace::remove_marker(int marker) {
+  can_take_back_ = false;
+  labeller_.remove(marker);
+  marker_ = -1;
+  remember(tr("removed marker %1 of observation %2").arg(marker).arg(observation_));
+}
+
+void LabelWorkspace::renumber(int marker, int to) {
+  can_take_back_ = false;
+  labeller_.renumber(marker, to);
+  if (labeller_.markers().contains(to)) marker_ = to;
+  remember(tr("made marker %1 of observation %2 marker %3").arg(marker).arg(observation_).arg(to));
+}
+
+void LabelWorkspace::choose_partner(int corner) {
+  labeller_.choose_partner(marker_, corner);
+  remember(tr("chose the partner of marker %1 of observation %2").arg(marker_).arg(observation_));
+}
+
 void LabelWorkspace::use() {
   const Observation* o = bench_.document.find(observation_);
   if (!o || !labeller_.will_do()) return;
   const ObservationState after{labeller_.sightings(), Decision::none, ""};
-  const Edit edit = bench_.document.edit_of(tr("labelled observation %1").arg(o->id), {{o->id, after}});
+  Edit edit = bench_.document.edit_of(tr("labelled observation %1").arg(o->id), {{o->id, after}});
   if (edit.is_empty()) return bench_.workspace_requested(1);
+  edit.draft = bench_.document.edit_of_draft({}, o->id, std::nullopt).draft;
   const auto& all = bench_.document.session().observations;
   const bool is_first =
       std::none_of(all.begin(), all.end(), [](const Observation& x) { return x.decision == Decision::accepted; });
-  bench_.document.perform(edit);
-  if (is_first) emit bench_.workspace_requested(1);
+  const bool is_waited_for = bench_.label_wanted.has_value();
+  if (bench_.document.perform(edit) && (is_first || is_waited_for)) emit bench_.workspace_requested(1);
 }
 
 void LabelWorkspace::next_observation() {

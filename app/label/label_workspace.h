@@ -41,14 +41,25 @@ class LabelWorkspace : public Workspace {
   void refresh_panel();
   void say(const QString& sentence);
   void select_marker(int marker);
+  /// Writes what is labelled into the document; `join` as Edit::joins.
+  void remember(const QString& sentence, std::int64_t join = 0);
+  void placed(const Vector2& px, bool free);
+  void number_by_sides();
+  void remove_marker(int marker);
+  void renumber(int marker, int to);
+  void choose_partner(int corner);
   void use();
   void next_observation();
 
   Labeller labeller_;
-  std::int64_t observation_ = -1;
+  std::int64_t observation_ = -1, shown_ = -1;  // shown_: the one before it was read again
   std::int64_t corners_of_ = -1;
-  int marker_ = -1;   // selected
-  QString sentence_;  // the last refusal of a click
+  CornersOfPair corners_;  // of that observation
+  int marker_ = -1;        // selected
+  QString sentence_;       // the last refusal of a click
+  bool is_own_edit_ = false, can_take_back_ = false;
+  std::int64_t nudge_join_ = 0;  // nudges one after the other are one action
+  int nudged_ = -1;
   widgets::ImageView *left_, *right_;
   widgets::Loupe *left_loupe_, *right_loupe_;
   widgets::TrianglePanel* triangle_;

@@ -4,6 +4,9 @@
 #include <QObject>
 #include <algorithm>
 
+#include "estimation/running_shape.h"
+#include "vision/marker_numbering.h"
+
 namespace handsight::app {
 namespace {
 
@@ -16,12 +19,38 @@ Corner free_corner(const Vector2& px) {
   return corner;
 }
 
+/// The markers as labels of other observations show them; what a play has found follows those and says nothing new.
+KnownMarkers known_from_others(const Session& session, std::int64_t except) {
+  KnownMarkers known{std::vector<std::optional<Vector3>>(static_cast<std::size_t>(session.marker_count)), {}};
+  known.sigma.resize(known.in_body.size(), 0);
+  if (!session.stereo) return known;
+  constexpr int enough = 20;
+  RunningShape shape(session.marker_count);
+  int taken = 0;
+  for (const Observation& o : session.observations) {
+    if (o.id == except || !is_used(o) || taken >= enough) continue;
+    std::vector<Sighting> labels;
+    for (const Sighting& s : o.sightings)
+      if (s.left && s.right && s.by != MarkedBy::tracker) labels.push_back(s);
+    if (labels.size() < 3) continue;
+    shape.add(&*session.stereo, labels, session.sigma_pixel.value_or(0.3));
+    ++taken;
+  }
+  if (taken == 0) return known;
+  known.in_body = shape.markers();
+  known.sigma = shape.sigmas();
+  return known;
+}
+
 }  // namespace
 
-void Labeller::start(const Session& session, const Observation& observation, CornersOfPair corners) {
+void Labeller::start(const Session& session, const Observation& observation, CornersOfPair corners,
+                     const LabelDraft* draft) {
   rig_ = session.stereo;
   marker_count_ = session.marker_count;
+  known_ = known_from_others(session, observation.id);
   markers_.clear();
+  placed_ = -1;
   corners_ = std::move(corners);
   for (const Sighting& s : observation.sightings) {
     if (!s.left) continue;
@@ -31,6 +60,54 @@ void Labeller::start(const Session& session, const Observation& observation, Cor
     marker.right = labelled_corner(corners_.right, *s.right);
     marker.right_is_chosen = true;
   }
+  own_ = as_draft();
+  if (draft) {
+    markers_.clear();
+    for (const DraftMarker& d : *draft) {
+      LabelMarker& marker = markers_[d.marker];
+      marker.left = d.left_is_free ? free_corner(d.left) : labelled_corner(corners_.left, d.left);
+      marker.left_is_free = d.left_is_free;
+      if (!d.right) continue;
+      marker.right = labelled_corner(corners_.right, *d.right);
+      marker.right_is_chosen = true;
+    }
+  }
+  find_partners();
+}
+
+LabelDraft Labeller::as_draft() const {
+  LabelDraft draft;
+  for (const auto& [number, m] : markers_)
+    draft.push_back({number, m.left.position, m.left_is_free,
+                     m.right_is_chosen && m.right ? std::optional(m.right->position) : std::nullopt});
+  return draft;
+}
+
+std::optional<LabelDraft> Labeller::draft() const {
+  LabelDraft now = as_draft();
+  return own_ == now ? std::nullopt : std::optional(std::move(now));
+}
+
+std::map<int, int> Labeller::numbers_by_sides() const {
+  std::vector<NumberedPoint> points;
+  for (const auto& [number, m] : markers_) {
+    if (!m.point) return {};
+    points.push_back({number, m.point->point, m.point->covariance});
+  }
+  const auto numbers = handsight::numbers_by_sides(points, known_);
+  std::map<int, int> by_number;
+  if (numbers)
+    for (std::size_t i = 0; i < points.size(); ++i) by_number[points[i].marker] = (*numbers)[i];
+  return by_number;
+}
+
+void Labeller::renumber_all(const std::map<int, int>& numbers) {
+  std::map<int, LabelMarker> renumbered;
+  for (auto& [number, m] : markers_) {
+    const auto found = numbers.find(number);
+    renumbered[found == numbers.end() ? number : found->second] = std::move(m);
+  }
+  markers_ = std::move(renumbered);
   find_partners();
 }
 
@@ -54,6 +131,7 @@ Corner Labeller::labelled_corner(const std::vector<Corner>& corners, const Vecto
 }
 
 QString Labeller::point(const Vector2& px, bool free) {
+  placed_ = -1;
   int number = 0;
   while (markers_.contains(number)) ++number;
   if (number >= marker_count_)
@@ -73,6 +151,7 @@ QString Labeller::point(const Vector2& px, bool free) {
     marker.left = *corner;
   }
   markers_[number] = marker;
+  placed_ = number;
   find_partners();
   return {};
 }

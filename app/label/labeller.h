@@ -7,8 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "document/edit.h"
 #include "session/session.h"
 #include "vision/first_observation.h"
+#include "vision/following_observation.h"
 
 namespace handsight::app {
 
@@ -38,12 +40,23 @@ struct LabelMarker {
 
 class Labeller {
  public:
-  /// Starts on an observation with the labels that it has. Without corners nothing snaps.
-  void start(const Session& session, const Observation& observation, CornersOfPair corners);
+  /// Starts on an observation with the labels that it has, or with unfinished ones. Without corners nothing snaps.
+  void start(const Session& session, const Observation& observation, CornersOfPair corners,
+             const LabelDraft* draft = nullptr);
   void set_corners(CornersOfPair corners);
 
   /// Places the next marker at the nearest corner within 12 px, or exactly there. The sentence says why not.
   QString point(const Vector2& px, bool free);
+  /// The marker that the last `point` placed; -1: none.
+  int placed() const { return placed_; }
+  /// What is labelled, as it can be remembered; nothing where it is what the observation itself says.
+  std::optional<LabelDraft> draft() const;
+  /// The markers as the session's other labels know them; empty places where they do not.
+  const KnownMarkers& known() const { return known_; }
+  /// Numbers that the sides of the other observations give the markers, where the present ones cannot be right: by
+  /// present number. Empty: they may stay.
+  std::map<int, int> numbers_by_sides() const;
+  void renumber_all(const std::map<int, int>& numbers);
   /// Moves a marker in the left or right image; snaps unless free. Right: becomes the user's own choice.
   void move(int marker, bool left, const Vector2& px, bool free);
   void remove(int marker);
@@ -71,8 +84,12 @@ class Labeller {
   /// A label of the session: exactly there, with the covariance of the corner under it.
   Corner labelled_corner(const std::vector<Corner>& corners, const Vector2& px) const;
   void find_partners();
+  LabelDraft as_draft() const;
 
   std::optional<StereoRig> rig_;
+  KnownMarkers known_;
+  std::optional<LabelDraft> own_;  // the labels of the observation itself
+  int placed_ = -1;
   int marker_count_ = 0;
   CornersOfPair corners_;
   std::map<int, LabelMarker> markers_;

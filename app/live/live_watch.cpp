@@ -59,6 +59,7 @@ void LiveWatch::set_watching(bool watching) {
   if (!files_.files().isEmpty()) files_.removePaths(files_.files());
   stamps_.clear();
   remarks_.clear();
+  early_.clear();
   if (watching) {
     sources_ = live_sources(bench_.document.session());
     taken_.clear();
@@ -105,6 +106,7 @@ void LiveWatch::take(LiveLook look) {
   stamps_ = std::move(look.stamps);
   timer_.start(between_looks);
   std::vector<Observation> observations;
+  std::vector<std::string> names;
   std::int64_t id = -1;
   double time = -1;
   for (const Observation& o : bench_.document.session().observations) {
@@ -112,20 +114,35 @@ void LiveWatch::take(LiveLook look) {
     time = std::max(time, o.time);
   }
   for (LivePair& pair : look.pairs) {
+    taken_.insert(pair.left_name);
+    if (pair.time && *pair.time < time) {  // what was measured is not replaced by something invented
+      early_ << tr("%1 was left out: its time, %2 s, is before that of the observation in front of it, %3 s. Mend the "
+                   "table and watch anew.")
+                    .arg(QString::fromStdString(pair.left_name))
+                    .arg(*pair.time)
+                    .arg(time);
+      continue;
+    }
     Observation o;
     o.id = ++id;
-    // A time that goes back would be refused when the session is read again.
-    o.time = time = pair.time && *pair.time > time ? *pair.time : time + 1;
+    o.time = time = pair.time ? *pair.time : time + 1;
     o.position = std::move(pair.position);
     o.left_image = std::move(pair.left);
     o.right_image = std::move(pair.right);
-    taken_.insert(pair.left_name);
     observations.push_back(std::move(o));
+    names.push_back(pair.left_name);
   }
-  arrived_ += static_cast<int>(observations.size());
+  look.remarks = early_ + look.remarks;
   const bool has_news = !observations.empty() || look.remarks != remarks_;
   remarks_ = std::move(look.remarks);
   if (!observations.empty()) emit arrived_now(observations);
+  // What could not be written down has not arrived: it is looked for again.
+  for (std::size_t i = 0; i < observations.size(); ++i)
+    if (bench_.document.find(observations[i].id)) {
+      ++arrived_;
+    } else {
+      taken_.erase(names[i]);
+    }
   if (has_news) emit state_changed();
 }
 

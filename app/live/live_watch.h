@@ -46,7 +46,7 @@ class LiveWatch : public QObject {
   LiveSources sources_;
   std::set<std::string> taken_;  // left images that arrived in this watch
   std::map<std::string, FileStamp> stamps_;
-  QStringList remarks_;
+  QStringList remarks_, early_;  // early_: pairs left out because their time runs back
   int arrived_ = 0;
   bool is_watching_ = false;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/text.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 
 namespace handsight {
@@ -23,6 +25,12 @@ std::size_t character_length(std::string_view text) {
   if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F)) return 0;
   if ((first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) return 0;
   return length;
+}
+
+/// Of a terminal: C0, DEL and C1 (U+0080 to U+009F).
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  return first < 0x20 || first == 0x7F || (first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0);
 }
 
 }  // namespace
@@ -60,11 +68,24 @@ std::string shortened(std::string_view text, std::size_t most) {
   while (!text.empty()) {
     const std::size_t length = character_length(text);
     std::string character = length == 0 ? "?" : std::string(text.substr(0, length));
-    const auto first = static_cast<unsigned char>(character[0]);
-    if (first < 0x20 || first == 0x7F) character = " ";
+    if (is_control(character)) character = " ";
     if (!whole && shown.size() + character.size() + 3 > most) return shown + "...";
     shown += character;
     text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return shown;
+}
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    const std::string_view character = text.substr(0, length);
+    if (length == 0 || (is_control(character) && character != "\n" && character != "\t"))
+      shown += '?';
+    else
+      shown += character;
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return shown;
 }

@@ -20,6 +20,10 @@ std::string utf8_or_latin1(std::string_view text);
 /// bytes that cannot be shown as '?'.
 std::string shortened(std::string_view text, std::size_t most = 60);
 
+/// The whole text as a terminal may show it: control characters but for line ends and tabs, and bytes that are not
+/// UTF-8, as '?', so that no title or name can steer the terminal.
+std::string printable(std::string_view text);
+
 /// `shortened` in double quotes.
 std::string in_quotes(std::string_view text, std::size_t most = 60);
 

@@ -71,6 +71,20 @@ double as_number(const XmlNode& node, const char* attribute, std::string_view te
   return numbers->front();
 }
 
+void require_within(const XmlNode& node, const char* place, double number, const Bounds& within) {
+  if (!within.hold(number))
+    refuse(node, fmt::format("has the number {:g}{}, expected a number from {:g} to {:g}.", number, place,
+                             within.lowest, within.highest));
+}
+
+std::string in_attribute(const char* attribute) { return fmt::format(" in {}", attribute); }
+
+void require_length(const XmlNode& node, const char* attribute, const std::string& text, std::size_t most) {
+  if (text.size() > most)
+    refuse(node, fmt::format("has {} bytes in {} ({}), expected at most {}.", text.size(), attribute,
+                             handsight::in_quotes(text, 40), most));
+}
+
 [[noreturn]] void refuse_missing(const XmlNode& node, const char* attribute) {
   refuse(node, fmt::format("has no attribute {}, expected {}=\"...\".", attribute, attribute));
 }
@@ -83,6 +97,7 @@ std::unique_ptr<tinyxml2::XMLDocument> parse_xml(std::string_view text, std::str
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
     refuse(file, line_of_byte(text, zero), "the file holds a zero byte, expected XML, which is text.");
   if (split_words(text).empty()) refuse(file, 0, "the file is empty, expected well-formed XML.");
+  check_xml_limits(text, file);
   // tinyxml2 stops without a word at a closing tag that closes nothing; the element added at the end shows
   // it.
   const std::string with_end = std::string(text) + "<end/>";
@@ -147,7 +162,14 @@ std::optional<std::string> find_text(const XmlNode& node, const char* attribute)
   const char* text = node.element->Attribute(attribute);
   if (!text) return std::nullopt;
   require_utf8(node, text);
+  require_length(node, attribute, text, bounds::longest_text);
   return text;
+}
+
+std::optional<std::string> find_name(const XmlNode& node, const char* attribute) {
+  std::optional<std::string> name = find_text(node, attribute);
+  if (name) require_length(node, attribute, *name, bounds::longest_name);
+  return name;
 }
 
 std::string required_text(const XmlNode& node, const char* attribute) {
@@ -158,35 +180,42 @@ std::string required_text(const XmlNode& node, const char* attribute) {
 
 std::string required_name(const XmlNode& node, const char* attribute) {
   const std::string name = required_text(node, attribute);
+  require_length(node, attribute, name, bounds::longest_name);
   if (split_words(name).empty()) refuse(node, fmt::format("{}, expected a name.", with_attribute(attribute, name)));
   return name;
 }
 
-std::optional<double> find_number(const XmlNode& node, const char* attribute) {
+std::optional<double> find_number(const XmlNode& node, const char* attribute, const Bounds& within) {
   const std::optional<std::string> text = find_text(node, attribute);
   if (!text) return std::nullopt;
-  return as_number(node, attribute, *text, "one finite number");
-}
-
-double required_number(const XmlNode& node, const char* attribute) {
-  return as_number(node, attribute, required_text(node, attribute), "one finite number");
-}
-
-std::optional<double> find_positive(const XmlNode& node, const char* attribute) {
-  const std::optional<std::string> text = find_text(node, attribute);
-  if (!text) return std::nullopt;
-  const double number = as_number(node, attribute, *text, "a positive number");
-  if (number <= 0) refuse(node, fmt::format("{}, expected a positive number.", with_attribute(attribute, *text)));
+  const double number = as_number(node, attribute, *text, "one finite number");
+  require_within(node, in_attribute(attribute).c_str(), number, within);
   return number;
 }
 
-double required_positive(const XmlNode& node, const char* attribute) {
-  const std::optional<double> number = find_positive(node, attribute);
+double required_number(const XmlNode& node, const char* attribute, const Bounds& within) {
+  const std::optional<double> number = find_number(node, attribute, within);
   if (!number) refuse_missing(node, attribute);
   return *number;
 }
 
-std::optional<std::vector<double>> find_numbers(const XmlNode& node, const char* attribute, std::size_t count) {
+std::optional<double> find_positive(const XmlNode& node, const char* attribute, const Bounds& within) {
+  const std::optional<std::string> text = find_text(node, attribute);
+  if (!text) return std::nullopt;
+  const double number = as_number(node, attribute, *text, "a positive number");
+  if (number <= 0) refuse(node, fmt::format("{}, expected a positive number.", with_attribute(attribute, *text)));
+  require_within(node, in_attribute(attribute).c_str(), number, within);
+  return number;
+}
+
+double required_positive(const XmlNode& node, const char* attribute, const Bounds& within) {
+  const std::optional<double> number = find_positive(node, attribute, within);
+  if (!number) refuse_missing(node, attribute);
+  return *number;
+}
+
+std::optional<std::vector<double>> find_numbers(const XmlNode& node, const char* attribute, std::size_t count,
+                                                const Bounds& within) {
   const std::optional<std::string> text = find_text(node, attribute);
   if (!text) return std::nullopt;
   std::string bad_word;
@@ -196,11 +225,13 @@ std::optional<std::vector<double>> find_numbers(const XmlNode& node, const char*
                              count, xacro_hint(*text)));
   if (numbers->size() != count)
     refuse(node, fmt::format("has {} numbers in {}, expected {}.", numbers->size(), attribute, count));
+  for (const double number : *numbers) require_within(node, in_attribute(attribute).c_str(), number, within);
   return numbers;
 }
 
-std::vector<double> required_numbers(const XmlNode& node, const char* attribute, std::size_t count) {
-  std::optional<std::vector<double>> numbers = find_numbers(node, attribute, count);
+std::vector<double> required_numbers(const XmlNode& node, const char* attribute, std::size_t count,
+                                     const Bounds& within) {
+  std::optional<std::vector<double>> numbers = find_numbers(node, attribute, count, within);
   if (!numbers) refuse_missing(node, attribute);
   return std::move(*numbers);
 }
@@ -246,7 +277,8 @@ std::string inner_text(const XmlNode& node) {
   return text;
 }
 
-std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::string_view reason) {
+std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::string_view reason,
+                                  const Bounds& within) {
   const std::string comma = reason.empty() ? "" : fmt::format(", {}", reason);
   std::string bad_word;
   std::optional<std::vector<double>> numbers = parse_numbers(inner_text(node), &bad_word);
@@ -254,6 +286,7 @@ std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::s
     refuse(node, fmt::format("has {}, expected {} finite numbers{}.", handsight::in_quotes(bad_word), count, comma));
   if (numbers->size() != count)
     refuse(node, fmt::format("has {} numbers, expected {}{}.", numbers->size(), count, comma));
+  for (const double number : *numbers) require_within(node, "", number, within);
   return std::move(*numbers);
 }
 

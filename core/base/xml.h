@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/bounds.h"
+
 namespace handsight {
 
 /// An element and the name of its file, as refusals show it. Both outlive the node.
@@ -25,7 +27,11 @@ struct XmlNode {
   int line() const { return element->GetLineNum(); }
 };
 
-/// Parses a text that is well-formed XML in UTF-8.
+/// Refuses a text that would cost far more memory or time than the formats need (too long, too many elements, hundreds
+/// of attributes in one), and references to a zero byte.
+void check_xml_limits(std::string_view text, std::string_view file);
+
+/// Parses a text that is well-formed XML in UTF-8 and within check_xml_limits.
 std::unique_ptr<tinyxml2::XMLDocument> parse_xml(std::string_view text, std::string_view file);
 
 /// The one outermost element, which has this tag.
@@ -44,22 +50,25 @@ std::vector<XmlNode> children(const XmlNode& node, std::string_view tag = {});
 std::optional<XmlNode> find_child(const XmlNode& node, std::string_view tag);
 XmlNode required_child(const XmlNode& node, std::string_view tag);
 
-/// Attribute texts.
+/// Attribute texts, of at most bounds::longest_text bytes.
 std::optional<std::string> find_text(const XmlNode& node, const char* attribute);
 std::string required_text(const XmlNode& node, const char* attribute);
 
-/// The same, and not empty.
+/// The same, of at most bounds::longest_name bytes; the required one is not empty.
+std::optional<std::string> find_name(const XmlNode& node, const char* attribute);
 std::string required_name(const XmlNode& node, const char* attribute);
 
-/// Attributes that hold one finite number.
-std::optional<double> find_number(const XmlNode& node, const char* attribute);
-double required_number(const XmlNode& node, const char* attribute);
-std::optional<double> find_positive(const XmlNode& node, const char* attribute);
-double required_positive(const XmlNode& node, const char* attribute);
+/// Attributes that hold one finite number within bounds.
+std::optional<double> find_number(const XmlNode& node, const char* attribute, const Bounds& within = bounds::any);
+double required_number(const XmlNode& node, const char* attribute, const Bounds& within = bounds::any);
+std::optional<double> find_positive(const XmlNode& node, const char* attribute, const Bounds& within = bounds::any);
+double required_positive(const XmlNode& node, const char* attribute, const Bounds& within = bounds::any);
 
-/// Attributes that hold so many finite numbers.
-std::optional<std::vector<double>> find_numbers(const XmlNode& node, const char* attribute, std::size_t count);
-std::vector<double> required_numbers(const XmlNode& node, const char* attribute, std::size_t count);
+/// Attributes that hold so many finite numbers, each within bounds.
+std::optional<std::vector<double>> find_numbers(const XmlNode& node, const char* attribute, std::size_t count,
+                                                const Bounds& within = bounds::any);
+std::vector<double> required_numbers(const XmlNode& node, const char* attribute, std::size_t count,
+                                     const Bounds& within = bounds::any);
 
 /// Attributes that hold an integer from `lowest` to `highest`.
 std::optional<std::int64_t> find_integer(const XmlNode& node, const char* attribute, std::int64_t lowest,
@@ -73,8 +82,9 @@ std::optional<std::size_t> find_choice(const XmlNode& node, const char* attribut
 /// The texts directly inside an element, comments left out.
 std::string inner_text(const XmlNode& node);
 
-/// So many finite numbers inside an element; `reason` completes "expected COUNT".
-std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::string_view reason = {});
+/// So many finite numbers within bounds inside an element; `reason` completes "expected COUNT".
+std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::string_view reason = {},
+                                  const Bounds& within = bounds::any);
 
 /// Elements, attributes and texts that a reader does not know, counted by kind.
 struct Ignored {

@@ -18,7 +18,7 @@ std::vector<std::vector<double>> sigmas_of(const RankedEffect& r) {
     sigmas.emplace_back(effect.parameters.size(), 0.0);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) {
-        sigmas.back()[p] = std::sqrt(std::max(r.estimate.covariance(i, i), 0.0)) * effect.parameters[p].sigma;
+        sigmas.back()[p] = std::sqrt(std::max(r.estimate.covariance(i, i), 0.0)) * r.candidate->sizes[p];
         ++i;
       }
   }
@@ -30,17 +30,18 @@ Eigen::MatrixXd covariance_of(const RankedEffect& r) {
   Eigen::VectorXd sizes(r.estimate.value.size());
   Eigen::Index i = 0;
   for (std::size_t unit = 0; unit < r.units.size(); ++unit)
-    for (const EffectParameter& p : r.candidate->effect->parameters)
-      if (!p.is_choice) sizes[i++] = p.sigma;
+    for (std::size_t p = 0; p < r.candidate->sizes.size(); ++p)
+      if (!r.candidate->effect->parameters[p].is_choice) sizes[i++] = r.candidate->sizes[p];
   return sizes.asDiagonal() * r.estimate.covariance * sizes.asDiagonal();
 }
 
 /// Every number within three of its plausible sizes.
-bool is_plausible(const std::vector<EffectTerm>& terms) {
+bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain) {
   for (const EffectTerm& term : terms) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * effect.parameters[p].sigma) return false;
+      if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * plausible_size(effect.parameters[p], chain))
+        return false;
   }
   return true;
 }
@@ -72,7 +73,7 @@ std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
     EffectTerm term = r.candidate->units[u].term;
     const Effect& effect = *r.candidate->effect;
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice) term.values[p] = r.estimate.value[i++] * effect.parameters[p].sigma;
+      if (!effect.parameters[p].is_choice) term.values[p] = r.estimate.value[i++] * r.candidate->sizes[p];
     terms.push_back(term);
   }
   return terms;
@@ -90,7 +91,7 @@ DiagnosisCandidate candidate_of(const RankedEffect& r, const Diagnosis& d, const
   c.p_value = p_of(r.gained_squares, r.parameters);
   c.scatter = r.scatter;
   c.visibility = r.visibility;
-  c.plausible = is_plausible(c.terms);
+  c.plausible = is_plausible(c.terms, d.model.fit.problem.source->chain);
   c.predicted_held_out = predicted_held_out(d.model.fit, weighing.noise, r.gained_squares, r.parameters);
   if (fails_by_much(d)) c.explained = std::clamp((r.gained_squares - r.parameters) / *d.excess, 0.0, 1.0);
   return c;
@@ -106,8 +107,8 @@ DiagnosisCandidate candidate_of(const RankedLocaliser& l, const Session& session
   return c;
 }
 
-void take_refit(const Refit& r, const RankedEffect& ranked, const Diagnosis& d, const Weighing& weighing,
-                const Session& session, DiagnosisCandidate& c) {
+void take_refit(const Refit& r, double ln_ways, const Diagnosis& d, const Weighing& weighing, const Session& session,
+                DiagnosisCandidate& c) {
   c.refitted = true;
   c.full_fit = r.options;
   c.terms.clear();
@@ -126,8 +127,8 @@ void take_refit(const Refit& r, const RankedEffect& ranked, const Diagnosis& d, 
   const double gained =
       (before.solution.normal.data_cost() - r.fit.solution.normal.data_cost()) / (weighing.noise * weighing.noise);
   c.predicted_held_out = predicted_held_out(before, weighing.noise, gained, r.fit.unknowns - before.unknowns);
-  c.plausible = is_plausible(c.terms);
-  c.ln_bayes_factor = r.ln_bayes_factor + ranked.ln_bayes_factor - ranked.ln_best;
+  c.plausible = is_plausible(c.terms, d.model.fit.problem.source->chain);
+  c.ln_bayes_factor = r.ln_bayes_factor - ln_ways;
   if (const auto left = lack_of_fit(r.fit); left && fails_by_much(d))
     c.explained = std::clamp(1 - left->excess() / *d.excess, 0.0, 1.0);
 }

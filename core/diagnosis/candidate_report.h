@@ -16,8 +16,9 @@ DiagnosisCandidate candidate_of(const RankedEffect& ranked, const Diagnosis& mod
                                 const Session& session);
 DiagnosisCandidate candidate_of(const RankedLocaliser& ranked, const Session& session);
 
-/// The numbers of the full fit in place of the linear ones. `ranked` is the candidate's own.
-void take_refit(const Refit& refit, const RankedEffect& ranked, const Diagnosis& model, const Weighing& weighing,
+/// The numbers of the full fit in place of the linear ones. `ln_ways`: ln of the choices in which the candidate could
+/// have been another.
+void take_refit(const Refit& refit, double ln_ways, const Diagnosis& model, const Weighing& weighing,
                 const Session& session, DiagnosisCandidate& candidate);
 
 }  // namespace handsight

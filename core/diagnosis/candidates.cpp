@@ -38,6 +38,21 @@ std::vector<std::vector<double>> choices_of(const Effect& effect, const std::vec
   return all;
 }
 
+std::vector<double> sizes_of(const Effect& effect, const Problem& model) {
+  std::vector<double> sizes;
+  for (const EffectParameter& p : effect.parameters) sizes.push_back(plausible_size(p, model.source->chain));
+  return sizes;
+}
+
+/// Every unit of an effect that is not in the model yet, as a candidate.
+struct Offer {
+  const Problem& model;
+  std::vector<double> orders;
+  Candidates& candidates;
+
+  void operator()(const Effect& effect, std::shared_ptr<const Effect> own) const;
+};
+
 bool same_unit(const Effect& effect, const EffectTerm& a, const EffectTerm& b) {
   if (a.id != b.id || a.joint != b.joint) return false;
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
@@ -50,11 +65,26 @@ void add_unit(const Effect& effect, const EffectTerm& term, CandidateEffect& can
   CandidateUnit unit{term, problem.effect_count() - base_effects, 0};
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
     if (!effect.parameters[p].is_choice) {
-      problem.columns_of_effects.push_back({problem.terms.size(), p, effect.parameters[p].sigma});
+      problem.columns_of_effects.push_back({problem.terms.size(), p, candidate.sizes[p]});
       ++unit.count;
     }
   problem.terms.push_back(term);
   candidate.units.push_back(unit);
+}
+
+void Offer::operator()(const Effect& effect, std::shared_ptr<const Effect> own) const {
+  CandidateEffect candidate{&effect, {}, sizes_of(effect, model), own};
+  for (const int place : effect_places(effect, model.source->chain)) {
+    if (effect.scope == EffectScope::marker && !model.marker_is_seen[static_cast<std::size_t>(place)]) continue;
+    for (const std::vector<double>& values : choices_of(effect, orders)) {
+      EffectTerm term = term_of(effect, place, own);
+      term.values = values;
+      const bool is_in = std::any_of(model.terms.begin(), model.terms.end(),
+                                     [&](const EffectTerm& t) { return same_unit(effect, t, term); });
+      if (!is_in) add_unit(effect, term, candidate, candidates.problem, candidates.base_effects);
+    }
+  }
+  if (!candidate.units.empty()) candidates.effects.push_back(std::move(candidate));
 }
 
 }  // namespace
@@ -63,21 +93,9 @@ Candidates all_candidates(const Problem& model, int most_orders) {
   Candidates candidates;
   candidates.problem = model;
   candidates.base_effects = model.effect_count();
-  const std::vector<double> orders = step_orders(model, most_orders);
-  const Chain& chain = model.source->chain;
-  for (const Effect& effect : catalogue()) {
-    CandidateEffect candidate{&effect, {}};
-    for (const int place : effect_places(effect, chain)) {
-      if (effect.scope == EffectScope::marker && !model.marker_is_seen[static_cast<std::size_t>(place)]) continue;
-      for (const std::vector<double>& values : choices_of(effect, orders)) {
-        const EffectTerm term{effect.id, place, values};
-        const bool is_in = std::any_of(model.terms.begin(), model.terms.end(),
-                                       [&](const EffectTerm& t) { return same_unit(effect, t, term); });
-        if (!is_in) add_unit(effect, term, candidate, candidates.problem, candidates.base_effects);
-      }
-    }
-    if (!candidate.units.empty()) candidates.effects.push_back(std::move(candidate));
-  }
+  const Offer offer{model, step_orders(model, most_orders), candidates};
+  for (const Effect& effect : catalogue()) offer(effect, nullptr);
+  for (const std::shared_ptr<const Effect>& own : model.source->own_effects) offer(*own, own);
   place_observations(candidates.problem);
   return candidates;
 }
@@ -87,11 +105,11 @@ Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& te
   candidates.problem = model;
   candidates.base_effects = model.effect_count();
   for (const EffectTerm& term : terms) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     EffectTerm at = term;
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) at.values[p] = 0;
-    candidates.effects.push_back({&effect, {}});
+    candidates.effects.push_back({&effect, {}, sizes_of(effect, model), term.own});
     add_unit(effect, at, candidates.effects.back(), candidates.problem, candidates.base_effects);
   }
   place_observations(candidates.problem);
@@ -102,8 +120,8 @@ Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, co
   Candidates candidates;
   candidates.problem = model;
   candidates.base_effects = model.effect_count();
-  const Effect& effect = *find_effect(term.id);
-  CandidateEffect candidate{&effect, {}};
+  const Effect& effect = effect_of(term);
+  CandidateEffect candidate{&effect, {}, sizes_of(effect, model), term.own};
   for (const double order : orders) {
     EffectTerm at = term;
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)

@@ -16,6 +16,8 @@ struct CandidateUnit {
 struct CandidateEffect {
   const Effect* effect = nullptr;
   std::vector<CandidateUnit> units;
+  std::vector<double> sizes = {};               // plausible, per parameter
+  std::shared_ptr<const Effect> own = nullptr;  // keeps `effect` where it is one by formula
 };
 
 struct Candidates {

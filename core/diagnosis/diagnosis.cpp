@@ -7,6 +7,7 @@
 
 #include "diagnosis/candidate_report.h"
 #include "diagnosis/clean_model.h"
+#include "diagnosis/curves.h"
 #include "diagnosis/explanation.h"
 #include "diagnosis/judging.h"
 #include "diagnosis/refitting.h"
@@ -23,6 +24,8 @@ constexpr std::size_t most_patterns = 40;
 constexpr double ln_of_idle = 4;   // what places that show little alone must bring together to stay
 constexpr double least_seen = 30;  // chi-squared of a plausible size that poses must show
 constexpr double least_visible_rival = 1;
+constexpr std::size_t most_curves = 4;  // that are written as formulas
+constexpr double near_start = 1e-4;     // m, rad: a fit that begins at its own answer need not derive again
 
 class Work {
  public:
@@ -45,7 +48,7 @@ class Work {
     tell_apart();
     judge(session_, weighing_.knowledge.known, fits_, d_);
     for (DiagnosisCandidate& c : d_.candidates) {
-      if (c.ln_bayes_factor >= d_.threshold) c.check = predicted_check(d_, c);
+      if (c.ln_bayes_factor >= d_.threshold && !c.unnamed) c.check = predicted_check(d_, c);
       c.explanation = explain(c, d_, session_);
     }
     return std::move(d_);
@@ -69,6 +72,7 @@ class Work {
     base.estimated = options_.estimated;
     base.start = options_.start;
     if (!base.estimated.empty()) base.smallest_step = 1e-9;
+    if (!base.estimated.empty() && base.start) base.reuse_below = near_start;
     d_.model_options = base;
     base.on_iteration = options_.on_iteration;
     d_.model = options_.fitted ? *options_.fitted : clean_model(session_, base);
@@ -150,7 +154,42 @@ class Work {
       refit_candidate(c);
       if (!goes_on(0.6 + 0.3 * ++done / (2.0 * options_.refitted))) return;
     }
+    refit_the_curve();
     sort_candidates();
+  }
+
+  /// The unnamed candidates that pass as curves that the model may take in; the first one fitted in full.
+  void refit_the_curve() {
+    if (!options_.with_curves) return;
+    std::size_t written = 0;
+    for (DiagnosisCandidate& c : d_.candidates) {
+      if (!c.unnamed || c.ln_bayes_factor < d_.threshold) continue;
+      const auto curve = written == 0 ? curve_of(c, ranking_.localisers) : curve_of(c, {*c.unnamed});
+      if (!curve) continue;
+      c.terms = {curve->term};
+      c.sigmas = {std::vector<double>(curve->term.values.size(), 0.0)};
+      c.where = {curve->where};
+      if (written++ == 0) refit_curve(*curve, c);
+      if (stopped_ || written == most_curves) return;
+    }
+  }
+
+  std::optional<FoundCurve> curve_of(const DiagnosisCandidate& c, const std::vector<RankedLocaliser>& localisers) {
+    const WhitenedModel w = whiten(model_, c.scatter, weighing_.knowledge);
+    return find_curve(w, weighing_.knowledge, candidates_.problem, variables_, localisers,
+                      next_curve_id(terms_of(d_.model.fit)));
+  }
+
+  void refit_curve(const FoundCurve& curve, DiagnosisCandidate& c) {
+    const Refit r = refitted({curve.term});
+    if (stopped_ || !r.fit.converged()) return;
+    const auto same = std::find_if(ranking_.localisers.begin(), ranking_.localisers.end(),
+                                   [&](const auto& l) { return l.localiser.variable->name == curve.variable; });
+    if (same != ranking_.localisers.end()) c.unnamed = *same;
+    take_refit(r, curve.ln_ways - ln_odds_of_unnamed, d_, weighing_, session_, c);
+    c.where = {curve.where};
+    c.path = std::move(path_);
+    if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
   }
 
   void refit_candidate(DiagnosisCandidate& c) {
@@ -160,7 +199,7 @@ class Work {
     if (!r.fit.converged()) return;
     drop_idle_places(r);
     if (stopped_) return;
-    take_refit(r, ranked(c.id), d_, weighing_, session_, c);
+    take_refit(r, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, weighing_, session_, c);
     c.path = std::move(path_);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
     fits_[c.id] = std::move(r);

@@ -18,6 +18,7 @@ struct DiagnosisOptions {
   std::vector<EffectTerm> estimated;  // in the model, estimated; start values
   int refitted = 3;                   // how many of the best are fitted in full
   bool with_held_out = true;          // their held-out errors too
+  bool with_curves = true;            // the best unnamed curve is fitted in full too, where it passes
   std::optional<double> threshold;    // ln of the Bayes factor that counts; absent: simulated on these poses
   std::optional<Unknowns> start;      // of a fit of nearly the same model
   std::optional<CleanFit> fitted;     // the model as it is already fitted (of these effects); saves a fit
@@ -63,7 +64,7 @@ struct DiagnosisCandidate {
   std::vector<std::string> cannot_be_told_from;
   std::optional<CheckPrediction> check;  // of the candidates that pass the threshold
   std::string explanation;
-  std::optional<RankedLocaliser> unnamed;
+  std::optional<RankedLocaliser> unnamed;  // `terms` then hold the curve, where it could be written and fitted
 };
 
 struct DiagnosisPattern {

@@ -4,14 +4,16 @@
 #include <algorithm>
 
 #include "diagnosis/candidate_report.h"
+#include "diagnosis/curves.h"
 #include "diagnosis/refitting.h"
 
 namespace handsight {
 namespace {
 
-constexpr double clearly = 3;    // ln of a Bayes factor, odds of 20
-constexpr std::size_t most = 3;  // names that are fitted in full
-constexpr double nearly = 0.9;   // of the present name's linear evidence: full fits may turn it round
+constexpr double clearly = 3;            // ln of a Bayes factor, odds of 20
+constexpr double ln_ways_of_curves = 5;  // of the forms, sites and directions in which a curve could have been another
+constexpr std::size_t most = 3;          // names that are fitted in full
+constexpr double nearly = 0.9;           // of the present name's linear evidence: full fits may turn it round
 
 /// Evidence of a full fit with the ways counted in which the effect could have sat elsewhere.
 double evidence_of(const Refit& refit, const RankedEffect& ranked) {
@@ -38,19 +40,22 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   const Candidates candidates = all_candidates(without.fit.problem);
   const LinearModel linear = linear_model(candidates.problem, estimate(without.fit), candidates.base_effects, by.noise);
   const Ranking ranking = rank(linear, by.knowledge, candidates, {});
+  const bool unnamed = is_curve(present.front());
   const auto own = std::find_if(ranking.effects.begin(), ranking.effects.end(),
                                 [&](const RankedEffect& r) { return r.candidate->effect->id == present.front().id; });
-  if (own == ranking.effects.end()) return std::nullopt;
+  if (own == ranking.effects.end() && !unnamed) return std::nullopt;
   std::optional<Refit> now;
   std::optional<Exchange> best;
   double best_evidence = 0;
   for (std::size_t i = 0; i < std::min(most, ranking.effects.size()); ++i) {
     const RankedEffect& r = ranking.effects[i];
-    if (&r == &*own) continue;
-    if (r.ln_bayes_factor < nearly * own->ln_bayes_factor || !goes_on()) break;
+    if (!unnamed && &r == &*own) continue;
+    const double least = unnamed ? model.threshold : nearly * own->ln_bayes_factor;
+    if (r.ln_bayes_factor < least || !goes_on()) break;
     if (!now) {
       now = refit_with(without, o, present, by);
-      best_evidence = evidence_of(*now, *own) + clearly;
+      best_evidence =
+          unnamed ? now->ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves : evidence_of(*now, *own) + clearly;
     }
     const Refit other = refit_with(without, o, with_settled_orders(without, terms_with_values(r), by), by);
     if (!other.fit.converged() || evidence_of(other, r) <= best_evidence) continue;

@@ -17,7 +17,7 @@ bool depends_on(const Fit& fit, const Change& change) {
   Circumstances changed = plain;
   change(changed);
   for (EffectTerm term : fit.problem.terms) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < term.values.size(); ++p)
       if (!effect.parameters[p].is_choice) term.values[p] = 1;
     const Sites a = moved_sites(plain, {term}), b = moved_sites(changed, {term});

@@ -27,7 +27,7 @@ std::string numbers_text(const DiagnosisCandidate& c, const Session& session) {
   std::string text;
   int listed_ones = 0;
   for (std::size_t t = 0; t < c.terms.size(); ++t) {
-    const Effect& effect = *find_effect(c.terms[t].id);
+    const Effect& effect = effect_of(c.terms[t]);
     const std::string place = place_name(effect, c.terms[t].joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       if (effect.parameters[p].is_choice) continue;
@@ -68,7 +68,7 @@ std::string error_text(const ErrorSummary& e) {
 std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session) {
   std::vector<std::string> places;
   for (const EffectTerm& term : terms) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     const std::string place = place_name(effect, term.joint, session.robot);
     if (!place.empty()) places.push_back(place);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
@@ -88,9 +88,9 @@ std::string explain(const DiagnosisCandidate& c, const Diagnosis& d, const Sessi
     return fmt::format(
         "Something that moves {} follows the {} ({}) in a form that is not in the catalogue; odds against nothing "
         "missing: {}.",
-        site, c.unnamed->localiser.variable->name, best.shape, odds(c.ln_bayes_factor));
+        site, c.unnamed->localiser.variable->name, best.shape.text, odds(c.ln_bayes_factor));
   }
-  const Effect& effect = *find_effect(c.id);
+  const Effect& effect = effect_of(c.terms.front());
   std::string text = effect.cause;
   if (c.ln_bayes_factor < 0) {
     text += c.visibility < 30 ? " These poses could not show it: " + effect.visibility
@@ -114,7 +114,7 @@ std::string too_few_text(int observations, int degrees, int unknowns) {
 }
 
 std::string missing_text(const DiagnosisCandidate& best, bool rival, const Diagnosis& d) {
-  const Effect& effect = *find_effect(best.id);
+  const Effect& effect = effect_of(best.terms.front());
   std::string text =
       fmt::format("The model misses by {} (held out) where the noise is {}. {}{}: {}", error_text(d.report.held_out),
                   noise_text(d), effect.title, best.where.empty() ? "" : " (" + listed(best.where) + ")", effect.cause);
@@ -139,7 +139,7 @@ std::string too_little_text(const DiagnosisCandidate& best, const Diagnosis& d) 
 
 std::string follows_unnamed_text(const DiagnosisCandidate& c, const Session&) {
   return fmt::format("The residuals follow the {} in a form that is not in the catalogue: {}.",
-                     c.unnamed->localiser.variable->name, c.unnamed->localiser.best.shape);
+                     c.unnamed->localiser.variable->name, c.unnamed->localiser.best.shape.text);
 }
 
 std::string follows_pattern_text(const DiagnosisPattern& p) {

@@ -1,125 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/improvement.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "diagnosis/exchange.h"
-#include "diagnosis/refitting.h"
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/conclusion.h"
+#include "diagnosis/curves.h"
+#include "diagnosis/slips.h"
+#include "diagnosis/upkeep.h"
 
 namespace handsight {
 namespace {
 
-/// The number by which models are compared: px, or m with a tracker.
-double held_out(const ErrorSummary& e) { return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0); }
+constexpr double stand_in = 4;  // plausible sizes
 
-Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
-                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start) {
-  DiagnosisOptions o;
-  o.effects = options.effects;
-  o.estimated = estimated;
-  o.start = start;
-  o.on_progress = options.on_progress;
-  o.on_iteration = options.on_iteration;
-  return diagnose(session, o);
-}
-
-/// The terms of one effect that stand together, from `first` on, end there.
-std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first) {
-  std::size_t last = first + 1;
-  while (last < terms.size() && terms[last].id == terms[first].id) ++last;
-  return last;
-}
-
-/// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
-/// the estimated ones were 0 and all else followed.
-double squares_without(const Diagnosis& d, std::size_t first, std::size_t last, double noise) {
-  const Problem& problem = d.model.fit.problem;
-  const std::size_t held = d.model_options.effects.size();
-  std::vector<Eigen::Index> theirs, others;
-  for (Eigen::Index c = 0; c < problem.columns(); ++c) {
-    const Eigen::Index effect = c - problem.effect_column();
-    const std::size_t term = effect < 0 ? 0 : problem.columns_of_effects[static_cast<std::size_t>(effect)].term - held;
-    (effect >= 0 && term >= first && term < last ? theirs : others).push_back(c);
-  }
-  const Eigen::MatrixXd& h = d.model.fit.solution.normal.information;
-  const Eigen::VectorXd all = [&] {
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(problem.columns());
-    values.tail(problem.effect_count()) = estimate(d.model.fit).effects;
-    return values;
-  }();
-  const Eigen::VectorXd value = all(theirs);
-  const Eigen::VectorXd shared = h(others, theirs) * value;
-  const double squares = value.dot(h(theirs, theirs) * value) - shared.dot(pseudo_inverse(h(others, others)) * shared);
-  return squares / (noise * noise);
-}
-
-/// Takes the terms from `first` to `last` out of the estimated ones where they are not worth their parameters.
-bool drop(const Session& session, const ImprovementOptions& options, std::size_t first, std::size_t last,
-          ModelChange& change) {
-  const Diagnosis& d = *change.model;
-  const Fit& with = d.model.fit;
-  const auto begin = d.model_options.estimated.begin();
-  const std::vector<EffectTerm> dropped(begin + static_cast<std::ptrdiff_t>(first),
-                                        begin + static_cast<std::ptrdiff_t>(last));
-  const Weighing by = weighing(with);
-  // To first order it cannot be said by how much a large effect is needed, but that it is.
-  if (squares_without(d, first, last, by.noise) > 10 * d.threshold + 100) return false;
-  FitOptions o = d.model_options;
-  set_quick(by, o);
-  o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
-                    o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
-  const Fit without = fit(d.model.session, o);
-  const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
-                        fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
-  if (gained >= d.threshold) return false;
-  Diagnosis next = diagnosed_from(session, options, o.estimated, estimate(without));
-  change.stopped = next.stopped;
-  if (next.stopped || held_out(next.report.held_out) > 1.001 * held_out(d.report.held_out)) return false;
-  change.steps.push_back(step_of(next));
-  change.steps.back().removed = dropped.front().id;
-  change.steps.back().where = places_of(dropped, session);
-  change.steps.back().terms = dropped;
-  change.model = std::move(next);
-  return true;
-}
-
-/// Everything added before the last step must still be worth its parameters.
-void drop_what_is_no_longer_needed(const Session& session, const ImprovementOptions& options, ModelChange& change) {
-  for (std::size_t first = options.estimated.size(); !change.stopped;) {
-    const std::vector<EffectTerm>& terms = change.model->model_options.estimated;
-    if (first >= terms.size()) return;
-    const std::size_t last = end_of_group(terms, first);
-    if (last == terms.size() || !drop(session, options, first, last, change)) first = last;
-  }
-}
-
-/// Names that stood in for another are exchanged; those that were added last stay.
-void exchange_names(const Session& session, const ImprovementOptions& options, ModelChange& change) {
-  const auto goes_on = [&] { return !options.on_progress || options.on_progress(0.97); };
-  for (std::size_t first = options.estimated.size(); !change.stopped;) {
-    const std::vector<EffectTerm>& terms = change.model->model_options.estimated;
-    if (first >= terms.size()) return;
-    const std::size_t last = end_of_group(terms, first);
-    if (last == terms.size()) return;
-    const std::vector<EffectTerm> removed(terms.begin() + static_cast<std::ptrdiff_t>(first),
-                                          terms.begin() + static_cast<std::ptrdiff_t>(last));
-    const auto exchange = better_name(*change.model, first, last, goes_on);
-    change.stopped = !goes_on();
-    if (exchange && !change.stopped) {
-      Diagnosis next = diagnosed_from(session, options, exchange->options.estimated, exchange->options.start);
-      change.stopped = next.stopped;
-      if (!next.stopped && held_out(next.report.held_out) <= 1.001 * held_out(change.model->report.held_out)) {
-        change.steps.push_back(step_of(next));
-        change.steps.back().added = exchange->id;
-        change.steps.back().removed = removed.front().id;
-        change.steps.back().where = places_of(exchange->terms, session);
-        change.steps.back().terms = exchange->terms;
-        change.model = std::move(next);
-        continue;  // the next group has moved here; the new name stands last
-      }
+/// "mass -6 kg" and the like: numbers that no robot has.
+std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Chain& chain) {
+  std::vector<std::string> list;
+  for (const EffectTerm& term : terms) {
+    const Effect& effect = effect_of(term);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const EffectParameter& parameter = effect.parameters[p];
+      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * plausible_size(parameter, chain)) continue;
+      const std::string place = place_name(effect, term.joint, chain.robot);
+      list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
+                                 parameter.unit));
     }
-    first = last;
   }
+  return list;
+}
+
+std::vector<EffectTerm> last_group(const Diagnosis& d, std::size_t count) {
+  const std::vector<EffectTerm>& all = d.model_options.estimated;
+  return {all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end()};
+}
+
+void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, ModelChange& change) {
+  ImprovementStep step = step_of(next);
+  step.added = candidate.unnamed ? candidate.terms.front().id : candidate.id;
+  step.where = candidate.where;
+  step.terms = last_group(next, candidate.terms.size());
+  step.stands = implausible_numbers(step.terms, next.model.fit.problem.source->chain);
+  if (candidate.unnamed) {
+    step.formula = formula_text(*candidate.terms.front().own->definition);
+    step.variable = candidate.unnamed->localiser.variable->name;
+  }
+  change.steps.push_back(std::move(step));
+}
+
+/// Without curves beside them, names that leave an unnamed curve on top have explained nothing.
+void take_back(Improvement& settled, Improvement& m) {
+  for (std::size_t i = settled.steps.size(); i < m.steps.size(); ++i)
+    m.refused.push_back({m.steps[i].added, m.steps[i].where,
+                         "with it an unnamed curve, which is to be left out, still explains more than any name"});
+  m.steps = std::move(settled.steps);
+  m.last = std::move(settled.last);
 }
 
 }  // namespace
@@ -148,17 +85,22 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   Diagnosis next = diagnosed_from(session, options, from.estimated, from.start);
   change.stopped = next.stopped;
   if (next.stopped) return change;
-  if (held_out(next.report.held_out) >= held_out(model.report.held_out)) {
-    change.refused.push_back({candidate.id, candidate.where, "the held-out error does not fall"});
+  const std::string id = candidate.unnamed ? candidate.terms.front().id : candidate.id;
+  const double before = held_out_error(model);
+  if (held_out_error(next) >= before) {
+    change.refused.push_back({id, candidate.where, "the held-out error does not fall"});
     return change;
   }
-  change.steps.push_back(step_of(next));
-  change.steps.back().added = candidate.id;
-  change.steps.back().where = candidate.where;
-  change.steps.back().terms = candidate.terms;
+  if (const auto order = slip_order(candidate.terms);
+      order && !slip_is_confirmed(model.model.session, model.model.fit, model.model_options, next.model.fit,
+                                  next.model_options, *order)) {
+    change.refused.push_back(
+        {id, candidate.where, "held out in blocks of time, the observations on both sides of the moment do not agree"});
+    return change;
+  }
+  note_addition(candidate, next, change);
   change.model = std::move(next);
-  drop_what_is_no_longer_needed(session, options, change);
-  if (!change.stopped) exchange_names(session, options, change);
+  keep_up(session, options, before, change);
   if (change.stopped) change.model.reset();
   return change;
 }
@@ -166,10 +108,14 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
 ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
   ModelChange all;
   if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return all;
-  for (const DiagnosisCandidate& c : model.candidates) {
-    if (c.unnamed) continue;
-    if (c.ln_bayes_factor < model.threshold) break;
-    ModelChange one = add_candidate(session, options, model, c);
+  std::vector<const DiagnosisCandidate*> order;
+  for (const DiagnosisCandidate& c : model.candidates)
+    if (c.ln_bayes_factor >= model.threshold && (!c.unnamed || (options.with_curves && c.refitted)))
+      order.push_back(&c);
+  if (options.names_first)
+    std::stable_partition(order.begin(), order.end(), [](const DiagnosisCandidate* c) { return !c->unnamed; });
+  for (const DiagnosisCandidate* c : order) {
+    ModelChange one = add_candidate(session, options, model, *c);
     all.refused.insert(all.refused.end(), one.refused.begin(), one.refused.end());
     all.model = std::move(one.model);
     all.steps = std::move(one.steps);
@@ -184,27 +130,25 @@ Improvement improve(const Session& session, const ImprovementOptions& options) {
   m.last = diagnosed(session, options);
   m.steps = {step_of(m.last)};
   m.stopped = m.last.stopped;
-  Improvement settled = m;  // the last model that no unnamed curve outdoes
+  const std::optional<double> excess = m.last.excess;
+  std::vector<RefusedStep> refused;  // of the last model
+  Improvement settled = m;           // names alone: the last model that no unnamed curve outdoes
   while (!m.stopped && static_cast<int>(m.steps.size()) <= options.most_steps) {
     if (options.on_step && !options.on_step(m.steps.back())) {
       m.stopped = true;
       break;
     }
     ModelChange change = add_best(session, options, m.last);
+    refused = change.refused;
     m.refused.insert(m.refused.end(), change.refused.begin(), change.refused.end());
     m.stopped = change.stopped;
     if (!change.model) break;
     m.steps.insert(m.steps.end(), change.steps.begin(), change.steps.end());
     m.last = std::move(*change.model);
-    if (!is_outdone(m.last)) settled = m;
+    if (!options.with_curves && !is_outdone(m.last)) settled = m;
   }
-  if (!is_outdone(m.last) || m.stopped) return m;
-  // Names that leave an unnamed curve on top have not explained anything.
-  for (std::size_t i = settled.steps.size(); i < m.steps.size(); ++i)
-    m.refused.push_back({m.steps[i].added, m.steps[i].where,
-                         "with it an unnamed curve still explains more than anything that has a name"});
-  m.steps = std::move(settled.steps);
-  m.last = std::move(settled.last);
+  if (!options.with_curves && is_outdone(m.last) && !m.stopped) take_back(settled, m);
+  if (!m.stopped) conclude(session, options, excess, refused, m);
   return m;
 }
 

@@ -9,9 +9,12 @@ namespace handsight {
 /// A model on the way: the first as it was, then one per change.
 struct ImprovementStep {
   std::string added;    // effect id; empty for the first, and where something was only taken out
-  std::string removed;  // effect id, where something added before is no longer needed, or stood in for `added`
+  std::string removed;  // effect ids, where something added before is no longer needed, or stood in for another
+  std::vector<std::string> exchanged = {};  // effect ids that came in the place of `removed`, beside `added`
   std::vector<std::string> where;
-  std::vector<EffectTerm> terms;  // added, else removed
+  std::vector<EffectTerm> terms;    // added, else removed
+  std::string formula, variable;    // of a curve that was added
+  std::vector<std::string> stands;  // numbers of it beyond four plausible sizes: it stands in for something else
   ErrorSummary fitted, held_out;
   std::optional<double> noise;  // px or m
 };
@@ -26,7 +29,9 @@ struct RefusedStep {
 struct ImprovementOptions {
   std::vector<EffectTerm> effects;    // in the model, held
   std::vector<EffectTerm> estimated;  // in the model from the start, estimated; never removed
-  int most_steps = 16;
+  int most_steps = 24;
+  bool names_first = false;  // a curve is taken in only where no name passes, not where it leads
+  bool with_curves = true;   // ... beside the names; without curves, names that leave one on top are taken back
   /// After every diagnosis and before every change; returning false stops with what there is.
   std::function<bool(const ImprovementStep& latest)> on_step;
   std::function<bool(double done)> on_progress;  // as in DiagnosisOptions
@@ -51,20 +56,33 @@ ImprovementStep step_of(const Diagnosis& model);
 /// effect is exchanged for it.
 ModelChange add_candidate(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
                           const DiagnosisCandidate& candidate);
-/// The first of the named candidates that pass the threshold and are not refused.
+/// The first of the candidates that pass the threshold and are not refused.
 ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
 
 /// An unnamed curve passes and leads: the names that were added so far have not explained what is missing.
 bool is_outdone(const Diagnosis& model);
 
+/// What one effect or curve of the last model does.
+struct Worth {
+  std::string id;
+  std::vector<std::string> where;
+  bool unnamed = false;
+  std::string text;   // of a curve: what it follows
+  double hand_m = 0;  // root mean square over the observations of how far it moves the body's origin
+};
+
 struct Improvement {
   std::vector<ImprovementStep> steps;
   std::vector<RefusedStep> refused;
-  Diagnosis last;  // of the last model: what is left
+  Diagnosis last;  // of the last model: what is left; never missing_effect or ambiguous
+  std::vector<Worth> worth;
+  /// Of what was in excess of the noise at the start: what has names, and what curves without a name explain.
+  std::optional<double> named_share, unnamed_share;
   bool stopped = false;
 };
 
-/// add_best until nothing is left to add; names that leave the model outdone are taken back.
+/// add_best until nothing is left to add, names and curves by their evidence beside each other: what the others make
+/// needless goes, curves are looked for again after every change.
 Improvement improve(const Session& session, const ImprovementOptions& options = {});
 
 }  // namespace handsight

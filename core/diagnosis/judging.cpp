@@ -25,6 +25,8 @@ bool explains_too_little(const DiagnosisCandidate& best, const std::map<std::str
   return left && left->p < surely && !further_effect_passes(refit->second, threshold);
 }
 
+}  // namespace
+
 void judge_what_is_left(bool knows_noise, Diagnosis& d) {
   if (!knows_noise) {
     d.verdict = Verdict::unexplained;
@@ -40,8 +42,6 @@ void judge_what_is_left(bool knows_noise, Diagnosis& d) {
   d.verdict = Verdict::adequate;
   d.reason = adequate_text(d, fails);
 }
-
-}  // namespace
 
 void judge(const Session& session, bool knows_noise, const std::map<std::string, Refit>& refits, Diagnosis& d) {
   const auto first = [&](bool is_unnamed) {

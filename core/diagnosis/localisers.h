@@ -6,19 +6,16 @@
 
 #include <memory>
 
-#include "diagnosis/evidence.h"
-#include "diagnosis/variables.h"
+#include "diagnosis/curve_shapes.h"
+#include "diagnosis/site_scores.h"
 
 namespace handsight {
-
-enum class LocaliserSite { joint, tcp, mount };
 
 /// One shape of one variable at one site, with its best linear estimate.
 struct LocaliserTerm {
   LocaliserSite site = LocaliserSite::joint;
-  int joint = -1;          // of the robot, where the site is a joint
-  std::string shape;       // as a user reads it: "sin and cos of 3.5 q"
-  Eigen::MatrixXd values;  // observations x functions
+  int joint = -1;  // of the robot, where the site is a joint
+  CurveShape shape;
   double ln_bayes_factor = 0;
   Eigen::VectorXd estimate;  // functions x site directions (1 or 6), row by row; rad, m
 };

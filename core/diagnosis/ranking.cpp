@@ -9,8 +9,6 @@
 namespace handsight {
 namespace {
 
-/// Prior odds against an unnamed curve: named physical effects are what robots usually have.
-constexpr double ln_odds_of_unnamed = -3;
 constexpr double least_visible = 1e-2;  // chi-squared of a plausible size below which a unit is left out of choices
 constexpr std::size_t most_in_pairs = 6;
 

@@ -8,6 +8,9 @@
 
 namespace handsight {
 
+/// Prior odds against an unnamed curve: named physical effects are what robots usually have.
+inline constexpr double ln_odds_of_unnamed = -3;
+
 struct RankedEffect {
   const CandidateEffect* candidate = nullptr;
   double ln_bayes_factor = 0;      // the mean over all choices of places, at the scatter that suits it best

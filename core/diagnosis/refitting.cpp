@@ -69,13 +69,16 @@ Refit refit_with(const CleanFit& model, const FitOptions& model_options, const s
   return r;
 }
 
-std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
-                                            const Weighing& weighing) {
+namespace {
+
+/// The order of each term that has one, sought up to `reach` used observations before and after its own.
+std::vector<EffectTerm> with_orders_within(const CleanFit& model, const std::vector<EffectTerm>& terms,
+                                           const Weighing& weighing, std::ptrdiff_t reach) {
   const NoiseKnowledge& knowledge = weighing.knowledge;
   std::vector<EffectTerm> settled = terms;
   const Problem& problem = model.fit.problem;
   for (EffectTerm& term : settled) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     const auto order = std::find_if(effect.parameters.begin(), effect.parameters.end(),
                                     [](const EffectParameter& p) { return p.is_choice && p.choices.empty(); });
     if (order == effect.parameters.end()) continue;
@@ -84,7 +87,6 @@ std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::ve
     for (const ProblemObservation& o : problem.observations)
       orders.push_back(problem.source->circumstances[static_cast<std::size_t>(o.index)].order);
     const auto here = std::lower_bound(orders.begin(), orders.end(), term.values[place]) - orders.begin();
-    const auto reach = static_cast<std::ptrdiff_t>(orders.size() / 24 + 2);
     const auto from = std::max<std::ptrdiff_t>(1, here - reach);
     const auto to = std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(orders.size()) - 1, here + reach);
     if (from > to) continue;
@@ -102,10 +104,23 @@ std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::ve
       Eigen::Index i = 0;
       for (std::size_t p = 0; p < effect.parameters.size(); ++p)
         term.values[p] =
-            effect.parameters[p].is_choice ? unit.term.values[p] : e.value[i++] * effect.parameters[p].sigma;
+            effect.parameters[p].is_choice ? unit.term.values[p] : e.value[i++] * near.effects.front().sizes[p];
     }
   }
   return settled;
+}
+
+}  // namespace
+
+std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
+                                            const Weighing& weighing) {
+  const auto reach = static_cast<std::ptrdiff_t>(model.fit.problem.observations.size() / 24 + 2);
+  return with_orders_within(model, terms, weighing, reach);
+}
+
+std::vector<EffectTerm> with_best_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
+                                         const Weighing& weighing) {
+  return with_orders_within(model, terms, weighing, static_cast<std::ptrdiff_t>(model.fit.problem.observations.size()));
 }
 
 bool further_effect_passes(const Refit& refit, double threshold) {
@@ -164,7 +179,7 @@ std::vector<EffectTerm> best_choices(const Session& session, const std::vector<E
   std::vector<EffectTerm> settled = terms;
   std::optional<CleanFit> model;
   for (EffectTerm& term : settled) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     if (std::none_of(effect.parameters.begin(), effect.parameters.end(),
                      [](const EffectParameter& p) { return p.is_choice; }))
       continue;

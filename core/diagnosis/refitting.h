@@ -34,6 +34,10 @@ FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing&
 std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
                                             const Weighing& weighing);
 
+/// The same among all observations.
+std::vector<EffectTerm> with_best_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
+                                         const Weighing& weighing);
+
 /// Does any further named effect of the catalogue pass the threshold once these are in the model?
 bool further_effect_passes(const Refit& refit, double threshold);
 

@@ -26,7 +26,7 @@ struct Number {
 std::vector<Number> numbers_of(const Terms& terms) {
   std::vector<Number> numbers;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const Effect& effect = *find_effect(terms[t].id);
+    const Effect& effect = effect_of(terms[t]);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) numbers.push_back({t, p});
   }
@@ -59,7 +59,7 @@ std::optional<Part> predicted(const Reading& reading, const Terms& model, const 
   Eigen::VectorXd by_number = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(numbers.size()));
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto [t, p] = numbers[i];
-    const double step = 1e-2 * find_effect(c.terms[t].id)->parameters[p].sigma;
+    const double step = 1e-2 * effect_of(c.terms[t]).parameters[p].sigma;
     Terms up = c.terms, down = c.terms;
     up[t].values[p] += step;
     down[t].values[p] -= step;
@@ -94,7 +94,7 @@ class Prediction {
       : d_(d), c_(c), fit_(d.model.fit), model_(terms_of(fit_)), chain_(fit_.problem.source->chain) {}
 
   std::optional<CheckPrediction> make() const {
-    switch (find_effect(c_.id)->check_reads) {
+    switch (effect_of(c_.terms.front()).check_reads) {
       case CheckReads::number:
         return own_number();
       case CheckReads::drop:
@@ -129,7 +129,7 @@ class Prediction {
   /// The surest of those that are of the first one's kind.
   std::optional<CheckPrediction> own_number() const {
     const std::vector<Number> numbers = numbers_of(c_.terms);
-    const Effect& effect = *find_effect(c_.id);
+    const Effect& effect = effect_of(c_.terms.front());
     std::optional<std::size_t> best;
     const auto value = [&](std::size_t i) { return c_.terms[numbers[i].term].values[numbers[i].parameter]; };
     const auto sigma = [&](std::size_t i) {

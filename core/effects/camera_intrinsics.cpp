@@ -25,8 +25,12 @@ Effect camera_intrinsics() {
   effect.check_reads = CheckReads::number;
   effect.source = "Zhang 2000";
   effect.scope = EffectScope::session;
-  effect.parameters = {{"left_fx", "px", 2.5},  {"left_fy", "px", 2.5},  {"left_cx", "px", 4},  {"left_cy", "px", 4},
-                       {"right_fx", "px", 2.5}, {"right_fy", "px", 2.5}, {"right_cx", "px", 4}, {"right_cy", "px", 4}};
+  for (const char* camera : {"left_", "right_"}) {
+    for (const char* focal : {"fx", "fy"})
+      effect.parameters.push_back(
+          {.name = std::string(camera) + focal, .unit = "px", .sigma = 2.5, .share_of_focal = 5e-3});
+    for (const char* middle : {"cx", "cy"}) effect.parameters.push_back({std::string(camera) + middle, "px", 4});
+  }
   effect.move = move;
   return effect;
 }

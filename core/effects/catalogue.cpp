@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "effects/list.h"
@@ -27,6 +28,7 @@ const std::vector<Effect>& catalogue() {
                                               lens_distortion(),
                                               time_lag(),
                                               mount_drift(),
+                                              mount_slip(),
                                               body_slip(),
                                               marker_slip()};
   return effects;
@@ -42,17 +44,86 @@ const Effect* find_effect(const std::string& id) {
   return found == by_id.end() ? nullptr : found->second;
 }
 
+const Effect* find_effect(const std::string& id, const OwnEffects& own) {
+  for (const std::shared_ptr<const Effect>& effect : own)
+    if (effect->id == id) return effect.get();
+  return find_effect(id);
+}
+
+const Effect& effect_of(const EffectTerm& term) {
+  if (term.own) return *term.own;
+  const Effect* effect = find_effect(term.id);
+  check(effect != nullptr, "\"{}\" is no effect of the catalogue", term.id);
+  return *effect;
+}
+
+EffectTerm term_of(const Effect& effect, int place, std::shared_ptr<const Effect> own) {
+  return {effect.id, place, std::vector<double>(effect.parameters.size(), 0.0), {}, std::move(own)};
+}
+
+namespace {
+
+/// Marks the joints from a link up to the root.
+void mark_up_to_root(const Robot& robot, int link, std::vector<char>& marked) {
+  for (int j = robot.links[static_cast<std::size_t>(link)].parent_joint; j >= 0;
+       j = robot.links[static_cast<std::size_t>(robot.joints[static_cast<std::size_t>(j)].parent_link)].parent_joint)
+    marked[static_cast<std::size_t>(j)] = 1;
+}
+
+/// Marks joints that carry mass above a marked spring: their posture is its load. Parents come before children.
+void mark_loads(const Robot& robot, std::vector<char>& marked) {
+  const std::size_t count = robot.joints.size();
+  std::vector<char> carries_mass(count, 0), hangs_on_spring(count, 0);
+  for (std::size_t j = count; j-- > 0;) {
+    const auto child = static_cast<std::size_t>(robot.joints[j].child_link);
+    if (robot.links[child].mass > 0) carries_mass[j] = 1;
+    const int above = robot.links[static_cast<std::size_t>(robot.joints[j].parent_link)].parent_joint;
+    if (above >= 0 && carries_mass[j]) carries_mass[static_cast<std::size_t>(above)] = 1;
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    const int above = robot.links[static_cast<std::size_t>(robot.joints[j].parent_link)].parent_joint;
+    if (above < 0) continue;
+    const auto a = static_cast<std::size_t>(above);
+    hangs_on_spring[j] = hangs_on_spring[a] || (marked[a] && robot.joints[a].stiffness > 0);
+  }
+  for (std::size_t j = 0; j < count; ++j)
+    if (hangs_on_spring[j] && carries_mass[j]) marked[j] = 1;
+}
+
+/// The joints that the measurement can depend on: between the root and the chain's two ends, what loads springs there,
+/// and what such joints follow. Wheels, grippers and the other arm are none of them.
+std::vector<char> joints_that_matter(const Chain& chain) {
+  const Robot& robot = chain.robot;
+  std::vector<char> marked(robot.joints.size(), 0);
+  mark_up_to_root(robot, chain.tcp_link, marked);
+  mark_up_to_root(robot, chain.mount_link, marked);
+  mark_loads(robot, marked);
+  for (bool has_new = true; has_new;) {
+    has_new = false;
+    for (std::size_t j = 0; j < marked.size(); ++j)
+      for (const Mimic& mimic : robot.joints[j].mimics) {
+        char& followed = marked[static_cast<std::size_t>(mimic.joint)];
+        has_new = has_new || (marked[j] && !followed);
+        followed = followed || marked[j];
+      }
+  }
+  return marked;
+}
+
+}  // namespace
+
 std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
   std::vector<int> places;
   if (effect.scope == EffectScope::session) return {-1};
   if (effect.scope == EffectScope::marker)
     for (int m = 0; m < chain.marker_count; ++m) places.push_back(m);
-  if (effect.scope == EffectScope::joint || effect.scope == EffectScope::mimic_joint)
-    for (std::size_t j = 0; j < chain.robot.joints.size(); ++j) {
-      const Joint& joint = chain.robot.joints[j];
-      if (joint.moves() && (effect.scope == EffectScope::joint || joint.is_mimic()))
-        places.push_back(static_cast<int>(j));
-    }
+  if (!moves_one_joint(effect)) return places;
+  const std::vector<char> matters = joints_that_matter(chain);
+  for (std::size_t j = 0; j < chain.robot.joints.size(); ++j) {
+    const Joint& joint = chain.robot.joints[j];
+    if (matters[j] && joint.moves() && (effect.scope == EffectScope::joint || joint.is_mimic()))
+      places.push_back(static_cast<int>(j));
+  }
   return places;
 }
 
@@ -62,12 +133,42 @@ std::string place_name(const Effect& effect, int place, const Robot& robot) {
   return robot.joints[static_cast<std::size_t>(place)].name;
 }
 
+double plausible_size(const EffectParameter& parameter, const Chain& chain) {
+  if (!(parameter.share_of_focal > 0) || !chain.stereo) return parameter.sigma;
+  return parameter.share_of_focal * 0.5 * (chain.stereo->left.fx + chain.stereo->right.fx);
+}
+
+Sites unmoved_sites(const Chain& chain) {
+  Sites sites;
+  sites.robot.joints.resize(chain.robot.joints.size());
+  sites.markers.assign(static_cast<std::size_t>(chain.marker_count), Vector3::Zero());
+  return sites;
+}
+
+bool is_finite(const Sites& s) {
+  const auto joint = [](const JointChange& j) {
+    return std::isfinite(j.angle) && j.frame.allFinite() && j.after.allFinite() && std::isfinite(j.compliance) &&
+           std::isfinite(j.lateral_compliance) && std::isfinite(j.gap);
+  };
+  return std::all_of(s.robot.joints.begin(), s.robot.joints.end(), joint) && std::isfinite(s.robot.tilt_x) &&
+         std::isfinite(s.robot.tilt_y) && s.mount.allFinite() && s.drift.allFinite() && s.rig.allFinite() &&
+         s.left_camera.allFinite() && s.right_camera.allFinite() && s.body.allFinite() && s.hand.allFinite() &&
+         std::all_of(s.markers.begin(), s.markers.end(), [](const Vector3& m) { return m.allFinite(); });
+}
+
+int markers_of(const std::vector<EffectTerm>& terms) {
+  int count = 0;
+  for (const EffectTerm& term : terms)
+    if (effect_of(term).scope == EffectScope::marker) count = std::max(count, term.joint + 1);
+  return count;
+}
+
 Sites moved_sites(const Circumstances& c, const std::vector<EffectTerm>& terms) {
   Sites sites;
-  sites.markers.assign(static_cast<std::size_t>(c.chain->marker_count), Vector3::Zero());
+  sites.markers.assign(static_cast<std::size_t>(std::max(c.chain->marker_count, markers_of(terms))), Vector3::Zero());
   if (terms.empty()) return sites;
   sites.robot.joints.resize(c.chain->robot.joints.size());
-  for (const EffectTerm& term : terms) find_effect(term.id)->move(c, term.joint, term.values, sites);
+  for (const EffectTerm& term : terms) effect_of(term).move(c, term.joint, term.values, sites);
   return sites;
 }
 

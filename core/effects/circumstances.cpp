@@ -56,10 +56,42 @@ Circumstances circumstances_at(const Chain& chain, const Eigen::VectorXd& positi
   return c;
 }
 
+Eigen::VectorXd nominal_torques(const Chain& chain, const Eigen::VectorXd& sensor) {
+  const Posture posture = solve_posture(chain.robot, sensor, chain.gravity);
+  return Eigen::Map<const Eigen::VectorXd>(posture.torque.data(), static_cast<Eigen::Index>(posture.torque.size()));
+}
+
+std::vector<double> times_of(const Session& session) {
+  std::vector<double> times;
+  for (const Observation& o : session.observations) times.push_back(o.time);
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+std::vector<Circumstances> circumstances_at(const Chain& chain, const std::vector<DrivenPose>& poses,
+                                            const std::vector<double>& times) {
+  std::vector<Circumstances> all;
+  for (const DrivenPose& pose : poses) {
+    Circumstances c = circumstances_at(chain, pose.position);
+    c.velocity = per_robot_joint(chain, pose.velocity, false);
+    for (Eigen::Index j = 0; j < c.sensor.size(); ++j)
+      c.approach[j] = c.velocity[j] != 0 ? sign(c.velocity[j])
+                      : all.empty()      ? 0.0
+                                         : sign(c.sensor[j] - all.back().sensor[j]);
+    if (pose.time && !times.empty()) {
+      c.elapsed = *pose.time - times.front();
+      c.duration = times.back() - times.front();
+      c.order = static_cast<int>(std::upper_bound(times.begin(), times.end(), *pose.time) - times.begin()) - 1;
+    }
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
 ObservedEnds observed_ends(const Circumstances& c, const Sites& sites) {
   const Chain& chain = *c.chain;
   const Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, false);
-  return {{posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)],
+  return {{posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)] * small_motion<double>(sites.hand),
            posture.root_from_link[static_cast<std::size_t>(chain.mount_link)], posture.converged},
           small_motion<double>(sites.mount) * small_motion<double>(sites.drift)};
 }

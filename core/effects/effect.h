@@ -3,11 +3,14 @@
 // describes itself once, in its own file; panel, file, solver, report, docs and tests read that description.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "effects/circumstances.h"
+#include "session/effect_definition.h"
 
 namespace handsight {
 
@@ -21,6 +24,7 @@ struct EffectParameter {
   double sigma = 0;        // the plausible size, one standard deviation: the prior's scale
   bool is_choice = false;  // a choice among alternatives (an observation, a form), not a number that a fit may move
   std::vector<double> choices = {};  // the alternatives; empty: the orders of all observations
+  double share_of_focal = 0;         // > 0: `sigma` is for a usual camera; of a session it is this share of fx (px)
 };
 
 /// What the check with the real robot reads, so that the model can predict it (diagnosis/robot_check.h).
@@ -48,8 +52,16 @@ struct Effect {
   /// Adds to the sites of the chain what the effect does in one observation. `place` is the robot's joint or the
   /// marker, -1 for the session; `values` has one number a parameter. Linear in the parameters that are no choices: the
   /// sites take up what is not.
-  void (*move)(const Circumstances&, int place, std::span<const double> values, Sites& sites) = nullptr;
+  std::function<void(const Circumstances&, int place, std::span<const double> values, Sites& sites)> move;
+  std::shared_ptr<const EffectDefinition> definition;  // of an effect by formula; null: of the catalogue
+  bool reads_torque = false;                           // its formula reads gravity torques (Circumstances::torque)
+
+  /// A curve that the program has found: it is told by its formula, not by a name.
+  bool is_unnamed() const { return definition && definition->unnamed; }
 };
+
+/// Effects by formula (own_effect.h), beside those of the catalogue.
+using OwnEffects = std::vector<std::shared_ptr<const Effect>>;
 
 /// Effects of joint scope change their own joint's numbers and nothing else.
 inline bool moves_one_joint(const Effect& e) {
@@ -59,8 +71,9 @@ inline bool moves_one_joint(const Effect& e) {
 /// All effects that the program knows, each with a unique id.
 const std::vector<Effect>& catalogue();
 
-/// The effect of that id, null where there is none.
+/// The effect of that id, null where there is none; own ones first.
 const Effect* find_effect(const std::string& id);
+const Effect* find_effect(const std::string& id, const OwnEffects& own);
 
 /// One effect at one place with values for its parameters, in the order of Effect::parameters.
 struct EffectTerm {
@@ -69,25 +82,46 @@ struct EffectTerm {
   std::vector<double> values;
   std::vector<char> held =
       {};  // per parameter, not 0: where the term is estimated, this number stays; empty: none does
+  std::shared_ptr<const Effect> own = nullptr;  // the effect where it is one by formula; null: that of the catalogue
 };
+
+/// What the term is a term of. Its id must be one of the catalogue where it is no own effect.
+const Effect& effect_of(const EffectTerm& term);
+
+/// A term of an effect, all numbers 0. `own`: the effect where it is one by formula.
+EffectTerm term_of(const Effect& effect, int place, std::shared_ptr<const Effect> own = nullptr);
 
 /// Does a fit that estimates the term move this number?
 inline bool is_free(const Effect& effect, const EffectTerm& term, std::size_t parameter) {
   return !effect.parameters[parameter].is_choice && (parameter >= term.held.size() || term.held[parameter] == 0);
 }
 
-/// The places where an effect may sit in this chain.
+/// The places where an effect may sit in this chain and the measurement can depend on it: no joints beside the way from
+/// the root to TCP and mount, but for those that load springs on it or that joints on it follow.
 std::vector<int> effect_places(const Effect& effect, const Chain& chain);
 
 /// The name of a place: a joint's name, "marker 2", or empty.
 std::string place_name(const Effect& effect, int place, const Robot& robot);
 
-/// The sites as these terms move them in one observation.
+/// The chain's sites, all zero, with room for every joint and marker.
+Sites unmoved_sites(const Chain& chain);
+
+/// Are all numbers finite?
+bool is_finite(const Sites& sites);
+
+/// How many markers there must be for these terms: one more than the highest that one of them sits at.
+int markers_of(const std::vector<EffectTerm>& terms);
+
+/// The sites as these terms move them in one observation; markers that the chain does not count have a place too.
 Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms);
+
+/// The plausible size of a parameter in this chain: EffectParameter::sigma, or what the cameras' focal length makes of
+/// it.
+double plausible_size(const EffectParameter& parameter, const Chain& chain);
 
 /// Parses `id` (everywhere it may sit) or `id:joint+joint` (marker numbers where it sits at markers) into terms whose
 /// numbers are all 0, to be estimated. InputError as below.
-std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain);
+std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain, const OwnEffects& own = {});
 
 /// One number of a term list.
 struct NumberPlace {
@@ -97,11 +131,12 @@ struct NumberPlace {
 /// Adds to the number that a name in a file means: `of` is a joint, a marker ("2" or "marker 2"), or empty for the
 /// session scope. The term is made where it is missing. InputError names what is not known.
 NumberPlace add_effect_number(const std::string& id, const std::string& of, const std::string& name, double value,
-                              const Robot& robot, std::vector<EffectTerm>& terms);
+                              const Robot& robot, std::vector<EffectTerm>& terms, const OwnEffects& own = {});
 
 /// Parses `id:joint.parameter=value` (joint scope), `id:marker.parameter=value` with a marker's number, or
 /// `id:parameter=value` into a term list, adding to a term that is there already. InputError names what is not known
 /// and lists what is.
-void add_effect_value(const std::string& text, const Robot& robot, std::vector<EffectTerm>& terms);
+void add_effect_value(const std::string& text, const Robot& robot, std::vector<EffectTerm>& terms,
+                      const OwnEffects& own = {});
 
 }  // namespace handsight

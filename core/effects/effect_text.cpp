@@ -9,9 +9,10 @@
 namespace handsight {
 namespace {
 
-std::string known_effects() {
+std::string known_effects(const OwnEffects& own) {
   std::string list;
   for (const Effect& effect : catalogue()) list += (list.empty() ? "" : ", ") + effect.id;
+  for (const std::shared_ptr<const Effect>& effect : own) list += ", " + effect->id;
   return list;
 }
 
@@ -41,26 +42,35 @@ int place_for(const Effect& effect, const std::string& name, const Robot& robot,
   return marker;
 }
 
-const Effect& effect_for(const std::string& id) {
-  if (const Effect* effect = find_effect(id)) return *effect;
-  throw InputError(fmt::format("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects()));
+/// An effect and, where it is one by formula, its owner.
+struct Found {
+  const Effect* effect;
+  std::shared_ptr<const Effect> own;
+};
+
+Found effect_for(const std::string& id, const OwnEffects& own) {
+  for (const std::shared_ptr<const Effect>& effect : own)
+    if (effect->id == id) return {effect.get(), effect};
+  if (const Effect* effect = find_effect(id)) return {effect, nullptr};
+  throw InputError(fmt::format("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects(own)));
 }
 
-std::size_t term_for(const Effect& effect, int place, std::vector<EffectTerm>& terms) {
+std::size_t term_for(const Found& found, int place, std::vector<EffectTerm>& terms) {
   for (std::size_t t = 0; t < terms.size(); ++t)
-    if (terms[t].id == effect.id && terms[t].joint == place) return t;
-  terms.push_back({effect.id, place, std::vector<double>(effect.parameters.size(), 0.0)});
+    if (terms[t].id == found.effect->id && terms[t].joint == place) return t;
+  terms.push_back(term_of(*found.effect, place, found.own));
   return terms.size() - 1;
 }
 
 /// `text` is what sentences call it.
-NumberPlace add_number(const Effect& effect, int place, const std::string& name, double value, const std::string& text,
+NumberPlace add_number(const Found& found, int place, const std::string& name, double value, const std::string& text,
                        std::vector<EffectTerm>& terms) {
+  const Effect& effect = *found.effect;
   const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(),
                                       [&](const EffectParameter& p) { return p.name == name; });
   if (parameter == effect.parameters.end())
     throw InputError(fmt::format("Effect \"{}\": {} has no parameter \"{}\".", text, effect.id, name));
-  const NumberPlace number{term_for(effect, place, terms),
+  const NumberPlace number{term_for(found, place, terms),
                            static_cast<std::size_t>(parameter - effect.parameters.begin())};
   terms[number.term].values[number.parameter] += value;
   return number;
@@ -69,14 +79,16 @@ NumberPlace add_number(const Effect& effect, int place, const std::string& name,
 }  // namespace
 
 NumberPlace add_effect_number(const std::string& id, const std::string& of, const std::string& name, double value,
-                              const Robot& robot, std::vector<EffectTerm>& terms) {
-  const Effect& effect = effect_for(id);
+                              const Robot& robot, std::vector<EffectTerm>& terms, const OwnEffects& own) {
+  const Found found = effect_for(id, own);
+  const Effect& effect = *found.effect;
   const std::string text = fmt::format("{}:{}{}{}", id, of, of.empty() ? "" : ".", name);
   const int place = effect.scope == EffectScope::session ? -1 : place_for(effect, of, robot, text);
-  return add_number(effect, place, name, value, text, terms);
+  return add_number(found, place, name, value, text, terms);
 }
 
-void add_effect_value(const std::string& text, const Robot& robot, std::vector<EffectTerm>& terms) {
+void add_effect_value(const std::string& text, const Robot& robot, std::vector<EffectTerm>& terms,
+                      const OwnEffects& own) {
   const auto colon = text.find(':');
   const auto equals = text.find('=');
   if (colon == std::string::npos || equals == std::string::npos || equals < colon)
@@ -85,7 +97,8 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
                     "joint_elasticity:arm_2.compliance=1e-4.",
                     text));
   const std::string id = text.substr(0, colon);
-  const Effect* const effect = &effect_for(id);
+  const Found found = effect_for(id, own);
+  const Effect* const effect = found.effect;
   std::string name = text.substr(colon + 1, equals - colon - 1);
   int place = -1;
   if (effect->scope != EffectScope::session) {
@@ -100,13 +113,14 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
   double value = 0;
   if (!read_number(text.substr(equals + 1), value) || !std::isfinite(value))
     throw InputError(fmt::format("Effect \"{}\": \"{}\" is not a finite number.", text, text.substr(equals + 1)));
-  add_number(*effect, place, name, value, text, terms);
+  add_number(found, place, name, value, text, terms);
 }
 
-std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain) {
+std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain, const OwnEffects& own) {
   const auto colon = text.find(':');
   const std::string id = text.substr(0, colon);
-  const Effect* const effect = &effect_for(id);
+  const Found found = effect_for(id, own);
+  const Effect* const effect = found.effect;
   std::vector<int> places;
   if (colon == std::string::npos) {
     places = effect_places(*effect, chain);
@@ -126,7 +140,7 @@ std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain
     }
   }
   std::vector<EffectTerm> terms;
-  for (const int place : places) term_for(*effect, place, terms);
+  for (const int place : places) term_for(found, place, terms);
   return terms;
 }
 

@@ -27,6 +27,7 @@ Effect camera_intrinsics();
 Effect lens_distortion();
 Effect time_lag();
 Effect mount_drift();
+Effect mount_slip();
 Effect body_slip();
 Effect marker_slip();
 

@@ -20,31 +20,46 @@ std::string utc_now() {
   return text;
 }
 
-/// The terms of a fit, those of one effect together, in the order in which the effects first stand.
-std::vector<std::size_t> terms_by_effect(const Fit& fit) {
-  std::vector<std::size_t> order;
-  const auto& all = fit.effects;
-  for (std::size_t first = 0; first < all.size(); ++first) {
-    if (std::find(order.begin(), order.end(), first) != order.end()) continue;
-    for (std::size_t t = first; t < all.size(); ++t)
-      if (all[t].term.id == all[first].term.id) order.push_back(t);
+/// The terms of a fit as elements of a file: those of one effect together, in the order in which the effects first
+/// stand; the second term of an effect at a place is in the effect's second element, and so on.
+std::vector<std::vector<std::size_t>> terms_by_element(const std::vector<FittedEffect>& all) {
+  std::vector<std::string> ids;
+  std::vector<std::vector<std::vector<std::size_t>>> elements;  // by effect
+  for (std::size_t t = 0; t < all.size(); ++t) {
+    const EffectTerm& term = all[t].term;
+    const auto found = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), term.id) - ids.begin());
+    if (found == ids.size()) {
+      ids.push_back(term.id);
+      elements.emplace_back();
+    }
+    std::size_t earlier = 0;  // terms of the effect at the same place
+    for (std::size_t s = 0; s < t; ++s) earlier += all[s].term.id == term.id && all[s].term.joint == term.joint;
+    if (elements[found].size() <= earlier) elements[found].resize(earlier + 1);
+    elements[found][earlier].push_back(t);
   }
-  return order;
+  std::vector<std::vector<std::size_t>> list;
+  for (auto& of_effect : elements) list.insert(list.end(), of_effect.begin(), of_effect.end());
+  return list;
 }
 
 void set_effects(const Session& session, const Fit& fit, Calibration& c) {
   const std::vector<Eigen::Index> first_of_term = first_numbers(terms_of(fit), 6);
   std::vector<Eigen::Index> place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the fit's
-  for (const std::size_t t : terms_by_effect(fit)) {
-    const FittedEffect& fitted = fit.effects[t];
-    const Effect& effect = *find_effect(fitted.term.id);
-    if (c.effects.empty() || c.effects.back().id != effect.id) c.effects.push_back({effect.id, {}});
-    const std::string of = place_name(effect, fitted.term.joint, session.robot);
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-      const EffectParameter& parameter = effect.parameters[p];
-      c.effects.back().parameters.push_back(
-          {of, parameter.name, fitted.term.values[p], fitted.sigmas[p], parameter.unit});
-      place_of.push_back(first_of_term[t] + static_cast<Eigen::Index>(p));
+  for (const std::vector<std::size_t>& element : terms_by_element(fit.effects)) {
+    CalibrationEffect& written = c.effects.emplace_back();
+    for (const std::size_t t : element) {
+      const FittedEffect& fitted = fit.effects[t];
+      const Effect& effect = effect_of(fitted.term);
+      written.id = effect.id;
+      const auto is_told = [&](const EffectDefinition& d) { return d.id == effect.id; };
+      if (effect.definition && std::none_of(c.definitions.begin(), c.definitions.end(), is_told))
+        c.definitions.push_back(*effect.definition);
+      const std::string of = place_name(effect, fitted.term.joint, session.robot);
+      for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+        const EffectParameter& parameter = effect.parameters[p];
+        written.parameters.push_back({of, parameter.name, fitted.term.values[p], fitted.sigmas[p], parameter.unit});
+        place_of.push_back(first_of_term[t] + static_cast<Eigen::Index>(p));
+      }
     }
   }
   if (!c.effects.empty() && fit.model_covariance.cols() == first_of_term.back())
@@ -79,6 +94,7 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
   c.mount = session.mount.link;
   c.gravity = session.gravity;
   c.joints = session.joints;
+  if (!c.effects.empty()) c.times = times_of(session);
   if (session.mount.estimate)
     c.mount_from_sensor =
         EstimatedMotion{estimate(fit).mount_from_sensor,

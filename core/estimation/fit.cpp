@@ -120,17 +120,23 @@ void refuse_cameras_of_points(const Session& session, const FitOptions& options,
                                cameras ? "effects of the cameras" : "effects"));
 }
 
+/// Does a term move the body or its markers on the hand?
+bool is_slip(const EffectTerm& term, const Chain& chain) {
+  const Effect& effect = effect_of(term);
+  if (effect.scope == EffectScope::marker) return true;
+  if (effect.definition) {
+    const std::vector<DefinedMove>& moves = effect.definition->moves;
+    return std::any_of(moves.begin(), moves.end(), [](const DefinedMove& m) { return m.site.starts_with("body_"); });
+  }
+  const auto joints = static_cast<Eigen::Index>(chain.joints.size());
+  EffectTerm one = term;
+  std::fill(one.values.begin(), one.values.end(), 1.0);
+  return !moved_sites(circumstances_at(chain, Eigen::VectorXd::Zero(joints)), {one}).body.isZero(0);
+}
+
 bool has_slip(const Problem& problem) {
-  return std::any_of(
-             problem.observations.begin(), problem.observations.end(),
-             [](const ProblemObservation& o) { return !o.motion.markers.empty() || !o.marker_shifts.empty(); }) ||
-         std::any_of(problem.terms.begin(), problem.terms.end(), [&](const EffectTerm& t) {
-           Circumstances c =
-               circumstances_at(problem.source->chain, Eigen::VectorXd::Zero(problem.source->chain.joints.size()));
-           EffectTerm one = t;
-           std::fill(one.values.begin(), one.values.end(), 1.0);
-           return !moved_sites(c, {one}).body.isZero(0);
-         });
+  return std::any_of(problem.terms.begin(), problem.terms.end(),
+                     [&](const EffectTerm& t) { return is_slip(t, problem.source->chain); });
 }
 
 /// Slips are measured in the body's frame, which follows from the markers: the frame is renewed until it stays.
@@ -201,7 +207,7 @@ Fit fit(const Session& session, const FitOptions& options) {
       if (!images.marker_is_seen[m]) markers[m].reset();
     const BodySides sides = options.sides ? *options.sides : choose_sides(markers);
     if (!sides.markers.empty()) images.tcp_from_slip = body_frame(sides, start->markers_in_tcp).tcp_from_body;
-    place_observations(images);
+    if (has_slip(images)) place_observations(images);
   }
   result.problem = options.objective == Objective::image ? images : as_points(images, result.sightings_left_out);
   if (result.problem.observations.empty())

@@ -118,17 +118,22 @@ Unknowns part_estimate(const Fit& fit, const FitOptions& options, const std::vec
   return refit(fit, fold_options, part_of(fit.problem, trains), fit.noise.value_or(1));
 }
 
-ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& options, std::size_t session_size) {
-  std::vector<Residuals> all;
-  for (int fold = 0; fold < 5; ++fold) {
+/// What every used observation leaves when its fold is left out of the fit, fold by fold; `folds` has one number an
+/// observation, in the order of the problem.
+std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit, const FitOptions& options,
+                                          std::size_t session_size, const std::vector<int>& folds) {
+  std::vector<Residuals> all(images.observations.size());
+  std::vector<char> is_known(images.observations.size(), 0);
+  const int last = folds.empty() ? -1 : *std::max_element(folds.begin(), folds.end());
+  for (int fold = 0; fold <= last; ++fold) {
     std::vector<char> trains(session_size, 0);
-    bool holds_out = false, has_training = false;
+    std::vector<std::size_t> held_ranks;
     for (std::size_t rank = 0; rank < images.observations.size(); ++rank) {
-      const bool held = fold_of(static_cast<int>(rank)) == fold;
+      const bool held = folds[rank] == fold;
       trains[static_cast<std::size_t>(images.observations[rank].index)] = held ? 0 : 1;
-      (held ? holds_out : has_training) = true;
+      if (held) held_ranks.push_back(rank);
     }
-    if (!holds_out || !has_training) continue;
+    if (held_ranks.empty() || held_ranks.size() == images.observations.size()) continue;
     const Unknowns unknowns = part_estimate(fit, options, trains);
     for (char& train : trains) train = !train;
     Problem held = part_of(images, trains);
@@ -137,8 +142,24 @@ ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& o
       hold_effects(held);  // residuals need no derivatives
       place_observations(held);
     }
-    for (const ProblemObservation& o : held.observations) all.push_back(residuals_of(held, o, unknowns));
+    std::size_t i = 0;
+    for (const ProblemObservation& o : held.observations) {
+      if (!trains[static_cast<std::size_t>(o.index)]) continue;
+      all[held_ranks[i]] = residuals_of(held, o, unknowns);
+      is_known[held_ranks[i++]] = 1;
+    }
   }
+  std::vector<Residuals> known;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (is_known[i]) known.push_back(std::move(all[i]));
+  return known;
+}
+
+ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& options, std::size_t session_size) {
+  std::vector<int> folds;
+  for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
+    folds.push_back(fold_of(static_cast<int>(rank)));
+  const std::vector<Residuals> all = held_out_residuals(images, fit, options, session_size, folds);
   return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
 }
 
@@ -207,6 +228,17 @@ std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemOb
   const Matrix6 to_tcp = adjoint(inverse(sensor_from_tcp));
   return TcpDeviation{inverse(sensor_from_tcp) * pose->sensor_from_body,
                       to_tcp * pose->unit_covariance * to_tcp.transpose()};
+}
+
+std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, const FitOptions& options, int blocks) {
+  const Problem& images = fit.problem;
+  std::vector<int> folds;
+  for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
+    folds.push_back(static_cast<int>(rank * static_cast<std::size_t>(blocks) / images.observations.size()));
+  std::vector<double> left;
+  for (const Residuals& r : held_out_residuals(images, fit, options, session.observations.size(), folds))
+    left.push_back(r.rows > 0 ? r.squares / r.rows : 0.0);
+  return left;
 }
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {

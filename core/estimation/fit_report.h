@@ -53,6 +53,10 @@ struct FitReport {
 /// `options` must be those of the fit. Held-out errors need observations in two folds at least; else they are absent.
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options = {});
 
+/// The mean square of each used observation's coordinates (px^2, m^2), in order of time, where the block of `blocks`
+/// blocks of neighbours in time in which it lies is left out of the fit. An image fit.
+std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, const FitOptions& options, int blocks);
+
 /// The fold of an observation among the used ones, by its rank in time.
 inline int fold_of(int rank) { return rank / 4 % 5; }
 

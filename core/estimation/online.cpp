@@ -14,7 +14,6 @@ namespace handsight {
 namespace {
 
 constexpr std::size_t fewest_for_scatter = 10;
-constexpr std::size_t most_waiting = 5;  // observations that an unknown mount is first found from
 
 int markers_needed(int marker_count) { return std::min(3, marker_count); }
 
@@ -30,6 +29,10 @@ bool exceeds_noise(double squares, int degrees, int estimated) {
   const int extra = degrees - estimated;
   if (extra <= 0) return false;
   return bm::cdf(bm::complement(bm::fisher_f(extra, estimated), std::max(squares - estimated, 0.0) / extra)) < 1e-3;
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point began) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
 }  // namespace
@@ -110,10 +113,8 @@ KnownMarkers OnlineCalibration::known_markers() const {
   return known;
 }
 
-std::string OnlineCalibration::find_markers(const Observation&, const ImagePair& images,
+std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, const std::vector<Corner>& right,
                                             const ProblemObservation& posture, std::vector<Sighting>& sightings) const {
-  const std::vector<Corner> left = detect_corners(images.left, options_.detector);
-  const std::vector<Corner> right = detect_corners(images.right, options_.detector);
   // The markers in the TCP frame stand for the body: its prediction is the chain's TCP (thesis 4.52).
   const Rigid prediction = sensor_from_tcp_at(posture, fit_->unknowns().mount_from_sensor);
   const Match match = match_markers(*problem_.rig, left, right, known_markers(), prediction, options_.match);
@@ -173,15 +174,19 @@ std::string OnlineCalibration::start(const ProblemObservation& first) {
   if (mount_.estimate && !mount_.known && waiting_.size() < most_waiting) return {};
   const auto values = start_values(known, mount_.known ? Mount{mount_.link, mount_.mount_from_sensor} : mount_);
   if (!values) return "no start for the mount can be found from it";
-  fit_.emplace(problem_, *values);
-  for (std::size_t i = 0; i + 1 < waiting_.size(); ++i)  // the last one follows with every accepted observation
-    shape_.add(problem_.rig_or_null(), waiting_[i].sightings, noise().value_or(problem_.rig ? 0.3 : 3e-4));
-  for (const ProblemObservation& o : waiting_) {
+  start_from(waiting_, *values);
+  waiting_.clear();
+  return {};
+}
+
+void OnlineCalibration::start_from(const std::vector<ProblemObservation>& observations, const Unknowns& values) {
+  fit_.emplace(problem_, values);
+  for (std::size_t i = 0; i + 1 < observations.size(); ++i)  // the last one follows with every accepted observation
+    shape_.add(problem_.rig_or_null(), observations[i].sightings, noise().value_or(problem_.rig ? 0.3 : 3e-4));
+  for (const ProblemObservation& o : observations) {
     for (const Sighting& s : o.sightings) problem_.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;
     fit_->add(o);
   }
-  waiting_.clear();
-  return {};
 }
 
 /// A marker that the first observation did not show gets its start where it is first seen.
@@ -275,10 +280,16 @@ OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePai
   } else {
     step.reason = motion_refusal(observation);
   }
+  if (step.reason.empty() && searches_mount(observation, images)) {
+    leave_open(observation, images, posture, step);
+    step.milliseconds = milliseconds_since(began);
+    return step;
+  }
   if (step.reason.empty()) {
     if (!first && images) {
       step.from_images = true;
-      step.reason = find_markers(observation, *images, posture, step.sightings);
+      step.reason = find_markers(detect_corners(images->left, options_.detector),
+                                 detect_corners(images->right, options_.detector), posture, step.sightings);
     } else {
       step.sightings = observation.sightings;
       if (!first) step.reason = label_refusal(step.sightings);
@@ -300,7 +311,7 @@ OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePai
     if (fit_) decide_sides();
   }
   if (fit_) describe(posture, step);
-  step.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+  step.milliseconds = milliseconds_since(began);
   return step;
 }
 

@@ -4,9 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "estimation/body_frame.h"
 #include "estimation/incremental_fit.h"
+#include "estimation/mount_search.h"
 #include "estimation/running_shape.h"
 #include "vision/following_observation.h"
 
@@ -27,6 +29,7 @@ struct OnlineStep {
   bool accepted = false;
   std::string reason;         // why it was rejected, or what is to be said of an accepted one
   bool from_images = false;   // its markers were found in its images
+  bool is_open = false;       // not decided: it is tried again when the mount is known
   double milliseconds = 0;    // spent on it, detection included, reading of files not
   bool has_estimate = false;  // the rest is there
   Rigid tcp_from_body;
@@ -47,7 +50,10 @@ struct ImagePair {
 };
 
 /// Feeds observations in order of time. The first one that is labelled (three markers, or all of a smaller body)
-/// starts the calibration; labels of later ones are used where there are no images.
+/// starts the calibration; labels of later ones are used where there are no images. Where nothing is known of the
+/// cameras' mount, nothing says where to look for the markers: until enough observations agree on a mount
+/// (mount_search.h) those with images are left open; then they are tried again. Labels by hand or by import count until
+/// then, whatever the images.
 class OnlineCalibration {
  public:
   explicit OnlineCalibration(const Session& session, OnlineOptions options = {});
@@ -55,18 +61,51 @@ class OnlineCalibration {
   /// `images` null: the labels of the observation are used.
   OnlineStep add(const Observation& observation, const ImagePair* images);
 
+  /// Earlier observations that were decided after all since the last call, in their order; each replaces its step of
+  /// before.
+  std::vector<OnlineStep> take_revised() { return std::exchange(revised_, {}); }
+
+  /// While the mount is unknown and observations are left open: how far the search is.
+  struct MountProgress {
+    std::size_t labelled = 0, open = 0;
+    std::optional<std::int64_t> label_next;  // the observation whose label would tell most
+  };
+  std::optional<MountProgress> mount_progress() const;
+
   /// The estimate so far; null before the first observation.
   const IncrementalFit* estimate() const { return fit_ ? &*fit_ : nullptr; }
   const std::optional<BodySides>& sides() const { return sides_; }
   std::optional<double> noise() const;
 
  private:
+  static constexpr std::size_t most_waiting = 5;  // labelled observations that an unknown mount is first found from
   int noise_degrees() const;
   std::string motion_refusal(const Observation& observation) const;
-  std::string find_markers(const Observation& observation, const ImagePair& images, const ProblemObservation& posture,
-                           std::vector<Sighting>& sightings) const;
+  /// The corners of an observation that is not decided yet.
+  struct Open {
+    std::int64_t id = 0;
+    Eigen::VectorXd position;
+    ProblemObservation posture;
+    std::vector<Corner> left, right;
+    std::vector<SeenBody> bodies;
+    bool has_bodies = false;  // they were looked for
+    bool is_labelled = false;
+  };
+
+  std::string find_markers(const std::vector<Corner>& left, const std::vector<Corner>& right,
+                           const ProblemObservation& posture, std::vector<Sighting>& sightings) const;
+  bool searches_mount(const Observation& observation, const ImagePair* images) const;
+  void leave_open(const Observation& observation, const ImagePair* images, const ProblemObservation& posture,
+                  OnlineStep& step);
+  void look_for_mount();
+  void start_from_labels();
+  KnownMarkers labelled_markers() const;
+  void try_again();
+  OnlineStep tried_again(const Open& open);
+  std::string open_reason() const;
   std::string label_refusal(const std::vector<Sighting>& sightings) const;
   std::string start(const ProblemObservation& first);
+  void start_from(const std::vector<ProblemObservation>& observations, const Unknowns& values);
   std::vector<Vector3> body_in_tcp() const;
   KnownMarkers known_markers() const;
   void learn_new_markers(const ProblemObservation& observation);
@@ -85,6 +124,8 @@ class OnlineCalibration {
   std::optional<BodySides> sides_;
   bool sides_are_kept_ = false;
   std::vector<ProblemObservation> waiting_;  // an unknown mount needs several before anything can be estimated
+  std::vector<Open> open_;                   // in their order, labelled ones among them
+  std::vector<OnlineStep> revised_;
   Eigen::VectorXd last_position_;
   std::int64_t last_id_ = -1;
   double internal_squares_ = 0;  // of the body poses: what the noise is seen from

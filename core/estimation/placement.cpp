@@ -12,14 +12,11 @@ namespace {
 class UnitSites {
  public:
   UnitSites(const Problem& problem, const Circumstances& circumstances)
-      : problem_(&problem), circumstances_(&circumstances) {
-    sites_.robot.joints.resize(circumstances.chain->robot.joints.size());
-    sites_.markers.assign(static_cast<std::size_t>(circumstances.chain->marker_count), Vector3::Zero());
-  }
+      : problem_(&problem), circumstances_(&circumstances), sites_(unmoved_sites(*circumstances.chain)) {}
 
   const Sites& of(const EffectColumn& column) {
     const EffectTerm& term = problem_->terms[column.term];
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     clear();
     values_.assign(effect.parameters.size(), 0.0);
     for (std::size_t p = 0; p < values_.size(); ++p)
@@ -61,9 +58,12 @@ void set_motion(const Problem& problem, const Circumstances& c, const Sites& sit
                 ProblemObservation& o) {
   const Chain& chain = *c.chain;
   const PostureTangent tangent(chain.robot, sites.robot, chain.gravity, posture, chain.tcp_link, chain.mount_link);
-  const Matrix6 root_from_slip =
-      adjoint(posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)] * problem.tcp_from_slip);
+  const Rigid root_from_tcp =
+      posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)] * small_motion<double>(sites.hand);
+  const Matrix6 root_from_slip = adjoint(root_from_tcp * problem.tcp_from_slip);
   const Matrix6 by_body = root_from_slip * small_motion_jacobian(sites.body);
+  const Matrix6 by_hand = adjoint(posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)]) *
+                          small_motion_jacobian(sites.hand);
   const Rigid mount = small_motion<double>(sites.mount), drift = small_motion<double>(sites.drift);
   const Matrix6 by_mount = adjoint(inverse(mount * drift)) * small_motion_jacobian(sites.mount);
   const Matrix6 by_drift = adjoint(inverse(drift)) * small_motion_jacobian(sites.drift);
@@ -85,6 +85,7 @@ void set_motion(const Problem& problem, const Circumstances& c, const Sites& sit
       continue;
     }
     motion.tcp_by_effect.col(i) = tangent.motion(d.robot);
+    if (!d.hand.isZero(0)) motion.tcp_by_effect.col(i) += by_hand * d.hand;
     if (!d.body.isZero(0)) motion.tcp_by_effect.col(i) += by_body * d.body;
     if (!d.mount.isZero(0) || !d.drift.isZero(0)) {
       if (motion.sensor_by_effect.cols() == 0) motion.sensor_by_effect.setZero(6, problem.effect_count());
@@ -109,6 +110,7 @@ void place(const Problem& problem, bool derives, ProblemObservation& o) {
   o.springs_hold = posture.converged;
   o.sensor_moves = !sites.mount.isZero(0) || !sites.drift.isZero(0);
   o.sensor_motion = o.sensor_moves ? small_motion<double>(sites.mount) * small_motion<double>(sites.drift) : Rigid{};
+  if (!sites.hand.isZero(0)) o.root_from_tcp = o.root_from_tcp * small_motion<double>(sites.hand);
   if (!sites.body.isZero(0)) o.root_from_tcp = o.root_from_tcp * slip_in_tcp(problem, sites);
   o.marker_shifts.clear();
   if (std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); }))

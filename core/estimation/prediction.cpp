@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/numbers.h"
+#include "effects/own_effect.h"
 #include "effects/term_numbers.h"
 
 namespace handsight {
@@ -15,8 +16,7 @@ Matrix6 without_negative(const Matrix6& symmetric) {
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-Rigid root_from_tcp_with(const Chain& chain, const Eigen::VectorXd& position, const std::vector<EffectTerm>& effects) {
-  const Circumstances c = circumstances_at(chain, position);
+Rigid root_from_tcp_with(const Circumstances& c, const std::vector<EffectTerm>& effects) {
   return observed_ends(c, moved_sites(c, effects)).ends.root_from_tcp;
 }
 
@@ -98,20 +98,30 @@ bool without_unknown_rotations(Eigen::MatrixXd& covariance) {
 }  // namespace
 
 PredictionModel prediction_model(const Fit& fit) {
-  PredictionModel model{terms_of(fit), tcp_scatter(fit), fit.model_covariance};
+  PredictionModel model{terms_of(fit), tcp_scatter(fit), fit.model_covariance, fit.tcp_from_body,
+                        estimate(fit).mount_from_sensor};
   model.rotation_is_observed = without_unknown_rotations(model.covariance);
   return model;
 }
 
 PredictionModel prediction_model(const Calibration& calibration, const Robot& robot) {
   PredictionModel model;
+  OwnEffects own;
+  for (const EffectDefinition& d : calibration.definitions) own.push_back(own_effect(d, robot));
   std::vector<NumberPlace> listed;  // where each parameter of the file stands in the model
   std::vector<double> variances;
-  for (const CalibrationEffect& e : calibration.effects)
+  for (const CalibrationEffect& e : calibration.effects) {
+    std::vector<EffectTerm> terms;  // what another element says of the same place are terms of their own
     for (const CalibrationParameter& p : e.parameters) {
-      listed.push_back(add_effect_number(e.id, p.of, p.name, p.value, robot, model.effects));
+      NumberPlace number = add_effect_number(e.id, p.of, p.name, p.value, robot, terms, own);
+      number.term += model.effects.size();
+      listed.push_back(number);
       variances.push_back(std::pow(p.sigma.value_or(0), 2));
     }
+    model.effects.insert(model.effects.end(), terms.begin(), terms.end());
+  }
+  model.tcp_from_body = calibration.tcp_from_body.motion;
+  if (calibration.mount_from_sensor) model.mount_from_sensor = calibration.mount_from_sensor->motion;
   if (calibration.tcp_scatter) model.scatter = {*calibration.tcp_scatter, calibration.fit.used};
 
   const std::vector<Eigen::Index> first_of_term = first_numbers(model.effects, 6);
@@ -134,7 +144,7 @@ namespace {
 
 /// The motion of the TCP (position m, rotation rad, root axes) for one sigma of each number of the effects: 6 x n. The
 /// secant over a sigma, which the solver of the springs cannot disturb.
-Eigen::MatrixXd tcp_by_sigma(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model) {
+Eigen::MatrixXd tcp_by_sigma(const Circumstances& c, const PredictionModel& model) {
   const Eigen::Index count = model.covariance.cols() - 6;
   Eigen::MatrixXd by_sigma = Eigen::MatrixXd::Zero(6, count);
   std::vector<EffectTerm> terms = model.effects;
@@ -145,9 +155,9 @@ Eigen::MatrixXd tcp_by_sigma(const Chain& chain, const Eigen::VectorXd& position
       const double sigma = std::sqrt(std::max(model.covariance(6 + number, 6 + number), 0.0)), before = value;
       if (!(sigma > 0)) continue;
       value = before + sigma;
-      const Rigid above = root_from_tcp_with(chain, position, terms);
+      const Rigid above = root_from_tcp_with(c, terms);
       value = before - sigma;
-      const Rigid below = root_from_tcp_with(chain, position, terms);
+      const Rigid below = root_from_tcp_with(c, terms);
       value = before;
       by_sigma.col(number) << (above.translation - below.translation) / 2,
           vector_from_rotation(above.rotation * below.rotation.transpose()) / 2;
@@ -158,15 +168,24 @@ Eigen::MatrixXd tcp_by_sigma(const Chain& chain, const Eigen::VectorXd& position
 }  // namespace
 
 TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model) {
+  return predict_tcp(circumstances_at(chain, position), model);
+}
+
+TcpPrediction predict_tcp(const Circumstances& c, const PredictionModel& model) {
   TcpPrediction p;
-  p.root_from_tcp = chain_ends(chain, position).root_from_tcp;
-  p.root_from_tcp_est = root_from_tcp_with(chain, position, model.effects);
+  p.root_from_tcp = root_from_tcp_with(c, {});
+  const Sites sites = moved_sites(c, model.effects);
+  const ObservedEnds moved = observed_ends(c, sites);
+  p.root_from_tcp_est = moved.ends.root_from_tcp;
+  p.root_from_body_est = p.root_from_tcp_est * model.tcp_from_body * small_motion<double>(sites.body);
+  if (model.mount_from_sensor)
+    p.root_from_sensor_est = moved.ends.root_from_mount * *model.mount_from_sensor * moved.mount_motion;
   Matrix6 turned = Matrix6::Zero();
   turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = p.root_from_tcp_est.rotation;
   // With root_from_body = root_from_tcp exp(xi) tcp_from_body, an error of xi moves TCPest as the TCP's own would.
   Eigen::MatrixXd by_model(6, model.covariance.cols());
   by_model.leftCols<6>() = turned;
-  by_model.rightCols(by_model.cols() - 6) = tcp_by_sigma(chain, position, model);
+  by_model.rightCols(by_model.cols() - 6) = tcp_by_sigma(c, model);
   Eigen::VectorXd unit = Eigen::VectorXd::Ones(model.covariance.cols());
   for (Eigen::Index i = 6; i < unit.size(); ++i) {
     const double variance = model.covariance(i, i);

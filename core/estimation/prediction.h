@@ -23,6 +23,8 @@ struct PredictionModel {
   std::vector<EffectTerm> effects;
   TcpScatter scatter;
   Eigen::MatrixXd covariance = Matrix6::Zero();  // 6 + n: xi of TCP->Body, then every number of the effects in order
+  Rigid tcp_from_body;
+  std::optional<Rigid> mount_from_sensor;  // absent: a file that does not say where the sensor sits
   bool rotation_is_observed =
       true;  // false: with one or two markers the body's rotation is a convention, kept at its start
 };
@@ -36,9 +38,11 @@ PredictionModel prediction_model(const Fit& fit);
 PredictionModel prediction_model(const Calibration& calibration, const Robot& robot);
 
 struct TcpPrediction {
-  Rigid root_from_tcp;                   // as commanded: the nominal robot
-  Rigid root_from_tcp_est;               // with the effects of the model
-  Matrix6 covariance = Matrix6::Zero();  // of root_from_tcp_est: position (m), then rotation (rad), in root axes
+  Rigid root_from_tcp;                        // as commanded: the nominal robot
+  Rigid root_from_tcp_est;                    // with the effects of the model
+  Rigid root_from_body_est;                   // the marker body, slipped as it has by then
+  std::optional<Rigid> root_from_sensor_est;  // the camera or tracker, drifted as it has by then
+  Matrix6 covariance = Matrix6::Zero();       // of root_from_tcp_est: position (m), then rotation (rad), in root axes
 
   Vector6 sigma() const { return covariance.diagonal().cwiseMax(0).cwiseSqrt(); }
 };
@@ -46,5 +50,8 @@ struct TcpPrediction {
 /// For one pose, joints in the order of the chain. TCPest is tied to the body by the estimated TCP->Body (thesis 4.51):
 /// its covariance is the scatter of the observations about the model, and that of TCP->Body and the effects together.
 TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model);
+
+/// The same for a pose of which it is known how and when the robot comes there.
+TcpPrediction predict_tcp(const Circumstances& circumstances, const PredictionModel& model);
 
 }  // namespace handsight

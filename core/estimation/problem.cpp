@@ -5,7 +5,18 @@
 #include <cmath>
 #include <numeric>
 
+#include "effects/own_effect.h"
+
 namespace handsight {
+namespace {
+
+bool reads_torques(const std::vector<EffectTerm>& terms, const OwnEffects& own) {
+  return std::any_of(terms.begin(), terms.end(), [](const EffectTerm& t) { return t.own && t.own->reads_torque; }) ||
+         std::any_of(own.begin(), own.end(), [](const auto& effect) { return effect->reads_torque; });
+}
+
+}  // namespace
+
 Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held,
                      const std::vector<EffectTerm>& estimated) {
   Problem problem;
@@ -15,15 +26,18 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
   problem.terms = held;
   for (const EffectTerm& term : estimated) {
-    const Effect& effect = *find_effect(term.id);
+    const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (is_free(effect, term, p))
-        problem.columns_of_effects.push_back({problem.terms.size(), p, effect.parameters[p].sigma});
+        problem.columns_of_effects.push_back({problem.terms.size(), p, plausible_size(effect.parameters[p], chain)});
     problem.terms.push_back(term);
   }
   auto source = std::make_shared<ProblemSource>();
   source->chain = chain;
   source->circumstances = circumstances_of(session, source->chain);
+  source->own_effects = own_effects_of(session, source->chain);
+  if (reads_torques(problem.terms, source->own_effects))
+    for (Circumstances& c : source->circumstances) c.torque = nominal_torques(source->chain, c.sensor);
   problem.source = source;
 
   const double usual = usual_sigma(session);

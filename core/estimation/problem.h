@@ -58,6 +58,7 @@ inline Rigid sensor_from_tcp_at(const ProblemObservation& o, const Rigid& mount_
 struct ProblemSource {
   Chain chain;
   std::vector<Circumstances> circumstances;  // per observation of the session
+  OwnEffects own_effects;                    // of the session, beside the catalogue
 };
 
 struct Problem {

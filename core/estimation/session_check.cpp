@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/session_oddities.h"
 #include "model/chain.h"
 #include "model/sighting.h"
 #include "vision/image_file.h"
@@ -46,7 +47,7 @@ void check_images(const Session& session, SessionCheck& check) {
   auto look = [&](const std::string& file, const Camera& camera, std::int64_t id) {
     if (file.empty()) return;
     try {
-      check_image_size(read_image(folder(session) / file), camera, file);
+      read_image(folder(session) / file, camera, file);
     } catch (const InputError& error) {
       check.problems.push_back(fmt::format("Observation {}: {}", id, error.what()));
     }
@@ -134,6 +135,7 @@ SessionCheck check_session(const Session& session) {
   SessionCheck check;
   const Chain chain = chain_of(session);
   list_contents(session, chain, check);
+  check.warnings = session_oddities(session);
   check_images(session, check);
   check_limits(session, chain, check);
   check_markers(session, check);

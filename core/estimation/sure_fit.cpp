@@ -49,7 +49,8 @@ void minimise_widening(const Session& session, Problem& images, const Unknowns& 
 
 double widened_by(const Problem& problem, std::size_t term) {
   for (const EffectColumn& c : problem.columns_of_effects)
-    if (c.term == term) return c.sigma / find_effect(problem.terms[term].id)->parameters[c.parameter].sigma;
+    if (c.term == term)
+      return c.sigma / plausible_size(effect_of(problem.terms[term]).parameters[c.parameter], problem.source->chain);
   return 1;
 }
 

@@ -19,6 +19,7 @@ struct JointChangeT {
   T multiplier_error{0.0};                  // mimic joint: added to each of its multipliers
   T share{0.0};                             // mimic joint: 0 moved by the motors before it, 1 held by a linkage
   Vector6T<T> frame = Vector6T<T>::Zero();  // small motion of the joint's frame, before its rotation
+  Vector6T<T> after = Vector6T<T>::Zero();  // ... after its rotation and bending: of all that hangs on it
   T compliance{0.0};                        // rad/(N m) about the axis (m/N), beyond the declared stiffness
   T lateral_compliance{0.0};                // rad/(N m) across the axis
   T gap{0.0};                               // rad: backlash, gap * tanh(torque / 0.3 N m)
@@ -136,6 +137,8 @@ void set_frames(const Robot& robot, const RobotChangeT<T>& change, const Deflect
     }
     if (elastic && !is_nothing(deflection.lateral[j]))
       frame.rotation = frame.rotation * rotation_from_vector<T>(deflection.lateral[j]);
+    if (!change.joints.empty() && !is_nothing(change.joints[j].after))
+      frame = frame * small_motion<T>(change.joints[j].after);
     posture.root_from_link[joint.child_link] = frame * cast<T>(joint.joint_from_child);
   }
 }

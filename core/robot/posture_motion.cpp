@@ -72,6 +72,19 @@ Vector6 PostureTangent::motion_by_mass(int link, double mass, const Vector3& fir
   return by_unknown_ * loads;
 }
 
+/// Of everything behind a joint, by a change of the motion after its rotation.
+Vector6 PostureTangent::motion_after(std::size_t j, const Vector6& change) const {
+  const Joint& joint = robot_->joints[j];
+  const Rigid link_from_joint = inverse(joint.joint_from_child);
+  const Rigid root_from_after = posture_->root_from_link[static_cast<std::size_t>(joint.child_link)] * link_from_joint;
+  const Vector6& now = change_of(j).after;
+  const Matrix3 before = root_from_after.rotation * rotation_from_vector<double>(now.tail<3>()).transpose();
+  Vector6 motion =
+      rotation_about_point(before * (left_jacobian(now.tail<3>()) * change.tail<3>()), root_from_after.translation);
+  motion.head<3>() += before * change.head<3>();
+  return motion;
+}
+
 Vector6 PostureTangent::motion_by_joint(std::size_t j, const JointChange& d) const {
   Vector6 motion = d.angle * by_corrected_[j];
   if (!d.frame.isZero(0)) {
@@ -83,6 +96,7 @@ Vector6 PostureTangent::motion_by_joint(std::size_t j, const JointChange& d) con
     change.head<3>() += before * d.frame.head<3>();
     motion += response_[j] * change;
   }
+  if (!d.after.isZero(0)) motion += after_response_[j] * motion_after(j, d.after);
   const auto by_deflection = [&](std::size_t i) -> Vector6 {
     Vector6 sum = Vector6::Zero();
     for (const Share& s : by_deflection_[i]) sum += s.factor * by_axis_[static_cast<std::size_t>(s.joint)];

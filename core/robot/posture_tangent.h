@@ -70,6 +70,7 @@ class PostureTangent {
   void add_value_shares();
   Eigen::MatrixXd loads_by_motion(std::size_t k, bool moves_own_frame) const;
   void answer_to_loads();
+  Vector6 motion_after(std::size_t joint, const Vector6& change) const;
   Vector6 motion_by_gravity(const Vector3& change) const;
   Vector6 motion_by_mass(int link, double mass, const Vector3& first_moment_in_root) const;
 

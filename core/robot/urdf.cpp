@@ -24,7 +24,7 @@ Robot parse_urdf(const std::string& text, const std::string& file_name, std::vec
   for (const XmlNode& node : children(root, "link")) links.push_back(urdf::read_link(node, colors, said));
   std::vector<urdf::JointPart> joints;
   for (const XmlNode& node : children(root, "joint")) joints.push_back(urdf::read_joint(node, said));
-  Robot robot = urdf::assemble(find_text(root, "name").value_or(""), root, std::move(links), std::move(joints));
+  Robot robot = urdf::assemble(find_name(root, "name").value_or(""), root, std::move(links), std::move(joints));
   if (notes) notes->insert(notes->end(), said.begin(), said.end());
   return robot;
 }

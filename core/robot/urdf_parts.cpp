@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/urdf_parts.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/error.h"
@@ -20,7 +21,7 @@ Rigid find_origin(const XmlNode& node) {
 
 void read_inertial(const XmlNode& node, Link& link, Notes& notes) {
   const XmlNode mass = required_child(node, "mass");
-  link.mass = required_number(mass, "value");
+  link.mass = required_number(mass, "value", {bounds::any.lowest, bounds::mass.highest});
   if (link.mass < 0) refuse(mass, fmt::format("has value=\"{}\", a negative mass, expected at least 0 kg.", link.mass));
   link.center_of_mass = find_origin(node).translation;
   if (link.center_of_mass.cwiseAbs().maxCoeff() > farthest_center)
@@ -43,7 +44,7 @@ JointKind read_kind(const XmlNode& node) {
 
 Vector3 read_axis(const XmlNode& joint) {
   const auto node = find_child(joint, "axis");
-  const Vector3 axis = node ? find_vector(*node, "xyz").value_or(Vector3::UnitX()) : Vector3::UnitX();
+  const Vector3 axis = node ? find_vector(*node, "xyz", bounds::finite).value_or(Vector3::UnitX()) : Vector3::UnitX();
   const double largest = axis.cwiseAbs().maxCoeff();
   if (largest == 0) refuse(*node, "is a zero vector, expected the direction of the joint's axis.");
   return (axis / largest).normalized();  // in two steps: the square of a huge or tiny axis has no double
@@ -52,11 +53,14 @@ Vector3 read_axis(const XmlNode& joint) {
 /// Craig's modified Denavit-Hartenberg.
 void read_dh(const XmlNode& node, Joint& joint) {
   if (!node.element->FirstAttribute()) refuse(node, "has no attributes, expected a, alpha, d and theta.");
-  const auto number = [&](const char* attribute) { return find_number(node, attribute).value_or(0); };
+  const auto number = [&](const char* attribute, const Bounds& within) {
+    return find_number(node, attribute, within).value_or(0);
+  };
   joint.axis = Vector3::UnitZ();
-  const Matrix3 twist = rotation_about(Vector3::UnitX(), number("alpha"));
-  joint.parent_from_joint = {twist, twist * Vector3(number("a"), 0, 0)};
-  joint.joint_from_child = {rotation_about(Vector3::UnitZ(), number("theta")), Vector3(0, 0, number("d"))};
+  const Matrix3 twist = rotation_about(Vector3::UnitX(), number("alpha", bounds::joint));
+  joint.parent_from_joint = {twist, twist * Vector3(number("a", bounds::length), 0, 0)};
+  joint.joint_from_child = {rotation_about(Vector3::UnitZ(), number("theta", bounds::joint)),
+                            Vector3(0, 0, number("d", bounds::length))};
 }
 
 void read_placement(const XmlNode& node, Joint& joint, Notes& notes) {
@@ -77,8 +81,9 @@ void read_limits(const XmlNode& node, Joint& joint) {
   if (!limit || (joint.kind != JointKind::revolute && joint.kind != JointKind::prismatic)) return;
   const auto lower = find_number(*limit, "lower"), upper = find_number(*limit, "upper");
   if (!lower && !upper) return;
-  joint.lower = lower.value_or(0);  // URDF's default for one that is missing
-  joint.upper = upper.value_or(0);
+  const auto bounded = [](double number) { return std::clamp(number, bounds::joint.lowest, bounds::joint.highest); };
+  joint.lower = bounded(lower.value_or(0));  // URDF's default for one that is missing; some write 1e16 for none
+  joint.upper = bounded(upper.value_or(0));
   if (joint.lower > joint.upper)
     refuse(*limit, fmt::format("has lower={} above upper={}, expected lower <= upper.", joint.lower, joint.upper));
 }
@@ -86,7 +91,7 @@ void read_limits(const XmlNode& node, Joint& joint) {
 void read_stiffness(const XmlNode& node, Joint& joint, Notes& notes) {
   const auto stiffness = find_child(node, "stiffness");
   if (!stiffness) return;
-  const double value = required_positive(*stiffness, "value");
+  const double value = required_positive(*stiffness, "value", bounds::stiffness);
   if (joint.moves())
     joint.stiffness = value;
   else
@@ -98,8 +103,8 @@ std::vector<MimicPart> read_mimics(const XmlNode& node, const Joint& joint, Note
   std::vector<MimicPart> mimics;
   for (const XmlNode& mimic : children(node, "mimic")) {
     MimicPart part{mimic, required_name(mimic, "joint"), {}};
-    part.mimic.multiplier = find_number(mimic, "multiplier").value_or(1);
-    part.mimic.offset = find_number(mimic, "offset").value_or(0);
+    part.mimic.multiplier = find_number(mimic, "multiplier", bounds::joint).value_or(1);
+    part.mimic.offset = find_number(mimic, "offset", bounds::joint).value_or(0);
     if (joint.moves())
       mimics.push_back(std::move(part));
     else

@@ -10,7 +10,7 @@ namespace handsight::urdf {
 namespace {
 
 double read_length(const XmlNode& node, const char* attribute) {
-  const double length = required_number(node, attribute);
+  const double length = required_number(node, attribute, bounds::length);
   if (length < 0) refuse(node, fmt::format("has {}=\"{}\", expected a length of at least 0 m.", attribute, length));
   return length;
 }
@@ -23,13 +23,13 @@ std::optional<Eigen::Vector4d> find_color(const XmlNode& material) {
 }
 
 Shape read_box(const XmlNode& node) {
-  Shape shape{ShapeKind::box, Vector3(required_numbers(node, "size", 3).data()), {}, {}, {}};
+  Shape shape{ShapeKind::box, Vector3(required_numbers(node, "size", 3, bounds::length).data()), {}, {}, {}};
   if (shape.size.minCoeff() < 0) refuse(node, "has a negative number in size, expected three lengths of at least 0 m.");
   return shape;
 }
 
 Shape read_mesh(const XmlNode& node) {
-  const Vector3 scale = find_vector(node, "scale").value_or(Vector3::Ones());
+  const Vector3 scale = find_vector(node, "scale", bounds::joint).value_or(Vector3::Ones());
   return {ShapeKind::mesh, scale, required_name(node, "filename"), {}, {}};
 }
 

@@ -5,15 +5,15 @@
 
 namespace handsight {
 
-std::optional<Vector3> find_vector(const XmlNode& node, const char* attribute) {
-  const auto numbers = find_numbers(node, attribute, 3);
+std::optional<Vector3> find_vector(const XmlNode& node, const char* attribute, const Bounds& within) {
+  const auto numbers = find_numbers(node, attribute, 3, within);
   if (!numbers) return std::nullopt;
   return Vector3(numbers->data());
 }
 
-Rigid read_rigid(const XmlNode& node) {
-  return {rotation_from_rpy(find_vector(node, "rpy").value_or(Vector3::Zero())),
-          find_vector(node, "xyz").value_or(Vector3::Zero())};
+Rigid read_rigid(const XmlNode& node, const Bounds& xyz_within) {
+  return {rotation_from_rpy(find_vector(node, "rpy", bounds::joint).value_or(Vector3::Zero())),
+          find_vector(node, "xyz", xyz_within).value_or(Vector3::Zero())};
 }
 
 void write_rigid(tinyxml2::XMLElement& element, const Rigid& motion) {

@@ -7,11 +7,11 @@
 
 namespace handsight {
 
-/// Three finite numbers.
-std::optional<Vector3> find_vector(const XmlNode& node, const char* attribute);
+/// Three finite numbers within bounds.
+std::optional<Vector3> find_vector(const XmlNode& node, const char* attribute, const Bounds& within);
 
 /// The motion of xyz="" rpy=""; what is missing is zero.
-Rigid read_rigid(const XmlNode& node);
+Rigid read_rigid(const XmlNode& node, const Bounds& xyz_within = bounds::length);
 
 /// Sets xyz and rpy. The angles read back to the same rotation within rounding.
 void write_rigid(tinyxml2::XMLElement& element, const Rigid& motion);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/rigid.h"
+#include "session/effect_definition.h"
 
 namespace handsight {
 
@@ -35,6 +36,9 @@ struct CalibrationParameter {
   std::string unit;
 };
 
+/// Terms of one effect, at most one at each place. A model may hold several terms of one effect at one place (a slip
+/// that came twice; a number that is held and estimated): then several of these have the same id, and all of them
+/// count.
 struct CalibrationEffect {
   std::string id;
   std::vector<CalibrationParameter> parameters;
@@ -49,6 +53,7 @@ struct Calibration {
   std::vector<Vector3> markers;     // m, in the body frame
   std::vector<int> unseen_markers;  // indices of those that have no position: zero in `markers`, no element in the file
   std::vector<CalibrationEffect> effects;
+  std::vector<EffectDefinition> definitions;  // of those effects that are no part of the catalogue
 
   // What a prediction without the session needs; empty or absent in files of other programs.
   std::string tcp;                     // link
@@ -59,6 +64,7 @@ struct Calibration {
   /// (6 + n) square: xi of tcp_from_body, then every parameter of `effects` in their order; those held have zeros.
   std::optional<Eigen::MatrixXd> model_covariance;
   std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
+  std::vector<double> times;  // s, of all observations in order: what slips and drifts are placed by
 
   std::vector<std::string> notes;  // what the reader ignored, a sentence each; not written
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
+#include <set>
 #include <unordered_set>
 
 #include "base/error.h"
@@ -84,7 +86,7 @@ EstimatedMotion read_motion(const XmlNode& node, Ignored& ignored) {
   const auto matrix = find_child(node, "matrix");
   if (!matrix && !has_angles) refuse(node, "has neither <matrix> nor xyz and rpy, expected one of them.");
   EstimatedMotion estimated;
-  estimated.motion = read_rigid(node);
+  estimated.motion = read_rigid(node, bounds::any);
   if (matrix) {
     note_unknown(ignored, *matrix, {}, {}, true);
     const Rigid exact = read_rigid_matrix(*matrix);
@@ -146,7 +148,7 @@ void read_markers(const XmlNode& parent, Calibration& calibration, Ignored& igno
 }
 
 CalibrationEffect read_effect(const XmlNode& node, Ignored& ignored) {
-  note_unknown(ignored, node, {"id"}, {"parameter"});
+  note_unknown(ignored, node, {"id", "number"}, {"parameter"});
   CalibrationEffect effect{required_name(node, "id"), {}};
   std::unordered_set<std::string> names;
   for (const XmlNode& child : children(node, "parameter")) {
@@ -165,13 +167,23 @@ CalibrationEffect read_effect(const XmlNode& node, Ignored& ignored) {
 std::vector<CalibrationEffect> read_effects(const XmlNode& parent, Ignored& ignored) {
   note_unknown(ignored, parent, {}, {"effect"});
   std::vector<CalibrationEffect> effects;
-  std::unordered_set<std::string> ids;
+  std::set<std::pair<std::string, std::int64_t>> seen;
   for (const XmlNode& node : children(parent, "effect")) {
     effects.push_back(read_effect(node, ignored));
-    if (!ids.insert(effects.back().id).second)
-      refuse(node, fmt::format("has id={} a second time, expected each effect once.", in_quotes(effects.back().id)));
+    if (!seen.emplace(effects.back().id, find_integer(node, "number", 1, 100000).value_or(1)).second)
+      refuse(node, fmt::format("has id={} a second time, expected each effect once, or with another number.",
+                               in_quotes(effects.back().id)));
   }
   return effects;
+}
+
+/// Times of the observations, in their order.
+std::vector<double> read_times(const XmlNode& node, Ignored& ignored) {
+  note_unknown(ignored, node, {}, {}, true);
+  const std::string text = inner_text(node);
+  std::vector<double> times = inner_numbers(node, split_words(text).size(), "times in s", bounds::time);
+  if (!std::is_sorted(times.begin(), times.end())) refuse(node, "has times that go back, expected them in order.");
+  return times;
 }
 
 void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignored) {
@@ -198,6 +210,7 @@ void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignore
     note_unknown(ignored, *scatter, {"order"}, {}, true);
     calibration.tcp_scatter = read_covariance(*scatter);
   }
+  if (const auto times = find_child(root, "times")) calibration.times = read_times(*times, ignored);
   if (const auto mount = find_child(root, "mount_from_sensor"))
     calibration.mount_from_sensor = read_motion(*mount, ignored);
 }
@@ -210,16 +223,21 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "session", "created", "software"},
-               {"tcp_from_body", "fit", "markers", "effects", "robot", "gravity", "joints", "tcp_scatter",
-                "model_covariance", "mount_from_sensor"});
+               {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints",
+                "tcp_scatter", "model_covariance", "mount_from_sensor", "times"});
   Calibration calibration;
-  calibration.session = find_text(root, "session").value_or("");
+  calibration.session = find_name(root, "session").value_or("");
   calibration.created = find_text(root, "created").value_or("");
   calibration.software = find_text(root, "software").value_or("");
   calibration.tcp_from_body = read_motion(required_child(root, "tcp_from_body"), ignored);
   if (const auto fit = find_child(root, "fit")) calibration.fit = read_fit(*fit, ignored);
   read_markers(required_child(root, "markers"), calibration, ignored);
   if (const auto effects = find_child(root, "effects")) calibration.effects = read_effects(*effects, ignored);
+  if (const auto definitions = find_child(root, "effect_definitions")) {
+    note_unknown(ignored, *definitions, {}, {"effect"});
+    for (const XmlNode& node : children(*definitions, "effect"))
+      calibration.definitions.push_back(read_effect_definition(node, ignored));
+  }
   read_setting(root, calibration, ignored);
   if (const auto covariance = find_child(root, "model_covariance")) {
     note_unknown(ignored, *covariance, {"order"}, {}, true);

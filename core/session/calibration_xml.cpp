@@ -3,6 +3,8 @@
 #include "session/calibration_xml.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -66,9 +68,11 @@ void write_markers(XMLElement& root, const Calibration& calibration) {
 
 void write_effects(XMLElement& root, const std::vector<CalibrationEffect>& effects) {
   XMLElement& parent = *root.InsertNewChildElement("effects");
+  std::map<std::string, int> written;
   for (const CalibrationEffect& effect : effects) {
     XMLElement& element = *parent.InsertNewChildElement("effect");
     element.SetAttribute("id", effect.id.c_str());
+    if (const int number = ++written[effect.id]; number > 1) element.SetAttribute("number", number);
     for (const CalibrationParameter& parameter : effect.parameters) {
       XMLElement& child = *element.InsertNewChildElement("parameter");
       child.SetAttribute("of", parameter.of.c_str());
@@ -101,10 +105,38 @@ void write_setting(XMLElement& root, const Calibration& calibration) {
     element.SetAttribute("order", model_order);
     element.SetText(format_numbers({covariance.data(), static_cast<std::size_t>(covariance.size())}).c_str());
   }
+  if (!calibration.times.empty())
+    root.InsertNewChildElement("times")->SetText(format_numbers(calibration.times).c_str());
   if (calibration.mount_from_sensor) write_motion(root, "mount_from_sensor", *calibration.mount_from_sensor);
 }
 
+bool is_finite(const EstimatedMotion& estimated) {
+  return estimated.motion.rotation.allFinite() && estimated.motion.translation.allFinite() &&
+         estimated.covariance.allFinite();
+}
+
 }  // namespace
+
+void require_finite(const Calibration& c) {
+  const auto require = [](bool holds, std::string_view what) {
+    if (!holds)
+      throw InputError(
+          fmt::format("The calibration cannot be written: {} is not finite; the observations do not "
+                      "determine it. Look at the session with check and diagnose.",
+                      what));
+  };
+  require(is_finite(c.tcp_from_body), "TCP->Body or its covariance");
+  require(!c.mount_from_sensor || is_finite(*c.mount_from_sensor), "the mount or its covariance");
+  require(!c.tcp_scatter || c.tcp_scatter->allFinite(), "the scatter of the TCP");
+  require(!c.model_covariance || c.model_covariance->allFinite(), "the covariance of the effects");
+  for (const Vector3& marker : c.markers) require(marker.allFinite(), "a marker");
+  for (const CalibrationEffect& effect : c.effects)
+    for (const CalibrationParameter& p : effect.parameters)
+      require(std::isfinite(p.value) && std::isfinite(p.sigma.value_or(0)), fmt::format("{} of {}", p.name, effect.id));
+  for (const auto& number : {c.fit.rms_pixel, c.fit.held_out_rms_pixel, c.fit.noise_pixel, c.fit.rms_m,
+                             c.fit.held_out_rms_m, c.fit.noise_m, c.fit.chi2_per_dof})
+    require(std::isfinite(number.value_or(0)), "an error of the fit");
+}
 
 std::string calibration_text(const Calibration& calibration) {
   tinyxml2::XMLDocument document;
@@ -119,11 +151,16 @@ std::string calibration_text(const Calibration& calibration) {
   write_fit(root, calibration.fit);
   write_markers(root, calibration);
   write_effects(root, calibration.effects);
+  if (!calibration.definitions.empty()) {
+    XMLElement& definitions = *root.InsertNewChildElement("effect_definitions");
+    for (const EffectDefinition& d : calibration.definitions) write_effect_definition(definitions, d);
+  }
   write_setting(root, calibration);
   return xml_text(document);
 }
 
 void write_calibration(const std::filesystem::path& path, const Calibration& calibration) {
+  require_finite(calibration);
   replace_file(path, calibration_text(calibration));
 }
 

@@ -13,10 +13,14 @@ namespace handsight {
 inline constexpr char model_order[] = "x y z rx ry rz effects";
 
 /// The calibration as XML. A number that is absent is written by leaving its attribute out. Rotations are
-/// those of the 16 numbers of <matrix>; rpy beside it is for people.
+/// those of the 16 numbers of <matrix>; rpy beside it is for people. Every number is finite: see
+/// require_finite.
 std::string calibration_text(const Calibration& calibration);
 
-/// Replaces (or makes) a file, whole or not at all. InputError where it cannot be written.
+/// InputError that names what is not finite: a fit of measurements that say nothing may end so.
+void require_finite(const Calibration& calibration);
+
+/// Replaces (or makes) a file, whole or not at all. InputError where it cannot be written, or a number is not finite.
 void write_calibration(const std::filesystem::path& path, const Calibration& calibration);
 
 /// Reads a text; `file` is what sentences call it. InputError where it is wrong. <matrix> may be missing,

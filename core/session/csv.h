@@ -9,6 +9,19 @@
 
 namespace handsight {
 
+/// Poses and what is known of how the robot comes there.
+struct PoseTable {
+  std::vector<Eigen::VectorXd> positions;   // rad or m, each in the order of `joints`
+  std::vector<Eigen::VectorXd> velocities;  // rad/s or m/s, one a position, 0 where a joint has no column; or empty
+  std::vector<double> times;                // s, one a position; or empty
+};
+
+/// As parse_poses; columns named "time" and "velocity_JOINT" are read too where a header has them.
+PoseTable parse_pose_table(const std::string& text, const std::string& file, const std::vector<std::string>& joints,
+                           std::vector<std::string>* notes = nullptr);
+PoseTable read_pose_table(const std::filesystem::path& path, const std::vector<std::string>& joints,
+                          std::vector<std::string>* notes = nullptr);
+
 /// Positions, each in the order of `joints` (rad or m), from lines of numbers separated by commas, semicolons
 /// or white space (one kind a line); what follows a '#' and empty lines are left out. A first line that is
 /// not of numbers is a header: it names every joint once, in any order; other columns are ignored, with a

@@ -13,21 +13,21 @@ namespace handsight {
 
 namespace {
 
-Eigen::VectorXd read_joint_vector(const XmlNode& node, const Session& session, Ignored& ignored) {
+Eigen::VectorXd read_joint_vector(const XmlNode& node, const Session& session, const Bounds& within, Ignored& ignored) {
   note_unknown(ignored, node, {}, {}, true);
-  const std::vector<double> numbers = inner_numbers(node, session.joints.size(), "one for each of <joints>");
+  const std::vector<double> numbers = inner_numbers(node, session.joints.size(), "one for each of <joints>", within);
   return Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
 Eigen::VectorXd find_joint_vector(const XmlNode& observation, const char* tag, const Session& session,
-                                  Ignored& ignored) {
+                                  const Bounds& within, Ignored& ignored) {
   const auto node = find_child(observation, tag);
-  return node ? read_joint_vector(*node, session, ignored) : Eigen::VectorXd();
+  return node ? read_joint_vector(*node, session, within, ignored) : Eigen::VectorXd();
 }
 
 /// Images are looked for in the session's folder and nowhere else.
 std::string find_image(const XmlNode& node, const char* attribute) {
-  const std::optional<std::string> text = find_text(node, attribute);
+  const std::optional<std::string> text = find_name(node, attribute);
   if (!text) return {};
   const std::filesystem::path path = *text;
   const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
@@ -44,7 +44,7 @@ void read_images(const XmlNode& node, Observation& observation, Ignored& ignored
 }
 
 std::optional<Vector2> find_pixel(const XmlNode& node, const char* attribute) {
-  const auto numbers = find_numbers(node, attribute, 2);
+  const auto numbers = find_numbers(node, attribute, 2, bounds::pixel);
   if (!numbers) return std::nullopt;
   return Vector2(numbers->data());
 }
@@ -67,7 +67,7 @@ Sighting read_sighting(const XmlNode& node, const Session& session, Ignored& ign
   sighting.marker = static_cast<int>(required_integer(node, "index", 0, session.marker_count - 1));
   if (session.is_tracker()) {
     note_unknown(ignored, node, {"index", "by", "point", "sigma"}, {});
-    if (const auto point = find_numbers(node, "point", 3)) sighting.point = Vector3(point->data());
+    if (const auto point = find_numbers(node, "point", 3, bounds::length)) sighting.point = Vector3(point->data());
     sighting.point_sigma = find_positive(node, "sigma");
     if (!sighting.point) refuse(node, "has no point, expected point=\"x y z\" as this is a tracker session.");
   } else {
@@ -112,10 +112,10 @@ Observation read_observation(const XmlNode& node, const Session& session, Ignore
   note_unknown(ignored, node, {"id", "time"}, {"position", "velocity", "torque", "images", "marker", "decision"});
   Observation observation;
   observation.id = required_integer(node, "id", 0, INT64_MAX);
-  observation.time = required_number(node, "time");
-  observation.position = read_joint_vector(required_child(node, "position"), session, ignored);
-  observation.velocity = find_joint_vector(node, "velocity", session, ignored);
-  observation.torque = find_joint_vector(node, "torque", session, ignored);
+  observation.time = required_number(node, "time", bounds::time);
+  observation.position = read_joint_vector(required_child(node, "position"), session, bounds::joint, ignored);
+  observation.velocity = find_joint_vector(node, "velocity", session, bounds::joint, ignored);
+  observation.torque = find_joint_vector(node, "torque", session, bounds::torque, ignored);
   if (const auto images = find_child(node, "images")) read_images(*images, observation, ignored);
   read_sightings(node, session, observation, ignored);
   if (const auto decision = find_child(node, "decision")) read_decision(*decision, observation, ignored);

@@ -12,6 +12,7 @@
 
 #include "camera/camera.h"
 #include "robot/robot.h"
+#include "session/effect_definition.h"
 
 namespace handsight {
 
@@ -73,6 +74,7 @@ struct Session {
   int marker_count = 0;
   std::vector<std::string> joints;            // the order of position, velocity and torque; joints not named stand at 0
   std::vector<Observation> observations;      // in order of time
+  std::vector<EffectDefinition> effect_definitions;  // of effects.xml and the user's own folder
   std::vector<std::string> notes;             // what the reader ignored, and warnings, a sentence each
   std::shared_ptr<const std::string> source;  // the XML text as read, so that saving keeps what is not understood
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A session's folder: its file, its robot, and where its images may lie.
 #include <algorithm>
+#include <cstdlib>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -47,8 +48,38 @@ fs::path file_of(const fs::path& path) {
   return file;
 }
 
+bool is_inside(const fs::path& file, const fs::path& home) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(home, error);
+  return !error && std::mismatch(real.begin(), real.end(), file.begin(), file.end()).first == real.end();
+}
+
+/// A session that comes from somewhere must not have any file of this computer read and told of.
+void require_allowed(const fs::path& robot, const Session& session, const SessionLines& lines) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(robot, error);
+  const fs::path home = fs::weakly_canonical(folder(session).empty() ? "." : folder(session), error);
+  bool is_allowed = !error && is_inside(real, home);
+  for (fs::path above = home; !is_allowed && above.has_relative_path(); above = above.parent_path())
+    is_allowed = is_inside(real, above.parent_path() / "robots");  // what several sessions share
+  const char* const named = std::getenv(robot_folders_variable);
+  std::string_view rest = named ? named : "";
+  while (!is_allowed && !rest.empty()) {
+    const std::string_view one = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(one.size() + 1, rest.size()));
+    is_allowed = fs::path(one).is_absolute() && is_inside(real, one);
+  }
+  if (!is_allowed)
+    refuse(
+        file_name(session), lines.robot,
+        fmt::format("<robot> has file={}, which leads out of the session's folder, expected a URDF file inside it, in "
+                    "a folder \"robots\" beside or above it, or in one that the environment variable {} names.",
+                    in_quotes(session.robot_file, 150), robot_folders_variable));
+}
+
 Robot read_robot_of(Session& session, const SessionLines& lines) {
   const fs::path path = folder(session) / session.robot_file;
+  require_allowed(path, session, lines);
   std::error_code error;
   if (!fs::is_regular_file(path, error))
     refuse(file_name(session), lines.robot,
@@ -91,6 +122,25 @@ void check_image_paths(const Session& session, const SessionLines& lines) {
     }
 }
 
+std::vector<fs::path> files_of(const Session& session) {
+  const fs::path home = folder(session);
+  std::vector<fs::path> files{session.file};
+  for (const std::string& name : {session.robot_file, std::string("truth.xml"), std::string("effects.xml")})
+    if (!name.empty()) files.push_back(home / name);
+  for (const Observation& o : session.observations)
+    for (const std::string& image : {o.left_image, o.right_image})
+      if (!image.empty()) files.push_back(home / image);
+  return files;
+}
+
+void require_no_file_of(const Session& session, const fs::path& output) {
+  std::error_code error;
+  for (const fs::path& file : files_of(session))
+    if (fs::equivalent(file, output, error))
+      throw InputError(
+          fmt::format("{}: belongs to the session and is not written over; name another file.", shown_path(output)));
+}
+
 Session read_session(const fs::path& path) {
   const fs::path file = file_of(path);
   SessionLines lines;
@@ -99,6 +149,7 @@ Session read_session(const fs::path& path) {
   Robot robot = read_robot_of(session, lines);
   bind_robot(session, std::move(robot), lines);
   check_image_paths(session, lines);
+  session.effect_definitions = find_effect_definitions(file.parent_path(), user_effects_folder(), session.notes);
   return session;
 }
 

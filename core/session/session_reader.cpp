@@ -21,7 +21,7 @@ void read_robot_element(const XmlNode& node, Session& session, Ignored& ignored)
 
 void read_gravity(const XmlNode& node, Session& session, Ignored& ignored) {
   note_unknown(ignored, node, {"xyz"}, {});
-  session.gravity = Vector3(required_numbers(node, "xyz", 3).data());
+  session.gravity = Vector3(required_numbers(node, "xyz", 3, bounds::gravity).data());
 }
 
 Mount read_mount(const XmlNode& device, const char* tag, Ignored& ignored) {
@@ -39,20 +39,22 @@ Camera read_camera(const XmlNode& node, Ignored& ignored) {
   note_unknown(ignored, node, {"name", "width", "height", "fx", "fy", "skew", "cx", "cy", "k1", "k2", "p1", "p2", "k3"},
                {});
   constexpr int largest_side = 1'000'000;
-  const auto or_zero = [&](const char* attribute) { return find_number(node, attribute).value_or(0); };
+  const auto distortion = [&](const char* attribute) {
+    return find_number(node, attribute, bounds::distortion).value_or(0);
+  };
   Camera camera;
   camera.width = static_cast<int>(required_integer(node, "width", 1, largest_side));
   camera.height = static_cast<int>(required_integer(node, "height", 1, largest_side));
-  camera.fx = required_positive(node, "fx");
-  camera.fy = required_positive(node, "fy");
-  camera.cx = required_number(node, "cx");
-  camera.cy = required_number(node, "cy");
-  camera.skew = or_zero("skew");
-  camera.k1 = or_zero("k1");
-  camera.k2 = or_zero("k2");
-  camera.p1 = or_zero("p1");
-  camera.p2 = or_zero("p2");
-  camera.k3 = or_zero("k3");
+  camera.fx = required_positive(node, "fx", bounds::focal_length);
+  camera.fy = required_positive(node, "fy", bounds::focal_length);
+  camera.cx = required_number(node, "cx", bounds::pixel);
+  camera.cy = required_number(node, "cy", bounds::pixel);
+  camera.skew = find_number(node, "skew", bounds::pixel).value_or(0);
+  camera.k1 = distortion("k1");
+  camera.k2 = distortion("k2");
+  camera.p1 = distortion("p1");
+  camera.p2 = distortion("p2");
+  camera.k3 = distortion("k3");
   return camera;
 }
 
@@ -88,7 +90,7 @@ void read_stereo(const XmlNode& node, Session& session, Ignored& ignored) {
 void read_tracker(const XmlNode& node, Session& session, Ignored& ignored) {
   note_unknown(ignored, node, {"mount", "sigma"}, {"mount_from_tracker"});
   session.mount = read_mount(node, "mount_from_tracker", ignored);
-  session.sigma_point = find_positive(node, "sigma");
+  session.sigma_point = find_positive(node, "sigma", bounds::sigma_point);
 }
 
 /// Returns the device's line.
@@ -107,7 +109,7 @@ int read_device(const XmlNode& root, Session& session, Ignored& ignored) {
 void read_markers_element(const XmlNode& node, Session& session, Ignored& ignored) {
   note_unknown(ignored, node, {"count", "sigma_pixel"}, {});
   session.marker_count = static_cast<int>(required_integer(node, "count", 1, 64));
-  session.sigma_pixel = find_positive(node, "sigma_pixel");
+  session.sigma_pixel = find_positive(node, "sigma_pixel", bounds::sigma_pixel);
   if (!session.sigma_pixel || !session.is_tracker()) return;
   session.sigma_pixel.reset();
   session.notes.push_back(fmt::format("{}, line {}: sigma_pixel has no meaning in a tracker session and is ignored.",
@@ -170,7 +172,7 @@ Session parse_session(const std::string& text, const std::string& file, SessionL
                {"robot", "gravity", "stereo", "tracker", "markers", "joints", "observations"});
   SessionLines found;
   Session session;
-  session.title = find_text(root, "title").value_or("");
+  session.title = find_name(root, "title").value_or("");
   const XmlNode robot = required_child(root, "robot"), joints = required_child(root, "joints");
   found.robot = robot.line();
   found.joints = joints.line();

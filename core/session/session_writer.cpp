@@ -119,4 +119,9 @@ std::string session_text(const Session& session) {
 
 void save_session(const Session& session) { replace_file(session.file, session_text(session)); }
 
+void replace_session(const Session& session) {
+  if (!session.source) return save_session(session);
+  replace_unchanged_file(session.file, session_text(session), digest_of_content(*session.source));
+}
+
 }  // namespace handsight

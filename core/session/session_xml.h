@@ -20,8 +20,12 @@ struct SessionLines {
   std::vector<int> observations;  // in the order of Session::observations
 };
 
-/// Reads a session with its robot; `path` is the folder or the file in it. The robot may lie anywhere, its path being
-/// absolute or relative to the folder; images only inside the folder. Image files are not opened.
+/// Names folders, with ':' between, in which the robots of sessions may lie beside the session's own folder.
+inline constexpr char robot_folders_variable[] = "HANDSIGHT_ROBOTS";
+
+/// Reads a session with its robot; `path` is the folder or the file in it. Robot and images lie inside the folder,
+/// links followed; the robot may also lie in a folder "robots" beside the session's folder or above it, which several
+/// sessions share, or in one that HANDSIGHT_ROBOTS names. Image files are not opened.
 Session read_session(const std::filesystem::path& path);
 
 /// Reads the text alone, without the robot; `file` is what sentences call it. Session::file, robot and links
@@ -38,13 +42,23 @@ void bind_robot(Session& session, Robot robot, const SessionLines& lines = {});
 /// has refused absolute paths and "..".)
 void check_image_paths(const Session& session, const SessionLines& lines = {});
 
+/// The files that a session consists of, there or not: its XML, robot, images, truth and own effects.
+std::vector<std::filesystem::path> files_of(const Session& session);
+
+/// InputError where a result would be written over one of them.
+void require_no_file_of(const Session& session, const std::filesystem::path& output);
+
 /// The session as XML. With Session::source, that text with the markers and decisions of this session in it
 /// (observations matched by id; new ones appended, those that are gone left out) and all else as it was;
 /// numbers that have not changed keep their spelling. Without it, everything from scratch; a mount's or rig's
 /// rotation is then written as rpy, which reads back within rounding.
 std::string session_text(const Session& session);
 
-/// Replaces Session::file by session_text, whole or not at all. InputError where it cannot be written.
+/// Replaces (or makes) Session::file by session_text, whole or not at all. InputError where it cannot be written.
 void save_session(const Session& session);
+
+/// The same, but only where the file still holds Session::source, what was read: InputError where another program has
+/// written it since, and what that wrote stays.
+void replace_session(const Session& session);
 
 }  // namespace handsight

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/bounds.h"
 #include "base/error.h"
 #include "base/numbers.h"
 
@@ -30,7 +31,7 @@ bool read_formula(const std::string& formula, Curve& curve) {
   curve.size = *size;
   curve.cosine = function == "cos";
   curve.order = *factor;
-  return std::isfinite(curve.size) && std::isfinite(curve.order);
+  return bounds::joint.hold(curve.size) && bounds::joint.hold(curve.order);
 }
 
 }  // namespace

@@ -81,6 +81,22 @@ std::string label_hint(const SimulatedSession& s, const fs::path& out) {
   return hint;
 }
 
+/// Removes the folder at the end of the scope where it has not been renamed by then.
+struct Unfinished {
+  fs::path folder;
+  ~Unfinished() {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
+};
+
+/// The robot's own name, but for those that files of a session have.
+std::string robot_name(const fs::path& robot_file) {
+  const std::string name = robot_file.filename().string();
+  const bool is_taken = name == "session.xml" || name == "truth.xml" || name == "effects.xml" || name == "images";
+  return is_taken ? "robot.urdf" : name;
+}
+
 }  // namespace
 
 WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptions& options, const fs::path& robot_file,
@@ -90,11 +106,13 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
     throw InputError(fmt::format("{} is there already and not empty; name a new folder in --out.", shown_path(out)));
   if (images.observations > 0 && !simulated.session.stereo)
     throw InputError("A tracker session has no images to render; leave --images out.");
-  const fs::path part = out.lexically_normal().string() + ".part";
+  const std::string robot_text = read_file(robot_file);
   std::error_code error;
-  fs::remove_all(part, error);
-  fs::create_directories(images.observations > 0 ? part / "images" : part, error);
-  if (error) throw InputError(fmt::format("{} cannot be made: {}.", shown_path(part), error.message()));
+  const fs::path target = fs::absolute(out, error).lexically_normal();
+  const fs::path part = make_temporary_folder((target.has_filename() ? target : target.parent_path()).parent_path());
+  const Unfinished unfinished{part};
+  if (images.observations > 0) fs::create_directory(part / "images", error);
+  if (error) throw InputError(fmt::format("{} cannot be made: {}.", shown_path(out), error.message()));
 
   WrittenSession written;
   const auto chosen = chosen_observations(simulated, options, images.observations);
@@ -110,8 +128,7 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
     written.with_images = static_cast<int>(chosen.size());
     written.label_hint = label_hint(simulated, out);
   }
-  const std::string robot_text = read_file(robot_file);
-  simulated.session.robot_file = robot_file.filename().string();
+  simulated.session.robot_file = robot_name(robot_file);
   replace_file(part / simulated.session.robot_file, robot_text);
   simulated.session.file = part / "session.xml";
   save_session(simulated.session);

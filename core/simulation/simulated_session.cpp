@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/bounds.h"
 #include "estimation/body_frame.h"
 #include "simulation/poses.h"
 
@@ -224,6 +225,7 @@ Disturbance parse_disturbance(const std::string& text, const Robot& robot) {
   };
   number(0, first, d.id);
   number(equals + 1, text.size(), d.size);
+  if (!bounds::joint.hold(d.size)) throw refuse();
   const std::string kind = text.substr(first + 1, second - first - 1);
   d.name = text.substr(second + 1, equals - second - 1);
   if (kind == "marker") {

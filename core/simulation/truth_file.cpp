@@ -28,7 +28,7 @@ void add_motion(tinyxml2::XMLElement& parent, const char* name, const Rigid& mot
 void add_effects(tinyxml2::XMLElement& parent, const SimulatedSession& simulated) {
   tinyxml2::XMLElement* effects = parent.InsertNewChildElement("effects");
   for (const EffectTerm& term : simulated.effects) {
-    const Effect* effect = find_effect(term.id);
+    const Effect* effect = &effect_of(term);
     tinyxml2::XMLElement* element = effects->InsertNewChildElement("effect");
     element->SetAttribute("id", term.id.c_str());
     for (std::size_t p = 0; p < term.values.size(); ++p) {
@@ -99,6 +99,8 @@ void write_truth(const SimulatedSession& simulated, const SimulationOptions& opt
   if (!options.shift_in_sensor.isZero())
     root->InsertNewChildElement("shift_in_sensor")->SetAttribute("xyz", three(options.shift_in_sensor).c_str());
   add_effects(*root, simulated);
+  for (const EffectTerm& term : simulated.effects)
+    if (term.own) write_effect_definition(*root->InsertNewChildElement("effect_definition"), *term.own->definition);
   add_curves(*root, simulated, options);
   add_wrong_corners(*root, simulated);
   for (const Disturbance& d : options.disturbances) {

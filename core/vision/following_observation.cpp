@@ -13,6 +13,9 @@ namespace {
 
 /// More triples than this are not tried; those nearest to the prediction come first.
 constexpr std::size_t most_triples = 20000;
+/// Nor more nodes looked at in all: boards full of corners that look alike have millions of triples, each of which
+/// looks at every node. A few tenths of a second; a hand among distractors needs a hundredth of it.
+constexpr std::size_t most_looks = 5'000'000;
 
 struct Search {
   const std::vector<CornerPair>& pairs;
@@ -22,7 +25,8 @@ struct Search {
   std::size_t needed;             // markers for a pose
   std::vector<MarkerNode> nodes;  // nearest to the prediction first
   std::vector<BodyHypothesis> found;
-  std::size_t tried = 0;
+  std::size_t tried = 0, looked = 0;
+  bool gave_up() const { return tried >= most_triples || looked >= most_looks; }
 };
 
 int known_count(const KnownMarkers& known) {
@@ -66,6 +70,7 @@ bool share_something(const std::vector<CornerPair>& pairs, const MarkerNode& a, 
 
 void try_seed(Search& search, const std::vector<MarkerNode>& seed) {
   ++search.tried;
+  search.looked += search.nodes.size();
   auto h = body_hypothesis(search.pairs, search.known, seed, search.nodes, search.prediction, search.options);
   if (h && h->nodes.size() >= search.needed) search.found.push_back(std::move(*h));
 }
@@ -73,7 +78,8 @@ void try_seed(Search& search, const std::vector<MarkerNode>& seed) {
 /// All sets of `needed` nodes whose side lengths agree, extended one node at a time.
 void extend(Search& search, std::vector<MarkerNode>& seed, std::size_t from) {
   if (seed.size() == search.needed) return try_seed(search, seed);
-  for (std::size_t i = from; i < search.nodes.size() && search.tried < most_triples; ++i) {
+  for (std::size_t i = from; i < search.nodes.size() && !search.gave_up(); ++i) {
+    ++search.looked;
     const MarkerNode& node = search.nodes[i];
     const bool agrees = std::all_of(seed.begin(), seed.end(), [&](const MarkerNode& other) {
       return !share_something(search.pairs, node, other) && lengths_agree(search.pairs, search.known, node, other);
@@ -117,6 +123,11 @@ std::string too_few_reason(const Search& search, std::size_t epipolar_pairs) {
     return fmt::format(
         "only {} of {} markers have a corner pair near where they must be ({} epipolar pairs in the images)", count,
         known_count(search.known), epipolar_pairs);
+  if (search.gave_up())
+    return fmt::format(
+        "too many corners look alike to tell the markers among them ({} epipolar pairs in the images): no "
+        "assignment was found among those nearest to the prediction",
+        epipolar_pairs);
   return fmt::format("no {} corners near the prediction have the side lengths of the markers within 3 sigma",
                      search.needed);
 }

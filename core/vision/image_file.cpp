@@ -8,10 +8,12 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
+#include "base/bounds.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "codec/image_codec.h"
+#include "vision/image_header.h"
 
 namespace handsight {
 namespace {
@@ -96,23 +98,45 @@ bool is_cut_off(const std::string& bytes) {
   return false;
 }
 
-Image read_image(const std::filesystem::path& file) {
+namespace {
+
+void require_size(const ImageSize& size, const Camera& camera, const std::string& name) {
+  if (size.width == camera.width && size.height == camera.height) return;
+  throw InputError(
+      fmt::format("{} is {} x {}, the camera says {} x {}; use the images that the camera was calibrated with.",
+                  shown_path(name), size.width, size.height, camera.width, camera.height));
+}
+
+/// `camera`: the one that it must be of, or null.
+Image read(const std::filesystem::path& file, const Camera* camera, const std::string& name) {
   const std::string bytes = read_file(file);
   if (is_cut_off(bytes))
     throw InputError(fmt::format("{}: the image is cut off after {} bytes; copy it again from where it came.",
                                  shown_path(file), bytes.size()));
-  const cv::Mat decoded = bytes.empty() ? cv::Mat() : image_codec().decode(bytes);
+  const std::optional<ImageSize> told = image_size(bytes);
+  if (told && camera) require_size(*told, *camera, name);
+  if (told && static_cast<double>(told->width) * static_cast<double>(told->height) > bounds::most_pixels)
+    throw InputError(fmt::format("{}: the image says that it has {} x {} pixels; at most {:g} million are read.",
+                                 shown_path(file), told->width, told->height, 1e-6 * bounds::most_pixels));
+  const cv::Mat decoded = told ? image_codec().decode(bytes) : cv::Mat();
   if (decoded.empty())
     throw InputError(fmt::format("{}: is no image that can be read ({} bytes); PNG, JPEG, PGM, BMP and TIFF can.",
                                  shown_path(file), bytes.size()));
-  return from_mat(to_grey(decoded));
+  Image image = from_mat(to_grey(decoded));
+  if (camera) check_image_size(image, *camera, name);
+  return image;
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& file) { return read(file, nullptr, {}); }
+
+Image read_image(const std::filesystem::path& file, const Camera& camera, const std::string& name) {
+  return read(file, &camera, name);
 }
 
 void check_image_size(const Image& image, const Camera& camera, const std::string& name) {
-  if (image.width == camera.width && image.height == camera.height) return;
-  throw InputError(
-      fmt::format("{} is {} x {}, the camera says {} x {}; use the images that the camera was calibrated with.",
-                  shown_path(name), image.width, image.height, camera.width, camera.height));
+  require_size({image.width, image.height}, camera, name);
 }
 
 void write_png(const Image& image, const std::filesystem::path& file) {

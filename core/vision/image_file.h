@@ -11,8 +11,13 @@
 namespace handsight {
 
 /// Reads PNG, JPEG, PGM, BMP or TIFF as a grey image; colours by thesis (4.1), 16 bit scaled to 8. InputError where
-/// the file is missing, is no image, or is cut off: a half-decoded image would give wrong corners without a word.
+/// the file is missing, is no image, is cut off or has more pixels than bounds::most_pixels by its header: a
+/// half-decoded image would give wrong corners without a word.
 Image read_image(const std::filesystem::path& file);
+
+/// The same of an image that this camera took: one of another size is refused before it is decoded, as check_image_size
+/// does.
+Image read_image(const std::filesystem::path& file, const Camera& camera, const std::string& name);
 
 /// Does an image file end before it should? Decoders fill what is missing with grey or print on their own.
 bool is_cut_off(const std::string& bytes);

@@ -10,6 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 /// The refusal of `read(root of text)`.
 std::string refusal(const std::string& text, auto&& read) {
@@ -36,6 +37,48 @@ TEST(Xml, MalformedTextsAreRefusedWithTheirLine) {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   EXPECT_THAT(refusal(deep), HasSubstr("too deeply"));
+}
+
+TEST(Xml, NamesWithAZeroByteAreRefused) {
+  EXPECT_THAT(refusal("<a>\n<b c='hand&#0;x'/></a>"), HasSubstr("line 2: the reference &#0;"));
+  EXPECT_THAT(refusal("<a>&#x00;</a>"), HasSubstr("zero byte"));
+  EXPECT_EQ(refusal("<a c='&#48;&#x30;&amp;#0;'><!-- &#0; --></a>"), "nothing was refused");
+}
+
+TEST(Xml, WhatWouldCostTooMuchIsRefusedBeforeItIsParsed) {
+  std::string attributes = "<a";
+  for (int i = 0; i < 100000; ++i) attributes += " x" + std::to_string(i) + "=''";
+  EXPECT_THAT(refusal(attributes + "/>"), HasSubstr("more than 300 attributes"));
+  std::string elements = "<a>";
+  for (int i = 0; i < 2'000'000; ++i) elements += "<a/>";
+  EXPECT_THAT(refusal(elements + "</a>"), HasSubstr("elements and attributes"));
+  std::string quoted = "<a b='" + std::string(100, '<') + "=\"\"=\"'/>";
+  EXPECT_THAT(refusal(quoted), Not(HasSubstr("attributes, expected")));
+}
+
+TEST(Xml, TextsAndNumbersAreBounded) {
+  const auto name = [](const XmlNode& a) { required_name(a, "n"); };
+  EXPECT_EQ(refusal("<a n='" + std::string(500, 'n') + "'/>", name), "nothing was refused");
+  EXPECT_THAT(refusal("<a n='" + std::string(501, 'n') + "'/>", name), HasSubstr("has 501 bytes in n"));
+  EXPECT_THAT(refusal("<a n='" + std::string(5000, 'n') + "'/>", [](const XmlNode& a) { find_text(a, "n"); }),
+              HasSubstr("expected at most 4000"));
+  EXPECT_EQ(refusal("<a n='1e160'/>", [](const XmlNode& a) { find_number(a, "n"); }),
+            "f.xml, line 1: <a> has the number 1e+160 in n, expected a number from -1e+30 to 1e+30.");
+  EXPECT_THAT(refusal("<a n='3'/>",
+                      [](const XmlNode& a) {
+                        find_positive(a, "n", {0, 2});
+                      }),
+              HasSubstr("expected a number from 0 to 2"));
+  EXPECT_THAT(refusal("<a n='1 2 3'/>",
+                      [](const XmlNode& a) {
+                        find_numbers(a, "n", 3, {0, 2});
+                      }),
+              HasSubstr("has the number 3 in n"));
+  EXPECT_THAT(refusal("<a>1 2 -3</a>",
+                      [](const XmlNode& a) {
+                        inner_numbers(a, 3, "x", {0, 2});
+                      }),
+              HasSubstr("has the number -3, expected"));
 }
 
 TEST(Xml, OtherEncodingsAreRefused) {

@@ -2,6 +2,7 @@
 // `improve` on sessions with known truth: exactly what was hidden is added, and the error falls to the noise.
 #include <Eigen/Dense>
 
+#include "base/files.h"
 #include "cli/hidden_sessions.h"
 #include "geometry/rigid.h"
 #include "session/calibration_xml.h"
@@ -84,13 +85,38 @@ TEST_F(Improve, Hidden8StaysUnexplained) {
   const Json r = result.json();
   EXPECT_EQ(r["verdict"], "unexplained") << r["reason"];
   EXPECT_NE(r["reason"].get<std::string>().find(truth.curve_at), std::string::npos) << r["reason"];
-  // What is added on the way is of the right family: functions of that joint's angle.
-  const Names family = {"encoder_eccentricity", "transmission_ripple", "joint_scale"};
-  for (const Json& step : r["steps"])
-    if (!step["added"].is_null()) {
-      EXPECT_EQ(family.count(step["added"]), 1u) << step.dump();
-      EXPECT_EQ(step["where"], Json::array({truth.curve_at})) << step.dump();
-    }
+  ASSERT_EQ(r["steps"].size(), 2u);
+  const Json& step = r["steps"][1];
+  EXPECT_EQ(step["added"], "curve_1");
+  EXPECT_EQ(step["where"], Json::array({truth.curve_at}));
+  EXPECT_EQ(step["variable"], "angle of " + truth.curve_at);
+  EXPECT_NE(step["formula"].get<std::string>().find("sin("), std::string::npos) << step["formula"];
+  EXPECT_NEAR(r["held_out_rms_pixel"].get<double>(), truth.noise, 0.05 * truth.noise);
+  EXPECT_GT(r["left"]["unnamed_share"].get<double>(), 0.9);
+  EXPECT_LT(r["left"]["named_share"].get<double>(), 0.1);
+  EXPECT_EQ(run(sample_session("hidden_8"), {"--names-only"}).json()["steps"].size(), 1u);
+}
+
+/// docs/own_effects.md: the same session with the effect that the page defines, and the export read by `predict`.
+TEST_F(Improve, Hidden8WithANameOfOnesOwn) {
+  const HiddenTruth truth = hidden_truth(sample_session("hidden_8"));
+  const auto session = folder.path / "named";
+  std::filesystem::copy(sample_session("hidden_8"), session, std::filesystem::copy_options::recursive);
+  const std::string page = read_file(std::string(HANDSIGHT_SOURCE_DIR) + "/docs/own_effects.md");
+  const auto first = page.find("<handsight_effects"), last = page.find("</handsight_effects>");
+  ASSERT_NE(first, std::string::npos);
+  replace_file(session / "effects.xml", page.substr(first, last - first) + "</handsight_effects>\n");
+  const auto exported = folder.path / "calibration.xml";
+  const CliResult result = run(session, {"--export", exported.string()});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const Json r = result.json();
+  EXPECT_EQ(r["verdict"], "adequate") << r["reason"];
+  ASSERT_EQ(r["steps"].size(), 2u);
+  EXPECT_EQ(r["steps"][1]["added"], "planet_wave");
+  EXPECT_EQ(r["steps"][1]["where"], Json::array({truth.curve_at}));
+  const CliResult listed = run_cli(folder.path, {"effects", "--session", session.string()});
+  EXPECT_NE(listed.output.find("planet_wave"), std::string::npos);
+  EXPECT_NE(read_file(exported).find("sine*sin(3*q)"), std::string::npos);
 }
 
 TEST_F(Improve, HasTheKeysOfTheContract) {

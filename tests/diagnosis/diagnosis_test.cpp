@@ -196,8 +196,13 @@ TEST(Improvement, DoesNotTakeAWrongNameForAnUnnamedCurve) {
   Session session = simulated({}, 5, 80);
   for (Observation& o : session.observations) o.position[2] -= 1.5e-3 * std::sin(4 * o.position[2]);
   const Improvement m = improve(session);
-  EXPECT_EQ(m.steps.size(), 1u);
+  ASSERT_EQ(m.steps.size(), 2u);
+  EXPECT_EQ(m.steps[1].added, "curve_1");
+  EXPECT_NE(m.steps[1].formula.find("*q"), std::string::npos) << m.steps[1].formula;
   EXPECT_EQ(m.last.verdict, Verdict::unexplained);
+  EXPECT_NE(m.last.reason.find(session.robot.joints[2].name), std::string::npos) << m.last.reason;
+  EXPECT_GT(m.unnamed_share.value_or(0), 0.9);
+  EXPECT_LT(*m.steps[1].held_out.rms_pixel, 0.22);
 }
 
 TEST(Improvement, StopsWhenAsked) {

@@ -7,6 +7,7 @@
 
 #include "effects/effect.h"
 #include "fixtures/arms.h"
+#include "robot/urdf.h"
 
 namespace handsight {
 namespace {
@@ -151,6 +152,35 @@ TEST(Catalogue, ApproachIsTheSignOfTheLastMotion) {
   EXPECT_EQ(all[2].approach[0], 1);   // its velocity says so
   EXPECT_EQ(all[2].approach[1], -1);  // at rest: against the observation before
   EXPECT_EQ(all[2].elapsed, 2);
+}
+
+TEST(Catalogue, JointsThatTheMeasurementCannotDependOnAreNoPlaces) {
+  // base - turn - arm (TCP); base - wheel; arm - gripper; turn - counterweight; base - driver, which turn follows.
+  const auto robot = [](const std::string& of_turn) {
+    const auto joint = [](const char* name, const char* parent, const char* child, const std::string& inside = "") {
+      return fmt::format(
+          "<link name=\"{2}\"><inertial><mass value=\"1\"/></inertial></link><joint name=\"{0}\" "
+          "type=\"continuous\"><parent link=\"{1}\"/><child link=\"{2}\"/>{3}</joint>",
+          name, parent, child, inside);
+    };
+    return parse_urdf("<robot name=\"r\"><link name=\"base\"/>" + joint("turn", "base", "column", of_turn) +
+                          joint("bend", "column", "arm") + joint("wheel", "base", "tyre") +
+                          joint("grip", "arm", "finger") + joint("swing", "column", "weight") +
+                          joint("drive", "base", "motor") + "</robot>",
+                      "r.urdf", nullptr);
+  };
+  const auto places = [&](const std::string& of_turn) {
+    Chain chain;
+    chain.robot = robot(of_turn);
+    chain.tcp_link = find_link(chain.robot, "arm");
+    std::set<std::string> names;
+    for (const int j : effect_places(*find_effect("joint_offset"), chain))
+      names.insert(chain.robot.joints[static_cast<std::size_t>(j)].name);
+    return names;
+  };
+  EXPECT_EQ(places(""), (std::set<std::string>{"turn", "bend"}));
+  EXPECT_EQ(places("<stiffness value=\"100\"/>"), (std::set<std::string>{"turn", "bend", "grip", "swing"}));
+  EXPECT_EQ(places("<mimic joint=\"drive\"/>"), (std::set<std::string>{"turn", "bend", "drive"}));
 }
 
 TEST(EffectText, IsReadWithItsPlaceAndValue) {

@@ -52,6 +52,7 @@ RobotChange random_change(const Robot& robot, std::mt19937_64& random, double si
     JointChange& one = c.joints[j];
     one.angle = normal(random);
     one.frame = Vector6::NullaryExpr([&] { return normal(random); });
+    one.after = Vector6::NullaryExpr([&] { return normal(random); });
     one.compliance = 2e-3 * std::abs(normal(random));
     one.lateral_compliance = 1e-3 * std::abs(normal(random));
     one.gap = 0.1 * normal(random);
@@ -79,6 +80,7 @@ void visit_numbers(RobotChangeT<T>& c, Visit&& visit) {
     visit(one.multiplier_error, joint + "multiplier");
     visit(one.share, joint + "share");
     for (int k = 0; k < 6; ++k) visit(one.frame[k], joint + "frame " + std::to_string(k));
+    for (int k = 0; k < 6; ++k) visit(one.after[k], joint + "after " + std::to_string(k));
     visit(one.compliance, joint + "compliance");
     visit(one.lateral_compliance, joint + "lateral");
     visit(one.gap, joint + "gap");

@@ -45,6 +45,21 @@ TEST(UrdfRefuses, WhatIsNoTree) {
               HasSubstr("line 3: <joint> \"j\" carries link \"c\", which joint \"i\" carries already"));
 }
 
+TEST(UrdfRefuses, NumbersBeyondAllMeasure) {
+  for (const char* content :
+       {"<dh a='1e160'/>", "<dh alpha='-1e160'/>", "<dh d='1e160'/>", "<dh theta='1e160'/>",
+        "<origin xyz='0 1e160 0'/>", "<origin rpy='0 0 1e160'/>", "<stiffness value='1e160'/>",
+        "<stiffness value='1e-160'/>", "<mimic joint='j' multiplier='1e160'/>", "<mimic joint='j' offset='-1e160'/>"})
+    EXPECT_THAT(refusal(one_joint(content)), HasSubstr("expected a number from")) << content;
+  EXPECT_THAT(refusal("<robot><link name='a'><inertial><mass value='1e160'/></inertial></link></robot>"),
+              HasSubstr("expected a number from"));
+  EXPECT_THAT(
+      refusal("<robot><link name='a'><visual><geometry><box size='1 1e160 1'/></geometry></visual></link></robot>"),
+      HasSubstr("expected a number from"));
+  // Some programs write limits that are none.
+  EXPECT_EQ(refusal(one_joint("<limit lower='-1e16' upper='1e16'/>")), "nothing was refused");
+}
+
 TEST(UrdfRefuses, UnknownAndDoubleNames) {
   const auto joint = [](const char* parent, const char* child) {
     return two_links + "<joint name='j' type='fixed'><parent link='" + parent + "'/><child link='" + child +

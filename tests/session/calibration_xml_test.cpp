@@ -158,6 +158,31 @@ TEST(Calibration, NumbersThatAreNotFiniteAreNotWritten) {
   Calibration calibration = some_calibration();
   calibration.effects[0].parameters[0].value = NAN;
   EXPECT_THROW(calibration_text(calibration), BrokenPromise);
+  EXPECT_EQ(refusal_of([&] { require_finite(calibration); }),
+            "The calibration cannot be written: compliance of joint_elasticity is not finite; the observations do not "
+            "determine it. Look at the session with check and diagnose.");
+  calibration = some_calibration();
+  EXPECT_EQ(refusal_of([&] { require_finite(calibration); }), "nothing was refused");
+  calibration.tcp_from_body.covariance(2, 2) = INFINITY;
+  const TemporaryFolder temporary;
+  EXPECT_THAT(refusal_of([&] { write_calibration(temporary.path / "c.xml", calibration); }),
+              HasSubstr("TCP->Body or its covariance is not finite"));
+  EXPECT_FALSE(std::filesystem::exists(temporary.path / "c.xml"));
+}
+
+TEST(Calibration, AnEffectMayStandTwiceWithNumbers) {
+  Calibration calibration = some_calibration();
+  calibration.effects.push_back(calibration.effects[0]);
+  calibration.effects.push_back({"joint_elasticity", {{"arm_2", "compliance", 1, {}, "rad/(N m)"}}});
+  calibration.model_covariance.reset();
+  const std::string text = calibration_text(calibration);
+  EXPECT_THAT(text, HasSubstr("<effect id=\"joint_elasticity\" number=\"2\">"));
+  EXPECT_THAT(text, HasSubstr("<effect id=\"joint_elasticity\" number=\"3\">"));
+  EXPECT_THAT(text, HasSubstr("<effect id=\"base_tilt\">"));
+  const Calibration read = parse_calibration(text, "c.xml");
+  ASSERT_EQ(read.effects.size(), 4u);
+  EXPECT_EQ(read.effects[3].parameters[0].value, 1);
+  EXPECT_EQ(calibration_text(read), text);
 }
 
 TEST(Calibration, FilesAreReplacedAndRead) {

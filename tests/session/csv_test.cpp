@@ -64,5 +64,23 @@ TEST(Csv, FilesAreRead) {
   EXPECT_THAT(refusal_of([&] { read_poses(temporary.path / "none.csv", joints); }), HasSubstr("cannot be opened"));
 }
 
+TEST(Csv, TimesAndVelocitiesAreReadWhereTheyHaveColumns) {
+  const std::vector<std::string> names = {"a", "b"};
+  std::vector<std::string> notes;
+  const PoseTable table =
+      parse_pose_table("time,b,velocity_b,a,force\n1,0.2,-0.1,0.1,7\n2,0.4,0,0.3,8\n", "p.csv", names, &notes);
+  ASSERT_EQ(table.positions.size(), 2u);
+  EXPECT_THAT(table.positions[1], ElementsAre(0.3, 0.4));
+  ASSERT_EQ(table.velocities.size(), 2u);
+  EXPECT_THAT(table.velocities[0], ElementsAre(0, -0.1));
+  EXPECT_THAT(table.times, ElementsAre(1, 2));
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("1 columns are no joints")));
+  const PoseTable plain = parse_pose_table("a,b\n1,2\n", "p.csv", names);
+  EXPECT_TRUE(plain.velocities.empty() && plain.times.empty());
+  EXPECT_THAT(refusal_of([&] { parse_pose_table("a,b,time,time\n1,2,3,4\n", "p.csv", names); }), HasSubstr("twice"));
+  EXPECT_THAT(refusal_of([&] { parse_pose_table("a,b\n1,1e160\n", "p.csv", names); }),
+              HasSubstr("p.csv, line 2: \"1e160\" stands in column 2, expected a number from"));
+}
+
 }  // namespace
 }  // namespace handsight

@@ -79,6 +79,32 @@ TEST_F(SessionFolder, TheRobotsNotesAreTheSessions) {
   EXPECT_THAT(read_session(home).notes, ElementsAre(HasSubstr("500 m")));
 }
 
+TEST_F(SessionFolder, ARobotOutsideTheFolderIsNotRead) {
+  const TemporaryFolder outside;
+  replace_file(outside.path / "robot.urdf", small_robot);
+  replace_file(outside.path / "secret", "root:x:0:0");
+  write("robot.urdf", (outside.path / "secret").string());
+  EXPECT_THAT(refused(), HasSubstr("session.xml, line 3: <robot> has file="));
+  EXPECT_THAT(refused(), HasSubstr("leads out of the session's folder"));
+  EXPECT_THAT(refused(), testing::Not(HasSubstr("root:x")));
+  write("robot.urdf", "../" + outside.path.filename().string() + "/robot.urdf");
+  EXPECT_THAT(refused(), HasSubstr("leads out of the session's folder"));
+  ::setenv(robot_folders_variable, ("/nowhere:" + outside.path.string()).c_str(), 1);
+  EXPECT_EQ(refused(), "nothing was refused") << "the user has named the folder";
+  ::unsetenv(robot_folders_variable);
+  const auto collection = outside.path / "collection";
+  std::filesystem::create_directories(collection / "robots");
+  replace_file(collection / "robots" / "robot.urdf", small_robot);
+  std::filesystem::create_directories(collection / "rigs" / "one");
+  replace_file(collection / "rigs" / "one" / "session.xml",
+               changed(small_session, "robot.urdf", "../../robots/robot.urdf"));
+  EXPECT_EQ(refusal_of([&] { read_session(collection / "rigs" / "one"); }), "nothing was refused");
+  std::filesystem::remove(home / "robot.urdf");
+  std::filesystem::create_symlink(outside.path / "robot.urdf", home / "robot.urdf");
+  write("robot.urdf", "robot.urdf");
+  EXPECT_THAT(refused(), HasSubstr("leads out of the session's folder"));
+}
+
 TEST_F(SessionFolder, LinksOutOfTheFolderAreRefused) {
   const TemporaryFolder outside;
   replace_file(outside.path / "7_left.png", "secret");
@@ -94,6 +120,29 @@ TEST_F(SessionFolder, LinksOutOfTheFolderAreRefused) {
   replace_file(home / "real.png", "an image");
   std::filesystem::create_symlink("../real.png", home / "images" / "7_right.png");
   EXPECT_EQ(refused(), "nothing was refused") << "links inside are fine";
+}
+
+TEST_F(SessionFolder, WhatAnotherProgramSavedIsNotReplaced) {
+  Session mine = read_session(home);
+  Session theirs = mine;
+  mine.observations.front().decision = Decision::excluded;
+  theirs.observations.front().reason = "theirs";
+  theirs.observations.front().decision = Decision::rejected;
+  replace_session(theirs);
+  EXPECT_THAT(refusal_of([&] { replace_session(mine); }), HasSubstr("another program has changed the file"));
+  EXPECT_EQ(read_session(home).observations.front().reason, "theirs");
+  mine.file = home / "copy.xml";
+  save_session(mine);
+  EXPECT_EQ(read_session(home / "copy.xml").observations.front().decision, Decision::excluded);
+}
+
+TEST_F(SessionFolder, NoResultGoesOverItsFiles) {
+  const Session session = read_session(home);
+  EXPECT_THAT(refusal_of([&] { require_no_file_of(session, home / "session.xml"); }),
+              HasSubstr("belongs to the session"));
+  EXPECT_THAT(refusal_of([&] { require_no_file_of(session, home / ".." / home.filename() / "robot.urdf"); }),
+              HasSubstr("belongs to the session"));
+  EXPECT_EQ(refusal_of([&] { require_no_file_of(session, home / "calibration.xml"); }), "nothing was refused");
 }
 
 TEST(SessionFiles, SharedSessionsAreRead) {

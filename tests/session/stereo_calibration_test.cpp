@@ -111,5 +111,36 @@ TEST_F(StereoCalibration, WhatIsMissingOrWrongIsNamed) {
   expect_refusal({intrinsics, write("extrinsics.yml", sheared, "-0.1, 0., 0.")}, "no rotation");
 }
 
+TEST_F(StereoCalibration, WhatOpenCvCannotReadIsOneSentence) {
+  for (const char* text :
+       {"%YAML:1.", "%YAML:1.0\n---\n s:3", " :", "", "{", "<?xml version=\"1.0\"?>\n<opencv_storage>",
+        "%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: q\n   data: [ 1 ]\n"})
+    expect_refusal({write("broken.yaml", text)}, "broken.yaml");
+  expect_refusal({write("zero.yaml", std::string("%YAML:1.0\n\0", 11))}, "zero byte");
+}
+
+TEST_F(StereoCalibration, NestingWithoutEndIsRefusedBeforeItIsParsed) {
+  std::string indented = "%YAML:1.0\n---\n", elements = "<?xml version=\"1.0\"?><opencv_storage>";
+  for (int depth = 0; depth < 3000; ++depth) indented += std::string(static_cast<std::size_t>(depth), ' ') + "a:\n";
+  for (int depth = 0; depth < 100000; ++depth) elements += "<a>";
+  for (const std::string& text : {"{\"a\":" + std::string(1'000'000, '['), indented, elements})
+    expect_refusal({write("deep.yaml", text)}, "nested too deeply");
+}
+
+TEST_F(StereoCalibration, MatricesThatAreNoCamerasAreRefused) {
+  std::string text = yaml;
+  text.replace(text.find("rows: 3"), 7, "rows: 2000000000");
+  expect_refusal({write("large.yaml", text)}, "large.yaml");
+  text = yaml;
+  text.replace(text.find("520."), 4, "1e160");
+  expect_refusal({write("huge.yaml", text)}, "huge.yaml");
+  text = yaml;
+  text.replace(text.find("520."), 4, ".Nan");
+  expect_refusal({write("nan.yaml", text)}, "nan.yaml");
+  text = yaml;
+  text.replace(text.find("520."), 4, "1e-9");
+  expect_refusal({write("tiny.yaml", text), write("extrinsics.yaml", extrinsics, "-0.1, 0., 0.")}, "focal length");
+}
+
 }  // namespace
 }  // namespace handsight

@@ -97,26 +97,30 @@ int outside_trials(const Arguments& a) {
         const Improvement m = improve(out.session);
         const Diagnosis& d = m.last;
         std::string added;
-        for (const ImprovementStep& step : m.steps) added += step.added + " ";
+        std::size_t names = 0;
+        for (const ImprovementStep& step : m.steps) {
+          added += step.added + " ";
+          names += !step.added.empty() && step.formula.empty();
+        }
         if (d.verdict == Verdict::adequate && m.steps.size() == 1) {  // too small to be seen
           ++adequate;
           continue;
         }
         ++trials;
         const bool is_unexplained = d.verdict == Verdict::unexplained;
-        const bool is_family = kind == "cubic" && m.steps.size() == 2 && m.steps[1].added == "joint_elasticity";
+        const bool is_family = kind == "cubic" && names == 1 && m.steps[1].added == "joint_elasticity";
         const bool is_right = d.reason.find(out.variable) != std::string::npos;
-        unexplained += is_unexplained && m.steps.size() == 1;
+        unexplained += is_unexplained && names == 0;
         family += is_unexplained && is_family;
         right += is_unexplained && is_right;
-        if (!is_unexplained || !is_right || (m.steps.size() > 1 && !is_family))
+        if (!is_unexplained || !is_right || (names > 0 && !is_family))
           fmt::print("  {} robot {} seed {}: {} after {}; truth {}; {}\n", kind, robot, seed, verdict_text(d.verdict),
                      m.steps.size() > 1 ? added : "nothing", out.variable, d.reason.substr(0, 150));
         std::fflush(stdout);
       }
     }
     fmt::print(
-        "outside {:<9}: {} seen ({} too small): unexplained at once {}, right family first {}, right variable {}\n",
+        "outside {:<9}: {} seen ({} too small): unexplained without a name {}, right family first {}, right variable {}\n",
         kind, trials, adequate, unexplained, family, right);
   }
   return 0;

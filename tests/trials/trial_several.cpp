@@ -60,7 +60,7 @@ std::vector<std::string> ids_of(const std::vector<EffectTerm>& terms) {
 const EffectTerm* same_place(const EffectTerm& term, const std::vector<EffectTerm>& list) {
   const auto found = std::find_if(list.begin(), list.end(), [&](const EffectTerm& t) {
     if (t.id != term.id || t.joint != term.joint) return false;
-    const Effect& effect = *find_effect(t.id);
+    const Effect& effect = effect_of(t);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (effect.parameters[p].is_choice && t.values[p] != term.values[p]) return false;
     return true;
@@ -76,7 +76,7 @@ void count_covered(const Fit& f, const std::vector<EffectTerm>& truth, Tally& ta
     if (!same_place(e.term, truth)) return;
   for (const FittedEffect& e : f.effects) {
     const EffectTerm& t = *same_place(e.term, truth);
-    const Effect& effect = *find_effect(t.id);
+    const Effect& effect = effect_of(t);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       if (effect.parameters[p].is_choice || !(e.sigmas[p] < effect.parameters[p].sigma / 3)) continue;
       ++tally.numbers;

@@ -193,6 +193,20 @@ TEST(Label, RefusesInWordsThatHelp) {
   EXPECT_NE(label_first(scene.rig, scene.left, scene.right, pointed).refusal.find("epipolar line"), std::string::npos);
 }
 
+TEST(FollowingObservation, BoardsOfAThousandCornersAreDecidedToo) {
+  // Every corner of the board may be every marker, and each side of the markers is one of the board's thousands of
+  // times.
+  const double square = 0.006;
+  const std::vector<Vector3> markers = {{0, 0, 0}, {5 * square, 0, 0}, {0, 4 * square, 0}};
+  Scene scene;
+  for (int column = -20; column < 20; ++column)
+    for (int row = -13; row < 12; ++row) scene.add_point(truth * Vector3(square * column, square * row, 0));
+  const Match match = match_markers(scene.rig, scene.left, scene.right, known(markers), truth);
+  EXPECT_FALSE(match.accepted()) << "nothing tells which corners of the board are the markers";
+  EXPECT_GE(match.reason.size(), 20u);
+  EXPECT_FALSE(match_markers(scene.rig, scene.left, scene.right, known(markers), std::nullopt).accepted());
+}
+
 TEST(Label, RefusesOneCornerForTwoMarkers) {
   Scene scene;
   const std::vector<Vector3> markers = {{0, 0, 0}, {0.07, 0, 0}, {0.02, 0.05, 0}};

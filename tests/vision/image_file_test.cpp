@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "temporary_folder.h"
+#include "vision/image_header.h"
 
 namespace handsight {
 namespace {
@@ -178,6 +179,46 @@ TEST(ImageFile, SaysWhereSizeAndCameraDiffer) {
     EXPECT_THAT(error.what(), HasSubstr("320"));
     EXPECT_THAT(error.what(), HasSubstr("640"));
   }
+}
+
+TEST(ImageHeader, TellsTheSizeOfEveryKind) {
+  const cv::Mat picture = as_mat(pattern(37, 23));
+  for (const char* extension : {".png", ".jpg", ".pgm", ".bmp", ".tiff"}) {
+    const std::string bytes = encoded(extension, picture);
+    const auto size = image_size(bytes);
+    ASSERT_TRUE(size) << extension;
+    EXPECT_EQ(size->width, 37) << extension;
+    EXPECT_EQ(size->height, 23) << extension;
+    for (std::size_t end = 0; end < std::min<std::size_t>(bytes.size(), 400); ++end) image_size(bytes.substr(0, end));
+  }
+  EXPECT_FALSE(image_size(""));
+  EXPECT_FALSE(image_size("hello"));
+  EXPECT_FALSE(image_size("P5\n0 4\n255\n"));
+}
+
+TEST(ImageFile, IsNotDecodedWhereItsHeaderIsEnough) {
+  const TemporaryFolder folder;
+  std::string bytes = encoded(".png", as_mat(pattern(32, 24)));
+  bytes[16] = 0;
+  bytes[17] = 1;  // 65568 px wide, as it says
+  bytes[21] = 1;
+  write(folder.path / "large.png", bytes);
+  EXPECT_THAT(refusal(folder.path / "large.png"), HasSubstr("65568 x 65560 pixels; at most 64 million are read"));
+  write(folder.path / "good.png", encoded(".png", as_mat(pattern(32, 24))));
+  Camera camera{.width = 30, .height = 24};
+  EXPECT_THROW(read_image(folder.path / "good.png", camera, "good.png"), InputError);
+  camera.width = 32;
+  EXPECT_EQ(read_image(folder.path / "good.png", camera, "good.png").width, 32);
+}
+
+TEST(ImageFile, BrokenFilesPrintNothing) {
+  const TemporaryFolder folder;
+  std::string bytes = encoded(".png", as_mat(pattern(64, 48)));
+  for (std::size_t i = 60; i < bytes.size() - 20; i += 7) bytes[i] = static_cast<char>(~bytes[i]);
+  write(folder.path / "broken.png", bytes);
+  testing::internal::CaptureStderr();
+  refusal(folder.path / "broken.png");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

@@ -6,7 +6,10 @@
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 
+#include "base/files.h"
+#include "robot/urdf.h"
 #include "widgets/mouse.h"
 #include "widgets/sample_data.h"
 #include "widgets/theme.h"
@@ -138,6 +141,27 @@ TEST_F(RobotViewTest, DraggingOrbitsAndNeverRolls) {
   QSignalSpy selected(&view_, &RobotView::observation_selected);
   test::drag(&view_, {250, 200}, {280, 260});
   EXPECT_TRUE(selected.isEmpty());
+}
+
+TEST(RobotViewMeshes, ThatLieAboutTheirPointsAreASentence) {
+  QTemporaryDir folder;
+  const std::filesystem::path home = folder.path().toStdString();
+  replace_file(home / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999\n");
+  replace_file(home / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -5 -6 -7\n");
+  replace_file(home / "good.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//1 3//9999999\n");
+  std::string links;
+  for (const char* mesh : {"a.obj", "b.obj", "good.obj", "../elsewhere.obj"})
+    links += std::string("<visual><geometry><mesh filename=\"") + mesh + "\"/></geometry></visual>";
+  RobotView view;
+  view.set_robot(parse_urdf("<robot name=\"r\"><link name=\"l\">" + links + "</link></robot>", "r.urdf", nullptr),
+                 home);
+  view.set_posture({Rigid{}});
+  test::show(view, {300, 200});
+  QTest::qWait(100);
+  ASSERT_EQ(view.notes().size(), 3u);
+  EXPECT_TRUE(view.notes()[0].contains("a.obj, line 4")) << view.notes()[0].toStdString();
+  EXPECT_TRUE(view.notes()[1].contains("b.obj, line 4"));
+  EXPECT_TRUE(view.notes()[2].contains("is not in the robot's folder"));
 }
 
 }  // namespace

@@ -76,5 +76,20 @@ TEST(NumberText, NothingUglyIsEverShown) {
   EXPECT_EQ(short_text(-2.5), QString("−2.5"));
 }
 
+TEST(DesktopTheme, NoPreferenceAfterDarkMeansLight) {
+  DesktopTheme desktop;
+  std::vector<ThemeKind> told;
+  QObject::connect(&desktop, &DesktopTheme::changed, [&](ThemeKind kind) { told.push_back(kind); });
+  const auto say = [&](unsigned scheme) {
+    QMetaObject::invokeMethod(&desktop, "setting_changed", Q_ARG(QString, "org.freedesktop.appearance"),
+                              Q_ARG(QString, "color-scheme"), Q_ARG(QDBusVariant, QDBusVariant(scheme)));
+  };
+  say(1);
+  EXPECT_EQ(desktop.kind(), ThemeKind::dark);
+  say(0);  // what GNOME says when its dark style is switched off
+  EXPECT_EQ(desktop.kind(), ThemeKind::light);
+  EXPECT_EQ(told.back(), ThemeKind::light);
+}
+
 }  // namespace
 }  // namespace handsight::widgets

@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -51,14 +53,26 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   scroll_->setWidget(content_);
   layout->addWidget(scroll_, 1);
 
-  why_not_ = new QPushButton(tr("Why not …? All effects"), this);
+  why_not_ = new QPushButton(tr("Why not …?"), this);
+  why_not_->setToolTip(tr("All effects, with one verdict each"));
   why_not_->setFixedHeight(kControlHeight);
-  why_not_->setMinimumWidth(why_not_->sizeHint().width() + 12);
-  auto* foot = new QHBoxLayout;
-  foot->setContentsMargins(0, 0, kGap, 4);
-  foot->addWidget(why_not_);
-  foot->addStretch(1);
-  layout->addLayout(foot);
+  add_ = new QPushButton(tr("Add"), this);
+  add_->setObjectName("add_first");
+  add_->setToolTip(tr("Adds what the first card says"));
+  add_->setFixedHeight(kControlHeight);
+  add_->setDefault(true);
+  add_->hide();
+  connect(add_, &QPushButton::clicked, this, [this] {
+    if (!cards_.empty()) emit add(cards_.front()->state().id);
+  });
+  foot_ = new QHBoxLayout;
+  foot_->setContentsMargins(0, 0, kGap, 4);
+  foot_->addWidget(add_);
+  foot_->addWidget(why_not_);
+  foot_->addStretch(1);
+  layout->addLayout(foot_);
+  connect(scroll_->verticalScrollBar(), &QScrollBar::valueChanged, this, &CandidateList::show_add);
+  connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, &CandidateList::show_add);
   connect(why_not_, &QPushButton::clicked, this, &CandidateList::why_not_requested);
   connect(resort_, &QPushButton::clicked, this, &CandidateList::resort);
 }
@@ -110,6 +124,10 @@ void CandidateList::set_cards(std::vector<CardState> cards, CardOrder order) {
 void CandidateList::resort() {
   show_cards(wanted_);
   resort_->hide();
+  // What is best stands on top, and the next click on Add belongs to it.
+  const auto to_the_top = [this] { scroll_->verticalScrollBar()->setValue(0); };
+  to_the_top();
+  QTimer::singleShot(0, scroll_, to_the_top);  // and after what the new layout and the focus make of it
 }
 
 void CandidateList::show_cards(const std::vector<CardState>& in_order) {
@@ -152,6 +170,26 @@ void CandidateList::let_go(const QString& id) {
 
 void CandidateList::mark_main() {
   for (std::size_t i = 0; i < cards_.size(); ++i) cards_[i]->set_main(i == 0);
+  QTimer::singleShot(0, this, &CandidateList::show_add);
+}
+
+void CandidateList::add_at_foot(QWidget* widget) {
+  widget->setFixedHeight(kControlHeight);
+  foot_->insertWidget(foot_->count() - 1, widget);
+}
+
+/// The first card's button, or another one in its place where that is out of sight.
+void CandidateList::show_add() {
+  QPushButton* own = cards_.empty() ? nullptr : cards_.front()->add_button();
+  const bool can_add = own && cards_.front()->state().kind == CardKind::candidate && own->isVisibleTo(this);
+  const QRect there = can_add ? QRect(own->mapTo(scroll_->viewport(), QPoint()), own->size()) : QRect();
+  add_->setVisible(can_add && !scroll_->viewport()->rect().contains(there));
+  add_->setEnabled(can_add && own->isEnabled());
+}
+
+void CandidateList::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  QTimer::singleShot(0, this, &CandidateList::show_add);
 }
 
 void CandidateList::set_progress(const QString& text) {

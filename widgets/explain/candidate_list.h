@@ -7,6 +7,7 @@
 
 #include "widgets/explain/candidate_card.h"
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QScrollArea;
@@ -33,6 +34,10 @@ class CandidateList : public QWidget {
   std::vector<QString> shown() const;  // ids in the order shown
   QPushButton* resort_chip() const { return resort_; }
   QPushButton* why_not_button() const { return why_not_; }
+  /// Adds the first card, in sight whatever the card's length; hidden while the card's own button is.
+  QPushButton* add_button() const { return add_; }
+  /// Something small beside the buttons below the cards.
+  void add_at_foot(QWidget* widget);
   QSize sizeHint() const override;
 
  signals:
@@ -47,6 +52,7 @@ class CandidateList : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void show_cards(const std::vector<CardState>& in_order);
@@ -61,7 +67,10 @@ class CandidateList : public QWidget {
   QString progress_text_, empty_text_;
   bool can_add_ = true;
   QLabel *title_, *progress_, *empty_;
-  QPushButton *resort_, *why_not_;
+  void show_add();
+
+  QPushButton *resort_, *why_not_, *add_;
+  QHBoxLayout* foot_;
   QScrollArea* scroll_;
   QWidget* content_;
   QVBoxLayout* list_;

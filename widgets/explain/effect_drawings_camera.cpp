@@ -80,6 +80,16 @@ void time_lag(const DrawingKit& kit) {
   kit.text(Ink::effect, {74, 14}, QStringLiteral("+ Δt"), 14);
 }
 
+/// The stand was knocked: the camera is elsewhere from one moment on.
+void mount_slip(const DrawingKit& kit) {
+  kit.line(Ink::help, {8, 86}, {84, 86});
+  kit.link(Ink::model, {24, 84}, {24, 56}, 6);
+  kit.camera(Ink::model, {24, 46}, 0, 28);
+  kit.link(Ink::effect, {44, 84}, {54, 58}, 6);
+  kit.camera(Ink::effect, {57, 48}, 14, 26);
+  kit.arrow(Ink::effect, {29, 72}, {43, 72});
+}
+
 /// The camera creeps while the session lasts: it warms up.
 void mount_drift(const DrawingKit& kit) {
   kit.circle(Ink::model, {14, 80}, 8);
@@ -97,8 +107,13 @@ void mount_drift(const DrawingKit& kit) {
 }  // namespace
 
 std::map<std::string, DrawEffect> camera_drawings() {
-  return {{"camera_mount", camera_mount},       {"stereo_rig", stereo_rig}, {"camera_intrinsics", camera_intrinsics},
-          {"lens_distortion", lens_distortion}, {"time_lag", time_lag},     {"mount_drift", mount_drift}};
+  return {{"camera_mount", camera_mount},
+          {"stereo_rig", stereo_rig},
+          {"camera_intrinsics", camera_intrinsics},
+          {"lens_distortion", lens_distortion},
+          {"time_lag", time_lag},
+          {"mount_drift", mount_drift},
+          {"mount_slip", mount_slip}};
 }
 
 }  // namespace handsight::widgets

@@ -30,8 +30,17 @@ PatternPage::PatternPage(QWidget* parent)
   setAccessibleName(tr("Nine patterns of the residual"));
 }
 
-QSize PatternPage::sizeHint() const { return {592, 250}; }
-QSize PatternPage::minimumSizeHint() const { return {592, 3 * 80 + 2 * static_cast<int>(kGapBetween)}; }
+QSize PatternPage::sizeHint() const { return {592, 84 * rows_}; }
+QSize PatternPage::minimumSizeHint() const { return {480, rows_ * 80 + (rows_ - 1) * static_cast<int>(kGapBetween)}; }
+
+void PatternPage::set_rows(int rows) {
+  if (rows == rows_) return;
+  rows_ = rows;
+  for (int* place : {&selected_plot_, &hovered_plot_, &brushing_})
+    if (*place >= count()) *place = -1;
+  updateGeometry();
+  update();
+}
 
 PatternPage::Range PatternPage::range_of(const PatternPlot& plot) {
   Range r{1e300, -1e300, 1e300, -1e300};
@@ -42,17 +51,25 @@ PatternPage::Range PatternPage::range_of(const PatternPlot& plot) {
     r.high = std::max(r.high, point.y);
   }
   if (plot.points.empty()) r = {0, 1, -1, 1};
-  const double floor = 1.5 * plot.noise.value_or(0);  // noise alone never fills the plot
+  const double floor = 3 * plot.noise.value_or(0);  // noise alone never fills the plot
   r.low = std::min(r.low, -floor);
   r.high = std::max(r.high, floor);
   const double wide = std::max((r.right - r.left) * 0.03, 1e-12), tall = std::max((r.high - r.low) * 0.08, 1e-12);
   return {r.left - wide, r.right + wide, r.low - tall, r.high + tall};
 }
 
+/// The axes stay while one looks, but for what they can no longer hold.
+bool PatternPage::outgrows(const Range& wanted, const Range& present) {
+  constexpr double slack = 0.1;
+  const double wide = slack * (present.right - present.left), tall = slack * (present.high - present.low);
+  return wanted.left < present.left - wide || wanted.right > present.right + wide || wanted.low < present.low - tall ||
+         wanted.high > present.high + tall;
+}
+
 void PatternPage::set_plots(std::vector<PatternPlot> plots) {
   plots_ = std::move(plots);
   if (plots_.size() > kPlots) plots_.resize(kPlots);
-  if (selected_plot_ >= static_cast<int>(plots_.size())) selected_plot_ = -1;
+  if (selected_plot_ >= count()) selected_plot_ = -1;
   hovered_plot_ = brushing_ = -1;
   fit();
 }
@@ -60,11 +77,11 @@ void PatternPage::set_plots(std::vector<PatternPlot> plots) {
 void PatternPage::update_plots(std::vector<PatternPlot> plots) {
   if (plots.size() > kPlots) plots.resize(kPlots);
   for (std::size_t i = 0; i < plots.size(); ++i)
-    if (i >= plots_.size() || plots_[i].id != plots[i].id) ranges_[i] = range_of(plots[i]);
+    if (i >= plots_.size() || plots_[i].id != plots[i].id || outgrows(range_of(plots[i]), ranges_[i]))
+      ranges_[i] = range_of(plots[i]);
   plots_ = std::move(plots);
-  const int count = static_cast<int>(plots_.size());
   for (int* place : {&selected_plot_, &hovered_plot_, &brushing_})
-    if (*place >= count) *place = -1;
+    if (*place >= count()) *place = -1;
   update();
 }
 
@@ -75,7 +92,7 @@ void PatternPage::set_candidates(const std::vector<std::vector<TrendPoint>>& pre
 }
 
 void PatternPage::set_selected_plot(int place) {
-  selected_plot_ = place < static_cast<int>(plots_.size()) ? place : -1;
+  selected_plot_ = place < count() ? place : -1;
   update();
 }
 
@@ -112,7 +129,7 @@ void PatternPage::fit() {
 }
 
 QRectF PatternPage::plot_rect(int place) const {
-  const double wide = (width() - 2 * kGapBetween) / kColumns, tall = (height() - 2 * kGapBetween) / kColumns;
+  const double wide = (width() - 2 * kGapBetween) / kColumns, tall = (height() - (rows_ - 1) * kGapBetween) / rows_;
   const int column = place % kColumns, row = place / kColumns;
   return {std::round(column * (wide + kGapBetween)), std::round(row * (tall + kGapBetween)), std::floor(wide),
           std::floor(tall)};
@@ -128,7 +145,7 @@ QPointF PatternPage::on_screen(int place, double x, double y) const {
 }
 
 int PatternPage::place_at(const QPointF& position) const {
-  for (int i = 0; i < static_cast<int>(plots_.size()); ++i)
+  for (int i = 0; i < count(); ++i)
     if (plot_rect(i).contains(position)) return i;
   return -1;
 }
@@ -214,15 +231,14 @@ void PatternPage::leaveEvent(QEvent*) {
 }
 
 void PatternPage::keyPressEvent(QKeyEvent* event) {
-  const int count = static_cast<int>(plots_.size());
   int step = 0;
   if (event->key() == Qt::Key_Left) step = -1;
   if (event->key() == Qt::Key_Right) step = 1;
   if (event->key() == Qt::Key_Up) step = -kColumns;
   if (event->key() == Qt::Key_Down) step = kColumns;
-  if (step == 0 || count == 0) return QWidget::keyPressEvent(event);
+  if (step == 0 || count() == 0) return QWidget::keyPressEvent(event);
   const int to = selected_plot_ < 0 ? 0 : selected_plot_ + step;
-  if (to < 0 || to >= count || to == selected_plot_) return;
+  if (to < 0 || to >= count() || to == selected_plot_) return;
   set_selected_plot(to);
   emit plot_selected(to);
   emit read_out(text_of(to, nullptr));

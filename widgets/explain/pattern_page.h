@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -33,6 +34,9 @@ class PatternPage : public QWidget {
   Q_OBJECT
  public:
   static constexpr int kPlots = 9;
+  /// Three rows of three, or the strongest three alone where there is little height.
+  void set_rows(int rows);
+  int rows() const { return rows_; }
   explicit PatternPage(QWidget* parent = nullptr);
   void set_plots(std::vector<PatternPlot> plots);     // at most nine, as read; axes are fitted
   void update_plots(std::vector<PatternPlot> plots);  // the same places: axes stay
@@ -72,6 +76,7 @@ class PatternPage : public QWidget {
     double left = 0, right = 1, low = -1, high = 1;
   };
   static Range range_of(const PatternPlot& plot);
+  static bool outgrows(const Range& wanted, const Range& present);
   QRectF canvas(int place) const;  // where the points are
   int place_at(const QPointF& position) const;
   const ScatterPoint* point_at(int place, const QPointF& position) const;
@@ -84,6 +89,8 @@ class PatternPage : public QWidget {
 
   std::vector<PatternPlot> plots_;
   std::array<Range, kPlots> ranges_{};
+  int rows_ = 3;
+  int count() const { return std::min(static_cast<int>(plots_.size()), 3 * rows_); }
   std::vector<ObservationId> highlighted_;
   QString progress_, empty_text_;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;

@@ -129,15 +129,14 @@ void PatternPage::paintEvent(QPaintEvent*) {
     if (hasFocus()) draw_focus(painter, rect());
     return;
   }
-  const int count = static_cast<int>(plots_.size());
-  for (int i = 0; i < count; ++i) paint_ground(painter, i);
+  for (int i = 0; i < count(); ++i) paint_ground(painter, i);
   const double ratio = devicePixelRatioF();
   QImage dots = dot_canvas(size(), ratio);
   const std::vector<DotStamp> stamps = residual_stamps(3 * ratio, 255);
   const DotStamp plain(c.ink3, 3 * ratio);
-  for (int i = 0; i < count; ++i) paint_points(dots, i, stamps, plain);
+  for (int i = 0; i < count(); ++i) paint_points(dots, i, stamps, plain);
   painter.drawImage(0, 0, dots);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count(); ++i) {
     painter.setClipRect(canvas(i));
     paint_curves(painter, i);
     paint_rings(painter, i);

@@ -57,18 +57,13 @@ void ResidualCloud::set_noise(std::optional<double> sigma) {
 void ResidualCloud::set_unit(SizeUnit unit) {
   if (unit == unit_) return;
   unit_ = unit;
-  animation_.stop();
-  moving_.clear();
-  before_ = after_ = {};
-  still_ = {};
-  reach_ = 0;
-  update();
+  reset();
 }
 
 void ResidualCloud::set_before(std::vector<CloudPoint> points, const QString& title) {
   still_ = {};
   before_ = {std::move(points), title};
-  if (reach_ <= 0) fit();
+  hold(before_.points);
   update();
 }
 
@@ -77,12 +72,30 @@ void ResidualCloud::set_after(std::vector<CloudPoint> points, const QString& tit
   moving_from_ = !moving_.empty() ? moving_ : after_.points.empty() ? before_.points : after_.points;
   moving_.clear();
   after_ = {std::move(points), title};
-  if (reach_ <= 0) fit();
+  hold(after_.points);
   const bool can_move = moving_from_.size() == after_.points.size() && !after_.points.empty();
   if (can_move && !motion_is_reduced() && isVisible()) {
     moving_ = moving_from_;
     animation_.start();
   }
+  update();
+}
+
+/// Lets the axes grow to what they cannot hold; a cloud that shrinks is seen to shrink.
+void ResidualCloud::hold(const std::vector<CloudPoint>& points) {
+  constexpr double slack = 1.1;
+  if (reach_ <= 0 || largest(points) > slack * reach_) fit();
+}
+
+void ResidualCloud::reset() {
+  animation_.stop();
+  moving_from_.clear();
+  moving_.clear();
+  before_ = after_ = {};
+  still_ = {};
+  is_predicted_ = false;
+  noise_.reset();
+  reach_ = 0;
   update();
 }
 

@@ -25,7 +25,8 @@ struct CloudPoint {
 
 /// Painted straight into an image: 6000 points are drawn in a few ms. Beyond three sigma the distance from the middle
 /// is compressed (rings say how much), so that noise and errors of many px show on one picture; `is_linear` switches
-/// that off. The axes are locked by the larger cloud of the first `set_before`, until `fit`.
+/// that off. The axes are locked by the larger cloud of the first `set_before`; they change where a cloud outgrows
+/// them, and at `fit`.
 class ResidualCloud : public QWidget {
   Q_OBJECT
  public:
@@ -40,6 +41,7 @@ class ResidualCloud : public QWidget {
   void set_live(const std::vector<CloudPoint>& points, const QString& title);
   void set_predicted(bool predicted);  // the right pane shows a prediction: dashed purple frame
   void clear_after();
+  void reset();  // of another session: nothing is shown, and the axes are open
   void set_selected(ObservationId id);
   void set_highlighted(std::vector<ObservationId> ids);
   void set_linear(bool linear);
@@ -71,6 +73,7 @@ class ResidualCloud : public QWidget {
     QString title;
   };
   void move(double share);
+  void hold(const std::vector<CloudPoint>& points);
   double radius(double size) const;  // of a residual -> 0 (middle) to 1 (rim)
   const std::vector<CloudPoint>& shown(int pane) const;
   const CloudPoint* point_at(const QPointF& position) const;

@@ -99,7 +99,10 @@ QSize VerdictLine::minimumSizeHint() const { return {640, 72}; }
 
 QRectF VerdictLine::blame_area() const { return {width() - kBlameWidth - kGap, 8.0, kBlameWidth, height() - 16.0}; }
 
+/// Where there is little room the words have it: the numbers stand in the window's header too.
 QRectF VerdictLine::numbers_area() const {
+  constexpr int wide_enough = 940;
+  if (width() < wide_enough) return {blame_area().left() - kWideGap, 8, 0, height() - 16.0};
   return {blame_area().left() - kNumbersWidth - kWideGap, 8, kNumbersWidth, height() - 16.0};
 }
 
@@ -221,7 +224,7 @@ void VerdictLine::paintEvent(QPaintEvent*) {
   paint_state(painter, QRectF(0, 0, kStateWidth, height()));
   const double left = kStateWidth + kWideGap;
   paint_sentence(painter, QRectF(left, 4, numbers_area().left() - kWideGap - left, height() - 8));
-  paint_numbers(painter, numbers_area());
+  if (numbers_area().width() > 0) paint_numbers(painter, numbers_area());
   paint_blame(painter, blame_area());
 }
 

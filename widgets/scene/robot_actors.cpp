@@ -2,16 +2,21 @@
 #include "widgets/scene/robot_actors.h"
 
 #include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
 #include <vtkCubeSource.h>
 #include <vtkCylinderSource.h>
-#include <vtkOBJReader.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkSTLReader.h>
+#include <vtkPolyDataNormals.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
 #include <algorithm>
 #include <optional>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "robot/mesh.h"
 
 namespace handsight::widgets {
 namespace {
@@ -20,31 +25,41 @@ namespace fs = std::filesystem;
 
 const QColor kPlain(0xB4, 0xB9, 0xBF);
 
-/// Where a mesh of a URDF may lie: as written, without "package://", without the package's name, by its name alone.
-std::optional<fs::path> find_mesh(const std::string& written, const fs::path& folder) {
-  std::string name = written;
-  for (const char* scheme : {"package://", "file://"})
-    if (name.rfind(scheme, 0) == 0) name.erase(0, std::string(scheme).size());
-  const fs::path path(name);
-  fs::path without_package;
-  for (auto part = path.begin(); part != path.end(); ++part)
-    if (part != path.begin()) without_package /= *part;
-  std::error_code ignored;
-  for (const fs::path& candidate : {path, folder / path, folder / without_package, folder / path.filename()})
-    if (fs::is_regular_file(candidate, ignored)) return candidate;
-  return std::nullopt;
+vtkSmartPointer<vtkPolyData> surface_of(const Mesh& mesh) {
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    points->SetPoint(static_cast<vtkIdType>(i), mesh.points[i].x(), mesh.points[i].y(), mesh.points[i].z());
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& triangle : mesh.triangles) {
+    const vtkIdType corners[3] = {triangle[0], triangle[1], triangle[2]};
+    triangles->InsertNextCell(3, corners);
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->ConsistencyOff();  // as the file says
+  normals->Update();
+  return normals->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> read_mesh(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  vtkSmartPointer<vtkAbstractPolyDataReader> reader;
-  if (ending == ".stl") reader = vtkSmartPointer<vtkSTLReader>::New();
-  if (ending == ".obj") reader = vtkSmartPointer<vtkOBJReader>::New();
-  if (!reader) return nullptr;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader->GetOutput()->GetNumberOfCells() > 0 ? reader->GetOutput() : nullptr;
+/// Nothing, and a sentence in the notes, where it cannot be shown.
+vtkSmartPointer<vtkPolyData> mesh_surface(const std::string& written, const fs::path& folder,
+                                          std::vector<QString>& notes) {
+  const auto file = find_mesh(written, folder);
+  if (!file) {
+    notes.push_back(QStringLiteral("The mesh %1 is not in the robot's folder. The link is drawn without it.")
+                        .arg(QString::fromStdString(shortened(written, 100))));
+    return nullptr;
+  }
+  try {
+    return surface_of(read_mesh(*file));
+  } catch (const InputError& error) {
+    notes.push_back(QStringLiteral("A mesh cannot be shown. %1").arg(QString::fromStdString(error.what())));
+    return nullptr;
+  }
 }
 
 vtkSmartPointer<vtkPolyData> transformed(vtkAlgorithm& source, vtkTransform& transform) {
@@ -79,15 +94,8 @@ vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const fs::path& f
     case ShapeKind::mesh:
       break;
   }
-  const auto file = find_mesh(shape.mesh_file, folder);
-  const auto mesh = file ? read_mesh(*file) : nullptr;
-  if (!mesh) {
-    notes.push_back(file ? QStringLiteral("The mesh %1 cannot be shown: STL and OBJ files with triangles can.")
-                               .arg(QString::fromStdString(shape.mesh_file))
-                         : QStringLiteral("The mesh %1 is not there. The link is drawn without it.")
-                               .arg(QString::fromStdString(shape.mesh_file)));
-    return nullptr;
-  }
+  const auto mesh = mesh_surface(shape.mesh_file, folder, notes);
+  if (!mesh) return nullptr;
   transform->Scale(shape.size.x(), shape.size.y(), shape.size.z());
   vtkNew<vtkTransformPolyDataFilter> filter;
   filter->SetInputData(mesh);

@@ -2,10 +2,13 @@
 #include "document/document.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QTimer>
+#include <algorithm>
+#include <csignal>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -143,6 +146,29 @@ TEST_F(DocumentTest, SavingKeepsWhatTheProgramDoesNotUnderstand) {
   const Session again = read_session(session);
   EXPECT_EQ(again.observations[4].decision, Decision::excluded);
   EXPECT_NE(again.source->find("torque sensor 3 is noisy"), std::string::npos);
+}
+
+TEST_F(DocumentTest, SavingWorksWithTheStateFoldersDiskFull) {
+  document.open(session);
+  const std::size_t actions = 3 * read_file(session / "session.xml").size() / 100;
+  for (std::size_t i = 0; i < actions; ++i)  // a journal longer than the session
+    document.perform(change(4, i % 2 == 0 ? Decision::excluded : Decision::none));
+  document.perform(change(5, Decision::excluded));
+  const auto journals = state_folder();
+  std::uintmax_t longest = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(journals))
+    if (entry.is_regular_file()) longest = std::max(longest, entry.file_size());
+  ASSERT_GT(longest, session_text(document.session()).size() + 1000);
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit full{longest, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &full), 0);
+  EXPECT_NO_THROW(document.save());
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(document.is_saved());
+  EXPECT_EQ(read_session(session).observations[5].decision, Decision::excluded);
 }
 
 TEST(Edits, ReadBackBitForBit) {

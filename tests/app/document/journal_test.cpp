@@ -2,6 +2,7 @@
 // Nothing is lost: what the journal must survive.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -121,6 +122,134 @@ TEST_F(JournalTest, ASessionChangedByAnotherProgramSetsTheActionsAside) {
   EXPECT_EQ(document.undo_stack().count(), 0);
   EXPECT_TRUE(notice.contains("1 unsaved action")) << notice.toStdString();
   EXPECT_TRUE(notice.contains(".aside"));
+}
+
+TEST_F(JournalTest, WhatAnotherProgramWroteMeanwhileIsKeptWhenOneSaves) {
+  Document document;
+  QString notice;
+  QObject::connect(&document, &Document::noticed, [&](const QString& sentence) { notice = sentence; });
+  document.open(session);
+  document.perform(exclude(document, 1, "one"));
+  const std::string theirs = read_file(session / "session.xml") + "<!-- another program -->\n";
+  replace_file(session / "session.xml", theirs);
+  document.save();
+  EXPECT_EQ(read_session(session).observations[1].reason, "one");
+  EXPECT_TRUE(notice.contains("another program")) << notice.toStdString();
+  int kept = 0;
+  for (const auto& file : std::filesystem::directory_iterator(session))
+    if (file.path().extension() == ".xml" && read_file(file.path()) == theirs) {
+      ++kept;
+      EXPECT_TRUE(notice.contains(QString::fromStdString(file.path().filename())));
+    }
+  EXPECT_EQ(kept, 1);
+  document.perform(exclude(document, 2, "two"));
+  document.save();
+  EXPECT_FALSE(notice.contains("another program")) << "only once: " << notice.toStdString();
+}
+
+TEST_F(JournalTest, LinesThatAreNotUnderstoodAreSetAsideAndSaid) {
+  {
+    Document document;
+    document.open(session);
+    for (std::size_t i = 1; i <= 3; ++i) document.perform(exclude(document, i, "mine"));
+  }
+  std::string text = read_file(journal_file());
+  const std::size_t second = text.find("\ndo ", text.find("\ndo ") + 1) + 1;
+  text.insert(second, "dance {\"of\": \"a later version\"}\n");
+  replace_file(journal_file(), text);
+  Document document;
+  QString notice;
+  QObject::connect(&document, &Document::noticed, [&](const QString& sentence) { notice = sentence; });
+  document.open(session);
+  EXPECT_EQ(document.undo_stack().count(), 1);
+  EXPECT_TRUE(notice.contains("Line 3")) << notice.toStdString();
+  EXPECT_TRUE(notice.contains(".aside")) << notice.toStdString();
+  int kept = 0;
+  for (const auto& file : std::filesystem::directory_iterator(journal_file().parent_path()))
+    kept += read_file(file.path()) == text ? 1 : 0;
+  EXPECT_EQ(kept, 1) << "the whole journal is there still";
+}
+
+TEST_F(JournalTest, WhatCannotBeSetAsideIsNotCutOff) {
+  {
+    Document document;
+    document.open(session);
+    document.perform(exclude(document, 1, "one"));
+  }
+  const std::string journal = read_file(journal_file());
+  replace_file(session / "session.xml", read_file(session / "session.xml") + "<!-- another program -->\n");
+  // Where the copy would go there is a folder that cannot be replaced by a file.
+  const auto aside = journal_file().string() + "." + digest_of(journal).substr(0, 8) + ".aside";
+  std::filesystem::create_directories(aside + "/full");
+  Document document;
+  try {
+    document.open(session);
+    FAIL() << "it opened, and the actions are nowhere";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("set aside"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(read_file(journal_file()), journal);
+  // And nobody holds the lock of a journal that could not be opened.
+  std::filesystem::remove_all(aside);
+  document.open(session);
+  EXPECT_TRUE(document.is_open());
+}
+
+/// No file may grow beyond what it is, as on a full disk.
+class FullDisk {
+ public:
+  FullDisk() {
+    ::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit now = before_;
+    now.rlim_cur = 1;
+    ::setrlimit(RLIMIT_FSIZE, &now);
+  }
+  ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(JournalTest, OnAFullDiskPerformSaysThatItWasNotDone) {
+  Document document;
+  document.open(session);
+  EXPECT_TRUE(document.perform(exclude(document, 1, "one")));
+  {
+    const FullDisk full;
+    EXPECT_FALSE(document.perform(exclude(document, 2, "two")));
+  }
+  EXPECT_EQ(document.session().observations[2].decision, Decision::none);
+  EXPECT_TRUE(document.perform(exclude(document, 3, "three")));
+  document.close();
+  document.open(session);
+  EXPECT_EQ(document.session().observations[1].reason, "one");
+  EXPECT_EQ(document.session().observations[3].reason, "three");
+}
+
+TEST_F(JournalTest, UnfinishedLabelsAreRememberedAndUndone) {
+  const LabelDraft one = {{0, {10.25, 20.5}, false, std::nullopt}};
+  const LabelDraft two = {{0, {10.25, 20.5}, false, std::nullopt}, {2, {30, 40}, true, Vector2(50, 60)}};
+  const std::string before = read_file(session / "session.xml");
+  {
+    Document document;
+    document.open(session);
+    document.perform(document.edit_of_draft("placed marker 0", 1, one));
+    document.perform(document.edit_of_draft("placed marker 2", 1, two));
+    EXPECT_TRUE(document.edit_of_draft("again", 1, two).is_empty());
+    document.save();
+  }
+  EXPECT_EQ(read_file(session / "session.xml"), before) << "the session holds whole labels only";
+  Document document;
+  document.open(session);
+  ASSERT_NE(document.draft_of(1), nullptr);
+  EXPECT_EQ(*document.draft_of(1), two);
+  const std::int64_t revision = document.revision();
+  document.undo();
+  EXPECT_EQ(*document.draft_of(1), one);
+  EXPECT_EQ(document.revision(), revision) << "no model depends on them";
+  document.undo();
+  EXPECT_EQ(document.draft_of(1), nullptr);
 }
 
 TEST_F(JournalTest, TwoWindowsCannotHaveTheSameSession) {

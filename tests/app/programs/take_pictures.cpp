@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the user's story and keeps a picture of every workspace: take_pictures FOLDER light|dark. The scale is Qt's
-// own (QT_SCALE_FACTOR). pictures.sh runs it for both themes and two scales.
+// own (QT_SCALE_FACTOR), the window's size HANDSIGHT_WINDOW. pictures.sh runs it for both themes and two scales.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -18,6 +18,12 @@ namespace {
 
 QString folder_of_pictures, suffix;
 
+/// HANDSIGHT_WINDOW=1366x728, else 1440 x 900.
+QSize window_size() {
+  const QStringList wanted = qEnvironmentVariable("HANDSIGHT_WINDOW", "1440x900").split('x');
+  return {wanted.value(0).toInt(), wanted.value(1).toInt()};
+}
+
 struct Photographer {
   Desk& desk;
   void take(const char* name) {
@@ -32,7 +38,7 @@ struct Photographer {
 
 TEST(Pictures, OfEveryWorkspace) {
   Desk desk;
-  desk.window.resize(1440, 900);
+  desk.window.resize(window_size());
   QTest::qWait(100);
   Photographer photo{desk};
   LabelPage label{desk};
@@ -99,7 +105,7 @@ TEST(Pictures, OfEveryWorkspace) {
 class Explained : public testing::Test {
  protected:
   void open(const char* name) {
-    desk.window.resize(1440, 900);
+    desk.window.resize(window_size());
     desk.window.open_sample(name, true);
     ASSERT_TRUE(desk.settle());
     ASSERT_TRUE(explain.open());
@@ -162,6 +168,9 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   photo.take_now("explain_held");
   desk.key(Qt::Key_5, Qt::ControlModifier);
   photo.take("export_effects");
+  desk.type_into(desk.find<QLineEdit>("export_path"), folder_of_pictures + "/report" + suffix + ".xml");
+  desk.press_button("report_pdf");
+  desk.press_button("report_html");
 }
 
 TEST_F(Explained, Tour) {

@@ -42,7 +42,7 @@ class Explain : public testing::Test {
   std::set<std::string> effects_in_the_model() {
     std::set<std::string> list;
     for (const FittedEffect& f : desk.document().model()->fit->effects)
-      list.insert(f.term.id + " " + place_name(*find_effect(f.term.id), f.term.joint, desk.document().session().robot));
+      list.insert(f.term.id + " " + place_name(effect_of(f.term), f.term.joint, desk.document().session().robot));
     return list;
   }
   static std::set<std::string> effects_of(const nlohmann::json& fit) {
@@ -65,7 +65,7 @@ TEST_P(HiddenSession, TheFirstCardUntilItSaysStopGivesWhatImproveGives) {
   open("hidden_" + std::to_string(GetParam()));
   explain.take_the_first_until_it_says_stop();
   EXPECT_FALSE(explain.can_add_first());
-  const auto improved = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
+  const auto improved = run_cli(folder.path, {"improve", session.string(), "--names-only", "--json", "-"}).json();
   EXPECT_EQ(effects_in_the_model(), effects_of(improved));
   if (desk.document().model()->fit->effects.empty()) {
     EXPECT_EQ(desk.document().undo_stack().index(), 0) << "nothing is added where nothing is missing";
@@ -244,9 +244,33 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   EXPECT_TRUE(first()->state().check_number->is_inside) << "remembered with the session";
   explain.press_add();
   ASSERT_TRUE(explain.is_settled());
-  const QString report = app::report_html(desk.document(), *desk.document().model(), {});
+  const QString report = app::report_html(desk.document(), *desk.document().model(), {}, "How good it is.");
   EXPECT_TRUE(report.contains("Checked on the robot"));
   EXPECT_TRUE(report.contains("Inside: 0.7 sigma from the prediction"));
+}
+
+TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
+  open("hidden_6");
+  desk.press_button("until_it_stops");
+  EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Stop");
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_FALSE(explain.can_add_first()) << "it went on as long as there was something to add";
+  const auto by_cli = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
+  EXPECT_NEAR(held_out(), by_cli["held_out_rms_pixel"].get<double>(), 1e-3) << "and ends where improve ends";
+  const auto steps = desk.document().undo_stack().index();
+  EXPECT_GE(steps, 1);
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(desk.document().undo_stack().index(), steps - 1) << "each stair is an action of its own";
+}
+
+TEST_F(Explain, AddUntilItStopsCanBeStopped) {
+  open("hidden_6");
+  desk.press_button("until_it_stops");
+  desk.press_button("until_it_stops");
+  EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Add until it stops");
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(desk.document().undo_stack().index(), 0) << "everything is as before";
 }
 
 TEST_F(Explain, TheNumbersAreWithoutWrongPointsFromTheStartAndSaySo) {

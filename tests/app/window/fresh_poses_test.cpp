@@ -51,6 +51,20 @@ TEST(FreshPoses, AMissSaysHowFarTheEllipsoidReachesThatWay) {
   EXPECT_NEAR(poses[0].allowed, 2.8e-3, 0.4e-3) << "1 mm times the root of chi-squared's 95 % with 3 degrees, 7.81";
 }
 
+TEST(FreshPoses, WhatIsKnownToBeWrongTestsNoModel) {
+  Hand hand;
+  Inspection inspection;
+  for (int i = 0; i < 20; ++i) inspection.rows.push_back(hand.row(i, true));
+  for (int i = 20; i < 24; ++i) inspection.rows.push_back(hand.row(i, false, 100));
+  inspection.rows[20].at_second_look = true;
+  inspection.rows[21].blame.letter = 'C';
+  inspection.rows[22].blame.letter = 'B';
+  const auto poses = fresh_poses(inspection);
+  ASSERT_EQ(poses.size(), 4U);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(poses[static_cast<std::size_t>(i)].is_known_bad) << i;
+  EXPECT_FALSE(poses[3].is_known_bad) << "a robot that is not where it says is what the test is for";
+}
+
 TEST(FreshPoses, TooFewFittedSayNothing) {
   Hand hand;
   Inspection inspection;

@@ -4,6 +4,7 @@
 
 #include "app/window/pages.h"
 #include "temporary_folder.h"
+#include "widgets/number_text.h"
 
 namespace handsight::test {
 namespace {
@@ -35,6 +36,20 @@ TEST_F(Play, AsFastAsItGoesShowsEveryDecisionAndIsOneActionToUndo) {
   ASSERT_TRUE(calibrate.play_to_the_end());
   EXPECT_EQ(calibrate.decisions(), 6);
   EXPECT_EQ(desk.document().undo_stack().index(), before + 1);
+}
+
+TEST_F(Play, ADecisionsErrorIsThatOfThePresentModel) {
+  calibrate.set_fastest();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  auto* list = desk.find<widgets::DecisionList>("decisions");
+  const auto shown = [&](int row) { return list->model()->index(row, 0).data(Qt::AccessibleTextRole).toString(); };
+  const auto& bench = desk.window.bench();
+  for (int row = 0; row < 6; ++row) {
+    const app::InspectionRow* r = bench.row(desk.document().session().observations[static_cast<std::size_t>(row)].id);
+    ASSERT_NE(r, nullptr);
+    EXPECT_TRUE(shown(row).contains(widgets::size_text(bench.units.shown(app::size_of(*r)))))
+        << shown(row).toStdString();
+  }
 }
 
 TEST_F(Play, StepDecidesOneAndPlayGoesOnFromThere) {

@@ -10,6 +10,7 @@
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
+#include "widgets/blame_bar.h"
 
 namespace handsight::test {
 namespace {
@@ -81,6 +82,8 @@ TEST_F(Story, FirstStepsFromLabelsToTheExportAndAllTheWayBack) {
   while (desk.document().undo_stack().canUndo()) desk.key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(session_text(desk.document().session()), untouched);
   ASSERT_TRUE(desk.settle());
+  for (int click = 0; click < 3; ++click) desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(desk.document().session().observations[0].sightings.empty()) << "three clicks are no labels yet";
   desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_FALSE(desk.document().session().observations[0].sightings.empty()) << "and forward again";
 }
@@ -117,6 +120,12 @@ TEST_F(Story, TheThreeBadPosesOfAHundredAreFoundWithTheRightBlame) {
     const std::int64_t id = *desk.window.bench().selection.current().observation;
     ASSERT_NE(desk.window.bench().selected_row(), nullptr) << id;
     EXPECT_EQ(desk.window.bench().selected_row()->blame.letter, truth.at(id)) << id;
+    const auto& bar = desk.find<widgets::BlameBar>("blame")->blame();
+    ASSERT_TRUE(bar) << id;
+    const std::map<char, double> shares = {{'C', bar->cameras}, {'B', bar->body}, {'R', bar->robot}};
+    for (const auto& [letter, share] : shares)
+      EXPECT_LE(share, shares.at(truth.at(id)))
+          << id << ": the bar blames " << letter << " more than the sentence does";
   }
 }
 

@@ -97,6 +97,12 @@ TEST_F(WizardTest, MakesASessionThatCanBeLabelledAndPlayed) {
   CalibratePage calibrate{desk};
   calibrate.set_fastest();
   ASSERT_TRUE(calibrate.play_to_the_end());
+  // Nothing was told of where the cameras sit: what several observations agree on settles it.
+  const auto& observations = desk.document().session().observations;
+  EXPECT_GE(std::count_if(observations.begin(), observations.end(),
+                          [](const Observation& o) { return o.decision == Decision::accepted; }),
+            10);
+  EXPECT_EQ(calibrate.decisions(), 12) << "each is decided once, though some were looked at twice";
   ASSERT_NE(desk.document().model(), nullptr);
   EXPECT_NE(desk.document().model()->fit, nullptr) << desk.document().model()->refusal.toStdString();
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limits.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/text.h"
+
+namespace handsight::cli {
+
+CLI::Validator within(double lowest, double highest) { return within(Bounds{lowest, highest}); }
+
+CLI::Validator within(const Bounds& bounds) {
+  const std::string range = fmt::format("{:g} to {:g}", bounds.lowest, bounds.highest);
+  return CLI::Validator(
+      [bounds, range](std::string& text) -> std::string {
+        const std::optional<double> number = parse_number(text);
+        if (number && bounds.hold(*number)) return {};
+        return fmt::format("{} is no number from {}", in_quotes(text), range);
+      },
+      range);
+}
+
+void check_terms(const std::vector<EffectTerm>& terms, int marker_count) {
+  if (const int needed = markers_of(terms); needed > marker_count)
+    throw InputError(fmt::format("An effect is named at marker {}; the session has the markers 0 to {}.", needed - 1,
+                                 marker_count - 1));
+  for (const EffectTerm& term : terms)
+    for (const double value : term.values)
+      if (!bounds::effect_value.hold(value))
+        throw InputError(fmt::format("An effect {} has the value {:g}; expected one from {:g} to {:g}.", term.id, value,
+                                     bounds::effect_value.lowest, bounds::effect_value.highest));
+}
+
+}  // namespace handsight::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Adds the best candidate again and again until none is left that helps, stair by stair before the user's eyes.
+#pragma once
+
+#include "explain/adding.h"
+#include "widgets/explain/candidate_list.h"
+
+namespace handsight::app {
+
+class AddingOn : public QObject {
+  Q_OBJECT
+
+ public:
+  AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& cards, QObject* parent = nullptr);
+
+  void start();
+  /// What is being added now is stopped with it.
+  void stop();
+  bool is_running() const { return is_running_; }
+  /// The cards are up to date: takes the first where it can be added, else it is done.
+  void look();
+
+ signals:
+  void changed();
+
+ private:
+  void end(const QString& sentence);
+  bool is_waiting() const;
+  void add_first();
+
+  Workbench& bench_;
+  Adding& adding_;
+  widgets::CandidateList& cards_;
+  QTimer next_;  // a stair stands for a moment before the next one
+  bool is_running_ = false;
+  int added_ = 0;
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small manners of fields and boxes that hold for the whole window.
+#pragma once
+
+#include <QObject>
+
+namespace handsight::app {
+
+/// Listens to all events of the application while it lives. Undo and redo go to the document where the text field
+/// that has the focus has nothing of its own to undo; the wheel turns boxes and sliders only where they have the
+/// focus, else it scrolls what they stand in.
+class InputManners : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit InputManners(QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/conclusion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/curves.h"
+#include "diagnosis/explanation.h"
+#include "diagnosis/judging.h"
+#include "diagnosis/refitting.h"
+#include "diagnosis/upkeep.h"
+
+namespace handsight {
+namespace {
+
+/// Where the body's origin is in the sensor's frame, in every observation, with these terms.
+std::vector<Vector3> body_in_sensor(const Fit& f, const std::vector<EffectTerm>& terms) {
+  Problem problem = f.problem;
+  problem.terms = terms;
+  problem.columns_of_effects.clear();
+  place_observations(problem);
+  std::vector<Vector3> origins;
+  for (const ProblemObservation& o : problem.observations)
+    origins.push_back(sensor_from_tcp_at(o, estimate(f).mount_from_sensor) * f.tcp_from_body.translation);
+  return origins;
+}
+
+double moved_by(const Fit& f, const std::string& id) {
+  const std::vector<EffectTerm> all = terms_of(f);
+  std::vector<EffectTerm> others = all;
+  std::erase_if(others, [&](const EffectTerm& t) { return t.id == id; });
+  const std::vector<Vector3> with = body_in_sensor(f, all), without = body_in_sensor(f, others);
+  // What is the same everywhere is the mount's or TCP->Body's, as seen from the sensor.
+  Vector3 mean = Vector3::Zero();
+  for (std::size_t i = 0; i < with.size(); ++i) mean += (with[i] - without[i]) / static_cast<double>(with.size());
+  double squares = 0;
+  for (std::size_t i = 0; i < with.size(); ++i) squares += (with[i] - without[i] - mean).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(with.size(), 1)));
+}
+
+std::vector<Worth> worths(const Session& session, const Fit& f) {
+  std::vector<Worth> list;
+  for (const FittedEffect& e : f.effects) {
+    const auto same = std::find_if(list.begin(), list.end(), [&](const Worth& w) { return w.id == e.term.id; });
+    const std::vector<std::string> place = places_of({e.term}, session);
+    if (same != list.end()) {
+      same->where.insert(same->where.end(), place.begin(), place.end());
+      continue;
+    }
+    Worth w{e.term.id, place, is_curve(e.term), "", moved_by(f, e.term.id)};
+    if (w.unnamed) w.text = e.term.own->definition->cause;
+    list.push_back(std::move(w));
+  }
+  return list;
+}
+
+/// chi-squared over what noise leaves, of a model without its curves.
+std::optional<double> excess_without_curves(const Diagnosis& d) {
+  FitOptions o = d.model_options;
+  std::erase_if(o.estimated, is_curve);
+  o.start = estimate(d.model.fit);
+  o.start->effects.resize(0);
+  set_quick(weighing(d.model.fit), o);
+  const auto left = lack_of_fit(fit(d.model.session, o));
+  return left ? std::optional(left->excess()) : std::nullopt;
+}
+
+void set_shares(std::optional<double> excess, Improvement& m) {
+  const std::vector<EffectTerm>& terms = m.last.model_options.estimated;
+  const bool has_curves = std::any_of(terms.begin(), terms.end(), is_curve);
+  if (!excess || !m.last.excess || !(*excess > 0) || terms.empty()) return;
+  const double left = std::clamp(*m.last.excess, 0.0, *excess);
+  double middle = left;
+  if (has_curves) {
+    const auto without = excess_without_curves(m.last);
+    if (!without) return;
+    middle = std::clamp(*without, left, *excess);
+  }
+  m.named_share = (*excess - middle) / *excess;
+  m.unnamed_share = (middle - left) / *excess;
+}
+
+std::string worth_text(const std::vector<Worth>& list, bool unnamed) {
+  std::string text;
+  for (const Worth& w : list) {
+    if (w.unnamed != unnamed) continue;
+    text += fmt::format("{}{}{} ({:.3g} mm at the hand)", text.empty() ? "" : "; ", w.unnamed ? w.text : w.id,
+                        w.unnamed || w.where.empty() ? "" : " at " + listed(w.where), 1e3 * w.hand_m);
+  }
+  return text;
+}
+
+std::string refused_text(const std::vector<RefusedStep>& refused) {
+  if (refused.empty()) return "";
+  const RefusedStep& r = refused.front();
+  return fmt::format(" {}{} passes by its evidence and was not taken: {}.", r.id,
+                     r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason);
+}
+
+}  // namespace
+
+void conclude(const Session& session, const ImprovementOptions&, std::optional<double> excess,
+              const std::vector<RefusedStep>& refused, Improvement& m) {
+  Diagnosis& d = m.last;
+  if (d.verdict == Verdict::too_few_observations) return;
+  m.worth = worths(session, d.model.fit);
+  set_shares(excess, m);
+  const bool passes = d.verdict == Verdict::missing_effect || d.verdict == Verdict::ambiguous;
+  if (passes) judge_what_is_left(weighing(d.model.fit).knowledge.known, d);
+  const std::string curves = worth_text(m.worth, true), names = worth_text(m.worth, false);
+  if (!curves.empty()) {
+    d.verdict = Verdict::unexplained;
+    d.reason =
+        fmt::format("{}{} Held out {}.", names.empty() ? "" : "Named: " + names + ". ",
+                    "Without a name: " + curves + (curves.back() == '.' ? "" : "."), error_text(d.report.held_out));
+  }
+  if (passes) d.reason += refused_text(refused);
+}
+
+}  // namespace handsight

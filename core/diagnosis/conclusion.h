@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an improvement says in the end: what has names, what follows what and has none, and what each is worth.
+#pragma once
+
+#include "diagnosis/improvement.h"
+
+namespace handsight {
+
+/// Sets worth, shares and the last verdict with its reason. `excess`: of the first model. `refused`: what the last
+/// model was offered and did not take.
+void conclude(const Session& session, const ImprovementOptions& options, std::optional<double> excess,
+              const std::vector<RefusedStep>& refused, Improvement& improvement);
+
+}  // namespace handsight

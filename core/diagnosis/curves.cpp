@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "effects/own_effect.h"
+
+namespace handsight {
+namespace {
+
+constexpr std::size_t most_variables = 3, most_refined = 6;
+constexpr double near_best = 8;          // ln: what a form may lack before its setting is refined
+constexpr double catalogue_turns = 2.3;  // slower waves of a joint of its own angle are near those that have names
+constexpr int search_steps = 14;
+
+/// One form at one site, with the directions of the site that it moves.
+struct Form {
+  const CurveSite* site = nullptr;
+  ShapeVariable variable;
+  CurveShape shape;
+  std::vector<Eigen::Index> directions;
+  double ln_factor = -1e300;
+};
+
+std::vector<Eigen::Index> all_directions(const CurveSite& site) {
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(site.sizes.size()));
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  return all;
+}
+
+std::vector<Eigen::Index> parameters_of(const Form& f) {
+  std::vector<Eigen::Index> list;
+  for (Eigen::Index function = 0; function < f.shape.values.cols(); ++function)
+    for (const Eigen::Index d : f.directions) list.push_back(function * f.site->sizes.size() + d);
+  return list;
+}
+
+class Search {
+ public:
+  Search(const WhitenedModel& w, const NoiseKnowledge& noise) : w_(w), noise_(noise) {}
+
+  double factor_of(const Form& f) const { return factor_of(f, score_at(w_, *f.site, f.shape.values)); }
+
+  double factor_of(const Form& f, const Score& whole) const {
+    return ln_bayes_factor(part_of(whole, parameters_of(f)), w_, noise_);
+  }
+
+  /// The setting between its neighbours that suits best (golden section).
+  void settle_setting(Form& f) const {
+    auto [low, high] = setting_range(f.shape);
+    if (!(high > low)) return;
+    if (f.shape.family == ShapeFamily::wave && f.site->kind == LocaliserSite::joint &&
+        f.variable.variable->kind == VariableKind::angle && f.variable.variable->joint == f.site->joint)
+      low = std::max(low, catalogue_turns);
+    if (!(high > low)) return;
+    constexpr double golden = 0.381966011250105;
+    Form a = at(f, low + golden * (high - low)), b = at(f, high - golden * (high - low));
+    for (int step = 0; step < search_steps; ++step) {
+      if (a.ln_factor > b.ln_factor) {
+        high = b.shape.setting;
+        b = a;
+        a = at(f, low + golden * (high - low));
+      } else {
+        low = a.shape.setting;
+        a = b;
+        b = at(f, high - golden * (high - low));
+      }
+      if (!(high > low)) break;
+    }
+    for (const Form* other : {&a, &b})
+      if (other->ln_factor > f.ln_factor) f = *other;
+  }
+
+  /// Takes out the directions without which the form is likelier.
+  void settle_directions(Form& f) const {
+    const Score whole = score_at(w_, *f.site, f.shape.values);
+    for (bool shrunk = true; shrunk && f.directions.size() > 1;) {
+      shrunk = false;
+      Form best = f;
+      for (std::size_t i = 0; i < f.directions.size(); ++i) {
+        Form less = f;
+        less.directions.erase(less.directions.begin() + static_cast<std::ptrdiff_t>(i));
+        less.ln_factor = factor_of(less, whole);
+        if (less.ln_factor > best.ln_factor) best = less;
+      }
+      shrunk = best.directions.size() < f.directions.size();
+      f = best;
+    }
+  }
+
+  Eigen::VectorXd estimate_of(const Form& f) const {
+    const Score s = part_of(score_at(w_, *f.site, f.shape.values), parameters_of(f));
+    return linear_estimate(s, w_, noise_).value;
+  }
+
+ private:
+  Form at(const Form& f, double setting) const {
+    Form other = f;
+    other.shape = shape_of(f.variable, f.shape.family, setting);
+    other.ln_factor = factor_of(other);
+    return other;
+  }
+
+  const WhitenedModel& w_;
+  const NoiseKnowledge& noise_;
+};
+
+const Variable* angle_of(const std::vector<Variable>& variables, const std::string& name, const Robot& robot) {
+  for (const Variable& v : variables)
+    if (formula_variable(v, robot) == name) return &v;
+  return nullptr;
+}
+
+/// Every form of a variable that a formula can write, at every site, with its evidence.
+void add_forms(const Search& search, const std::vector<CurveSite>& sites, const Variable& v, const Robot& robot,
+               const std::vector<Variable>& variables, std::vector<Form>& forms) {
+  std::vector<CurveShape> shapes = shapes_of(v, robot, variables);
+  if (v.kind == VariableKind::angle)
+    shapes.push_back(shape_of({&v, nullptr, formula_variable(v, robot), ""}, ShapeFamily::line, 0));
+  for (const CurveShape& shape : shapes) {
+    if (shape.formulas.empty()) continue;
+    ShapeVariable of{&v, nullptr, formula_variable(v, robot), ""};
+    if (shape.family == ShapeFamily::product) {
+      of.other_name = shape.formulas.front().substr(of.name.size() + 1);
+      of.other = angle_of(variables, of.other_name, robot);
+    }
+    for (const CurveSite& site : sites) {
+      const bool at_joint = site.kind == LocaliserSite::joint, own = site.joint == v.joint;
+      if (!at_joint && (!shape.at_rigid || shape.family == ShapeFamily::line)) continue;
+      if (at_joint && own && (!shape.at_joint || shape.family == ShapeFamily::line)) continue;
+      if (at_joint && !own && v.kind == VariableKind::torque) continue;
+      Form f{&site, of, shape, all_directions(site)};
+      f.ln_factor = search.factor_of(f);
+      forms.push_back(std::move(f));
+    }
+  }
+}
+
+/// "x", "rz" of a rigid site; empty of a joint.
+std::string axis_name(const Form& f, Eigen::Index direction) {
+  return f.site->kind == LocaliserSite::joint ? "" : motion_axes[direction];
+}
+
+std::string parameter_name(const Form& f, Eigen::Index function, Eigen::Index direction) {
+  const std::string axis = axis_name(f, direction);
+  const std::string name = f.shape.family == ShapeFamily::wave ? (function == 0 ? "sine" : "cosine") : "size";
+  return axis.empty() ? name : axis + "_" + name;
+}
+
+std::string site_text(const Form& f, const Robot& robot) {
+  if (f.site->kind == LocaliserSite::joint)
+    return "the angle of " + robot.joints[static_cast<std::size_t>(f.site->joint)].name;
+  std::string axes;
+  for (const Eigen::Index d : f.directions) axes += (axes.empty() ? "" : ", ") + axis_name(f, d);
+  return fmt::format("{} ({})", f.site->kind == LocaliserSite::tcp ? "the hand" : "the sensor's mount", axes);
+}
+
+EffectDefinition definition_of(const Form& f, const std::string& id, const Robot& robot) {
+  const bool at_joint = f.site->kind == LocaliserSite::joint;
+  EffectDefinition d;
+  d.id = id;
+  d.unnamed = true;
+  d.title = "Curve of the " + f.variable.variable->name;
+  d.scope = at_joint ? "joint" : "session";
+  d.cause = fmt::format("{} moves with the {}, {}: it has no name in the catalogue.", site_text(f, robot),
+                        f.variable.variable->name, f.shape.text);
+  d.cause.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(d.cause.front())));
+  const bool slides = at_joint && robot.joints[static_cast<std::size_t>(f.site->joint)].kind == JointKind::prismatic;
+  const std::string prefix = f.site->kind == LocaliserSite::tcp ? "hand_" : "mount_";
+  for (const Eigen::Index direction : f.directions) {
+    std::string formula;
+    for (Eigen::Index function = 0; function < f.shape.values.cols(); ++function) {
+      const std::string name = parameter_name(f, function, direction);
+      const bool is_shift = at_joint ? slides : direction < 3;
+      d.parameters.push_back({name, is_shift ? "m" : "rad", f.site->sizes[direction]});
+      formula += (formula.empty() ? "" : " + ") + name + "*" + f.shape.formulas[static_cast<std::size_t>(function)];
+    }
+    d.moves.push_back({at_joint ? "angle" : prefix + axis_name(f, direction), formula, 0});
+  }
+  return d;
+}
+
+double ln_binomial(double n, double k) { return std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1); }
+
+}  // namespace
+
+std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledge& noise, const Problem& problem,
+                                     const std::vector<Variable>& variables,
+                                     const std::vector<RankedLocaliser>& localisers, const std::string& id) {
+  const Robot& robot = problem.source->chain.robot;
+  const std::vector<CurveSite> sites = curve_sites(w, problem);
+  const Search search(w, noise);
+  std::vector<Form> forms;
+  std::size_t looked_at = 0;
+  for (const RankedLocaliser& l : localisers) {
+    if (l.ln_bayes_factor < localisers.front().ln_bayes_factor - near_best || looked_at == most_variables) break;
+    if (formula_variable(*l.localiser.variable, robot).empty()) continue;
+    ++looked_at;
+    add_forms(search, sites, *l.localiser.variable, robot, variables, forms);
+  }
+  if (forms.empty()) return std::nullopt;
+  std::stable_sort(forms.begin(), forms.end(), [](const Form& a, const Form& b) { return a.ln_factor > b.ln_factor; });
+  const double ln_forms = std::log(static_cast<double>(forms.size()) / static_cast<double>(looked_at));
+  const double least = forms.front().ln_factor - std::max(near_best, 0.15 * std::abs(forms.front().ln_factor));
+  if (forms.size() > most_refined) forms.resize(most_refined);
+  Form* best = nullptr;
+  double best_value = -1e300;
+  for (Form& f : forms) {
+    if (f.ln_factor < least) break;
+    search.settle_setting(f);
+    search.settle_directions(f);
+    if (f.directions.size() < static_cast<std::size_t>(f.site->sizes.size())) search.settle_setting(f);
+    const double ways =
+        ln_binomial(static_cast<double>(f.site->sizes.size()), static_cast<double>(f.directions.size()));
+    if (f.ln_factor - ways <= best_value) continue;
+    best_value = f.ln_factor - ways;
+    best = &f;
+  }
+  FoundCurve found;
+  const auto effect = own_effect(definition_of(*best, id, robot), robot);
+  found.term = term_of(*effect, best->site->joint, effect);
+  const Eigen::VectorXd value = search.estimate_of(*best);
+  const auto directions = static_cast<Eigen::Index>(best->directions.size());
+  for (Eigen::Index d = 0; d < directions; ++d)
+    for (Eigen::Index function = 0; function < best->shape.values.cols(); ++function) {
+      const auto number = static_cast<std::size_t>(d * best->shape.values.cols() + function);
+      found.term.values[number] = value[function * directions + d] * effect->parameters[number].sigma;
+    }
+  found.ln_factor = best->ln_factor;
+  found.ln_ways = ln_forms + best->ln_factor - best_value;
+  found.variable = best->variable.variable->name;
+  found.where = best->site->kind == LocaliserSite::tcp ? "hand"
+                : best->site->kind == LocaliserSite::mount
+                    ? "mount"
+                    : robot.joints[static_cast<std::size_t>(best->site->joint)].name;
+  return found;
+}
+
+std::string next_curve_id(const std::vector<EffectTerm>& terms) {
+  for (int number = 1;; ++number) {
+    const std::string id = fmt::format("curve_{}", number);
+    if (std::none_of(terms.begin(), terms.end(), [&](const EffectTerm& t) { return t.id == id; })) return id;
+  }
+}
+
+std::string sites_text(const EffectDefinition& d) {
+  std::string text;
+  for (const DefinedMove& m : d.moves) text += (text.empty() ? "" : ", ") + m.site;
+  return text;
+}
+
+std::string formula_text(const EffectDefinition& d) {
+  std::string text;
+  for (const DefinedMove& m : d.moves) text += (text.empty() ? "" : "; ") + m.site + ": " + m.formula;
+  return text;
+}
+
+}  // namespace handsight

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Curves: what a localiser found, settled in form, setting and directions, as a term that a model may take in like an
+// effect (effects/own_effect.h).
+#pragma once
+
+#include "diagnosis/ranking.h"
+
+namespace handsight {
+
+struct FoundCurve {
+  EffectTerm term;       // with the linear estimate
+  double ln_factor = 0;  // linear, of this form against nothing, no odds
+  double ln_ways = 0;    // of the choices in which it could have been another
+  std::string variable;  // as a user reads it
+  std::string where;     // the joint that it moves, "hand" or "mount"
+};
+
+/// The best curve of these localisers (those near the first in evidence are looked at); none where no formula can say
+/// what they follow. `w` is whitened for the first one's scatter, `id` is what the curve is to be called.
+std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledge& noise, const Problem& problem,
+                                     const std::vector<Variable>& variables,
+                                     const std::vector<RankedLocaliser>& localisers, const std::string& id);
+
+/// "curve_1" or the first number that none of the terms has.
+std::string next_curve_id(const std::vector<EffectTerm>& terms);
+
+/// Is the term a curve without a name?
+inline bool is_curve(const EffectTerm& term) { return term.own && term.own->is_unnamed(); }
+
+/// "angle", or "hand_x, hand_z": the sites that it moves.
+std::string sites_text(const EffectDefinition& definition);
+
+/// "sine*sin(3.3*q)" and the like, one formula a site: "hand_x: x_sine*sin(3.3*q_arm_4) + ...".
+std::string formula_text(const EffectDefinition& definition);
+
+}  // namespace handsight

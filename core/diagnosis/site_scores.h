@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the measurements say of functions of the observation that act at one site of the chain: a joint's angle, the
+// hand, the mount.
+#pragma once
+
+#include "diagnosis/evidence.h"
+
+namespace handsight {
+
+enum class LocaliserSite { joint, tcp, mount };
+
+/// A site's directions in one observation, whitened: their information, score, and share in the base.
+struct SiteBlock {
+  Eigen::MatrixXd information;  // s x s
+  Eigen::VectorXd gradient;     // s
+  Eigen::MatrixXd shared;       // base x s
+};
+
+struct CurveSite {
+  LocaliserSite kind = LocaliserSite::joint;
+  int joint = -1;                 // of the robot, where the site is a joint
+  std::vector<SiteBlock> blocks;  // per observation
+  Eigen::VectorXd sizes;          // plausible, per direction: rad or m
+};
+
+/// The hand, the mount, and every joint of the session that moves what is seen.
+std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& problem);
+
+/// The score of functions (observations x functions) at a site: parameters function by function, within each the
+/// site's directions.
+Score score_at(const WhitenedModel& w, const CurveSite& site, const Eigen::MatrixXd& values);
+
+}  // namespace handsight

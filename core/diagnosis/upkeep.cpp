@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/upkeep.h"
+
+#include <algorithm>
+
+#include "diagnosis/curves.h"
+#include "diagnosis/exchange.h"
+#include "diagnosis/refitting.h"
+#include "diagnosis/slips.h"
+
+namespace handsight {
+namespace {
+
+constexpr double clearly_better = 2;  // ln: for another form of a curve
+
+/// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
+/// the estimated ones were 0 and all else followed.
+double squares_without(const Diagnosis& d, std::size_t first, std::size_t last, double noise) {
+  const Problem& problem = d.model.fit.problem;
+  const std::size_t held = d.model_options.effects.size();
+  std::vector<Eigen::Index> theirs, others;
+  for (Eigen::Index c = 0; c < problem.columns(); ++c) {
+    const Eigen::Index effect = c - problem.effect_column();
+    const std::size_t term = effect < 0 ? 0 : problem.columns_of_effects[static_cast<std::size_t>(effect)].term - held;
+    (effect >= 0 && term >= first && term < last ? theirs : others).push_back(c);
+  }
+  const Eigen::MatrixXd& h = d.model.fit.solution.normal.information;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(problem.columns());
+  all.tail(problem.effect_count()) = estimate(d.model.fit).effects;
+  const Eigen::VectorXd value = all(theirs);
+  const Eigen::VectorXd shared = h(others, theirs) * value;
+  const double squares = value.dot(h(theirs, theirs) * value) - shared.dot(pseudo_inverse(h(others, others)) * shared);
+  return squares / (noise * noise);
+}
+
+class Upkeep {
+ public:
+  Upkeep(const Session& session, const ImprovementOptions& options, double most, ModelChange& change)
+      : session_(session), options_(options), most_(most), change_(change) {}
+
+  void run() {
+    drop_what_is_no_longer_needed();
+    exchange_names();
+    look_for_forms_again();
+  }
+
+ private:
+  const std::vector<EffectTerm>& terms() const { return change_.model->model_options.estimated; }
+
+  bool goes_on() {
+    if (options_.on_progress && !options_.on_progress(0.97)) change_.stopped = true;
+    return !change_.stopped;
+  }
+
+  std::vector<EffectTerm> group(std::size_t first, std::size_t last) const {
+    return {terms().begin() + static_cast<std::ptrdiff_t>(first), terms().begin() + static_cast<std::ptrdiff_t>(last)};
+  }
+
+  FitOptions options_without(std::size_t first, std::size_t last, const Weighing& by) const {
+    FitOptions o = change_.model->model_options;
+    set_quick(by, o);
+    o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
+                      o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
+    return o;
+  }
+
+  /// The model in place of the present one, where it does not lift the held-out error; the step says what went.
+  bool take(Diagnosis next, const std::string& removed) {
+    change_.stopped = change_.stopped || next.stopped;
+    if (next.stopped || held_out_error(next) > most_) return false;
+    ImprovementStep& step = change_.steps.back();
+    const ImprovementStep now = step_of(next);
+    step.fitted = now.fitted;
+    step.held_out = now.held_out;
+    step.noise = now.noise;
+    if (!removed.empty()) step.removed += (step.removed.empty() ? "" : ", ") + removed;
+    change_.model = std::move(next);
+    return true;
+  }
+
+  /// Everything added before the last step must still be worth its parameters.
+  void drop_what_is_no_longer_needed() {
+    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+      const std::size_t last = end_of_group(terms(), first);
+      if (last == terms().size() || !drop(first, last)) first = last;
+    }
+  }
+
+  bool drop(std::size_t first, std::size_t last) {
+    const Diagnosis& d = *change_.model;
+    const Fit& with = d.model.fit;
+    const std::vector<EffectTerm> dropped = group(first, last);
+    const Weighing by = weighing(with);
+    // To first order it cannot be said by how much a large effect is needed, but that it is.
+    if (squares_without(d, first, last, by.noise) > 10 * d.threshold + 100) return false;
+    const FitOptions o = options_without(first, last, by);
+    const Fit without = fit(d.model.session, o);
+    const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
+                          fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
+    if (gained >= d.threshold - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
+    return take(diagnosed_from(session_, options_, o.estimated, estimate(without)), dropped.front().id);
+  }
+
+  /// Names and curves that stood in for another name are exchanged; a name that was added last stays.
+  void exchange_names() {
+    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+      const std::size_t last = end_of_group(terms(), first);
+      if (last == terms().size() && !is_curve(terms()[first])) return;
+      const std::string removed = terms()[first].id;
+      const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
+      if (exchange && !change_.stopped &&
+          take(diagnosed_from(session_, options_, exchange->options.estimated, exchange->options.start), removed)) {
+        ImprovementStep& step = change_.steps.back();
+        step.exchanged.push_back(exchange->id);
+        continue;  // the next group has moved here; the new name stands last
+      }
+      first = last;
+    }
+  }
+
+  /// With other terms beside it, a curve may have another form, and a slip another moment.
+  void look_for_forms_again() {
+    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+      const std::size_t last = end_of_group(terms(), first);
+      const bool is_earlier = last < terms().size();
+      if (is_earlier && is_curve(terms()[first])) look_for_curve(first, last);
+      if (is_earlier && slip_order(group(first, last))) look_for_moment(first, last);
+      first = last;
+    }
+  }
+
+  void look_for_moment(std::size_t first, std::size_t last) {
+    const Diagnosis& d = *change_.model;
+    const Weighing by = weighing(d.model.fit);
+    const std::vector<EffectTerm> present = group(first, last);
+    FitOptions o = options_without(first, last, by);
+    const CleanFit without{d.model.session, fit(d.model.session, o), {}};
+    for (std::size_t t = 0; t < o.estimated.size(); ++t)
+      o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
+    const std::vector<EffectTerm> other = with_best_orders(without, present, by);
+    if (slip_order(other) == slip_order(present) || !goes_on()) return;
+    const Refit now = refit_with(without, o, present, by), then = refit_with(without, o, other, by);
+    if (then.fit.converged() && then.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, last, then);
+  }
+
+  /// The terms from `first` to `last` by those that a refit without them has added.
+  void replace(std::size_t first, std::size_t last, const Refit& refit) {
+    std::vector<EffectTerm> all = terms();
+    const std::vector<EffectTerm> fitted = terms_of(refit.fit);
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(first),
+               fitted.end() - static_cast<std::ptrdiff_t>(refit.added), fitted.end());
+    take(diagnosed_from(session_, options_, all, std::nullopt), "");
+  }
+
+  void look_for_curve(std::size_t first, std::size_t last) {
+    const Diagnosis& d = *change_.model;
+    const Weighing by = weighing(d.model.fit);
+    const std::vector<EffectTerm> present = group(first, last);
+    FitOptions o = options_without(first, last, by);
+    const CleanFit without{d.model.session, fit(d.model.session, o), {}};
+    for (std::size_t t = 0; t < o.estimated.size(); ++t)
+      o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
+    Candidates none;
+    none.problem = with_motions(without.fit.problem);
+    none.base_effects = none.problem.effect_count();
+    const LinearModel linear = linear_model(none.problem, estimate(without.fit), none.base_effects, by.noise);
+    const std::vector<Variable> variables = variables_of(none.problem, estimate(without.fit));
+    const Ranking ranking = rank(linear, by.knowledge, none, variables);
+    if (ranking.localisers.empty() || !goes_on()) return;
+    const WhitenedModel w = whiten(linear, ranking.localisers.front().scatter, by.knowledge);
+    const auto found = find_curve(w, by.knowledge, none.problem, variables, ranking.localisers, present.front().id);
+    if (!found || formula_text(*found->term.own->definition) == formula_text(*present.front().own->definition)) return;
+    const Refit now = refit_with(without, o, present, by), other = refit_with(without, o, {found->term}, by);
+    if (!other.fit.converged() ||
+        other.ln_bayes_factor - found->ln_ways < now.ln_bayes_factor - found->ln_ways + clearly_better)
+      return;
+    replace(first, last, other);
+  }
+
+  const Session& session_;
+  const ImprovementOptions& options_;
+  double most_;
+  ModelChange& change_;
+};
+
+}  // namespace
+
+double held_out_error(const Diagnosis& d) {
+  const ErrorSummary& e = d.report.held_out;
+  return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0);
+}
+
+Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
+                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start) {
+  DiagnosisOptions o;
+  o.effects = options.effects;
+  o.estimated = estimated;
+  o.start = start;
+  o.with_curves = options.with_curves;
+  o.on_progress = options.on_progress;
+  o.on_iteration = options.on_iteration;
+  return diagnose(session, o);
+}
+
+std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first) {
+  std::size_t last = first + 1;
+  while (last < terms.size() && terms[last].id == terms[first].id) ++last;
+  return last;
+}
+
+void keep_up(const Session& session, const ImprovementOptions& options, double most, ModelChange& change) {
+  Upkeep(session, options, most, change).run();
+}
+
+}  // namespace handsight

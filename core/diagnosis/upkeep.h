@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a change of a model asks for afterwards: what is no longer needed goes, what only stood in for something else is
+// exchanged, curves are looked for again.
+#pragma once
+
+#include "diagnosis/improvement.h"
+
+namespace handsight {
+
+/// The number by which models are compared: px, or m with a tracker.
+double held_out_error(const Diagnosis& model);
+
+/// A model with these estimated terms, diagnosed.
+Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
+                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start);
+
+/// The terms of one effect that stand together, from `first` on, end there.
+std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first);
+
+/// Mends change.model, whose last step added its last group of terms; what goes and comes is told in that step. None of
+/// it lifts the held-out error above `most`.
+void keep_up(const Session& session, const ImprovementOptions& options, double most, ModelChange& change);
+
+}  // namespace handsight

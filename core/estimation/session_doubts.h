@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is odd in a session and probably a slip of whoever wrote it: looked through at once, without reading images.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "session/session.h"
+
+namespace handsight {
+
+/// A sentence each: what is odd, and what to do. Points outside the image (and whether width and height are swapped),
+/// markers that are never seen, angles that can only be degrees, a joint between camera and hand that is not measured,
+/// masses of nothing. Empty where nothing is.
+std::vector<std::string> session_doubts(const Session& session);
+
+/// The same of what a fit found: a body farther from the TCP than any hand is long, m. Empty where it is not.
+std::string body_doubt(const Rigid& tcp_from_body);
+
+}  // namespace handsight

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report as somebody reads it who gets nothing else: pages with plots on them.
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
+
+#include "app/window/pages.h"
+#include "base/files.h"
+#include "temporary_folder.h"
+
+namespace handsight::test {
+namespace {
+
+class ReportTest : public testing::Test {
+ protected:
+  void open(const char* name) {
+    ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of_sample(folder.path, name).string())));
+    ASSERT_TRUE(desk.settle());
+  }
+  std::filesystem::path written(const char* button, const char* file) {
+    desk.key(Qt::Key_5, Qt::ControlModifier);
+    desk.type_into(desk.find<QLineEdit>("export_path"), QString::fromStdString((folder.path / "out.xml").string()));
+    desk.press_button(button);
+    EXPECT_TRUE(desk.wait([&] { return std::filesystem::exists(folder.path / file); }, 10000));
+    return folder.path / file;
+  }
+  /// The pictures of an HTML report, as a browser would show them.
+  static std::vector<QImage> pictures_in(const QString& html) {
+    std::vector<QImage> pictures;
+    const QRegularExpression source("src=\"data:image/png;base64,([^\"]*)\"");
+    for (auto match = source.globalMatch(html); match.hasNext();)
+      pictures.push_back(QImage::fromData(QByteArray::fromBase64(match.next().captured(1).toLatin1())));
+    return pictures;
+  }
+  /// The share of pixels that differ clearly from the commonest colour: what is drawn on the ground.
+  static double ink(const QImage& image, const QRect& area) {
+    std::map<QRgb, int> counts;
+    const QImage plain = image.convertToFormat(QImage::Format_RGB32);
+    for (int y = area.top(); y <= area.bottom(); ++y)
+      for (int x = area.left(); x <= area.right(); ++x) ++counts[plain.pixel(x, y)];
+    const auto ground =
+        std::max_element(counts.begin(), counts.end(), [](auto& a, auto& b) { return a.second < b.second; });
+    int drawn = 0;
+    for (const auto& [color, count] : counts)
+      if (std::abs(qGray(color) - qGray(ground->first)) > 24) drawn += count;
+    return drawn / (1.0 * area.width() * area.height());
+  }
+  TemporaryFolder folder;
+  Desk desk;
+};
+
+TEST_F(ReportTest, EveryPictureOfTheHtmlIsLargeAndDrawnAllOver) {
+  open("hidden_3");
+  ExplainPage explain{desk};
+  ASSERT_TRUE(explain.open());
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const QString html = QString::fromStdString(read_file(written("report_html", "out.html")));
+  const auto pictures = pictures_in(html);
+  // Staircase, cloud, where it failed before and after, histogram, map, robot.
+  ASSERT_EQ(pictures.size(), 7U);
+  // The cloud: far below the middle at first, gone from there with the effect.
+  const QImage& cloud = pictures[1];
+  const auto below = [&](int pane) {
+    const int side = cloud.height() / 4, x = cloud.width() * (pane == 0 ? 27 : 73) / 100 - side / 2;
+    return ink(cloud, {x, cloud.height() * 62 / 100, side, side});
+  };
+  EXPECT_GT(below(0), 2 * below(1)) << "both panes show the same";
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const QImage& p = pictures[i];
+    ASSERT_GE(p.width(), 1000) << i;
+    ASSERT_GE(p.height(), 400) << i;
+    EXPECT_GT(ink(p, p.rect()), 0.003) << "picture " << i << " is blank";
+    // Not only in a corner: both halves of it show something.
+    EXPECT_GT(ink(p, {0, 0, p.width() / 2, p.height()}), 0.001) << i;
+    EXPECT_GT(ink(p, {p.width() / 2, 0, p.width() / 2, p.height()}), 0.001) << i;
+    EXPECT_GT(qGray(p.pixel(2, p.height() - 2)), 200) << "picture " << i << " is not on light paper";
+  }
+  EXPECT_TRUE(html.contains("oint elasticity") || html.contains("gives way")) << "the effect in the model";
+  EXPECT_FALSE(html.contains("<pre>"));
+}
+
+TEST_F(ReportTest, ThePagesOfThePdfShowPlotsWithinTheirMargins) {
+  const QString reader = QStandardPaths::findExecutable("pdftoppm");
+  ASSERT_FALSE(reader.isEmpty()) << "pdftoppm is missing: install poppler-utils, as ./test does.";
+  open("hundred_poses");
+  const auto pdf = written("report_pdf", "out.pdf");
+  const QString stem = QString::fromStdString((folder.path / "page").string());
+  ASSERT_EQ(QProcess::execute(reader, {"-png", "-r", "60", QString::fromStdString(pdf.string()), stem}), 0);
+  std::vector<QImage> pages;
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path))
+    if (file.path().filename().string().starts_with("page")) files.push_back(file.path());
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) pages.emplace_back(QString::fromStdString(file.string()));
+  ASSERT_GE(pages.size(), 2U);
+  double most = 0;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const QImage& page = pages[i];
+    const int margin = page.width() * 12 / 210;  // mm of A4; the margins are 18 mm
+    EXPECT_LT(ink(page, {page.width() - margin, 0, margin, page.height()}), 1e-4) << "page " << i << " runs off";
+    most = std::max(most, ink(page, page.rect()));
+  }
+  EXPECT_GT(most, 0.05) << "no page has a plot on it";
+}
+
+}  // namespace
+}  // namespace handsight::test

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots as they are: several effects at once, masses a little wrong, joints that do not repeat, and a shift of the
+// hand that no catalogue has. trial_messy COUNT [FIRST_SEED] [ROBOT] [SHIFT_MM; all for 0, 0.2 and 0.6]
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <set>
+
+#include "diagnosis/curves.h"
+#include "effects/own_effect.h"
+#include "estimation/prediction.h"
+#include "fixtures/trial_sessions.h"
+
+namespace handsight::trials {
+namespace {
+
+constexpr int measured = 100, fresh = 200;
+constexpr double mass_error = 0.12, repeatability = 1e-4;  // relative; rad
+
+/// What is true and hidden.
+struct Messy {
+  Session session;  // as measured: the nominal robot
+  Robot true_robot;
+  std::vector<EffectTerm> effects;
+  std::optional<EffectTerm> shift;
+  Rigid tcp_from_body;
+  std::vector<Eigen::VectorXd> fresh_poses;
+};
+
+std::optional<EffectTerm> hidden_shift(const Session& like, double size_mm, std::mt19937_64& random) {
+  if (size_mm == 0) return std::nullopt;
+  std::normal_distribution<double> normal;
+  const std::string joint =
+      like.joints[like.joints.size() - 1 - random() % std::min<std::size_t>(like.joints.size(), 5)];
+  EffectDefinition d;
+  d.id = "hidden_shift";
+  d.scope = "session";
+  for (const char* axis : {"x", "y", "z"}) {
+    d.parameters.push_back({axis, "m", 1e-3});
+    d.moves.push_back({std::string("hand_") + axis, fmt::format("{}*sin(3.3*q_{}+0.7)", axis, formula_name(joint)), 0});
+  }
+  const auto effect = own_effect(d, like.robot);
+  EffectTerm term = term_of(*effect, -1, effect);
+  for (double& v : term.values) v = 1e-3 * size_mm * normal(random);
+  return term;
+}
+
+/// Three to five effects, 0.15 to 1 of the usual size.
+std::vector<EffectTerm> hidden_effects(const Session& like, std::mt19937_64& random) {
+  static const std::set<std::string> left_out{"body_slip", "marker_slip", "mount_slip"};
+  const Chain chain = chain_of(like);
+  const std::size_t count = 3 + random() % 3;
+  std::vector<EffectTerm> all;
+  std::set<std::string> ids;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  while (ids.size() < count) {
+    const Effect& e = catalogue()[random() % catalogue().size()];
+    if (left_out.count(e.id) || ids.count(e.id)) continue;
+    std::vector<EffectTerm> terms = random_terms(e, chain, random);
+    if (terms.empty()) continue;
+    // random_terms draws 0.3 to 3 of the usual size; here 0.15 to 1.
+    const double size = 0.15 * std::pow(1 / 0.15, uniform(random)) / (0.3 * std::pow(10.0, 0.5));
+    for (EffectTerm& t : terms)
+      for (std::size_t p = 0; p < t.values.size(); ++p)
+        if (!e.parameters[p].is_choice) t.values[p] *= size;
+    SimulationOptions alone = simulation(1);
+    alone.observations = measured;
+    alone.effects = terms;
+    if (like.robot.name == "random_robot") alone.farthest = 3;
+    if (noncentrality_of(like, alone) < 50) continue;  // what these poses do not show is nobody's to find
+    ids.insert(e.id);
+    all.insert(all.end(), terms.begin(), terms.end());
+  }
+  return all;
+}
+
+Messy messy_session(int robot, std::uint64_t seed, double size_mm) {
+  std::mt19937_64 random(seed * 9176 + 31 * static_cast<unsigned>(robot) + static_cast<unsigned>(1000 * size_mm));
+  std::normal_distribution<double> normal;
+  const Session like = robot_session(robot, seed);
+  Messy m;
+  Session real = like;
+  for (Link& link : real.robot.links) link.mass *= std::max(0.3, 1 + mass_error * normal(random));
+  m.true_robot = real.robot;
+  m.effects = hidden_effects(like, random);
+  m.shift = hidden_shift(like, size_mm, random);
+  SimulationOptions o = simulation(seed + 40000, robot);
+  o.observations = measured;
+  o.effects = m.effects;
+  if (m.shift) o.effects.push_back(*m.shift);
+  SimulatedSession s = simulate_session(real, o);
+  m.session = s.session;
+  m.session.robot = like.robot;
+  for (Observation& observation : m.session.observations)
+    for (Eigen::Index j = 0; j < observation.position.size(); ++j)
+      observation.position[j] += repeatability * normal(random);
+  const std::vector<std::optional<Vector3>> known(s.markers_in_tcp.begin(), s.markers_in_tcp.end());
+  m.tcp_from_body = body_frame(choose_sides(known), s.markers_in_tcp).tcp_from_body;
+  SimulationOptions later = o;
+  later.seed = seed + 70000;
+  later.observations = fresh;
+  for (const Observation& observation : simulate_session(real, later).session.observations)
+    m.fresh_poses.push_back(observation.position);
+  return m;
+}
+
+Rigid hand_at(const Chain& chain, const Eigen::VectorXd& pose, const std::vector<EffectTerm>& terms) {
+  const Circumstances c = circumstances_at(chain, pose);
+  return observed_ends(c, moved_sites(c, terms)).ends.root_from_tcp;
+}
+
+/// Mean distance (mm) of the body's true origin in fresh poses from where the fit puts it.
+double error_on_fresh(const Messy& m, const Fit& f) {
+  Session real = m.session;
+  real.robot = m.true_robot;
+  const Chain truth = chain_of(real), model = chain_of(m.session);
+  std::vector<EffectTerm> terms = m.effects;
+  if (m.shift) terms.push_back(*m.shift);
+  double sum = 0;
+  for (const Eigen::VectorXd& pose : m.fresh_poses)
+    sum += (hand_at(truth, pose, terms) * m.tcp_from_body.translation -
+            hand_at(model, pose, terms_of(f)) * f.tcp_from_body.translation)
+               .norm();
+  return 1e3 * sum / static_cast<double>(m.fresh_poses.size());
+}
+
+Fit told(const Messy& m, bool everything) {
+  FitOptions o;
+  for (EffectTerm t : m.effects) {
+    const Effect& e = effect_of(t);
+    for (std::size_t p = 0; p < t.values.size(); ++p)
+      if (!e.parameters[p].is_choice) t.values[p] = 0;
+    o.estimated.push_back(t);
+  }
+  if (everything && m.shift) {
+    o.estimated.push_back(*m.shift);
+    std::fill(o.estimated.back().values.begin(), o.estimated.back().values.end(), 0.0);
+  }
+  return fit(m.session, o);
+}
+
+Fit all_at_once(const Messy& m) {
+  const Chain chain = chain_of(m.session);
+  FitOptions o;
+  for (const Effect& e : catalogue())
+    if (e.parameters.back().choices.empty() && !e.parameters.back().is_choice)
+      for (const int place : effect_places(e, chain)) o.estimated.push_back(term_of(e, place));
+  o.least_gain = 1e-4;
+  o.most_iterations = 30;
+  return fit(m.session, o);
+}
+
+std::set<std::string> ids_of(const std::vector<EffectTerm>& terms) {
+  std::set<std::string> ids;
+  for (const EffectTerm& t : terms)
+    if (!is_curve(t)) ids.insert(t.id);
+  return ids;
+}
+
+std::string listed_ids(const std::set<std::string>& ids) {
+  std::string text;
+  for (const std::string& id : ids) text += " " + id;
+  return text;
+}
+
+double median(std::vector<double> v) {
+  if (v.empty()) return 0;
+  std::sort(v.begin(), v.end());
+  return v.size() % 2 ? v[v.size() / 2] : 0.5 * (v[v.size() / 2 - 1] + v[v.size() / 2]);
+}
+
+struct Row {
+  std::vector<double> alone, all, improved, told, everything;
+  int true_names = 0, found = 0, named = 0, wrong = 0, missing_at_the_end = 0, curve_seen = 0, trials = 0;
+};
+
+void run_trial(int robot, std::uint64_t seed, double size_mm, bool with_all, Row& row) {
+  const Messy m = messy_session(robot, seed, size_mm);
+  row.alone.push_back(error_on_fresh(m, fit(m.session)));
+  const auto start = std::chrono::steady_clock::now();
+  ImprovementOptions options;
+  options.names_first = std::getenv("NAMES_FIRST") != nullptr;
+  const Improvement i = improve(m.session, options);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  row.improved.push_back(error_on_fresh(m, i.last.model.fit));
+  row.told.push_back(error_on_fresh(m, told(m, false)));
+  row.everything.push_back(error_on_fresh(m, told(m, true)));
+  if (with_all) row.all.push_back(error_on_fresh(m, all_at_once(m)));
+  const std::set<std::string> truth = ids_of(m.effects), found = ids_of(terms_of(i.last.model.fit));
+  int right = 0;
+  for (const std::string& id : found) right += static_cast<int>(truth.count(id));
+  row.true_names += static_cast<int>(truth.size());
+  row.found += right;
+  row.named += static_cast<int>(found.size());
+  row.wrong += static_cast<int>(found.size()) - right;
+  row.missing_at_the_end += i.last.verdict == Verdict::missing_effect || i.last.verdict == Verdict::ambiguous;
+  std::string curves;
+  for (const EffectTerm& t : terms_of(i.last.model.fit))
+    if (is_curve(t))
+      curves += " [" + t.own->definition->moves.front().site + " " + t.own->definition->moves.front().formula + "]";
+  row.curve_seen += !curves.empty();
+  ++row.trials;
+  fmt::print(
+      "  robot {} seed {} shift {}: alone {:.3f} improve {:.4f} told {:.4f} told everything {:.4f} mm; {:.1f} s, {} "
+      "steps\n    "
+      "truth{}{}\n    found{}{} ({})\n",
+      robot, seed, size_mm, row.alone.back(), row.improved.back(), row.told.back(), row.everything.back(), seconds,
+      i.steps.size() - 1, listed_ids(truth), m.shift ? " + " + m.shift->own->definition->moves.front().formula : "",
+      listed_ids(found), curves, verdict_text(i.last.verdict));
+  std::fflush(stdout);
+}
+
+int messy_trials(const Arguments& a) {
+  for (const double size_mm : {0.0, 0.2, 0.6}) {
+    if (a.kind != "all" && std::atof(a.kind.c_str()) != size_mm) continue;
+    Row row;
+    for (int i = 0; i < a.count; ++i) {
+      const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
+      const int robot = a.robot >= 0 ? a.robot : std::array{3, 1, 3, 2, 3, 0}[static_cast<std::size_t>(i) % 6];
+      run_trial(robot, seed, size_mm, std::getenv("WITH_ALL") != nullptr, row);
+    }
+    fmt::print(
+        "outside the catalogue {} mm, {} robots, medians (mm): TCP->Body alone {:.3f}, all at once {:.3f}, improve "
+        "{:.4f}, "
+        "told the effects {:.4f}, told everything {:.4f}; names found {:.0f} % of {}, wrong {:.0f} % of {}; "
+        "missing_effect at "
+        "the end {}\n",
+        size_mm, row.trials, median(row.alone), median(row.all), median(row.improved), median(row.told),
+        median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
+        100.0 * row.wrong / std::max(1, row.named), row.named, row.missing_at_the_end);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace handsight::trials
+
+int main(int argc, char** argv) {
+  using namespace handsight::trials;
+  return messy_trials(arguments(argc, argv, "all"));
+}
