@@ -81,7 +81,13 @@ int run(const Options& options) {
   observation.sightings.clear();
   for (std::size_t m = 0; m < labels.markers.size(); ++m) {
     const LabelledMarker& l = labels.markers[m];
-    observation.sightings.push_back({numbers_of[m], l.left, l.right, {}, MarkedBy::hand});
+    observation.sightings.push_back({numbers_of[m],
+                                     l.left,
+                                     l.right,
+                                     {},
+                                     MarkedBy::hand,
+                                     pixel_sigma(l.left_covariance),
+                                     pixel_sigma(l.right_covariance)});
     result["markers"].push_back({{"index", numbers_of[m]},
                                  {"left", numbers(l.left)},
                                  {"right", numbers(l.right)},

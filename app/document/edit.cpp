@@ -38,6 +38,9 @@ Json state_json(const ObservationState& state) {
     if (s.left) one["left"] = point_json(*s.left);
     if (s.right) one["right"] = point_json(*s.right);
     if (s.point) one["point"] = point_json(*s.point);
+    if (s.left_sigma) one["left_sigma"] = {s.left_sigma->u, s.left_sigma->v, s.left_sigma->uv};
+    if (s.right_sigma) one["right_sigma"] = {s.right_sigma->u, s.right_sigma->v, s.right_sigma->uv};
+    if (s.point_sigma) one["sigma"] = *s.point_sigma;
     sightings.push_back(std::move(one));
   }
   return {{"sightings", sightings}, {"decision", static_cast<int>(state.decision)}, {"reason", state.reason}};
@@ -49,12 +52,20 @@ int within(const Json& value, int lowest, int highest) {
   return number;
 }
 
+std::optional<PixelSigma> sigma_of(const Json& parent, const char* key) {
+  const auto numbers = point_of<Vector3>(parent, key);
+  return numbers ? std::optional(PixelSigma{numbers->x(), numbers->y(), numbers->z()}) : std::nullopt;
+}
+
 ObservationState parse_state(const Json& json) {
   ObservationState state;
-  for (const Json& one : json.at("sightings"))
+  for (const Json& one : json.at("sightings")) {
     state.sightings.push_back({within(one.at("marker"), 0, 63), point_of<Vector2>(one, "left"),
                                point_of<Vector2>(one, "right"), point_of<Vector3>(one, "point"),
-                               static_cast<MarkedBy>(within(one.at("by"), 0, 2))});
+                               static_cast<MarkedBy>(within(one.at("by"), 0, 2)), sigma_of(one, "left_sigma"),
+                               sigma_of(one, "right_sigma")});
+    if (one.contains("sigma")) state.sightings.back().point_sigma = one.at("sigma").get<double>();
+  }
   state.decision = static_cast<Decision>(within(json.at("decision"), 0, 3));
   state.reason = json.at("reason").get<std::string>();
   return state;

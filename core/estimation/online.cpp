@@ -48,6 +48,8 @@ OnlineCalibration::OnlineCalibration(const Session& session, OnlineOptions optio
       mount_(session.mount),
       options_(std::move(options)),
       declared_noise_(session.is_tracker() ? session.sigma_point : session.sigma_pixel),
+      usual_sigma_(usual_sigma(session) > 0 ? usual_sigma(session)
+                                            : declared_noise_.value_or(chain_.stereo ? 0.15 : 3e-4)),
       shape_(chain_.marker_count),
       sides_(options_.sides),
       sides_are_kept_(options_.sides.has_value()) {
@@ -118,8 +120,12 @@ std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, con
   const Match match = match_markers(*problem_.rig, left, right, known_markers(), prediction, options_.match);
   for (const MatchedMarker& m : match.markers) {
     Sighting s{m.marker, {}, {}, {}, MarkedBy::tracker};
-    if (m.left >= 0) s.left = left[static_cast<std::size_t>(m.left)].position;
-    if (m.right >= 0) s.right = right[static_cast<std::size_t>(m.right)].position;
+    const auto take = [](const Corner& corner, std::optional<Vector2>& pixel, std::optional<PixelSigma>& sigma) {
+      pixel = corner.position;
+      sigma = pixel_sigma(corner.covariance + std::pow(PairOptions{}.corner_floor, 2) * Eigen::Matrix2d::Identity());
+    };
+    if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], s.left, s.left_sigma);
+    if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], s.right, s.right_sigma);
     sightings.push_back(s);
   }
   return match.reason;
@@ -291,6 +297,7 @@ OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePai
     }
   }
   posture.sightings = step.sightings;
+  for (Sighting& s : posture.sightings) s.usual_sigma = usual_sigma_;
   if (step.reason.empty() && first) step.reason = start(posture);
   if (step.reason.empty()) {
     step.accepted = true;

@@ -40,6 +40,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     for (Circumstances& c : source->circumstances) c.torque = nominal_torques(source->chain, c.sensor);
   problem.source = source;
 
+  const double usual = usual_sigma(session);
   std::vector<int> order(session.observations.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -53,6 +54,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     ProblemObservation& o = problem.observations.emplace_back();
     o.index = index;
     o.sightings = observation.sightings;
+    for (Sighting& s : o.sightings) s.usual_sigma = usual;
     for (const Sighting& s : observation.sightings) problem.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;
   }
   place_observations(problem);
@@ -86,6 +88,17 @@ void hold_effects(Problem& problem) {
   for (ProblemObservation& o : problem.observations) o.motion = EffectMotion{};
 }
 
+namespace {
+
+/// Of an image point, in units of the usual one's variance.
+Eigen::Matrix2d relative_covariance(const Sighting& s, bool left) {
+  const auto& sigma = left ? s.left_sigma : s.right_sigma;
+  if (!sigma || !(s.usual_sigma > 0)) return Eigen::Matrix2d::Identity();
+  return covariance_of(*sigma) / (s.usual_sigma * s.usual_sigma);
+}
+
+}  // namespace
+
 Problem as_points(const Problem& problem, int& left_out) {
   left_out = 0;
   if (!problem.rig) return problem;
@@ -96,7 +109,9 @@ Problem as_points(const Problem& problem, int& left_out) {
     std::vector<Sighting> kept;
     observation.point_covariances.clear();
     for (const Sighting& s : observation.sightings) {
-      const auto point = s.left && s.right ? triangulate(*problem.rig, *s.left, *s.right) : std::nullopt;
+      const auto point = s.left && s.right ? triangulate(*problem.rig, *s.left, *s.right, relative_covariance(s, true),
+                                                         relative_covariance(s, false))
+                                           : std::nullopt;
       if (!point) {
         ++left_out;
         continue;

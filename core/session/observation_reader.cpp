@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <cmath>
 
 #include "base/error.h"
 #include "base/numbers.h"
@@ -48,17 +49,34 @@ std::optional<Vector2> find_pixel(const XmlNode& node, const char* attribute) {
   return Vector2(numbers->data());
 }
 
+std::optional<PixelSigma> find_pixel_sigma(const XmlNode& node, const char* attribute, bool is_seen) {
+  const auto numbers = find_numbers(node, attribute, 3);
+  if (!numbers) return std::nullopt;
+  const PixelSigma sigma{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  const bool is_covariance = bounds::sigma_pixel.hold(sigma.u) && bounds::sigma_pixel.hold(sigma.v) &&
+                             std::abs(sigma.uv) < sigma.u * sigma.v;
+  if (!is_covariance || !is_seen)
+    refuse(node, fmt::format("has {}={}, expected {}.", attribute, in_quotes(*find_text(node, attribute), 100),
+                             is_seen ? "\"su sv suv\": two standard deviations of 1e-9 to 1e4 px, and a covariance in px^2 "
+                                       "that is smaller than their product"
+                                     : "none, as that camera did not see the marker"));
+  return sigma;
+}
+
 Sighting read_sighting(const XmlNode& node, const Session& session, Ignored& ignored) {
   Sighting sighting;
   sighting.marker = static_cast<int>(required_integer(node, "index", 0, session.marker_count - 1));
   if (session.is_tracker()) {
-    note_unknown(ignored, node, {"index", "by", "point"}, {});
+    note_unknown(ignored, node, {"index", "by", "point", "sigma"}, {});
     if (const auto point = find_numbers(node, "point", 3, bounds::length)) sighting.point = Vector3(point->data());
+    sighting.point_sigma = find_positive(node, "sigma", bounds::sigma_point);
     if (!sighting.point) refuse(node, "has no point, expected point=\"x y z\" as this is a tracker session.");
   } else {
-    note_unknown(ignored, node, {"index", "by", "left", "right"}, {});
+    note_unknown(ignored, node, {"index", "by", "left", "right", "left_sigma", "right_sigma"}, {});
     sighting.left = find_pixel(node, "left");
     sighting.right = find_pixel(node, "right");
+    sighting.left_sigma = find_pixel_sigma(node, "left_sigma", sighting.left.has_value());
+    sighting.right_sigma = find_pixel_sigma(node, "right_sigma", sighting.right.has_value());
     if (!sighting.left && !sighting.right)
       refuse(node, "has neither left nor right, expected at least one; a marker that is not seen has no element.");
   }

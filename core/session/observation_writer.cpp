@@ -54,14 +54,25 @@ void set_text(XMLElement& element, const char* attribute, const char* text) {
   if (!element.Attribute(attribute, text)) element.SetAttribute(attribute, text);
 }
 
+std::optional<Vector3> numbers_of(const std::optional<PixelSigma>& sigma) {
+  return sigma ? std::optional(Vector3(sigma->u, sigma->v, sigma->uv)) : std::nullopt;
+}
+
+std::optional<Eigen::VectorXd> numbers_of(const std::optional<double>& sigma) {
+  return sigma ? std::optional<Eigen::VectorXd>(Eigen::VectorXd::Constant(1, *sigma)) : std::nullopt;
+}
+
 void update_marker(XMLElement& element, const Sighting& sighting) {
   if (element.IntAttribute("index", -1) != sighting.marker) element.SetAttribute("index", sighting.marker);
   // Only what belongs to the kind of session is touched.
   if (sighting.point) {
     set_numbers(element, "point", sighting.point);
+    set_numbers(element, "sigma", numbers_of(sighting.point_sigma));
   } else {
     set_numbers(element, "left", sighting.left);
     set_numbers(element, "right", sighting.right);
+    set_numbers(element, "left_sigma", numbers_of(sighting.left_sigma));
+    set_numbers(element, "right_sigma", numbers_of(sighting.right_sigma));
   }
   if (element.Attribute("by") || sighting.by != MarkedBy::import) set_text(element, "by", word(sighting.by));
 }

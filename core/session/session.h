@@ -18,6 +18,11 @@ namespace handsight {
 
 enum class MarkedBy { hand, tracker, import };
 
+/// How sure an image point is: standard deviations of u and v (px) and their covariance (px^2, smaller than su sv).
+struct PixelSigma {
+  double u = 0, v = 0, uv = 0;
+};
+
 /// Where one marker was seen in one observation. In a stereo session `left` and `right` (px, either may be absent);
 /// in a tracker session `point` (m, in the tracker's frame).
 struct Sighting {
@@ -25,6 +30,11 @@ struct Sighting {
   std::optional<Vector2> left, right;
   std::optional<Vector3> point;
   MarkedBy by = MarkedBy::import;
+  std::optional<PixelSigma> left_sigma = {}, right_sigma = {};  // absent: the session's usual one
+  std::optional<double> point_sigma = {};                       // m, of each coordinate
+  /// The sigma of a measurement whose residuals are taken as they are (px, m): those of surer ones are drawn out, those
+  /// of less sure ones drawn in. 0: all are taken as they are.
+  double usual_sigma = 0;
 };
 
 enum class Decision { none, accepted, rejected, excluded };
@@ -73,6 +83,13 @@ struct Session {
 
 /// The folder that robot and images are relative to.
 std::filesystem::path folder(const Session& session);
+
+/// What a sighting without a sigma of its own is taken to have (px, m): declared for the session, else the median of
+/// those that are told; 0 where no sighting tells one.
+double usual_sigma(const Session& session);
+
+PixelSigma pixel_sigma(const Eigen::Matrix2d& covariance);
+Eigen::Matrix2d covariance_of(const PixelSigma& sigma);
 
 /// Is the observation part of a fit: it has a sighting and is neither rejected nor excluded?
 bool is_used(const Observation& observation);

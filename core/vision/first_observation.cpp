@@ -167,9 +167,12 @@ FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, c
         pointed.size(), 1e3 * options.most_spread));
   for (std::size_t m = 0; m < pointed.size(); ++m) {
     const CornerPair& pair = candidates[m][static_cast<std::size_t>(best.pairs[m])];
+    const Corner &seen = left[static_cast<std::size_t>(pair.left)],
+                 &partner = right[static_cast<std::size_t>(pair.right)];
+    const Eigen::Matrix2d floor = std::pow(options.pairs.corner_floor, 2) * Eigen::Matrix2d::Identity();
     result.markers.push_back({left[static_cast<std::size_t>(pair.left)].position,
-                              right[static_cast<std::size_t>(pair.right)].position, pair.point,
-                              static_cast<int>(candidates[m].size()) - 1});
+                              right[static_cast<std::size_t>(pair.right)].position, seen.covariance + floor,
+                              partner.covariance + floor, pair.point, static_cast<int>(candidates[m].size()) - 1});
   }
   if (result.markers.size() >= 2)
     if (auto sentence = refuse_triangle(result.markers, options); !sentence.empty()) return refuse(sentence);

@@ -111,5 +111,36 @@ TEST(Sighting, LeadsBackFromBehindTheCamera) {
   }
 }
 
+TEST(Sighting, IsWeighedByItsOwnSigma) {
+  const StereoRig rig = *fixture::stand_session().stereo;
+  const Vector3 x(0.1, -0.05, 1.1);
+  Sighting s = seen_by(rig, x, true, true);
+  const SightingResidual plain = sighting_residual(&rig, s, x);
+  const CameraColumns plain_columns = camera_columns(rig, s, x);
+  s.left_sigma = PixelSigma{0.4, 0.3, -0.05};
+  s.usual_sigma = 0.2;
+  const SightingResidual weighed = sighting_residual(&rig, s, x);
+  const Eigen::Matrix2d inverse = 0.04 * covariance_of(*s.left_sigma).inverse();
+  const auto left = [](const auto& m) { return m.template topRows<2>(); };
+  EXPECT_LT((left(weighed.by_point).transpose() * left(weighed.by_point) -
+             left(plain.by_point).transpose() * inverse * left(plain.by_point))
+                .norm(),
+            1e-9 * plain.by_point.squaredNorm());
+  const Vector2 e = plain.error.head<2>();
+  EXPECT_NEAR(weighed.error.head<2>().squaredNorm(), e.dot(inverse * e), 1e-12);
+  EXPECT_EQ(weighed.error.tail<2>(), plain.error.tail<2>()) << "the right image has the usual sigma";
+  const CameraColumns columns = camera_columns(rig, s, x);
+  EXPECT_LT((left(columns).transpose() * left(weighed.by_point) -
+             left(plain_columns).transpose() * inverse * left(plain.by_point))
+                .norm(),
+            1e-9 * plain_columns.norm() * plain.by_point.norm());
+  s.usual_sigma = 0;
+  EXPECT_EQ(sighting_residual(&rig, s, x).error, plain.error) << "without a usual sigma nothing is weighed";
+  Sighting point{0, {}, {}, Vector3(1, 2, 3)};
+  point.point_sigma = 1e-4;
+  point.usual_sigma = 2e-4;
+  EXPECT_LT((sighting_residual(nullptr, point, Vector3(1, 2, 2.5)).error.head<3>() - Vector3(0, 0, 1)).norm(), 1e-15);
+}
+
 }  // namespace
 }  // namespace handsight
