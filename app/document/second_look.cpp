@@ -22,8 +22,12 @@ std::vector<Sighting> sightings_of(const Match& match, const std::vector<Corner>
   std::vector<Sighting> list;
   for (const MatchedMarker& m : match.markers) {
     Sighting s{.marker = m.marker, .by = MarkedBy::import};
-    if (m.left >= 0) s.left = left[static_cast<std::size_t>(m.left)].position;
-    if (m.right >= 0) s.right = right[static_cast<std::size_t>(m.right)].position;
+    const auto take = [](const Corner& corner, std::optional<Vector2>& pixel, std::optional<PixelSigma>& sigma) {
+      pixel = corner.position;
+      sigma = pixel_sigma(measured_covariance(corner));
+    };
+    if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], s.left, s.left_sigma);
+    if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], s.right, s.right_sigma);
     list.push_back(s);
   }
   return list;

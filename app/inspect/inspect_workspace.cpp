@@ -112,6 +112,7 @@ void InspectWorkspace::relabel_in_place(bool left, int marker, const Vector2& px
   for (Sighting& s : after.sightings) {
     if (s.marker != marker) continue;
     (left ? s.left : s.right) = free ? px : snapped(view.image(), px).value_or(px);
+    (left ? s.left_sigma : s.right_sigma).reset();  // that of the corner that it was
     s.by = MarkedBy::hand;
   }
   relabel(tr("moved marker %1 of observation %2").arg(marker).arg(o->id), o->id, after);

@@ -222,7 +222,7 @@ void Labeller::find_partners() {
     }
     const auto pairs = corner_pairs(*rig_, {m.left}, corners_.right);
     const auto best = std::min_element(pairs.begin(), pairs.end(), [](const CornerPair& a, const CornerPair& b) {
-      return a.point.epipolar_distance + 2 * a.likeness < b.point.epipolar_distance + 2 * b.likeness;
+      return a.point.epipolar_distance + 2 * a.unlikeness < b.point.epipolar_distance + 2 * b.unlikeness;
     });
     if (best != pairs.end()) m.right = corners_.right[static_cast<std::size_t>(best->right)];
   }
@@ -296,7 +296,11 @@ std::vector<Sighting> Labeller::sightings() const {
   std::vector<Sighting> list;
   for (const auto& [number, m] : markers_) {
     Sighting s{.marker = number, .left = m.left.position, .by = MarkedBy::hand};
-    if (m.right) s.right = m.right->position;
+    s.left_sigma = pixel_sigma(measured_covariance(m.left));
+    if (m.right) {
+      s.right = m.right->position;
+      s.right_sigma = pixel_sigma(measured_covariance(*m.right));
+    }
     list.push_back(s);
   }
   return list;

@@ -122,7 +122,7 @@ std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, con
     Sighting s{m.marker, {}, {}, {}, MarkedBy::tracker};
     const auto take = [](const Corner& corner, std::optional<Vector2>& pixel, std::optional<PixelSigma>& sigma) {
       pixel = corner.position;
-      sigma = pixel_sigma(corner.covariance + std::pow(PairOptions{}.corner_floor, 2) * Eigen::Matrix2d::Identity());
+      sigma = pixel_sigma(measured_covariance(corner));
     };
     if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], s.left, s.left_sigma);
     if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], s.right, s.right_sigma);
