@@ -6,27 +6,10 @@
 #include <random>
 
 #include "diagnosis/improvement.h"
-#include "fixtures/arms.h"
+#include "simulated_stand.h"
 
 namespace handsight {
 namespace {
-
-Session like_stand() {
-  Session s = fixture::stand_session();
-  s.robot.joints[1].stiffness = s.robot.joints[2].stiffness = 12000;
-  return s;
-}
-
-Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t seed, int observations = 60,
-                  const Session& like = like_stand()) {
-  SimulationOptions o;
-  o.effects = effects;
-  o.seed = seed;
-  o.observations = observations;
-  o.noise = like.is_tracker() ? 2e-4 : 0.2;
-  o.declare_noise = false;
-  return simulate_session(like, o).session;
-}
 
 DiagnosisOptions quick() {
   DiagnosisOptions o;
