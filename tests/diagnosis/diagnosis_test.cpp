@@ -48,6 +48,40 @@ TEST(Diagnosis, NamesWhatIsHiddenAndWhere) {
   }
 }
 
+/// A torso on springs with a coupled joint, and an arm: everything of the catalogue shows.
+Session torso_on_springs() {
+  Session s = fixture::stand_session(4);
+  s.robot = fixture::coupled_torso();
+  for (Joint& joint : s.robot.joints) joint.stiffness = 4000;
+  s.tcp = "hand";
+  s.mount.link = "base";
+  s.mount.mount_from_sensor = fixture::look_at({1.5, -0.6, 1.2}, {0.2, 0.1, 0.9});
+  s.joints = {"t1", "t2", "arm_1", "arm_2"};
+  s.observations[0].position = Eigen::VectorXd::Zero(4);
+  return s;
+}
+
+TEST(Diagnosis, EveryEffectOfTheCatalogueComesFirst) {
+  const Session like = torso_on_springs();
+  for (const Effect& e : catalogue()) {
+    const std::vector<int> places = effect_places(e, chain_of(like));
+    ASSERT_FALSE(places.empty()) << e.id;
+    EffectTerm hidden = term_of(e, places[std::min<std::size_t>(1, places.size() - 1)]);
+    double sign = 2;
+    for (std::size_t p = 0; p < e.parameters.size(); ++p) {
+      const EffectParameter& parameter = e.parameters[p];
+      hidden.values[p] = !parameter.is_choice        ? sign * plausible_size(parameter, chain_of(like))
+                         : parameter.choices.empty() ? 37
+                                                     : parameter.choices.front();
+      sign = -sign;
+    }
+    const Diagnosis d = diagnose(simulated({hidden}, 31, 90, like), quick());
+    ASSERT_FALSE(d.candidates.empty());
+    EXPECT_EQ(d.candidates.front().id, e.id) << d.reason;
+    EXPECT_GT(d.candidates.front().ln_bayes_factor, 20) << e.id << " hardly shows";
+  }
+}
+
 TEST(Diagnosis, TheBestCandidatesFitCanBeFollowed) {
   const Diagnosis d = diagnose(simulated({{"joint_elasticity", 2, {1e-4}}}, 7), quick());
   const DiagnosisCandidate& best = d.candidates.front();

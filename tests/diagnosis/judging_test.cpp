@@ -22,7 +22,8 @@ DiagnosisCandidate curve_of_angle(double ln_bayes_factor) {
   DiagnosisCandidate c;
   c.ln_bayes_factor = ln_bayes_factor;
   c.unnamed.emplace();
-  c.unnamed->localiser.variable = std::make_shared<Variable>(Variable{VariableKind::angle, 1, "angle of a2", "rad", {}});
+  c.unnamed->localiser.variable =
+      std::make_shared<Variable>(Variable{VariableKind::angle, 1, "angle of a2", "rad", {}});
   return c;
 }
 
