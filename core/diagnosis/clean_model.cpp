@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "diagnosis/candidate_report.h"
 #include "diagnosis/refitting.h"
 
 namespace handsight {
