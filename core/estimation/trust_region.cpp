@@ -171,10 +171,8 @@ class SightingCost : public ceres::CostFunction {
   void set_jacobians(const ProblemObservation& o, const SightingResidual& r, const Vector3& x, const Matrix3& rotation,
                      double sign, double** jacobians) const {
     const Problem& p = place_.problem;
-    const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 4, 3> by_point =
-        sign == 0 ? Eigen::Matrix<double, 4, 3>(Eigen::Matrix<double, 4, 3>::Zero()).topRows(r.rows).eval()
-                  : (sign * r.by_point).topRows(r.rows).eval();
-    Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 4, 6> by_motion(r.rows, 6);
+    const SightingRows<3> by_point = sign == 0 ? SightingRows<3>::Zero(r.rows, 3).eval() : (sign * r.by_point).eval();
+    SightingRows<6> by_motion(r.rows, 6);
     by_motion << by_point, -by_point * cross_matrix(x);
     int block = 0;
     if (double* by_body = jacobians[block++]) {

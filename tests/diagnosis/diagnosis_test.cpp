@@ -134,12 +134,12 @@ TEST(Snooping, FindsWrongPointsAndNoOthers) {
   int displaced = 0;
   for (Observation& o : session.observations)
     if (o.id % 6 == 1) {
-      *o.sightings[o.id % 3].left += Vector2(7, -6);
+      seen_by(o.sightings[o.id % 3], 0)->pixel += Vector2(7, -6);
       ++displaced;
     }
   const CleanFit clean = clean_fit(session, {});
   int right = 0;
-  for (const WrongPoint& w : clean.wrong) right += w.id % 6 == 1 && w.marker == w.id % 3 && w.camera == SeenBy::left;
+  for (const WrongPoint& w : clean.wrong) right += w.id % 6 == 1 && w.marker == w.id % 3 && w.camera == 0;
   EXPECT_GE(right, displaced - 1);
   EXPECT_LE(static_cast<int>(clean.wrong.size()), right + 1);
   EXPECT_NEAR(clean.fit.noise_estimate->sigma, 0.2, 0.02);

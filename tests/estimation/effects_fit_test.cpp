@@ -65,8 +65,8 @@ void expect_gradient(const Session& session, const std::vector<EffectTerm>& term
       return normal_equations(there, next).cost;
     };
     const double slope = -(8 * (cost_at(h) - cost_at(-h)) - (cost_at(2 * h) - cost_at(-2 * h))) / (12 * h) / 2;
-    // Differences of the cost lose its rounding, and what the equilibrium, found to 1e-11 rad, leaves open in four costs
-    // of weights 8, 8, 1 and 1 over 12.
+    // Differences of the cost lose its rounding, and what the equilibrium, found to 1e-11 rad, leaves open in four
+    // costs of weights 8, 8, 1 and 1 over 12.
     const double rounding = (1e-13 * here.cost + 1.5 * 1e-10 * by_angle) / h;
     EXPECT_NEAR(here.gradient[c], slope, 1e-7 * std::abs(slope) + rounding)
         << "column " << c << " "
@@ -81,13 +81,13 @@ TEST(EffectColumns, AreTheSlopesOfTheCostOverTheWholeCatalogue) {
   std::mt19937_64 random(5);
   for (const bool tracker : {false, true}) {
     Session like = torso_session();
-    if (tracker) like.stereo.reset();
+    if (tracker) like.rig.reset();
     Session session = simulate_session(like, options).session;
     session.mount.estimate = true;
     for (Observation& o : session.observations) {  // velocities for the lag, a marker unseen here and there
       o.velocity = Eigen::VectorXd::Random(4) * 0.3;
       if (o.id % 3 == 0) o.sightings.pop_back();
-      if (!tracker && o.id % 4 == 1) o.sightings[0].left.reset();
+      if (!tracker && o.id % 4 == 1) forget(o.sightings[0], 0);
     }
     expect_gradient(session, every_effect(chain_of(session), 0.3, random));
   }
