@@ -137,7 +137,9 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
   return all;
 }
 
-Improvement improve(const Session& session, const ImprovementOptions& options) {
+Improvement improve(const Session& session, const ImprovementOptions& asked) {
+  ImprovementOptions options = asked;
+  options.with_held_out = false;
   Improvement m;
   m.last = diagnosed(session, options);
   m.steps = {step_of(m.last)};

@@ -227,8 +227,7 @@ Fit fit(const Session& session, const FitOptions& options) {
     set_effects(result.problem, result.solution.unknowns.effects);
   }
   set_noise(session, images, result);
-  const bool is_declared = (session.is_tracker() ? session.sigma_point : session.sigma_pixel).has_value();
-  set_covariances(images, options, is_declared || !result.noise_estimate, result);
+  set_covariances(images, options, declared_noise(session).has_value() || !result.noise_estimate, result);
   add_shape_covariance(result);
   set_body(options, result);
   set_effect_results(options.effects.size(), result);

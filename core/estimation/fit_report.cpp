@@ -89,6 +89,7 @@ std::optional<Unknowns> nearby_estimate(const Fit& fit, const std::vector<char>&
   constexpr double near = 5e-4;  // a first step that short needs no second one
   constexpr double settled = 1e-6;
   constexpr int most_steps = 12;
+  const double little = 1e-3 * fit.residual_rms * fit.residual_rms;  // of the squares: no residual shows it
   Problem part = part_of(fit.problem, trains);
   Unknowns unknowns = estimate(fit);
   NormalEquations normal = normal_equations(part, unknowns);
@@ -99,7 +100,8 @@ std::optional<Unknowns> nearby_estimate(const Fit& fit, const std::vector<char>&
     const double size = size_of(part, step);
     if (i > 0 && size > 0.7 * last) return std::nullopt;
     unknowns = moved(part, unknowns, step);
-    if (size < settled || (i == 0 && size < near)) return unknowns;
+    const bool gains_little = normal.gradient.dot(step) < little;
+    if (size < settled || gains_little || (i == 0 && size < near)) return unknowns;
     last = size;
     follow_effects(part, unknowns.effects);
     normal = normal_equations(part, unknowns);
