@@ -97,6 +97,28 @@ CameraColumns camera_columns(const Rig& rig, const Sighting& s, const Vector3& x
   return columns;
 }
 
+namespace {
+
+/// The usual case in one product of a fixed size; rows that were not measured are zero in both factors.
+SightingNormal normal_of_two(const Rig& rig, const Sighting& sighting, const Vector3& x_in_sensor) {
+  Eigen::Matrix<double, 4, 1> error = Eigen::Matrix<double, 4, 1>::Zero();
+  Eigen::Matrix<double, 4, 3> by_point = Eigen::Matrix<double, 4, 3>::Zero();
+  SightingNormal n;
+  for (const CameraPoint& seen : sighting.in_cameras) {
+    const CameraRows rows = camera_rows(rig, seen, sighting.usual_sigma, x_in_sensor);
+    error.segment<2>(n.rows) = rows.error;
+    by_point.middleRows<2>(n.rows) = rows.by_point;
+    n.in_front = n.in_front && rows.in_front;
+    n.rows += 2;
+  }
+  n.information.noalias() = by_point.transpose() * by_point;
+  n.gradient.noalias() = by_point.transpose() * error;
+  n.cost = error.squaredNorm();
+  return n;
+}
+
+}  // namespace
+
 SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const Vector3& x_in_sensor) {
   SightingNormal n;
   n.rows = row_count(sighting);
@@ -109,6 +131,7 @@ SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const V
     return n;
   }
   check(rig != nullptr, "an image sighting of marker {} without cameras", sighting.marker);
+  if (sighting.in_cameras.size() <= 2) return normal_of_two(*rig, sighting, x_in_sensor);
   for (const CameraPoint& seen : sighting.in_cameras) {
     const CameraRows rows = camera_rows(*rig, seen, sighting.usual_sigma, x_in_sensor);
     n.information.noalias() += rows.by_point.transpose() * rows.by_point;
