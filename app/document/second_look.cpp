@@ -22,8 +22,11 @@ std::vector<Sighting> sightings_of(const Match& match, const std::vector<Corner>
   std::vector<Sighting> list;
   for (const MatchedMarker& m : match.markers) {
     Sighting s{.marker = m.marker, .by = MarkedBy::import};
-    if (m.left >= 0) see(s, 0, left[static_cast<std::size_t>(m.left)].position);
-    if (m.right >= 0) see(s, 1, right[static_cast<std::size_t>(m.right)].position);
+    const auto take = [&](const Corner& corner, int camera) {
+      see(s, camera, corner.position, pixel_sigma(measured_covariance(corner)));
+    };
+    if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], 0);
+    if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], 1);
     list.push_back(s);
   }
   return list;

@@ -111,7 +111,7 @@ void InspectWorkspace::relabel_in_place(bool left, int marker, const Vector2& px
   ObservationState after = state_of(*o);
   for (Sighting& s : after.sightings) {
     if (s.marker != marker) continue;
-    see(s, left ? 0 : 1, free ? px : snapped(view.image(), px).value_or(px));
+    see(s, left ? 0 : 1, free ? px : snapped(view.image(), px).value_or(px));  // without the sigma of what it was
     s.by = MarkedBy::hand;
   }
   relabel(tr("moved marker %1 of observation %2").arg(marker).arg(o->id), o->id, after);

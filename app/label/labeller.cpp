@@ -223,7 +223,7 @@ void Labeller::find_partners() {
     }
     const auto pairs = corner_pairs(*rig_, {m.left}, corners_.right);
     const auto best = std::min_element(pairs.begin(), pairs.end(), [](const CornerPair& a, const CornerPair& b) {
-      return a.point.epipolar_distance + 2 * a.likeness < b.point.epipolar_distance + 2 * b.likeness;
+      return a.point.epipolar_distance + 2 * a.unlikeness < b.point.epipolar_distance + 2 * b.unlikeness;
     });
     if (best != pairs.end()) m.right = corners_.right[static_cast<std::size_t>(best->right)];
   }
@@ -296,8 +296,9 @@ bool Labeller::will_do() const {
 std::vector<Sighting> Labeller::sightings() const {
   std::vector<Sighting> list;
   for (const auto& [number, m] : markers_) {
-    const auto right = m.right ? std::optional(m.right->position) : std::nullopt;
-    Sighting s = seen_at(number, m.left.position, right, MarkedBy::hand);
+    Sighting s{.marker = number, .by = MarkedBy::hand};
+    see(s, 0, m.left.position, pixel_sigma(measured_covariance(m.left)));
+    if (m.right) see(s, 1, m.right->position, pixel_sigma(measured_covariance(*m.right)));
     list.push_back(s);
   }
   return list;

@@ -121,8 +121,7 @@ std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, con
   for (const MatchedMarker& m : match.markers) {
     Sighting s{.marker = m.marker, .by = MarkedBy::tracker};
     const auto take = [&](const Corner& corner, int camera) {
-      see(s, camera, corner.position,
-          pixel_sigma(corner.covariance + std::pow(PairOptions{}.corner_floor, 2) * Eigen::Matrix2d::Identity()));
+      see(s, camera, corner.position, pixel_sigma(measured_covariance(corner)));
     };
     if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], 0);
     if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], 1);
