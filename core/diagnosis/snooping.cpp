@@ -110,7 +110,7 @@ std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, d
   std::optional<WrongPoint> worst;
   double largest = 0;
   Eigen::Index row = 0;
-  const auto consider = [&](const Sighting& s, SeenBy camera, Eigen::Index size) {
+  const auto consider = [&](const Sighting& s, int camera, Eigen::Index size) {
     const Eigen::MatrixXd q = p.motions.middleRows(row, size);
     const Eigen::MatrixXd precision =
         (Eigen::MatrixXd::Identity(size, size) - q * m.asDiagonal() * q.transpose()) / (noise * noise);
@@ -123,9 +123,8 @@ std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, d
     worst = WrongPoint{o.id, p.observation->index, s.marker, camera, displacement.norm()};
   };
   for (const Sighting& s : p.observation->sightings) {
-    if (s.point) consider(s, SeenBy::tracker, 3);
-    if (s.left) consider(s, SeenBy::left, 2);
-    if (s.right) consider(s, SeenBy::right, 2);
+    if (s.point) consider(s, by_tracker, 3);
+    for (const CameraPoint& seen : s.in_cameras) consider(s, seen.camera, 2);
   }
   return worst;
 }
@@ -134,11 +133,12 @@ void drop(Session& session, const WrongPoint& w) {
   std::vector<Sighting>& sightings = session.observations[static_cast<std::size_t>(w.index)].sightings;
   for (Sighting& s : sightings) {
     if (s.marker != w.marker) continue;
-    if (w.camera == SeenBy::left) s.left.reset();
-    if (w.camera == SeenBy::right) s.right.reset();
-    if (w.camera == SeenBy::tracker) s.point.reset();
+    if (w.camera == by_tracker)
+      s.point.reset();
+    else
+      forget(s, w.camera);
   }
-  std::erase_if(sightings, [](const Sighting& s) { return !s.left && !s.right && !s.point; });
+  std::erase_if(sightings, [](const Sighting& s) { return row_count(s) == 0; });
 }
 
 std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
@@ -161,7 +161,7 @@ std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
 std::size_t point_count(const Session& session) {
   std::size_t count = 0;
   for (const Observation& o : session.observations)
-    for (const Sighting& s : o.sightings) count += (s.left ? 1 : 0) + (s.right ? 1 : 0) + (s.point ? 1 : 0);
+    for (const Sighting& s : o.sightings) count += s.in_cameras.size() + (s.point ? 1 : 0);
   return count;
 }
 

@@ -31,8 +31,8 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
       residuals.lengths.push_back((*s.point - predicted).norm());
       residuals.length_squares_of_noise += 3;
     }
-    if (!images.rig || !s.left || !s.right) continue;
-    if (const auto point = triangulate(*images.rig, *s.left, *s.right)) {
+    if (!images.rig) continue;
+    if (const auto point = triangulate_unweighed(*images.rig, s)) {
       residuals.lengths.push_back((point->point - predicted).norm());
       residuals.length_squares_of_noise += point->covariance.trace();
     }
@@ -248,7 +248,7 @@ std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, c
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {
   Problem images = fit.problem;
-  if (fit.objective == Objective::camera && session.stereo) {
+  if (fit.objective == Objective::camera && session.rig) {
     images = make_problem(session, chain_of(session), fit.problem.terms);
     images.tcp_from_slip = fit.problem.tcp_from_slip;
     images.columns_of_effects = fit.problem.columns_of_effects;

@@ -58,7 +58,7 @@ std::vector<Case> cases() {
 TEST(TrustRegion, AgreesWithTheNormalEquations) {
   for (Case& c : cases()) {
     Problem problem = make_problem(c.session, chain_of(c.session), {}, c.estimated);
-    if (problem.effect_count() > 0) problem.noise = c.session.stereo ? 0.2 : 2e-4;
+    if (problem.effect_count() > 0) problem.noise = c.session.rig ? 0.2 : 2e-4;
     const Unknowns start = *start_values(problem, c.session.mount);
     c.options.most_iterations = 300;
     const Solution ours = solve(problem, start, c.options);
