@@ -32,9 +32,9 @@ int run(const Options& o) {
   for (const std::string& file : made.took) o.output.line(file);
   const Session& s = made.session;
   o.output.line(fmt::format("{}: {} observations, {} joints, {}", o.out, s.observations.size(), s.joints.size(),
-                            s.stereo ? "two cameras" : fmt::format("{} points of a tracker", s.marker_count)));
+                            s.rig ? "two cameras" : fmt::format("{} points of a tracker", s.marker_count)));
   o.output.line(fmt::format("Next: handsight-cli check {0}, then {1} {0}", o.out,
-                            s.stereo ? "label the first observation with handsight-cli label" : "handsight-cli fit"));
+                            s.rig ? "label the first observation with handsight-cli label" : "handsight-cli fit"));
   o.output.json({{"out", o.out},
                  {"observations", s.observations.size()},
                  {"joints", s.joints},

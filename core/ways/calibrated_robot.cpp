@@ -10,10 +10,10 @@ namespace handsight {
 namespace {
 
 /// The rig as the model's effects move it; what drifts is the mount, never the rig.
-std::optional<StereoRig> rig_of(const Chain& chain, const PredictionModel& model) {
-  if (!chain.stereo) return std::nullopt;
+std::optional<Rig> moved_cameras(const Chain& chain, const PredictionModel& model) {
+  if (!chain.rig) return std::nullopt;
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
-  return moved_rig(*chain.stereo, moved_sites(circumstances_at(chain, zero), model.effects));
+  return moved_rig(*chain.rig, moved_sites(circumstances_at(chain, zero), model.effects));
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const F
   for (const Observation& o : session.observations)
     if (is_used(o)) robot.positions.push_back(o.position);
   robot.calibration = calibration_of(session, fit, told, options, software);
-  robot.rig = rig_of(robot.chain, robot.model);
+  robot.rig = moved_cameras(robot.chain, robot.model);
   if (robot.model.scatter.observations < 3)
     robot.notes.push_back(
         "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "

@@ -19,7 +19,7 @@ struct CalibratedRobot {
   std::vector<double> times;               // s, of the session's observations; empty: not known
   std::vector<Eigen::VectorXd> positions;  // of the session's used observations; empty: only a calibration is known
   Calibration calibration;                 // the same in numbers, with their sigmas
-  std::optional<StereoRig> rig;            // with the effects on rig and cameras; absent: a tracker, or not known
+  std::optional<Rig> rig;                  // with the effects on rig and cameras; absent: a tracker, or not known
   std::string urdf_text, urdf_file;        // the robot as written; the text is empty where it was not kept
   std::vector<std::string> notes;          // a sentence each
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ways/change_candidates.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -40,10 +41,15 @@ std::vector<ChangeUnit> change_units(const Problem& problem) {
   const Chain& chain = problem.source->chain;
   for (const Kind& kind : kinds) {
     if (kind.of_cameras && !problem.rig) continue;
-    const Effect& effect = *find_effect(kind.effect);
+    // The cameras of a rig may have effects of their own in place of the catalogue's.
+    const OwnEffects& own_effects = problem.source->own_effects;
+    const auto found = std::find_if(own_effects.begin(), own_effects.end(),
+                                    [&](const auto& e) { return e->id == kind.effect && !e->definition; });
+    const std::shared_ptr<const Effect> own = found == own_effects.end() ? nullptr : *found;
+    const Effect& effect = own ? *own : *find_effect(kind.effect);
     for (const int place : effect_places(effect, chain)) {
       if (effect.scope == EffectScope::marker && !problem.marker_is_seen[static_cast<std::size_t>(place)]) continue;
-      EffectTerm term = term_of(effect, place);  // a slip of order 0 is there from the first observation on
+      EffectTerm term = term_of(effect, place, own);  // a slip of order 0 is there from the first observation on
       units.push_back({kind.group, {term}, place_name(effect, place, chain.robot)});
     }
   }

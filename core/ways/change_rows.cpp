@@ -19,17 +19,16 @@ void add_sighting(const Problem& p, const ProblemObservation& o, const Unknowns&
                   Eigen::VectorXd& error, Eigen::Index& row) {
   const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
   const SightingResidual r = sighting_residual(p.rig_or_null(), s, x);
-  Eigen::Matrix<double, 4, 6> body;
+  SightingRows<6> body(r.rows, 6);
   body << r.by_point, -r.by_point * cross_matrix(x);
-  by_body.middleRows(row, r.rows) = body.topRows(r.rows);
-  error.segment(row, r.rows) = r.error.head(r.rows);
-  const Eigen::Matrix<double, 4, 3> by_marker = r.by_point * sensor_from_tcp.rotation;
-  rows.block(row, 3 * s.marker, r.rows, 3) = by_marker.topRows(r.rows);
+  by_body.middleRows(row, r.rows) = body;
+  error.segment(row, r.rows) = r.error;
+  rows.block(row, 3 * s.marker, r.rows, 3) = r.by_point * sensor_from_tcp.rotation;
   const Eigen::Index mount = p.effect_column() - p.mount_column(), changes = p.effect_count() - base_effects;
-  if (mount > 0) rows.block(row, p.mount_column(), r.rows, 6) = body.topRows(r.rows) * motion.leftCols(6);
+  if (mount > 0) rows.block(row, p.mount_column(), r.rows, 6) = body * motion.leftCols(6);
   if (p.effect_count() > 0) {
-    const Eigen::MatrixXd by_effects = body.topRows(r.rows) * motion.rightCols(p.effect_count()) +
-                                       direct_by_effects(p, o, s, r, x, sensor_from_tcp.rotation);
+    const Eigen::MatrixXd by_effects =
+        body * motion.rightCols(p.effect_count()) + direct_by_effects(p, o, s, r, x, sensor_from_tcp.rotation);
     rows.block(row, p.effect_column(), r.rows, base_effects) = by_effects.leftCols(base_effects);
     rows.block(row, first_change, r.rows, changes) = by_effects.rightCols(changes);
   }

@@ -25,6 +25,7 @@ void require_alike(const Session& a, const Session& b) {
                      "; name two sessions of one robot, sensor and marker body.");
   };
   if (a.is_tracker() != b.is_tracker()) refuse_pair("one has cameras, the other a tracker");
+  if (a.rig && camera_names(*a.rig) != camera_names(*b.rig)) refuse_pair("their cameras have other names");
   if (a.marker_count != b.marker_count)
     refuse_pair(fmt::format("one has {} markers, the other {}", a.marker_count, b.marker_count));
   if (a.tcp != b.tcp || a.mount.link != b.mount.link) refuse_pair("TCP or mount are other links");
@@ -39,6 +40,16 @@ void share_mount(Session& a, Session& b) {
   if (a.mount.estimate == b.mount.estimate) return;
   Session& known = a.mount.estimate ? b : a;
   known.mount.estimate = true;
+}
+
+/// The same numbers to the last bit, as one calibration gives them.
+bool are_alike(const Rig& a, const Rig& b) {
+  for (int c = 0; c < a.count(); ++c) {
+    if (!(a.at(c).camera_from_first.translation - b.at(c).camera_from_first.translation).isZero(0)) return false;
+    for (const CameraNumber& n : camera_numbers(a.at(c).camera))
+      if (a.at(c).camera.*n.value != b.at(c).camera.*n.value) return false;
+  }
+  return true;
 }
 
 double weight_of(const Fit& f) { return 1 / weighing(f).noise; }
@@ -190,9 +201,7 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
     if (!clean->wrong.empty())
       c.notes.push_back(fmt::format("{} single wrong points of the {} session are left out.", clean->wrong.size(),
                                     clean == &clean_a ? "first" : "second"));
-  if (a.stereo && b.stereo &&
-      (a.stereo->left.fx != b.stereo->left.fx || a.stereo->right.fx != b.stereo->right.fx ||
-       (a.stereo->right_from_left.translation - b.stereo->right_from_left.translation).norm() > 0))
+  if (a.rig && b.rig && !are_alike(*a.rig, *b.rig))
     c.notes.push_back("The sessions name other calibrations of the cameras; each is measured by its own.");
   ComparedSides sides;
   sides.before = ComparedSide{clean_a.fit.problem, weight_of(clean_a.fit)};

@@ -67,7 +67,7 @@ std::string yaml_effects(const Calibration& c) {
   return text;
 }
 
-std::string sensor_name(const CalibratedRobot& r) { return r.rig ? "left_camera" : "sensor"; }
+std::string sensor_name(const CalibratedRobot& r) { return r.rig ? r.rig->at(0).name + "_camera" : "sensor"; }
 
 /// Where the sensor sits after the session, the effects on its mount in it.
 std::optional<Rigid> mount_after(const CalibratedRobot& r) {
@@ -172,11 +172,15 @@ std::string opencv_file(const CalibratedRobot& r) {
   text += opencv_matrix("tcp_from_body", matrix_from_rigid(r.model.tcp_from_body));
   text += opencv_matrix("tcp_from_body_covariance", r.calibration.tcp_from_body.covariance);
   if (const auto mount = mount_after(r)) text += opencv_matrix("mount_from_sensor", matrix_from_rigid(*mount));
-  if (r.rig) {
-    text += fmt::format("image_width: {}\nimage_height: {}\n", r.rig->left.width, r.rig->left.height);
-    text += opencv_camera(r.rig->left, "1") + opencv_camera(r.rig->right, "2");
-    text +=
-        opencv_matrix("R", r.rig->right_from_left.rotation) + opencv_matrix("T", r.rig->right_from_left.translation);
+  if (!r.rig) return text;
+  text += fmt::format("image_width: {}\nimage_height: {}\n", r.rig->at(0).camera.width, r.rig->at(0).camera.height);
+  for (int c = 0; c < r.rig->count(); ++c) {
+    const RigCamera& camera = r.rig->at(c);
+    const std::string number = std::to_string(c + 1), motion = is_pair(*r.rig) ? "" : number;
+    text += opencv_camera(camera.camera, number);
+    if (c == 0) continue;
+    text += opencv_matrix("R" + motion, camera.camera_from_first.rotation) +
+            opencv_matrix("T" + motion, camera.camera_from_first.translation);
   }
   return text;
 }

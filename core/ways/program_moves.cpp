@@ -104,7 +104,7 @@ class Writer {
   }
 
   void add_formula(const SiteFormula& f, const Effect& effect, const EffectTerm& term) {
-    if (effect.scope == EffectScope::marker) return;
+    if (effect.scope == EffectScope::marker || effect.scope == EffectScope::camera) return;
     if (f.site == "every_angle") {
       for (std::size_t j = 0; j < place_.size(); ++j)
         if (place_[j] >= 0 && !robot_.chain.robot.joints[j].is_mimic())

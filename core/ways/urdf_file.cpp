@@ -29,9 +29,10 @@ std::vector<double> flat(const Sites& s) {
   add(s.robot.payload_moment);
   add(s.mount);
   add(s.drift);
-  add(s.rig);
-  add(s.left_camera);
-  add(s.right_camera);
+  for (const CameraChange& c : s.cameras) {
+    add(c.motion);
+    add(c.numbers);
+  }
   add(s.hand);
   add(s.body);
   for (const Vector3& m : s.markers) add(m);
@@ -240,7 +241,7 @@ UrdfFile urdf_file(const CalibratedRobot& robot) {
         add_link(root, r, robot.mount,
                  link_from_true[static_cast<std::size_t>(robot.chain.mount_link)] * *robot.model.mount_from_sensor *
                      small_motion<double>(said.sites.mount) * small_motion<double>(said.sites.drift),
-                 robot.rig ? "left_camera" : "sensor");
+                 robot.rig ? robot.rig->at(0).name + "_camera" : "sensor");
   root.InsertFirstChild(document->NewComment(comment_text(file, robot).c_str()));
   file.text = xml_text(*document);
   return file;

@@ -370,13 +370,13 @@ TEST_F(Convert, BagsWithImagesOfTwoCameras) {
   const Conversion c = converted({folder.path / "bag"});
   ASSERT_EQ(c.session.observations.size(), 3u);
   EXPECT_THAT(c.notes, Contains(HasSubstr("1 of 4 left images have no right image")));
-  ASSERT_TRUE(c.session.stereo);
-  EXPECT_NEAR(c.session.stereo->right_from_left.translation.norm(), 0.12, 1e-12);
-  EXPECT_EQ(c.session.stereo->left.k1, -0.1);
+  ASSERT_TRUE(c.session.rig);
+  EXPECT_NEAR(c.session.rig->at(1).camera_from_first.translation.norm(), 0.12, 1e-12);
+  EXPECT_EQ(c.session.rig->at(0).camera.k1, -0.1);
   EXPECT_NEAR(c.session.observations[2].time, 6, 1e-6);
   EXPECT_NEAR(c.session.observations[2].position[0], 0.3, 1e-12);
-  EXPECT_TRUE(std::filesystem::exists(options_.out / c.session.observations[1].left_image));
-  EXPECT_TRUE(c.session.observations[1].right_image.ends_with(".ppm"));
+  EXPECT_TRUE(std::filesystem::exists(options_.out / c.session.observations[1].images[0]));
+  EXPECT_TRUE(c.session.observations[1].images[1].ends_with(".ppm"));
 }
 
 TEST_F(Convert, DamagedBagsAreRefused) {
@@ -407,8 +407,8 @@ TEST_F(Convert, ImagesWithSwappedSidesOfTheCalibration) {
   const Conversion c = converted({folder.path / "right", folder.path / "left", table, calibration});
   EXPECT_THAT(c.notes, Contains(HasSubstr("width and height swapped")));
   EXPECT_THAT(c.notes, Contains(HasSubstr("millimetres")));
-  EXPECT_EQ(c.session.stereo->left.width, 8);
-  EXPECT_THAT(c.session.observations[0].left_image, HasSubstr("left"));
+  EXPECT_EQ(c.session.rig->at(0).camera.width, 8);
+  EXPECT_THAT(c.session.observations[0].images[0], HasSubstr("left"));
   const auto turned = write(
       "turned.yml",
       std::string(storage).replace(storage.find("3.9"), 3, "2.9").replace(storage.find("0., 10., 2.9") + 9, 3, "3.9"));
@@ -455,8 +455,8 @@ projection_matrix:
     return all;
   };
   const Conversion ros = converted(with({write("r.yaml", with_base("-1.5")), write("l.yaml", with_base("0.0"))}));
-  EXPECT_NEAR(ros.session.stereo->right_from_left.translation.x(), -0.15, 1e-12);
-  EXPECT_EQ(ros.session.stereo->left.p2, 0.002);
+  EXPECT_NEAR(ros.session.rig->at(1).camera_from_first.translation.x(), -0.15, 1e-12);
+  EXPECT_EQ(ros.session.rig->at(0).camera.p2, 0.002);
   EXPECT_THAT(refusal(with({write("r.yaml", with_base("0.0")), write("l.yaml", with_base("0.0"))})),
               HasSubstr("neither names the distance"));
   EXPECT_THAT(refusal(with({write("l.yaml", with_base("0.0"))})), HasSubstr("one camera alone"));
@@ -482,7 +482,7 @@ cam1:
   std::string radtan = chain, fisheye = chain;
   radtan.replace(radtan.find("MODEL"), 5, "radtan");
   fisheye.replace(fisheye.find("MODEL"), 5, "equidistant");
-  EXPECT_EQ(converted(with({write("c.yaml", radtan)})).session.stereo->right_from_left.translation.x(), -0.11);
+  EXPECT_EQ(converted(with({write("c.yaml", radtan)})).session.rig->at(1).camera_from_first.translation.x(), -0.11);
   EXPECT_THAT(refusal(with({write("c.yaml", fisheye)})), HasSubstr("equidistant"));
 }
 

@@ -262,7 +262,7 @@ TEST(NumberFiles, OpenCvReadsBodyMountAndCameras) {
   const Session session = fixture::stand_session();
   CalibratedRobot robot =
       fixture::robot_with(session, {{"camera_mount", -1, {0.001, 0.002, 0.01, 0.01, 0, 0.02}}}, random);
-  robot.rig = session.stereo;
+  robot.rig = session.rig;
   const cv::FileStorage storage(exported_file(robot, "opencv").text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
   const auto matrix = [&](const char* name) {
     cv::Mat m;
@@ -279,9 +279,9 @@ TEST(NumberFiles, OpenCvReadsBodyMountAndCameras) {
   storage["M2"] >> camera;
   storage["D1"] >> distortion;
   storage["T"] >> shift;
-  EXPECT_EQ(camera.at<double>(1, 1), session.stereo->right.fy);
-  EXPECT_EQ(distortion.at<double>(0, 1), session.stereo->left.k2);
-  EXPECT_EQ(shift.at<double>(0, 0), session.stereo->right_from_left.translation.x());
+  EXPECT_EQ(camera.at<double>(1, 1), session.rig->at(1).camera.fy);
+  EXPECT_EQ(distortion.at<double>(0, 1), session.rig->at(0).camera.k2);
+  EXPECT_EQ(shift.at<double>(0, 0), session.rig->at(1).camera_from_first.translation.x());
   EXPECT_EQ(static_cast<int>(storage["image_width"]), 800);
 }
 
