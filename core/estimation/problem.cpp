@@ -142,11 +142,58 @@ Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservati
   for (const EffectMotion::MarkerColumn& m : o.motion.markers)
     if (m.marker == sighting.marker) rows.col(m.column) += residual.by_point * (sensor_from_tcp_rotation * m.direction);
   if (problem.cameras_by_effect.cols() == 0 || !problem.rig) return rows;
-  rows += camera_columns(*problem.rig, sighting, x_in_sensor) * problem.cameras_by_effect;
+  // Camera by camera: what a sighting's rows owe to the numbers of the others is zero.
+  const CameraColumns by_numbers = camera_columns(*problem.rig, sighting, x_in_sensor);
+  const int cameras = problem.rig->count();
+  Eigen::Index row = 0;
+  for (const CameraPoint& seen : sighting.in_cameras) {
+    const Eigen::Index first = first_number(cameras, seen.camera);
+    rows.middleRows<2>(row) += by_numbers.block<2, camera_number_count>(row, first)
+                                   .lazyProduct(problem.cameras_by_effect.middleRows<camera_number_count>(first));
+    if (seen.camera > 0)
+      rows.middleRows<2>(row) += by_numbers.block<2, 6>(row, motion_number(seen.camera))
+                                     .lazyProduct(problem.cameras_by_effect.middleRows<6>(motion_number(seen.camera)));
+    row += 2;
+  }
   return rows;
 }
 
 namespace {
+
+/// What the sightings of an observation add up to by the six motions of the body.
+struct BodySums {
+  Matrix6 information = Matrix6::Zero();
+  Vector6 gradient = Vector6::Zero();
+};
+
+/// One sighting's part. The usual two cameras have rows of a fixed number, whose products cost less.
+template <int Rows>
+void add_sighting_with_effects(const Problem& problem, const ProblemObservation& o, const Sighting& sighting,
+                               const SightingResidual& r, const Vector3& x, double root, const Matrix3& rotation,
+                               const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion, bool direct, BodySums& sums,
+                               NormalEquations& normal) {
+  constexpr int most = Rows == Eigen::Dynamic ? max_rows : Rows;
+  const Eigen::Index mount = problem.mount_column(), count = problem.columns() - mount, m = 3 * sighting.marker;
+  const Eigen::Matrix<double, Rows, 3, 0, most, 3> by_point = root * r.by_point;
+  Eigen::Matrix<double, Rows, 6, 0, most, 6> by_motion(r.rows, 6);
+  by_motion << by_point, -by_point * cross_matrix(x);
+  const Eigen::Matrix<double, Rows, 3, 0, most, 3> by_marker = by_point * rotation;
+  const Eigen::Matrix<double, Rows, 1, 0, most, 1> error = root * r.error;
+  normal.cost += error.squaredNorm();
+  normal.information.block<3, 3>(m, m).noalias() += by_marker.transpose() * by_marker;
+  normal.gradient.segment<3>(m).noalias() += by_marker.transpose() * error;
+  if (!direct) {
+    sums.information.noalias() += by_motion.transpose() * by_motion;
+    sums.gradient.noalias() += by_motion.transpose() * error;
+    normal.information.block(mount, m, count, 3).noalias() += motion.transpose() * (by_motion.transpose() * by_marker);
+    return;
+  }
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> by_columns = by_motion * motion;
+  by_columns.rightCols(problem.effect_count()) += root * direct_by_effects(problem, o, sighting, r, x, rotation);
+  normal.information.block(mount, mount, count, count).noalias() += by_columns.transpose() * by_columns;
+  normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;
+  normal.gradient.segment(mount, count).noalias() += by_columns.transpose() * error;
+}
 
 /// The general road: effects among the columns, or a sensor or markers that move.
 void add_observation_with_effects(const Problem& problem, const ProblemObservation& o, const Unknowns& u,
@@ -156,41 +203,21 @@ void add_observation_with_effects(const Problem& problem, const ProblemObservati
   const Eigen::Index count = problem.columns() - mount;
   const auto motion = motion_by_columns(problem, o, u);
   const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
-  Matrix6 information = Matrix6::Zero();
-  Vector6 gradient = Vector6::Zero();
+  BodySums sums;
   for (std::size_t i = 0; i < o.sightings.size(); ++i) {
     const Sighting& sighting = o.sightings[i];
     const Vector3 x = sensor_from_tcp * marker_at(o, u, sighting.marker);
-    SightingResidual r = sighting_residual(problem.rig_or_null(), sighting, x);
+    const SightingResidual r = sighting_residual(problem.rig_or_null(), sighting, x);
     const double root = o.weights.empty() ? 1.0 : std::sqrt(o.weights[i]);
-    SightingRows<6> by_motion(r.rows, 6);
-    by_motion << root * r.by_point, -root * r.by_point * cross_matrix(x);
-    const SightingRows<3> by_marker = root * r.by_point * sensor_from_tcp.rotation;
-    const SightingColumn error = root * r.error;
-    normal.cost += error.squaredNorm();
     normal.rows += r.rows;
     normal.in_front = normal.in_front && r.in_front;
-    const Eigen::Index m = 3 * sighting.marker;
-    normal.information.block<3, 3>(m, m).noalias() += by_marker.transpose() * by_marker;
-    normal.gradient.segment<3>(m).noalias() += by_marker.transpose() * error;
-    if (!direct) {
-      information.noalias() += by_motion.transpose() * by_motion;
-      gradient.noalias() += by_motion.transpose() * error;
-      normal.information.block(mount, m, count, 3).noalias() +=
-          motion.transpose() * (by_motion.transpose() * by_marker);
-      continue;
-    }
-    Eigen::MatrixXd by_columns = by_motion * motion;
-    by_columns.rightCols(problem.effect_count()) +=
-        root * direct_by_effects(problem, o, sighting, r, x, sensor_from_tcp.rotation);
-    normal.information.block(mount, mount, count, count).noalias() += by_columns.transpose() * by_columns;
-    normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;
-    normal.gradient.segment(mount, count).noalias() += by_columns.transpose() * error;
+    const auto add = r.rows == 4 ? add_sighting_with_effects<4> : add_sighting_with_effects<Eigen::Dynamic>;
+    add(problem, o, sighting, r, x, root, sensor_from_tcp.rotation, motion, direct, sums, normal);
   }
   if (direct) return;
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> weighed = information * motion;
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> weighed = sums.information * motion;
   normal.information.block(mount, mount, count, count).noalias() += motion.transpose() * weighed;
-  normal.gradient.segment(mount, count).noalias() += motion.transpose() * gradient;
+  normal.gradient.segment(mount, count).noalias() += motion.transpose() * sums.gradient;
 }
 
 bool is_plain(const Problem& problem, const ProblemObservation& o) {
