@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // export, correct, convert and compare as a user runs them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "cli/cli_runner.h"
 #include "temporary_folder.h"
@@ -198,6 +199,39 @@ TEST_F(Ways, BatchHasALineForEachAndTheSameOnesWithAnyNumberOfJobs) {
   EXPECT_NE(all[3].find("hidden_2,done,"), std::string::npos);
   EXPECT_NE(all[4].find("nowhere,failed,"), std::string::npos);
   EXPECT_EQ(run_cli(folder.path, {"batch", at("broken"), at("nowhere")}).exit_code, 2);
+}
+
+/// A robot that is simulated while it is watched; the watch is stopped and started again on the way.
+TEST_F(Ways, OnlineWatchTakesWhatArrivesAndSurvivesARestart) {
+  test::write_text(
+      at("robot.urdf"),
+      "<robot name='r'><link name='base'/><link name='l1'/><link name='tip'/>"
+      "<joint name='j1' type='revolute'><parent link='base'/><child link='l1'/><axis xyz='0 0 1'/>"
+      "<limit lower='-2' upper='2'/></joint><joint name='j2' type='revolute'><parent link='l1'/>"
+      "<child link='tip'/><origin xyz='0.4 0 0'/><axis xyz='0 1 0'/><limit lower='-2' upper='2'/></joint></robot>");
+  test::write_text(
+      at("like/session.xml"),
+      "<handsight_session version='1'><robot file='robot.urdf' tcp='tip'/><tracker mount='base' sigma='0.0002'>"
+      "<mount_from_tracker xyz='1 0 0.2' rpy='0 0 0'/></tracker><markers count='3'/><joints>j1 "
+      "j2</joints><observations>"
+      "<observation id='0' time='0'><position>0 0</position></observation></observations></handsight_session>");
+  std::filesystem::copy(at("robot.urdf"), at("like/robot.urdf"));
+  const std::string cli = HANDSIGHT_BINARY_DIR "/app/cli/handsight-cli";
+  const std::string robot_runs = "'" + cli + "' simulate --like '" + at("like") + "' --live '" + at("live") +
+                                 "' --rate 10 --observations 21 --seed 3 > /dev/null 2>&1 &";
+  ASSERT_EQ(std::system(robot_runs.c_str()), 0);
+  for (int i = 0; i < 100 && !std::filesystem::exists(at("live/joints.csv")); ++i) usleep(50000);
+  const auto first = run_cli(folder.path, {"online", at("live"), "--watch", "--for", "1", "--save"});
+  EXPECT_EQ(first.exit_code, 0) << first.errors;
+  const auto second = run_cli(folder.path, {"online", at("live"), "--watch", "--for", "4", "--save"});
+  EXPECT_EQ(second.exit_code, 0) << second.errors;
+  EXPECT_NE(second.output.find("of 21 observations taken; saved"), std::string::npos) << first.output << second.output;
+  const std::string saved = test::read_text(at("live/session.xml"));
+  std::size_t count = 0;
+  for (std::size_t found = saved.find("<observation "); found != std::string::npos;
+       found = saved.find("<observation ", found + 1))
+    ++count;
+  EXPECT_EQ(count, 21u) << "each came once";
 }
 
 }  // namespace
