@@ -216,6 +216,12 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
   for (const ObservationBlame& o : d.observations)
     observations.push_back(observation_json(o, d.model.session.rig ? &*d.model.session.rig : nullptr));
   j["per_observation"] = observations;
+  if (d.sample)
+    j["sample"] = {{"observations", d.sample->taken},
+                   {"of", d.sample->all},
+                   {"others_rms_pixel", number(d.sample->others.rms_pixel)},
+                   {"others_rms_m", number(d.sample->others.rms_m)},
+                   {"others_mean_m", number(d.sample->others.mean_m)}};
   return j;
 }
 
@@ -260,7 +266,8 @@ void print_improvement(const Output& out, const Session& session, const Improvem
 Json improvement_json(const Session& session, const Improvement& m) {
   const bool tracker = session.is_tracker();
   const Json null = nullptr;
-  Json j = fit_json(session, m.last.model.fit, m.last.report, m.last.model_options);
+  const Session& fitted = m.last.sample ? m.last.model.session : session;
+  Json j = fit_json(fitted, m.last.model.fit, m.last.report, m.last.model_options);
   Json steps = Json::array(), refused = Json::array();
   for (const ImprovementStep& s : m.steps)
     steps.push_back({{"added", s.added.empty() ? null : Json(s.added)},

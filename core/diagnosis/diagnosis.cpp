@@ -13,6 +13,7 @@
 #include "diagnosis/lack_of_fit.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/robot_check.h"
+#include "diagnosis/sampled.h"
 #include "diagnosis/threshold.h"
 
 namespace handsight {
@@ -303,6 +304,14 @@ const char* verdict_text(Verdict verdict) {
   return "";
 }
 
-Diagnosis diagnose(const Session& session, const DiagnosisOptions& options) { return Work(session, options).run(); }
+Diagnosis diagnose(const Session& session, const DiagnosisOptions& options) {
+  const auto sample = sample_to_judge(session);
+  if (!sample) return Work(session, options).run();
+  DiagnosisOptions of_sample = options;
+  of_sample.fitted.reset();
+  Diagnosis d = Work(sample->session, of_sample).run();
+  check_on_the_others(session, *sample, d);
+  return d;
+}
 
 }  // namespace handsight

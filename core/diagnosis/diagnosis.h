@@ -74,6 +74,12 @@ struct DiagnosisPattern {
   double p_value = 1;
 };
 
+/// Long sessions are judged by a sample of their observations, and the judgement is tried on the others.
+struct SampleCheck {
+  int taken = 0, all = 0;  // used observations
+  ErrorSummary others;     // what the model leaves of those that were not taken
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::adequate;
   std::string reason;
@@ -90,9 +96,12 @@ struct Diagnosis {
   std::vector<std::string> invisible;          // effects that these poses could not show
   Blame blame;                                 // of all observations together, wrong points included
   std::vector<ObservationBlame> observations;  // of each, in order of time
+  std::optional<SampleCheck> sample;           // `model` and all that goes with it are then of a sample
   bool stopped = false;
 };
 
+/// Of more than 4000 used observations a sample of 3000 decides (SampleCheck); DiagnosisOptions::fitted is then not
+/// read.
 Diagnosis diagnose(const Session& session, const DiagnosisOptions& options = {});
 
 /// Are these terms of one named effect? Their places as a user reads them.

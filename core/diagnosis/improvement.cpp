@@ -8,6 +8,7 @@
 
 #include "diagnosis/conclusion.h"
 #include "diagnosis/curves.h"
+#include "diagnosis/sampled.h"
 #include "diagnosis/slips.h"
 #include "diagnosis/upkeep.h"
 
@@ -146,6 +147,11 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
 }
 
 Improvement improve(const Session& session, const ImprovementOptions& asked) {
+  if (const auto sample = sample_to_judge(session)) {
+    Improvement m = improve(sample->session, asked);
+    check_on_the_others(session, *sample, m.last);
+    return m;
+  }
   ImprovementOptions options = asked;
   options.with_held_out = false;
   Improvement m;

@@ -36,11 +36,16 @@ std::vector<Circumstances> circumstances_of(const Session& session, const Chain&
     c.sensor = per_robot_joint(chain, o.position, true);
     c.velocity = per_robot_joint(chain, o.velocity, false);
     c.approach.resize(c.sensor.size());
+    const double start = o.whole ? o.whole->start : session.observations[order.front()].time;
+    const double end = o.whole ? o.whole->end : session.observations[order.back()].time;
+    c.elapsed = o.time - start;
+    c.duration = end - start;
+    c.order = o.whole ? o.whole->order : static_cast<int>(k);
+    std::optional<Eigen::VectorXd> from;
+    if (o.whole && o.whole->position_before.size() > 0) from = per_robot_joint(chain, o.whole->position_before, true);
+    if (!o.whole && before) from = before->sensor;
     for (Eigen::Index j = 0; j < c.sensor.size(); ++j)
-      c.approach[j] = c.velocity[j] != 0 ? sign(c.velocity[j]) : before ? sign(c.sensor[j] - before->sensor[j]) : 0.0;
-    c.elapsed = o.time - session.observations[order.front()].time;
-    c.duration = session.observations[order.back()].time - session.observations[order.front()].time;
-    c.order = static_cast<int>(k);
+      c.approach[j] = c.velocity[j] != 0 ? sign(c.velocity[j]) : from ? sign(c.sensor[j] - (*from)[j]) : 0.0;
     before = &c;
   }
   return all;

@@ -235,6 +235,15 @@ std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemOb
                       to_tcp * pose->unit_covariance * to_tcp.transpose()};
 }
 
+ErrorSummary error_on(const Session& others, const Fit& fit) {
+  Problem images = make_problem(others, chain_of(others), fit.problem.terms);
+  images.tcp_from_slip = fit.problem.tcp_from_slip;
+  if (!images.terms.empty()) place_observations(images);
+  std::vector<Residuals> all;
+  for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
+  return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+}
+
 std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, const FitOptions& options, int blocks) {
   const Problem& images = fit.problem;
   std::vector<int> folds;

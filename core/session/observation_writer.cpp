@@ -69,11 +69,14 @@ void update_marker(XMLElement& element, const Session& session, const Sighting& 
     set_numbers(element, "point", sighting.point);
     set_numbers(element, "sigma", numbers_of(sighting.point_sigma));
   } else {
-    for (int c = 0; session.rig && c < session.rig->count(); ++c) {
+    const int cameras = session.rig ? session.rig->count() : 0;
+    for (int c = 0; c < cameras; ++c) {
       const CameraPoint* const seen = seen_by(sighting, c);
-      const std::string& name = session.rig->at(c).name;
-      set_numbers(element, name.c_str(), seen ? std::optional(seen->pixel) : std::nullopt);
-      set_numbers(element, (name + "_sigma").c_str(), numbers_of(seen ? seen->sigma : std::nullopt));
+      set_numbers(element, session.rig->at(c).name.c_str(), seen ? std::optional(seen->pixel) : std::nullopt);
+    }
+    for (int c = 0; c < cameras; ++c) {  // after the points, whether these were there before or not
+      const CameraPoint* const seen = seen_by(sighting, c);
+      set_numbers(element, (session.rig->at(c).name + "_sigma").c_str(), numbers_of(seen ? seen->sigma : std::nullopt));
     }
   }
   if (element.Attribute("by") || sighting.by != MarkedBy::import) set_text(element, "by", word(sighting.by));

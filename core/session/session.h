@@ -60,6 +60,14 @@ Sighting seen_at(int marker, const Vector2& first, const std::optional<Vector2>&
 
 enum class Decision { none, accepted, rejected, excluded };
 
+/// Where an observation of a part of a session stood in the whole (session/sample.h): what follows from its neighbours
+/// there must not follow from those that it has been left with.
+struct PlaceInWhole {
+  int order = 0;                    // among all observations, by time
+  double start = 0, end = 0;        // s, of the whole session
+  Eigen::VectorXd position_before;  // of the observation before it; empty: it was the first
+};
+
 struct Observation {
   std::int64_t id = 0;                          // non-negative, unique
   double time = 0;                              // s
@@ -70,6 +78,7 @@ struct Observation {
   std::vector<Sighting> sightings;              // in order of marker
   Decision decision = Decision::none;
   std::string reason;
+  std::shared_ptr<const PlaceInWhole> whole = nullptr;  // null: the session is no part of another
 };
 
 /// The link that carries the cameras or the tracker, and where on it: mount_from_sensor, the sensor's frame being

@@ -47,8 +47,9 @@ void label(Session& session) {
   first.decision = first.decision == Decision::none ? Decision::excluded : Decision::none;
   first.reason.clear();
   Observation& last = session.observations.back();
-  Sighting sighting{session.marker_count - 1, Vector2(1.5, 1e-300), {}, {}, MarkedBy::hand};
-  if (session.is_tracker()) sighting = {session.marker_count - 1, {}, {}, Vector3(-0.0, 2, 3), MarkedBy::tracker};
+  Sighting sighting = seen_at(session.marker_count - 1, Vector2(1.5, 1e-300), {}, MarkedBy::hand);
+  if (session.is_tracker())
+    sighting = {.marker = session.marker_count - 1, .point = Vector3(-0.0, 2, 3), .by = MarkedBy::tracker};
   last.sightings.assign(1, sighting);
 }
 
