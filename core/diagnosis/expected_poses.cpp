@@ -111,10 +111,9 @@ ExpectedRows ExpectedPoses::rows_at(const Problem& problem, const ProblemObserva
     const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
     const SightingResidual r = sighting_residual(problem.rig_or_null(), s, x);
     const SightingRows<3> by_marker = r.by_point * sensor_from_tcp.rotation;
-    SightingRows<6> by_motion(r.rows, 6);
-    by_motion << r.by_point, -r.by_point * cross_matrix(x);
     rows.by_columns.block(row, 3 * s.marker, r.rows, 3) = by_marker;
-    rows.by_columns.block(row, problem.mount_column(), r.rows, motion.cols()).noalias() = by_motion * motion;
+    rows.by_columns.block(row, problem.mount_column(), r.rows, motion.cols()).noalias() =
+        by_motion(r.by_point, x) * motion;
     if (direct)
       rows.by_columns.block(row, problem.effect_column(), r.rows, problem.effect_count()) +=
           direct_by_effects(problem, o, s, r, x, sensor_from_tcp.rotation);

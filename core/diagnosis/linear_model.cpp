@@ -77,9 +77,7 @@ class Builder {
     for (const Sighting& s : o.sightings) {
       const Vector3 x = sensor_from_tcp * marker_at(o, u_, s.marker);
       const SightingResidual r = sighting_residual(p_.rig_or_null(), s, x);
-      SightingRows<6> by_body(r.rows, 6);
-      by_body << r.by_point, -r.by_point * cross_matrix(x);
-      rows.by_body.middleRows(row, r.rows) = by_body;
+      rows.by_body.middleRows(row, r.rows) = by_motion(r.by_point, x);
       const SightingRows<3> by_marker = r.by_point * sensor_from_tcp.rotation;
       rows.rest.block(row, 3 * s.marker, r.rows, 3) = by_marker;
       rows.rest.col(inner - 1).segment(row, r.rows) = r.error;

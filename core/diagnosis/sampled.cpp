@@ -74,7 +74,7 @@ void check_on_the_others(const Session& session, const Sample& sample, Diagnosis
       d.sample->taken, d.sample->all, error_text(d.sample->others),
       is_worse ? ", which is worse than what was held out here: wrong points among them, or "
                  "something that these did not show."
-               : ", as it should.");
+               : ", no worse than these.");
 }
 
 }  // namespace handsight

@@ -3,6 +3,8 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <map>
 #include <numeric>
 
@@ -172,6 +174,19 @@ std::optional<NoiseEstimate> noise_from_repeats(const Problem& problem, const Un
   if (degrees < fewest_degrees) return std::nullopt;
   const double sigma = std::sqrt(squares / degrees);
   return NoiseEstimate{sigma, sigma / std::sqrt(2.0 * degrees), degrees, true};
+}
+
+std::optional<NoiseTest> noise_test(double squares, double degrees, double estimated) {
+  namespace bm = boost::math;
+  NoiseTest test{squares, degrees, 1};
+  if (estimated > 0) {
+    test.chi2 = std::max(squares - estimated, 0.0);
+    test.degrees = degrees - estimated;
+  }
+  if (test.degrees < 1) return std::nullopt;
+  test.p = estimated > 0 ? bm::cdf(bm::complement(bm::fisher_f(test.degrees, estimated), test.chi2 / test.degrees))
+                         : bm::cdf(bm::complement(bm::chi_squared(test.degrees), test.chi2));
+  return test;
 }
 
 }  // namespace handsight

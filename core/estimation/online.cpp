@@ -2,12 +2,11 @@
 #include "estimation/online.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <chrono>
 #include <cmath>
 
 #include "estimation/body_pose.h"
+#include "estimation/noise.h"
 #include "estimation/start.h"
 
 namespace handsight {
@@ -21,14 +20,10 @@ bool moved_enough(const Joint& joint, double change, const OnlineOptions& option
   return std::abs(change) >= (joint.kind == JointKind::prismatic ? options.new_pose_m : options.new_pose_rad);
 }
 
-/// Are the squares (in units of the noise) more than the noise explains, p < 1e-3? Where the noise was estimated from
-/// `estimated` degrees of freedom of these same residuals, what is left over is compared with it (Fisher's F).
+/// Are the squares (in units of the noise) more than the noise explains?
 bool exceeds_noise(double squares, int degrees, int estimated) {
-  namespace bm = boost::math;
-  if (estimated <= 0) return bm::cdf(bm::complement(bm::chi_squared(degrees), squares)) < 1e-3;
-  const int extra = degrees - estimated;
-  if (extra <= 0) return false;
-  return bm::cdf(bm::complement(bm::fisher_f(extra, estimated), std::max(squares - estimated, 0.0) / extra)) < 1e-3;
+  const auto test = noise_test(squares, degrees, estimated);
+  return test && test->p < 1e-3;
 }
 
 double milliseconds_since(std::chrono::steady_clock::time_point began) {

@@ -175,20 +175,19 @@ void add_sighting_with_effects(const Problem& problem, const ProblemObservation&
   constexpr int most = Rows == Eigen::Dynamic ? max_rows : Rows;
   const Eigen::Index mount = problem.mount_column(), count = problem.columns() - mount, m = 3 * sighting.marker;
   const Eigen::Matrix<double, Rows, 3, 0, most, 3> by_point = root * r.by_point;
-  Eigen::Matrix<double, Rows, 6, 0, most, 6> by_motion(r.rows, 6);
-  by_motion << by_point, -by_point * cross_matrix(x);
+  const auto by_body = by_motion(by_point, x);
   const Eigen::Matrix<double, Rows, 3, 0, most, 3> by_marker = by_point * rotation;
   const Eigen::Matrix<double, Rows, 1, 0, most, 1> error = root * r.error;
   normal.cost += error.squaredNorm();
   normal.information.block<3, 3>(m, m).noalias() += by_marker.transpose() * by_marker;
   normal.gradient.segment<3>(m).noalias() += by_marker.transpose() * error;
   if (!direct) {
-    sums.information.noalias() += by_motion.transpose() * by_motion;
-    sums.gradient.noalias() += by_motion.transpose() * error;
-    normal.information.block(mount, m, count, 3).noalias() += motion.transpose() * (by_motion.transpose() * by_marker);
+    sums.information.noalias() += by_body.transpose() * by_body;
+    sums.gradient.noalias() += by_body.transpose() * error;
+    normal.information.block(mount, m, count, 3).noalias() += motion.transpose() * (by_body.transpose() * by_marker);
     return;
   }
-  Eigen::Matrix<double, Rows, Eigen::Dynamic> by_columns = by_motion * motion;
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> by_columns = by_body * motion;
   by_columns.rightCols(problem.effect_count()) += root * direct_by_effects(problem, o, sighting, r, x, rotation);
   normal.information.block(mount, mount, count, count).noalias() += by_columns.transpose() * by_columns;
   normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;

@@ -172,8 +172,7 @@ class SightingCost : public ceres::CostFunction {
                      double sign, double** jacobians) const {
     const Problem& p = place_.problem;
     const SightingRows<3> by_point = sign == 0 ? SightingRows<3>::Zero(r.rows, 3).eval() : (sign * r.by_point).eval();
-    SightingRows<6> by_motion(r.rows, 6);
-    by_motion << by_point, -by_point * cross_matrix(x);
+    const SightingRows<6> by_sensor = by_motion(by_point, x);
     int block = 0;
     if (double* by_body = jacobians[block++]) {
       if (place_.is_fixed_body) {
@@ -188,12 +187,12 @@ class SightingCost : public ceres::CostFunction {
     const auto& motion = place_.motions[observation_];
     if (p.mount_is_estimated)
       if (double* by_mount = jacobians[block++])
-        Rows(by_mount, r.rows, 12) = by_motion * motion.leftCols<6>() * place_.mount_step_by_numbers;
+        Rows(by_mount, r.rows, 12) = by_sensor * motion.leftCols<6>() * place_.mount_step_by_numbers;
     if (p.effect_count() == 0) return;
     double* by_effects = jacobians[block];
     if (!by_effects) return;
     Rows rows(by_effects, r.rows, p.effect_count());
-    rows.noalias() = by_motion * motion.rightCols(p.effect_count());
+    rows.noalias() = by_sensor * motion.rightCols(p.effect_count());
     if (p.cameras_by_effect.cols() > 0 || !o.motion.markers.empty())
       rows += sign * direct_by_effects(p, o, seen(), r, x, rotation);
     for (Eigen::Index i = 0; i < p.effect_count(); ++i) rows.col(i) *= place_.sigma(i);

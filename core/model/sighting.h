@@ -26,6 +26,16 @@ struct SightingResidual {
   bool in_front = true;  // false: the point lies behind a camera that claims to have seen it
 };
 
+/// Rows by the point's position as rows by a motion (v, w) of what it sits on in the sensor's frame, x' = v + w cross
+/// x: [A | -A [x]x].
+template <class Rows>
+Eigen::Matrix<double, Rows::RowsAtCompileTime, 6, 0, Rows::MaxRowsAtCompileTime, 6> by_motion(
+    const Rows& by_point, const Vector3& x_in_sensor) {
+  Eigen::Matrix<double, Rows::RowsAtCompileTime, 6, 0, Rows::MaxRowsAtCompileTime, 6> rows(by_point.rows(), 6);
+  rows << by_point, -by_point * cross_matrix(x_in_sensor);
+  return rows;
+}
+
 /// `x_in_sensor` is the marker in the first camera's or tracker's frame (m); rig is null in a tracker session.
 SightingResidual sighting_residual(const Rig* rig, const Sighting& sighting, const Vector3& x_in_sensor);
 

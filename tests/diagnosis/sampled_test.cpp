@@ -55,7 +55,7 @@ TEST(Sample, DecidesForALongSessionAndIsTriedOnTheRest) {
   EXPECT_EQ(d.report.used, 3000);
   EXPECT_NEAR(*d.sample->others.rms_pixel / *d.report.held_out.rms_pixel, 1, 0.05);
   EXPECT_NE(d.reason.find("3000 of the 5000"), std::string::npos) << d.reason;
-  EXPECT_NE(d.reason.find("as it should"), std::string::npos) << d.reason;
+  EXPECT_NE(d.reason.find("no worse than these"), std::string::npos) << d.reason;
 }
 
 TEST(Sample, SaysWhereTheRestIsWorse) {
