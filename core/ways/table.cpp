@@ -42,10 +42,6 @@ Cells split(std::string_view line, char separator) {
     cells.push_back(trimmed(line.substr(begin, end - begin)));
     begin = end + 1;
   }
-  while (!cells.empty() && cells.back().empty() && cells.size() > 1 && line.back() == separator) {
-    cells.pop_back();  // many programs end each line with a separator
-    break;
-  }
   return cells;
 }
 
@@ -139,6 +135,7 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
   Table table;
   table.file = file;
   Cells first = split(lines.front().text, separator);
+  if (first.size() > 1 && first.back().empty()) first.pop_back();  // many programs end each line with a separator
   if (first.size() < 2) return std::nullopt;
   const bool header_is_a_line = is_header(first, decimal_commas) || are_names(first, names);
   table.has_header = header_is_a_line;
@@ -158,7 +155,8 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
     if (second.size() < 2 || is_header(second, decimal_commas)) return std::nullopt;
   }
   for (std::size_t i = header_is_a_line ? 1 : 0; i < lines.size(); ++i) {
-    const Cells cells = split(lines[i].text, separator);
+    Cells cells = split(lines[i].text, separator);
+    if (cells.size() == table.width() + 1 && cells.back().empty()) cells.pop_back();
     if (cells.size() != table.width())
       refuse(file, lines[i].number, fmt::format("the line has {} columns, expected {}.", cells.size(), table.width()));
     std::vector<double>& row = table.rows.emplace_back();
