@@ -92,14 +92,14 @@ class Runner {
  public:
   explicit Runner(const Options& o) : o_(o), lines_(o.sessions.size()) {}
 
-  const std::vector<std::string>& run() {
+  std::vector<std::string> run() && {
     Progress progress("sessions", o_.sessions.size());
     while (done_ < o_.sessions.size()) {
       while (static_cast<int>(jobs_.size()) < o_.jobs && next_ < o_.sessions.size()) start();
       read_some();
       progress.at(done_);
     }
-    return lines_;
+    return std::move(lines_);
   }
 
  private:
