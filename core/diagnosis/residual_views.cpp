@@ -5,6 +5,7 @@
 #include <random>
 
 #include "diagnosis/candidates.h"
+#include "diagnosis/observation_rows.h"
 #include "estimation/fit_report.h"
 
 namespace handsight {
@@ -28,20 +29,6 @@ void add_corners(const Sighting& s, int place, const Eigen::Vector4d& error, std
     row += 2;
   }
   if (s.right) corners.push_back({place, s.marker, SeenBy::right, error.segment<2>(row)});
-}
-
-/// How the rows of one sighting follow from all columns of the problem.
-Eigen::MatrixXd by_columns(const Problem& p, const ProblemObservation& o, const Sighting& s, const Vector3& x,
-                           const SightingResidual& r, const Matrix3& sensor_from_tcp,
-                           const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion) {
-  Eigen::MatrixXd j = Eigen::MatrixXd::Zero(r.rows, p.columns());
-  Eigen::Matrix<double, 4, 6> by_body;
-  by_body << r.by_point, -r.by_point * cross_matrix(x);
-  j.middleCols(3 * s.marker, 3) = (r.by_point * sensor_from_tcp).topRows(r.rows);
-  j.rightCols(motion.cols()) += by_body.topRows(r.rows) * motion;
-  if (p.effect_count() > 0)
-    j.rightCols(p.effect_count()) += direct_by_effects(p, o, s, r, x, sensor_from_tcp).leftCols(p.effect_count());
-  return j;
 }
 
 /// Changes of all corners by steps of the problem's columns (columns x steps): (2 corners) x steps.
