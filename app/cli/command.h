@@ -82,4 +82,7 @@ Command add_effective_mass(CLI::App& app);
 Command add_simulate(CLI::App& app);
 Command add_effects(CLI::App& app);
 
+/// InputError where the session has not two cameras, whose images `command` needs.
+void require_pair(const Session& session, const char* command);
+
 }  // namespace handsight::cli

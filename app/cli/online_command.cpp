@@ -50,10 +50,10 @@ std::string step_line(const OnlineStep& step) {
 }
 
 std::optional<ImagePair> read_images(const Session& session, const Observation& o, std::string& refusal) {
-  if (o.left_image.empty() || o.right_image.empty() || !session.stereo) return std::nullopt;
+  if (o.images[0].empty() || o.images[1].empty() || !session.rig || !is_pair(*session.rig)) return std::nullopt;
   try {
-    return ImagePair{read_image(folder(session) / o.left_image, session.stereo->left, o.left_image),
-                     read_image(folder(session) / o.right_image, session.stereo->right, o.right_image)};
+    return ImagePair{read_image(folder(session) / o.images[0], session.rig->at(0).camera, o.images[0]),
+                     read_image(folder(session) / o.images[1], session.rig->at(1).camera, o.images[1])};
   } catch (const InputError& error) {
     refusal = error.what();
     return std::nullopt;
@@ -147,6 +147,10 @@ OnlineStep decided(OnlineCalibration& online, const Session& session, const Obse
 
 int run(const Options& options) {
   Session session = open_session(options.session, options.output);
+  const bool is_labelled = std::any_of(session.observations.begin(), session.observations.end(),
+                                       [](const Observation& o) { return !o.sightings.empty(); });
+  // A single camera shows no points to begin with; more than two show them where somebody has labelled them.
+  if (session.rig && (session.rig->count() == 1 || !is_labelled)) require_pair(session, "online");
   OnlineOptions online_options;
   online_options.match.body_gate = 1e-3 * options.body_gate_mm;
   OnlineCalibration online(session, online_options);

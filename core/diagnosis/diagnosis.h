@@ -98,13 +98,4 @@ Diagnosis diagnose(const Session& session, const DiagnosisOptions& options = {})
 /// Are these terms of one named effect? Their places as a user reads them.
 std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session);
 
-/// Lack of fit: chi-squared of what any effect could explain, its degrees of freedom, its p-value.
-struct LackOfFit {
-  double chi2 = 0;
-  double degrees = 0;
-  double p = 1;
-  double excess() const { return chi2 - degrees; }
-};
-std::optional<LackOfFit> lack_of_fit(const Fit& fit);
-
 }  // namespace handsight

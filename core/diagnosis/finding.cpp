@@ -11,9 +11,9 @@ double& share_of_what_moves(const Problem& problem, const std::vector<EffectTerm
   const std::size_t every = all.size() / 100 + 1;  // a slip begins somewhere on the way
   for (std::size_t i = 0; i < all.size(); i += every) {
     const Sites s = moved_sites(all[i], terms);
-    if (!s.mount.isZero() || !s.drift.isZero() || !s.rig.isZero() || !s.left_camera.isZero() ||
-        !s.right_camera.isZero())
-      return blame.cameras;
+    const bool moves_cameras =
+        std::any_of(s.cameras.begin(), s.cameras.end(), [](const CameraChange& c) { return !c.is_zero(); });
+    if (moves_cameras || !s.mount.isZero() || !s.drift.isZero()) return blame.cameras;
     const bool moves_markers =
         std::any_of(s.markers.begin(), s.markers.end(), [](const auto& m) { return !m.isZero(); });
     if (moves_markers || !s.body.isZero()) return blame.body;

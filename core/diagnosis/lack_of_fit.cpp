@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/lack_of_fit.h"
+
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
-
-#include "diagnosis/diagnosis.h"
 
 namespace handsight {
 

@@ -42,15 +42,16 @@ std::vector<Entry> entries_of(Sites& s) {
   }
   six(s.mount, "mount", -1);
   six(s.drift, "mount", -1);
-  six(s.rig, "right camera", -1);
   six(s.hand, "hand", -1);
   six(s.body, "marker body", -1);
   all.push_back({EntryKind::tilt, -1, 0, "", &s.robot.tilt_x});
   all.push_back({EntryKind::tilt, -1, 1, "", &s.robot.tilt_y});
   for (std::size_t m = 0; m < s.markers.size(); ++m)
     for (int i = 0; i < 3; ++i) all.push_back({EntryKind::length, static_cast<int>(m), i, "", &s.markers[m][i]});
-  for (int i = 0; i < 8; ++i) all.push_back({EntryKind::other, -1, i, "", &s.left_camera[i]});
-  for (int i = 0; i < 8; ++i) all.push_back({EntryKind::other, -1, i, "", &s.right_camera[i]});
+  for (CameraChange& camera : s.cameras) {
+    for (int i = 0; i < 6; ++i) all.push_back({EntryKind::motion, -1, i, "camera", &camera.motion[i]});
+    for (int i = 0; i < camera_number_count; ++i) all.push_back({EntryKind::other, -1, i, "", &camera.numbers[i]});
+  }
   for (int i = 0; i < 3; ++i) all.push_back({EntryKind::other, -1, i, "", &s.robot.base_compliance[i]});
   all.push_back({EntryKind::other, -1, 0, "", &s.robot.payload_mass});
   for (int i = 0; i < 3; ++i) all.push_back({EntryKind::other, -1, i, "", &s.robot.payload_moment[i]});

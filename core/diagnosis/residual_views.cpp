@@ -21,14 +21,13 @@ void each_sighting(const Problem& problem, const ProblemObservation& o, const Un
   }
 }
 
-void add_corners(const Sighting& s, int place, const Eigen::Vector4d& error, std::vector<CornerResidual>& corners) {
-  if (s.point) corners.push_back({place, s.marker, SeenBy::tracker, error.head<2>()});
+void add_corners(const Sighting& s, int place, const SightingColumn& error, std::vector<CornerResidual>& corners) {
+  if (s.point) corners.push_back({place, s.marker, by_tracker, error.head<2>()});
   Eigen::Index row = 0;
-  if (s.left) {
-    corners.push_back({place, s.marker, SeenBy::left, error.segment<2>(row)});
+  for (const CameraPoint& seen : s.in_cameras) {
+    corners.push_back({place, s.marker, seen.camera, error.segment<2>(row)});
     row += 2;
   }
-  if (s.right) corners.push_back({place, s.marker, SeenBy::right, error.segment<2>(row)});
 }
 
 /// Changes of all corners by steps of the problem's columns (columns x steps): (2 corners) x steps.
@@ -61,10 +60,9 @@ std::vector<CornerResidual> corner_residuals(const Problem& problem, const Unkno
     if (change.size() > 0 && !change.isZero(0)) motion = motion_by_columns(problem, o, unknowns);
     each_sighting(
         problem, o, unknowns, sensor_from_tcp, [&](const Sighting& s, const Vector3& x, const SightingResidual& r) {
-          Eigen::Vector4d error = Eigen::Vector4d::Zero();
-          error.head(r.rows) = r.error.head(r.rows);
+          SightingColumn error = r.error;
           if (motion.cols() > 0)
-            error.head(r.rows) -=
+            error -=
                 by_columns(problem, o, s, x, r, sensor_from_tcp.rotation, motion).rightCols(change.size()) * change;
           add_corners(s, static_cast<int>(i), error, corners);
         });

@@ -96,14 +96,15 @@ ObservedEnds observed_ends(const Circumstances& c, const Sites& sites) {
           small_motion<double>(sites.mount) * small_motion<double>(sites.drift)};
 }
 
-StereoRig moved_rig(const StereoRig& rig, const Sites& sites) {
-  StereoRig moved = rig;
-  moved.right_from_left = small_motion<double>(sites.rig) * rig.right_from_left;
-  double Camera::*const numbers[] = {&Camera::fx, &Camera::fy, &Camera::cx, &Camera::cy,
-                                     &Camera::k1, &Camera::k2, &Camera::p1, &Camera::p2};
-  for (int i = 0; i < 8; ++i) {
-    moved.left.*numbers[i] += sites.left_camera[i];
-    moved.right.*numbers[i] += sites.right_camera[i];
+Rig moved_rig(const Rig& rig, const Sites& sites) {
+  Rig moved = rig;
+  for (int c = 0; c < rig.count(); ++c) {
+    const CameraChange& change = sites.cameras[static_cast<std::size_t>(c)];
+    RigCamera& camera = moved.at(c);
+    if (c > 0) camera.camera_from_first = small_motion<double>(change.motion) * camera.camera_from_first;
+    const auto numbers = camera_numbers(camera.camera);
+    for (int i = 0; i < camera_number_count; ++i)
+      camera.camera.*numbers[static_cast<std::size_t>(i)].value += change.numbers[i];
   }
   return moved;
 }

@@ -5,11 +5,11 @@
 #include <cmath>
 
 namespace handsight {
-namespace {
-
 const std::optional<double>& declared_noise(const Session& session) {
   return session.is_tracker() ? session.sigma_point : session.sigma_pixel;
 }
+
+namespace {
 
 /// Robust scale of one coordinate: from the median squared length of the sightings' residuals, which for noise alone is
 /// about (1 - 2/9k)^3 k variances for k rows.

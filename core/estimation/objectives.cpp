@@ -81,7 +81,7 @@ void minimise(const Session& session, const Problem& images, const Unknowns& sta
       fit.fixed_markers ? with_average_shape(images, start, fit.shape_covariance) : start;
   if (!held)
     throw InputError(fmt::format(
-        "{}: holding the markers fixed needs an observation that shows three of them as points (both cameras, or a "
+        "{}: holding the markers fixed needs an observation that shows three of them as points (two cameras, or a "
         "tracker), and there is none; fit with free markers.",
         session.file.filename().string()));
   const Unknowns& from = *held;

@@ -49,11 +49,11 @@ OnlineCalibration::OnlineCalibration(const Session& session, OnlineOptions optio
       options_(std::move(options)),
       declared_noise_(session.is_tracker() ? session.sigma_point : session.sigma_pixel),
       usual_sigma_(usual_sigma(session) > 0 ? usual_sigma(session)
-                                            : declared_noise_.value_or(chain_.stereo ? 0.15 : 3e-4)),
+                                            : declared_noise_.value_or(chain_.rig ? 0.15 : 3e-4)),
       shape_(chain_.marker_count),
       sides_(options_.sides),
       sides_are_kept_(options_.sides.has_value()) {
-  problem_.rig = chain_.stereo;
+  problem_.rig = chain_.rig;
   problem_.marker_count = chain_.marker_count;
   problem_.mount_is_estimated = mount_.estimate;
   problem_.marker_is_seen.assign(static_cast<std::size_t>(chain_.marker_count), 0);
@@ -117,15 +117,14 @@ std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, con
                                             const ProblemObservation& posture, std::vector<Sighting>& sightings) const {
   // The markers in the TCP frame stand for the body: its prediction is the chain's TCP (thesis 4.52).
   const Rigid prediction = sensor_from_tcp_at(posture, fit_->unknowns().mount_from_sensor);
-  const Match match = match_markers(*problem_.rig, left, right, known_markers(), prediction, options_.match);
+  const Match match = match_markers(stereo_of(*problem_.rig), left, right, known_markers(), prediction, options_.match);
   for (const MatchedMarker& m : match.markers) {
-    Sighting s{m.marker, {}, {}, {}, MarkedBy::tracker};
-    const auto take = [](const Corner& corner, std::optional<Vector2>& pixel, std::optional<PixelSigma>& sigma) {
-      pixel = corner.position;
-      sigma = pixel_sigma(corner.covariance + std::pow(PairOptions{}.corner_floor, 2) * Eigen::Matrix2d::Identity());
+    Sighting s{.marker = m.marker, .by = MarkedBy::tracker};
+    const auto take = [&](const Corner& corner, int camera) {
+      see(s, camera, corner.position, pixel_sigma(measured_covariance(corner)));
     };
-    if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], s.left, s.left_sigma);
-    if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], s.right, s.right_sigma);
+    if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], 0);
+    if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], 1);
     sightings.push_back(s);
   }
   return match.reason;
@@ -147,7 +146,7 @@ std::string OnlineCalibration::label_refusal(const std::vector<Sighting>& sighti
     if (s.point) {
       measured = *s.point;
     } else {
-      const auto point = s.left && s.right ? triangulate(*problem_.rig, *s.left, *s.right) : std::nullopt;
+      const auto point = triangulate_unweighed(*problem_.rig, s);
       if (!point) continue;
       measured = point->point;
       sigma = std::hypot(sigma, noise().value_or(0.3) * std::sqrt(point->covariance.trace()));
@@ -165,7 +164,7 @@ std::string OnlineCalibration::label_refusal(const std::vector<Sighting>& sighti
 std::string OnlineCalibration::start(const ProblemObservation& first) {
   const auto needed = static_cast<std::size_t>(markers_needed(problem_.marker_count));
   std::size_t points = 0;
-  for (const Sighting& s : first.sightings) points += s.point || (s.left && s.right) ? 1 : 0;
+  for (const Sighting& s : first.sightings) points += s.point || s.in_cameras.size() > 1 ? 1 : 0;
   if (points < needed)
     return fmt::format("the first observation needs {} labelled markers seen as points, and has {}", needed, points);
   waiting_.push_back(first);

@@ -20,7 +20,7 @@ bool reads_torques(const std::vector<EffectTerm>& terms, const OwnEffects& own) 
 Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held,
                      const std::vector<EffectTerm>& estimated) {
   Problem problem;
-  problem.rig = chain.stereo;
+  problem.rig = chain.rig;
   problem.marker_count = chain.marker_count;
   problem.mount_is_estimated = session.mount.estimate;
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
@@ -84,20 +84,9 @@ void set_effects(Problem& problem, const Eigen::VectorXd& values) {
 
 void hold_effects(Problem& problem) {
   problem.columns_of_effects.clear();
-  problem.cameras_by_effect.resize(22, 0);
+  problem.cameras_by_effect.resize(0, 0);
   for (ProblemObservation& o : problem.observations) o.motion = EffectMotion{};
 }
-
-namespace {
-
-/// Of an image point, in units of the usual one's variance.
-Eigen::Matrix2d relative_covariance(const Sighting& s, bool left) {
-  const auto& sigma = left ? s.left_sigma : s.right_sigma;
-  if (!sigma || !(s.usual_sigma > 0)) return Eigen::Matrix2d::Identity();
-  return covariance_of(*sigma) / (s.usual_sigma * s.usual_sigma);
-}
-
-}  // namespace
 
 Problem as_points(const Problem& problem, int& left_out) {
   left_out = 0;
@@ -109,14 +98,12 @@ Problem as_points(const Problem& problem, int& left_out) {
     std::vector<Sighting> kept;
     observation.point_covariances.clear();
     for (const Sighting& s : observation.sightings) {
-      const auto point = s.left && s.right ? triangulate(*problem.rig, *s.left, *s.right, relative_covariance(s, true),
-                                                         relative_covariance(s, false))
-                                           : std::nullopt;
+      const auto point = triangulate(*problem.rig, s);
       if (!point) {
         ++left_out;
         continue;
       }
-      kept.push_back({s.marker, {}, {}, point->point, s.by});
+      kept.push_back({.marker = s.marker, .point = point->point, .by = s.by});
       observation.point_covariances.push_back(point->covariance);
       points.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;
     }
@@ -153,10 +140,9 @@ Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservati
                                   const Matrix3& sensor_from_tcp_rotation) {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(residual.rows, problem.effect_count());
   for (const EffectMotion::MarkerColumn& m : o.motion.markers)
-    if (m.marker == sighting.marker)
-      rows.col(m.column) += residual.by_point.topRows(residual.rows) * (sensor_from_tcp_rotation * m.direction);
+    if (m.marker == sighting.marker) rows.col(m.column) += residual.by_point * (sensor_from_tcp_rotation * m.direction);
   if (problem.cameras_by_effect.cols() == 0 || !problem.rig) return rows;
-  rows += camera_columns(*problem.rig, sighting, x_in_sensor).topRows(residual.rows) * problem.cameras_by_effect;
+  rows += camera_columns(*problem.rig, sighting, x_in_sensor) * problem.cameras_by_effect;
   return rows;
 }
 
@@ -177,10 +163,10 @@ void add_observation_with_effects(const Problem& problem, const ProblemObservati
     const Vector3 x = sensor_from_tcp * marker_at(o, u, sighting.marker);
     SightingResidual r = sighting_residual(problem.rig_or_null(), sighting, x);
     const double root = o.weights.empty() ? 1.0 : std::sqrt(o.weights[i]);
-    Eigen::Matrix<double, 4, 6> by_motion;  // rows that were not measured are zero
+    SightingRows<6> by_motion(r.rows, 6);
     by_motion << root * r.by_point, -root * r.by_point * cross_matrix(x);
-    const Eigen::Matrix<double, 4, 3> by_marker = root * r.by_point * sensor_from_tcp.rotation;
-    const Eigen::Matrix<double, 4, 1> error = root * r.error;
+    const SightingRows<3> by_marker = root * r.by_point * sensor_from_tcp.rotation;
+    const SightingColumn error = root * r.error;
     normal.cost += error.squaredNorm();
     normal.rows += r.rows;
     normal.in_front = normal.in_front && r.in_front;
@@ -194,8 +180,8 @@ void add_observation_with_effects(const Problem& problem, const ProblemObservati
           motion.transpose() * (by_motion.transpose() * by_marker);
       continue;
     }
-    Eigen::Matrix<double, 4, Eigen::Dynamic> by_columns = by_motion * motion;
-    by_columns.topRightCorner(r.rows, problem.effect_count()) +=
+    Eigen::MatrixXd by_columns = by_motion * motion;
+    by_columns.rightCols(problem.effect_count()) +=
         root * direct_by_effects(problem, o, sighting, r, x, sensor_from_tcp.rotation);
     normal.information.block(mount, mount, count, count).noalias() += by_columns.transpose() * by_columns;
     normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;

@@ -28,7 +28,7 @@ struct Choice {
 };
 
 double pair_score(const CornerPair& pair, const PairOptions& options) {
-  return std::pow(pair.point.epipolar_distance / options.epipolar_threshold, 2) + 2 * pair.likeness;
+  return std::pow(pair.point.epipolar_distance / options.epipolar_threshold, 2) + 2 * pair.unlikeness;
 }
 
 /// Depth-first over the markers. `score` only grows, and what the markers that are left add at least is known, so that
@@ -169,10 +169,9 @@ FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, c
     const CornerPair& pair = candidates[m][static_cast<std::size_t>(best.pairs[m])];
     const Corner &seen = left[static_cast<std::size_t>(pair.left)],
                  &partner = right[static_cast<std::size_t>(pair.right)];
-    const Eigen::Matrix2d floor = std::pow(options.pairs.corner_floor, 2) * Eigen::Matrix2d::Identity();
-    result.markers.push_back({left[static_cast<std::size_t>(pair.left)].position,
-                              right[static_cast<std::size_t>(pair.right)].position, seen.covariance + floor,
-                              partner.covariance + floor, pair.point, static_cast<int>(candidates[m].size()) - 1});
+    result.markers.push_back({seen.position, partner.position, measured_covariance(seen, options.pairs),
+                              measured_covariance(partner, options.pairs), pair.point,
+                              static_cast<int>(candidates[m].size()) - 1});
   }
   if (result.markers.size() >= 2)
     if (auto sentence = refuse_triangle(result.markers, options); !sentence.empty()) return refuse(sentence);

@@ -25,10 +25,10 @@ SimulatedSession mixed(std::uint64_t seed, double told) {
   for (Observation& o : s.session.observations)
     for (Sighting& one : o.sightings) {
       const bool by_hand = one.marker == 0;
-      for (Vector2* pixel : {&*one.left, &*one.right})
+      for (Vector2* pixel : {&seen_by(one, 0)->pixel, &seen_by(one, 1)->pixel})
         if (by_hand) *pixel += Vector2(normal(random), normal(random));
       const double sigma = told * (by_hand ? unsure : sure);
-      if (told > 0) one.left_sigma = one.right_sigma = PixelSigma{sigma, sigma, 0};
+      if (told > 0) seen_by(one, 0)->sigma = seen_by(one, 1)->sigma = PixelSigma{sigma, sigma, 0};
     }
   return s;
 }

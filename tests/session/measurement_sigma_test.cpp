@@ -31,18 +31,19 @@ TEST(MeasurementSigma, IsReadAndSurvivesSaving) {
         if (one.marker == 2) return one;
     return Sighting{};
   };
-  ASSERT_TRUE(marked(session).left_sigma && marked(session).right_sigma);
-  EXPECT_EQ(marked(session).left_sigma->uv, -0.01);
+  const auto sigma = [&](const Session& s, int camera) { return seen_by(marked(s), camera)->sigma; };
+  ASSERT_TRUE(sigma(session, 0) && sigma(session, 1));
+  EXPECT_EQ(sigma(session, 0)->uv, -0.01);
   EXPECT_EQ(usual_sigma(session), 0.2) << "the session's declared one";
   session.sigma_pixel.reset();
   EXPECT_NEAR(usual_sigma(session), std::sqrt(0.125), 1e-12) << "the larger of the two that are told";
   for (Observation& o : session.observations)
     for (Sighting& s : o.sightings)
-      if (s.marker == 0) s.left_sigma = PixelSigma{0.5, 0.6, 0};
+      if (s.marker == 0) seen_by(s, 0)->sigma = PixelSigma{0.5, 0.6, 0};
   save_session(session);
   const Session again = read_session(folder.path);
-  ASSERT_TRUE(marked(again).right_sigma);
-  EXPECT_EQ(marked(again).right_sigma->v, 0.4);
+  ASSERT_TRUE(sigma(again, 1));
+  EXPECT_EQ(sigma(again, 1)->v, 0.4);
   EXPECT_THAT(read_file(folder.path / "session.xml"), HasSubstr(R"(left_sigma="0.5 0.6 0")"));
 }
 
