@@ -9,10 +9,8 @@ Eigen::MatrixXd by_columns(const Problem& p, const ProblemObservation& o, const 
                            const SightingResidual& r, const Matrix3& sensor_from_tcp,
                            const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion) {
   Eigen::MatrixXd j = Eigen::MatrixXd::Zero(r.rows, p.columns());
-  SightingRows<6> by_body(r.rows, 6);
-  by_body << r.by_point, -r.by_point * cross_matrix(x);
   j.middleCols(3 * s.marker, 3) = r.by_point * sensor_from_tcp;
-  j.rightCols(motion.cols()) += by_body * motion;
+  j.rightCols(motion.cols()) += by_motion(r.by_point, x) * motion;
   if (p.effect_count() > 0)
     j.rightCols(p.effect_count()) += direct_by_effects(p, o, s, r, x, sensor_from_tcp).leftCols(p.effect_count());
   return j;
