@@ -183,6 +183,18 @@ BundleResult adjust_robustly(const BoardImages& images, const BundleResult& star
                        with_covariances);
 }
 
+namespace {
+
+/// What share of the best held-out error a further model must stay below: of two that predict alike the one with fewer
+/// numbers is taken, and none in place of the usual lens that is not clearly better.
+double least_gain(const LensModel& model, const Candidate& best) {
+  const LensModel& so_far = *best.bundle.rig.lenses[0].model;
+  const bool is_simpler = &so_far != &brown_lens && model.numbers.size() < so_far.numbers.size();
+  return is_simpler ? 1 / kBetter : kBetter;
+}
+
+}  // namespace
+
 CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector<std::pair<int, int>>& sizes,
                                     const std::vector<std::string>& names, const CalibrationOptions& options) {
   CameraCalibration result;
@@ -199,8 +211,7 @@ CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector
       tried.rms_pixel = candidate.bundle.rms_pixel, tried.held_out_rms_pixel = candidate.held_out.rms_pixel;
       if (model == &brown_lens) brown = candidate;
       const bool is_known = candidate.held_out.rms_pixel > 0 && candidate.bundle.lens_covariances[0].has_value();
-      if (!best ||
-          (is_known && candidate.held_out.rms_pixel < (model == &brown_lens ? 1 : kBetter) * best->held_out.rms_pixel))
+      if (!best || (is_known && candidate.held_out.rms_pixel < least_gain(*model, *best) * best->held_out.rms_pixel))
         best = candidate;
     } catch (const InputError& error) {
       if (model == &brown_lens && options.model == "best" && lens_models().size() == 1) throw;

@@ -211,6 +211,11 @@ TargetSighting detect_board(const Image& image, const PreparedTarget& target) {
     return sighting;
   }
   sighting.dropped_tags = static_cast<int>(placed->board.readings.size() - placed->agreement.members.size());
+  // One wrong tag may be read; where a third of them lies elsewhere the board is another one, of the other layout say.
+  if (3 * placed->agreement.members.size() < 2 * placed->board.readings.size()) {
+    sighting.reason = "its tags were read, but lie otherwise than on this board: another layout, or several boards";
+    return sighting;
+  }
   Search search{image, target, placed->agreement.map, pairs_of(placed->board, placed->agreement.members), {}, {}, 0};
   const Target& t = target.target;
   const double step = t.kind == TargetKind::charuco ? 2.2 * t.square : 2.2 * t.tag * (1 + t.spacing);

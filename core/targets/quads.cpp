@@ -117,6 +117,17 @@ std::vector<Quad> find_quads(const Image& image, double least_side) {
       add_quads(quads, dark, least_side);
     }
   }
+  // In an image without any blur squares that touch at a corner hang together; blurred, the corner is as bright as
+  // dark.
+  cv::Mat blurred;
+  cv::GaussianBlur(grey, blurred, {0, 0}, 1.5);
+  for (const int window : {39, 79, 159}) {
+    if (window > longest) break;
+    cv::boxFilter(grey, mean, CV_8U, {window, window}, {-1, -1}, true, cv::BORDER_REPLICATE);
+    cv::Mat level = mean - 16;
+    cv::compare(blurred, level, dark, cv::CMP_LT);
+    add_quads(quads, dark, least_side);
+  }
   return quads;
 }
 

@@ -242,9 +242,10 @@ State moved(const State& state, const VectorU& step) {
   return next;
 }
 
-bool is_near(const Quad& a, const Quad& b, double distance) {
+/// All corners, or the one that is asked for.
+bool is_near(const Quad& a, const Quad& b, double distance, std::optional<std::size_t> only) {
   for (std::size_t i = 0; i < 4; ++i)
-    if (!((a[i] - b[i]).norm() < distance)) return false;
+    if ((!only || i == *only) && !((a[i] - b[i]).norm() < distance)) return false;
   return true;
 }
 
@@ -253,9 +254,10 @@ struct Fitted {
   Sums sums;
 };
 
-/// Gauss-Newton with damping; `belief` (1/px^2) holds the corners near the start.
+/// Gauss-Newton with damping; `belief` (1/px^2) holds the corners near the start. Where one corner is meant alone, the
+/// pixels say nothing of the others, which may then go anywhere.
 std::optional<Fitted> settle(State state, const TagPattern& pattern, const std::vector<Pixel>& pixels, double most_away,
-                             double belief) {
+                             double belief, std::optional<std::size_t> only = {}) {
   if (pixels.size() < 3 * unknowns) return std::nullopt;
   const State start = state;
   const auto with_belief = [&](const State& s, Sums& sums) {
@@ -275,7 +277,7 @@ std::optional<Fitted> settle(State state, const TagPattern& pattern, const std::
     damped.diagonal().array() += 1e-9;
     const VectorU step = damped.ldlt().solve(sums.vector);
     const State next = moved(state, step);
-    if (!is_near(next.corners, start.corners, most_away)) return std::nullopt;
+    if (!is_near(next.corners, start.corners, most_away, only)) return std::nullopt;
     Sums then = sums_of(next, pattern, pixels);
     with_belief(next, then);
     if (!(then.squares < sums.squares * (1 + 1e-9))) {
@@ -324,7 +326,7 @@ bool fit_corners(const Image& image, const TagPattern& pattern, const TagFitOpti
                  const State& whole, TagFit& fit) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto pixels = pixels_on(image, pattern, whole.corners, options, &whole.corners[i]);
-    const auto fitted = settle(whole, pattern, pixels, 6, 1e-2);
+    const auto fitted = settle(whole, pattern, pixels, 6, 1, i);
     if (!fitted || unexplained_share(fitted->sums, image_noise) > most_unexplained_near) return false;
     fit.corners[i] = fitted->state.corners[i];
     fit.covariances[i] = covariance_of(*fitted, image_noise)
