@@ -41,7 +41,8 @@ HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::m
   bars_->threshold_text = new QCPItemText(plot_);
   bars_->threshold_text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
   bars_->threshold_text->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
-  bars_->threshold_text->setPadding(QMargins(4, 0, 0, 0));
+  bars_->threshold_text->setPadding(QMargins(4, 0, 4, 0));
+  connect(plot_, &QCustomPlot::afterLayout, this, &HistogramPlot::place_threshold_text);
   const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
   for (double decade = 0.001; decade < 2000; decade *= 10)
     for (const double size : {decade, 3 * decade}) ticker->addTick(std::log10(size), short_text(size, 1));
@@ -133,6 +134,15 @@ void HistogramPlot::place_threshold() {
   bars_->threshold_text->position->setCoords(x, 0.02);
   const auto used = std::count_if(cells_.begin(), cells_.end(), [this](const auto& c) { return counts_in(c, unit_); });
   bars_->threshold_text->setText(QObject::tr("%1 of %2 beyond").arg(beyond_threshold().size()).arg(used));
+  place_threshold_text();
+}
+
+/// On the side of the line that has room for it.
+void HistogramPlot::place_threshold_text() {
+  if (!threshold_) return;
+  const double wide = QFontMetricsF(bars_->threshold_text->font()).horizontalAdvance(bars_->threshold_text->text()) + 8;
+  const bool is_right = plot_->xAxis->coordToPixel(std::log10(*threshold_)) + wide <= plot_->axisRect()->right();
+  bars_->threshold_text->setPositionAlignment((is_right ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop);
 }
 
 void HistogramPlot::fill() {

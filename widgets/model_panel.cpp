@@ -393,7 +393,8 @@ void ModelPanel::add_groups() {
       group_choices_[group] = !folded;
       rebuild();
     });
-    list_->addWidget(head, 0, Qt::AlignLeft);
+    head->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a long name must not widen the list
+    list_->addWidget(head);
     if (folded) continue;
     for (const ModelEffect& e : effects_)
       if (!e.is_in_model && e.group == group) list_->addWidget(make_effect(e));

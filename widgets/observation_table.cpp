@@ -94,6 +94,7 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   }
   filter_buttons_->button(0)->setChecked(true);
   text_ = new QLineEdit(this);
+  text_->setAccessibleName(tr("Filter"));
   text_->setPlaceholderText(QObject::tr("Filter"));
   text_->setClearButtonEnabled(true);
   text_->setFixedHeight(kControlHeight);

@@ -33,6 +33,7 @@ PlotWidget::PlotWidget(QWidget* parent)
   plot_->axisRect()->setMinimumMargins(QMargins(8, 4, 10, 6));
   plot_->installEventFilter(this);
   connect(plot_, &QCustomPlot::afterReplot, this, [this] { is_drawn_ = true; });
+  connect(plot_, &QCustomPlot::afterLayout, this, &PlotWidget::shorten_title);
   connect(plot_, &QCustomPlot::customContextMenuRequested, this, &PlotWidget::show_menu);
   connect(plot_, &QCustomPlot::mouseDoubleClick, this, [this] { fit(); });
   connect(plot_->selectionRect(), &QCPSelectionRect::accepted, this, [this](const QRect& rect) {
@@ -63,6 +64,11 @@ void PlotWidget::set_title(const QString& title) {
   setAccessibleName(title);
   title_element_->setText(title);
   replot();
+}
+
+void PlotWidget::shorten_title() {
+  const double room = plot_->width() - 16;
+  title_element_->setText(QFontMetricsF(title_element_->font()).elidedText(title_, Qt::ElideMiddle, room));
 }
 
 void PlotWidget::set_empty_text(const QString& sentence) {

@@ -18,6 +18,10 @@ struct Line {
   QVector<double> x, y, low, high;
 };
 
+QString axis_label(const QString& quantity, const QString& unit) {
+  return unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit);
+}
+
 Line line_of(const std::vector<TrendPoint>& points) {
   Line line;
   for (const TrendPoint& point : points) {
@@ -67,6 +71,7 @@ ScatterPlot::ScatterPlot(QWidget* parent) : PlotWidget(parent), layers_(std::mak
   layers_->selected = scatter();
   style_axes();
   ScatterPlot::restyle();
+  connect(plot_, &QCustomPlot::afterLayout, this, &ScatterPlot::shorten_label);
 }
 
 void ScatterPlot::restyle() {
@@ -103,12 +108,16 @@ void ScatterPlot::restyle() {
 void ScatterPlot::set_axes(const QString& x_quantity, const QString& x_unit, const QString& y_quantity,
                            const QString& y_unit) {
   x_quantity_ = x_quantity, x_unit_ = x_unit, y_quantity_ = y_quantity, y_unit_ = y_unit;
-  const auto label = [](const QString& quantity, const QString& unit) {
-    return unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit);
-  };
-  plot_->xAxis->setLabel(label(x_quantity, x_unit));
-  plot_->yAxis->setLabel(label(y_quantity, y_unit));
+  plot_->xAxis->setLabel(axis_label(x_quantity, x_unit));
+  plot_->yAxis->setLabel(axis_label(y_quantity, y_unit));
   replot();
+}
+
+/// In a low plot the unit alone: the title says the rest.
+void ScatterPlot::shorten_label() {
+  const QString whole = axis_label(y_quantity_, y_unit_);
+  const double length = QFontMetricsF(plot_->yAxis->labelFont()).horizontalAdvance(whole);
+  plot_->yAxis->setLabel(length <= plot_->axisRect()->height() || y_unit_.isEmpty() ? whole : y_unit_);
 }
 
 void ScatterPlot::set_points(std::vector<ScatterPoint> points) {
@@ -234,9 +243,9 @@ ScatterPlot::Extent ScatterPlot::extent() const {
     e.high = std::max(e.high, point.y);
   }
   for (const TrendPoint& point : candidate_) {
-    if (!(point.low < point.high)) continue;  // what a band goes round is to be seen whole
-    e.low = std::min(e.low, point.low);
-    e.high = std::max(e.high, point.high);
+    if (!(point.low < point.high)) continue;    // what a band goes round is to be seen whole,
+    e.low = std::min({e.low, point.low, 0.0});  // and so is the level line on which it comes to lie
+    e.high = std::max({e.high, point.high, 0.0});
   }
   return e;
 }

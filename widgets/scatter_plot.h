@@ -62,6 +62,7 @@ class ScatterPlot : public PlotWidget {
   void fill();
   void fill_bars();
   void ring();
+  void shorten_label();
   const ScatterPoint* point_at(const QPointF& position) const;
   QString point_text(const ScatterPoint& point) const;
 

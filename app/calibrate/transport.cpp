@@ -66,6 +66,7 @@ void Transport::make_layout() {
   });
   ghost_ = new QSlider(Qt::Horizontal, this);
   ghost_->setObjectName("ghost");
+  ghost_->setAccessibleName(tr("Magnification of deviations"));
   ghost_->setRange(0, static_cast<int>(std::size(magnifications)) - 1);
   ghost_->setFixedWidth(140);
   ghost_->setValue(3);

@@ -3,7 +3,6 @@
 #include <QMenu>
 
 #include "frame/centre_fill.h"
-#include "frame/find_entries.h"
 #include "frame/key_list.h"
 #include "frame/main_window.h"
 #include "start/session_places.h"
@@ -222,25 +221,6 @@ void MainWindow::make_actions() {
   actions_.fill(*menu_);
   after_choices_ = menu_->findChild<QAction*>(QString("before_section_%1").arg(static_cast<int>(of_help)));
   menu_->insertSeparator(after_choices_);
-}
-
-void MainWindow::find() {
-  std::vector<FindEntry> entries;
-  const auto offer = [&](const QString& text, const QString& hint, std::function<void()> run) {
-    entries.push_back({tr("action"), text, hint, std::move(run)});
-  };
-  for (const Action& a : actions_.all())
-    if (a.run && a.id != "find" && (!a.is_possible || a.is_possible())) offer(a.plain_text(), a.keys_text(), a.run);
-  for (QAction* a : menu_->actions()) {
-    if (!a->menu()) continue;
-    for (QAction* choice : a->menu()->actions())
-      offer(tr("%1: %2").arg(a->text().remove('&'), choice->text().remove('&').toLower()), {},
-            [choice] { choice->trigger(); });
-  }
-  for (const Actions::Row& row : actions_.sheet())
-    if (!row.is_heading()) entries.push_back({tr("key"), row.what, row.keys, [this] { show_keys(); }});
-  for (FindEntry& e : session_entries(bench_)) entries.push_back(std::move(e));
-  FindBox::show_over(this, std::move(entries));
 }
 
 void MainWindow::show_keys() { KeyList::show_over(this, actions_.sheet()); }

@@ -91,17 +91,19 @@ void RailButton::paintEvent(QPaintEvent*) {
   } else if (underMouse()) {
     painter.fillRect(all, c.sunken);
   }
-  widgets::draw_icon(painter, QRectF(9, 8, 22, 22), icon_, isChecked() ? c.accent : c.ink2);
-  paint_mark(painter, QRectF(width() - 26, 11, 16, 16));
+  const bool is_low = height() < 80;
+  const double icon_y = is_low ? 3 : 8, name_y = is_low ? 23 : 30, line_y = is_low ? 41 : 50;
+  widgets::draw_icon(painter, QRectF(9, icon_y, 22, 22), icon_, isChecked() ? c.accent : c.ink2);
+  paint_mark(painter, QRectF(width() - 26, icon_y + 3, 16, 16));
   QFont font = widgets::text_font(TextRole::body);
   font.setWeight(isChecked() ? QFont::DemiBold : QFont::Normal);
   painter.setFont(font);
   painter.setPen(c.ink1);
-  painter.drawText(QRectF(10, 30, width() - 14, 20), Qt::AlignVCenter | Qt::AlignLeft, text());
+  painter.drawText(QRectF(10, name_y, width() - 14, 20), Qt::AlignVCenter | Qt::AlignLeft, text());
   painter.setFont(widgets::text_font(TextRole::small));
   painter.setPen(c.ink2);
-  painter.drawText(QRectF(10, 50, width() - 14, height() - 52), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
-                   status_.line);
+  painter.drawText(QRectF(10, line_y, width() - 14, height() - line_y - 1),
+                   Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap, status_.line);
   if (hasFocus()) {
     painter.setPen(QPen(c.accent, 2));
     painter.setBrush(Qt::NoBrush);

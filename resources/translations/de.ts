@@ -348,6 +348,69 @@
         <source>%1; another program had changed it meanwhile, and what it wrote is kept in %2.</source>
         <translation>%1; ein anderes Programm hatte die Datei inzwischen geändert, sein Stand liegt in %2.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n action(s)</source>
+        <translation>
+            <numerusform>%n Aktion</numerusform>
+            <numerusform>%n Aktionen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cause(s)</source>
+        <translation>
+            <numerusform>%n Ursache</numerusform>
+            <numerusform>%n Ursachen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s)</source>
+        <translation>
+            <numerusform>%n Gelenk</numerusform>
+            <numerusform>%n Gelenke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s)</source>
+        <translation>
+            <numerusform>%n Marker</numerusform>
+            <numerusform>%n Marker</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n observation(s)</source>
+        <translation>
+            <numerusform>%n Beobachtung</numerusform>
+            <numerusform>%n Beobachtungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s)</source>
+        <translation>
+            <numerusform>%n Paar</numerusform>
+            <numerusform>%n Paare</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rejected observation(s)</source>
+        <translation>
+            <numerusform>%n verworfene Beobachtung</numerusform>
+            <numerusform>%n verworfene Beobachtungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wrong point(s)</source>
+        <translation>
+            <numerusform>%n falscher Punkt</numerusform>
+            <numerusform>%n falsche Punkte</numerusform>
+        </translation>
+    </message>
     <message>
         <source>&amp;Close the session</source>
         <translation>Sitzung s&amp;chließen</translation>
@@ -415,6 +478,10 @@
     <message>
         <source>, %1 chosen</source>
         <translation>, %1 gewählt</translation>
+    </message>
+    <message>
+        <source>, %1 image</source>
+        <translation>, Bild %1</translation>
     </message>
     <message>
         <source>, %1 left</source>
@@ -793,6 +860,10 @@
         <translation>Schließen</translation>
     </message>
     <message>
+        <source>Comes with the fit of %1 observations.</source>
+        <translation>Kommt mit der Anpassung an %1 Beobachtungen.</translation>
+    </message>
+    <message>
         <source>Comparing the three objectives</source>
         <translation>Vergleich der drei Zielfunktionen</translation>
     </message>
@@ -973,6 +1044,10 @@
         <translation>F, 1 … 6, 0</translation>
     </message>
     <message>
+        <source>File to write</source>
+        <translation>Datei, die geschrieben wird</translation>
+    </message>
+    <message>
         <source>Filter</source>
         <translation>Filter</translation>
     </message>
@@ -1093,6 +1168,10 @@
         <translation>Histogramm</translation>
     </message>
     <message>
+        <source>Histogram of the residuals</source>
+        <translation>Histogramm der Residuen</translation>
+    </message>
+    <message>
         <source>Hold %1</source>
         <translation>%1 halten</translation>
     </message>
@@ -1153,8 +1232,8 @@
         <translation>In manchen Haltungen liegt er weit mehr daneben. Wo sitzt es, und wie groß ist es?</translation>
     </message>
     <message>
-        <source>In the model: %1 is level</source>
-        <translation>Im Modell: %1 ist eben</translation>
+        <source>In the model: %1</source>
+        <translation>Im Modell: %1</translation>
     </message>
     <message>
         <source>Include</source>
@@ -1303,6 +1382,10 @@
     <message>
         <source>Looks from there (F, 1 to 6, 0)</source>
         <translation>Sieht von dort hin (F, 1 bis 6, 0)</translation>
+    </message>
+    <message>
+        <source>Magnification of deviations</source>
+        <translation>Vergrößerung der Abweichungen</translation>
     </message>
     <message>
         <source>Make the session</source>
@@ -2213,6 +2296,10 @@
         <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein (%1).</translation>
     </message>
     <message>
+        <source>The model is being fitted.</source>
+        <translation>Das Modell wird angepasst.</translation>
+    </message>
+    <message>
         <source>The model misses by %1 where the noise is %2.</source>
         <translation>Das Modell liegt um %1 daneben, wo das Rauschen %2 ist.</translation>
     </message>
@@ -2475,6 +2562,10 @@
     <message>
         <source>Waits for a fit: label three markers, then play.</source>
         <translation>Wartet auf eine Anpassung: markiere drei Marker, dann abspielen.</translation>
+    </message>
+    <message>
+        <source>Waits for a fit: play.</source>
+        <translation>Wartet auf eine Anpassung: abspielen.</translation>
     </message>
     <message>
         <source>Waits for a fit; then it says where the TCP really is.</source>
@@ -3475,69 +3566,6 @@
     <message>
         <source>±</source>
         <translation>±</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n action(s)</source>
-        <translation>
-            <numerusform>%n Aktion</numerusform>
-            <numerusform>%n Aktionen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n cause(s)</source>
-        <translation>
-            <numerusform>%n Ursache</numerusform>
-            <numerusform>%n Ursachen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n joint(s)</source>
-        <translation>
-            <numerusform>%n Gelenk</numerusform>
-            <numerusform>%n Gelenke</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n marker(s)</source>
-        <translation>
-            <numerusform>%n Marker</numerusform>
-            <numerusform>%n Marker</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n observation(s)</source>
-        <translation>
-            <numerusform>%n Beobachtung</numerusform>
-            <numerusform>%n Beobachtungen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pair(s)</source>
-        <translation>
-            <numerusform>%n Paar</numerusform>
-            <numerusform>%n Paare</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n Punkt</numerusform>
-            <numerusform>%n Punkte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rejected observation(s)</source>
-        <translation>
-            <numerusform>%n verworfene Beobachtung</numerusform>
-            <numerusform>%n verworfene Beobachtungen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n wrong point(s)</source>
-        <translation>
-            <numerusform>%n falscher Punkt</numerusform>
-            <numerusform>%n falsche Punkte</numerusform>
-        </translation>
     </message>
 </context>
 </TS>

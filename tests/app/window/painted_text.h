@@ -2,6 +2,8 @@
 // Every text that a window paints, with its place: what labels hold and what widgets paint themselves.
 #pragma once
 
+#include <qcustomplot.h>
+
 #include <QPaintDevice>
 #include <QPaintEngine>
 #include <QPainter>
@@ -84,7 +86,12 @@ class TextRecorder : public QPaintDevice {
 /// The texts that this widget itself paints, without its children.
 inline std::vector<PaintedText> texts_of(QWidget& widget) {
   TextRecorder recorder(widget.size());
-  widget.render(&recorder, QPoint(), QRegion(), QWidget::RenderFlags());
+  if (auto* plot = qobject_cast<QCustomPlot*>(&widget)) {  // paints a picture that it keeps
+    QCPPainter painter(&recorder);
+    plot->toPainter(&painter, widget.width(), widget.height());
+  } else {
+    widget.render(&recorder, QPoint(), QRegion(), QWidget::RenderFlags());
+  }
   for (PaintedText& text : recorder.texts) text.widget = &widget;
   return recorder.texts;
 }

@@ -27,11 +27,22 @@ std::string told(const PaintedText& t) {
 bool is_left_out(const QWidget& w) {
   if (qobject_cast<const QHeaderView*>(w.parentWidget()) || qobject_cast<const QAbstractItemView*>(w.parentWidget()))
     return true;
+  if (qobject_cast<const QPlainTextEdit*>(w.parentWidget())) return true;
   return qobject_cast<const QLineEdit*>(&w) || qobject_cast<const QComboBox*>(&w) || qobject_cast<const QTabBar*>(&w) ||
          qobject_cast<const widgets::RobotView*>(&w);
 }
 
+/// What cannot be scrolled sideways is no wider than what is seen of it.
+void expect_nothing_beside(QWidget& window, const std::string& state) {
+  for (const QScrollArea* area : window.findChildren<QScrollArea*>()) {
+    if (!area->isVisible() || !area->widget() || area->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) continue;
+    EXPECT_LE(area->widget()->width(), area->viewport()->width())
+        << state << ": " << area->parentWidget()->objectName().toStdString();
+  }
+}
+
 void expect_readable(QWidget& window, const std::string& state) {
+  expect_nothing_beside(window, state);
   for (QWidget* w : window.findChildren<QWidget*>()) {
     if (!w->isVisible() || is_left_out(*w) || w->width() < 8 || w->height() < 8) continue;
     const std::vector<PaintedText> texts = texts_of(*w);
