@@ -46,7 +46,8 @@ struct TargetSearch {
 };
 
 /// Gives the observations that have images and no sightings what the images show of the target; those that are rejected
-/// or excluded stay as they are. Nothing is done in a session without a target. `progress` hears how many observations are done.
+/// or excluded stay as they are. Nothing is done in a session without a target. `progress` hears how many observations
+/// are done.
 TargetSearch find_targets(Session& session,
                           const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
