@@ -42,6 +42,8 @@ Words words_from(const std::string& text) {
 
 }  // namespace
 
+bool is_given(const TargetOptions& o) { return !o.whole.empty() || !o.kind.empty(); }
+
 void add_target_options(CLI::App& app, TargetOptions& o, bool whole_too) {
   if (whole_too)
     app.add_option(
