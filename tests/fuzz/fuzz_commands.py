@@ -109,9 +109,13 @@ def seeds(cli, source, root):
     left = os.path.join('S', 'images', pictures[0])
     right = os.path.join('S', 'images', pictures[1])
     folders.append((images, [['check', 'S'], ['online', 'S'], ['detect', left, right, '--session', 'S'],
-                             ['label', 'S', '--observation', '0', '--left', '200,200', '--left', '220,210', '--left', '260,260'],
-                             ['cameras', left, right, '--kind', 'charuco', '--columns', '7', '--rows', '5', '--square', '0.02', '--marker', '0.015',
-                              '--out', 'c.yaml']]))
+                             ['label', 'S', '--observation', '0', '--left', '421,338', '408,411', '473,378']]))
+    board = os.path.join(root, 'board')
+    os.makedirs(board)
+    made(cli, board, 'simulate', '--like', os.path.join(samples, 'rigs', 'one_camera_board'), '--out', 'S', '--observations', '6', '--seed', '7',
+         '--farthest', '1.1')
+    os.remove(os.path.join(board, 'S', 'truth.xml'))
+    folders.append((board, [['check', 'S'], ['online', 'S'], ['fit', 'S'], ['diagnose', 'S']]))
     return folders
 
 
@@ -123,7 +127,7 @@ def check_seeds(cli, folders, root):
             shutil.rmtree(work, ignore_errors=True)
             shutil.copytree(template, work)
             code, text, _, _ = run(cli, arguments, work, 3 * MOST_SECONDS)
-            if code not in (0, 1) and arguments[0] not in ('effective-mass', ):
+            if code not in (0, 1) and arguments[0] != 'effective-mass':  # which refuses more than one marker
                 sys.exit('%s: handsight-cli %s: exit code %d: %s' % (template, ' '.join(arguments), code, text[-400:]))
 
 
@@ -209,8 +213,7 @@ def fault_of(code, text, seconds, memory, before, after, arguments):
             return 'prints ' + found.group()
     if code == 2 and not any(len(line) in SENTENCE for line in text.splitlines()):
         return 'no sentence'
-    may_change = ('--save', )
-    if not any(a in may_change for a in arguments):
+    if '--save' not in arguments and arguments[0] != 'label':
         lost = [name for name, value in before.items() if after.get(name) != value]
         if lost:
             return 'changed ' + lost[0]
