@@ -15,6 +15,8 @@ add_compile_options(-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-unused-parame
   -Wno-restrict)                   # false alarms of GCC 12 on std::string
 # Binaries must give the same result on every x86-64: no contraction, no -march=native.
 add_compile_options(-ffp-contract=off)
+# What Boost's headers define for those that link them: precompiled headers are of no use where it is not the same.
+add_compile_definitions(BOOST_ALL_NO_LIB)
 # With large precompiled headers GCC would spend a fifth of its time on looking for what it can free.
 add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>)
 if(HANDSIGHT_SANITIZE)

@@ -19,8 +19,18 @@ foreach(what man bash zsh fish)
     DEPENDS handsight-cli VERBATIM)
   list(APPEND described_files ${described}/${what})
 endforeach()
-add_custom_target(describe ALL DEPENDS ${described_files})
-install(FILES ${described}/man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME handsight-cli.1 COMPONENT cli)
+# As Debian wants them: compressed, the same bytes from every build.
+find_program(HANDSIGHT_GZIP gzip REQUIRED)
+function(compressed source name)
+  add_custom_command(OUTPUT ${described}/${name} COMMAND ${CMAKE_COMMAND} -E make_directory ${described}
+    COMMAND ${HANDSIGHT_GZIP} -9nc ${source} > ${described}/${name} DEPENDS ${source} VERBATIM)
+endfunction()
+compressed(${described}/man handsight-cli.1.gz)
+compressed(${CMAKE_SOURCE_DIR}/CHANGELOG.md changelog.gz)
+compressed(${CMAKE_SOURCE_DIR}/resources/handsight.1 handsight.1.gz)
+add_custom_target(describe ALL DEPENDS ${described_files} ${described}/handsight-cli.1.gz ${described}/changelog.gz
+  ${described}/handsight.1.gz)
+install(FILES ${described}/handsight-cli.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT cli)
 install(FILES ${described}/bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME handsight-cli
   COMPONENT cli)
 install(FILES ${described}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _handsight-cli COMPONENT cli)
@@ -29,8 +39,9 @@ install(FILES ${described}/fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli
   FILES_MATCHING PATTERN "*.md" PATTERN pictures EXCLUDE)
-install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli)
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSES/Apache-2.0.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME copyright COMPONENT cli)
+install(FILES ${CMAKE_SOURCE_DIR}/README.md ${described}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli)
+install(FILES ${CMAKE_SOURCE_DIR}/resources/debian/copyright_cli DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME copyright
+  COMPONENT cli)
 install(FILES ${CMAKE_SOURCE_DIR}/resources/justin.urdf DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/robots COMPONENT cli)
 
 if(HANDSIGHT_HAS_WINDOW)
@@ -42,8 +53,10 @@ if(HANDSIGHT_HAS_WINDOW)
   install(FILES ${CMAKE_SOURCE_DIR}/resources/handsight-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
     RENAME handsight.xml COMPONENT window)
   install(FILES ${CMAKE_SOURCE_DIR}/resources/handsight.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT window)
-  install(FILES ${CMAKE_SOURCE_DIR}/LICENSES/GPL-3.0-or-later.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
+  install(FILES ${CMAKE_SOURCE_DIR}/resources/debian/copyright_window DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
     COMPONENT window)
+  install(FILES ${described}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT window)
+  install(FILES ${described}/handsight.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT window)
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/sample_sessions/ DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/sample_sessions
     COMPONENT window PATTERN "*.sh" EXCLUDE)
 endif()
@@ -63,6 +76,8 @@ endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS  # whatever the umask
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME handsight-cli)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME handsight)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "handsight-cli (= ${PROJECT_VERSION}), libqt6svg6")

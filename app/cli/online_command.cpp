@@ -12,7 +12,7 @@
 #include "command.h"
 #include "estimation/online.h"
 #include "json_values.h"
-#include "limits.h"
+#include "option_limits.h"
 #include "outputs.h"
 #include "session/session_xml.h"
 #include "vision/image_file.h"
