@@ -15,8 +15,6 @@ add_compile_options(-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-unused-parame
   -Wno-restrict)                   # false alarms of GCC 12 on std::string
 # Binaries must give the same result on every x86-64: no contraction, no -march=native.
 add_compile_options(-ffp-contract=off)
-# What Boost's headers define for those that link them: precompiled headers are of no use where it is not the same.
-add_compile_definitions(BOOST_ALL_NO_LIB)
 # With large precompiled headers GCC would spend a fifth of its time on looking for what it can free.
 add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>)
 if(HANDSIGHT_SANITIZE)
@@ -35,7 +33,7 @@ endif()
 # use Eigen (handsight_headers), and once with GoogleTest beside them (handsight_test_headers). A source still includes what it uses.
 option(HANDSIGHT_PRECOMPILED "Precompile the headers of Eigen, the standard library and GoogleTest" ON)
 set(handsight_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional> <random> <set> <span>
-  <string> <string_view> <vector> <boost/container/small_vector.hpp> <fmt/format.h> <Eigen/Dense>)
+  <string> <string_view> <vector> <fmt/format.h> <Eigen/Dense>)
 
 # handsight_precompile(NAME HEADERS ... LINK LIBRARY ...): a set of precompiled headers that targets share.
 function(handsight_precompile name)

@@ -13,7 +13,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session, o.output);
+  const Session session = open_searched_session(o.session, o.output);
   const SessionCheck check = check_session(session);
   for (const std::string& line : check.contents) o.output.line(line);
   for (const std::string& line : check.warnings) o.output.line("warning: " + line);

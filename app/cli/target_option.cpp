@@ -65,6 +65,8 @@ constexpr TargetWord target_words[] = {
 
 }  // namespace
 
+bool is_given(const TargetOptions& o) { return !o.whole.empty() || !o.kind.empty(); }
+
 void add_target_options(CLI::App& app, TargetOptions& o, bool whole_too) {
   if (whole_too)
     app.add_option(
