@@ -15,6 +15,7 @@ namespace {
 
 constexpr int draws = 400;
 constexpr double chance = 0.005, tail_share = 0.1;
+constexpr double least_odds = 6;  // ln: the sizes of what the model lacks are only known so well
 
 /// Extrapolated from the tail, which falls off exponentially.
 double rare_value(std::vector<double> values) {
@@ -73,7 +74,7 @@ double change_threshold(const Eigen::MatrixXd& information, const std::vector<Ch
     for (double& x : z) x = normal(random);
     largest.push_back(best_of_groups(information, root * z, places));
   }
-  return std::max(4.0, rare_value(std::move(largest)));
+  return std::max(least_odds, rare_value(std::move(largest)));
 }
 
 }  // namespace handsight

@@ -21,7 +21,7 @@ struct ChangePlace {
   Eigen::Index first = 0, count = 0;
 };
 
-/// What the best of all groups reaches once in 200 times by noise alone, and no less than 4. `information`: of all
+/// What the best of all groups reaches once in 200 times by noise alone, and no less than 6. `information`: of all
 /// changes together.
 double change_threshold(const Eigen::MatrixXd& information, const std::vector<ChangePlace>& places);
 

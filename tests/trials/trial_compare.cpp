@@ -152,7 +152,14 @@ int compare_trials(const Arguments& a) {
     const Hidden& what = hidden[static_cast<std::size_t>(i) % std::size(hidden)];
     if (a.kind != "all" && !five && a.kind != (what.group[0] ? what.group : "nothing")) continue;
     const auto model = static_cast<Model>(i / static_cast<int>(std::size(hidden)) % 3);
-    const Pair pair = drawn_pair(robot, seed, what, model);
+    std::optional<Pair> drawn;
+    try {
+      drawn = drawn_pair(robot, seed, what, model);
+    } catch (const InputError& error) {  // these cameras see hardly any pose
+      fmt::print("  robot {} seed {} is left out: {}\n", robot, seed, error.what());
+      continue;
+    }
+    const Pair& pair = *drawn;
     const Comparison c = five ? with_five_poses(pair) : compare(pair.before, pair.after);
     const std::string found = found_in(c), truth = what.group;
     const double noncentrality = shown(c, truth);
