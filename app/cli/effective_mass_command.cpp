@@ -4,7 +4,7 @@
 #include "command.h"
 #include "estimation/one_marker.h"
 #include "json_values.h"
-#include "limits.h"
+#include "option_limits.h"
 
 namespace handsight::cli {
 namespace {

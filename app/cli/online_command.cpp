@@ -12,7 +12,7 @@
 #include "command.h"
 #include "estimation/online.h"
 #include "json_values.h"
-#include "limits.h"
+#include "option_limits.h"
 #include "outputs.h"
 #include "session/session_xml.h"
 #include "session/target_finding.h"
@@ -112,10 +112,10 @@ class Steps {
     }
     for (Observation& o : session_.observations)
       if (o.id == step.id && o.decision != Decision::excluded && !unreadable_.count(o.id)) keep_step(step, o);
-    if (step.accepted)
-      taken_.insert(step.id);
-    else
-      taken_.erase(step.id);
+    const auto place = std::lower_bound(taken_.begin(), taken_.end(), step.id);
+    const bool is_in = place != taken_.end() && *place == step.id;
+    if (step.accepted && !is_in) taken_.insert(place, step.id);
+    if (!step.accepted && is_in) taken_.erase(place);
     if (step.has_estimate) last_ = step;
   }
   std::size_t taken() const { return taken_.size(); }
@@ -144,7 +144,7 @@ class Steps {
  private:
   Session& session_;
   const Options& options_;
-  std::set<std::int64_t> taken_;
+  std::vector<std::int64_t> taken_;  // ids, ascending: a watch may last for days
   OnlineStep last_;
   std::string json_lines_, first_refusal_;
   std::set<std::int64_t> unreadable_;

@@ -3,7 +3,7 @@
 
 #include "command.h"
 #include "effects/own_effect.h"
-#include "limits.h"
+#include "option_limits.h"
 #include "outputs.h"
 #include "robot/urdf.h"
 #include "simulate_live.h"
