@@ -69,13 +69,13 @@ QSize RobotView::minimumSizeHint() const { return {240, 200}; }
 void RobotView::set_robot(const Robot& robot, const std::filesystem::path& mesh_folder) {
   Parts& p = *parts_;
   p.robot = robot;
-  p.mesh_folder = mesh_folder;
   p.robot_changed = true;
   p.posture.clear();
   p.bent.reset();
   p.wants_fit = true;
-  // Read at once, so that notes() knows; shown at the next picture.
-  p.links.notes = make_robot_actors(robot, mesh_folder).notes;
+  // Read at once and once, so that notes() knows; shown at the next picture.
+  p.read_links = make_robot_actors(robot, mesh_folder);
+  p.links.notes = p.read_links.notes;
   change();
 }
 
@@ -96,6 +96,11 @@ void RobotView::set_ghost(const std::optional<std::vector<Rigid>>& root_from_lin
 void RobotView::set_ghost_magnification(double times) {
   parts_->ghost_times = times;
   parts_->ghost_changed = true;
+  change();
+}
+
+void RobotView::set_interest(std::vector<Vector3> in_root) {
+  parts_->interest = std::move(in_root);
   change();
 }
 

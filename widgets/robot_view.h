@@ -68,6 +68,8 @@ class RobotView : public QWidget {
   /// The same with what the model bends; the ghost is drawn where posture + magnification * (ghost - posture) is.
   void set_ghost(const std::optional<std::vector<Rigid>>& root_from_link);
   void set_ghost_magnification(double times);
+  /// Places that are to be in sight where neither cameras nor the TCP are shown.
+  void set_interest(std::vector<Vector3> in_root);
   void set_cameras(std::vector<SceneCamera> cameras);
   void set_tcp(const std::optional<Rigid>& root_from_tcp);          // red, green, blue
   void set_tcp_est(const std::optional<Rigid>& root_from_tcp_est);  // cyan, yellow, magenta

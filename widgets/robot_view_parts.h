@@ -28,11 +28,11 @@ struct RobotView::Parts {
   QWidget* buttons = nullptr;
 
   Robot robot;
-  std::filesystem::path mesh_folder;
   std::vector<Rigid> posture;
   std::optional<std::vector<Rigid>> bent;
   double ghost_times = 20, arrow_times = 20;
   std::vector<SceneCamera> cameras;
+  std::vector<Vector3> interest;  // places that are to be in sight
   std::optional<Rigid> tcp, tcp_est;
   std::vector<SceneMarker> markers;
   std::vector<SceneArrow> arrows;
@@ -40,6 +40,7 @@ struct RobotView::Parts {
   ObservationId selected = kNoObservation, hovered = kNoObservation;
   QString selected_joint, empty_text;
 
+  RobotActors read_links;  // not yet in the scene
   RobotActors links, ghost, shadow;
   ActorGroup floor, camera_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
   // What has to be made anew before the next picture: actors may only go while the context is current.

@@ -11,6 +11,7 @@
 #include "calibrate/own_pose_page.h"
 #include "calibrate/recall.h"
 #include "calibrate/transport.h"
+#include "frame/camera_strip.h"
 #include "frame/link_selection.h"
 #include "frame/observation_views.h"
 #include "widgets/convergence_plot.h"
@@ -105,6 +106,9 @@ void CalibrateWorkspace::make_layout() {
   layout->setContentsMargins(8, 0, 8, 8);
   layout->setSpacing(4);
   layout->addWidget(transport_);
+  cameras_ = new CameraStrip(bench_, left_, right_, this);
+  connect(cameras_, &CameraStrip::changed, this, &CalibrateWorkspace::refresh_observation);
+  layout->addWidget(cameras_);
   layout->addWidget(rows, 1);
   const auto magnify = [this](double times) {
     scene_->set_ghost_magnification(times);
@@ -183,7 +187,7 @@ void CalibrateWorkspace::connect_selection() {
       if (!bench_.selection.current().observation || marker < 0) return;
       bench_.selection.select({.observation = bench_.selection.current().observation,
                                .marker = marker,
-                               .camera = view == left_ ? CameraSide::left : CameraSide::right});
+                               .camera = cameras_->camera_of(view)});
     });
   }
   connect(&bench_.selection, &Selection::changed, this, [this] {
@@ -223,8 +227,8 @@ void CalibrateWorkspace::connect_selection() {
 
 WorkStatus CalibrateWorkspace::status() const {
   const Session& s = bench_.document.session();
-  const bool is_labelled = std::any_of(s.observations.begin(), s.observations.end(),
-                                       [](const Observation& o) { return !o.sightings.empty(); });
+  const bool is_labelled = s.target || std::any_of(s.observations.begin(), s.observations.end(),
+                                                   [](const Observation& o) { return !o.sightings.empty(); });
   if (!is_labelled) return {WorkState::waiting, tr("waits for labels")};
   const auto taken = std::count_if(s.observations.begin(), s.observations.end(),
                                    [](const Observation& o) { return o.decision == Decision::accepted; });
@@ -304,7 +308,7 @@ void CalibrateWorkspace::refresh_observation() {
   const PlayedStep* played = player_.step_of(o->id);
   const bool use_played = played && !played->row.markers.empty() && (player_.is_playing() || !bench_.document.model());
   const InspectionRow* row = use_played ? &played->row : bench_.row(o->id);
-  show_images(bench_, *o, row, *left_, *right_, true);
+  show_images(bench_, *o, row, cameras_->shown(), true);
   if (tabs_->currentWidget() == own_pose_) {
     own_pose_->show(*scene_);
   } else {

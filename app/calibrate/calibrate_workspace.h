@@ -19,6 +19,8 @@ class RobotView;
 
 namespace handsight::app {
 
+class CameraStrip;
+
 class ObjectivePage;
 class OneMarkerPage;
 class OwnPosePage;
@@ -57,6 +59,7 @@ class CalibrateWorkspace : public Workspace {
   Player player_;
   Transport* transport_;
   widgets::ImageView *left_, *right_;
+  CameraStrip* cameras_;
   widgets::RobotView* scene_ = nullptr;
   widgets::ConvergenceBoard* board_;
   widgets::DecisionList* decisions_;

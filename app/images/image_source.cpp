@@ -71,13 +71,14 @@ Image grey_image(const QImage& image) {
   return copy_rows(grey);
 }
 
-ShownImage ImageSource::image(const Session& session, const Observation& observation, bool left) {
-  const std::string& name = left ? observation.images[0] : observation.images[1];
-  if (name.empty() || !session.rig || !is_pair(*session.rig)) return {};
+ShownImage ImageSource::image(const Session& session, const Observation& observation, int camera) {
+  if (!session.rig || camera >= session.rig->count()) return {};
+  const std::string& name = observation.images[static_cast<std::size_t>(camera)];
+  if (name.empty()) return {};
   const std::filesystem::path file = folder(session) / name;
   const QString key = QString::fromStdString(file.string());
   if (const QImage* known = cache_.object(key)) return {*known, {}};
-  ShownImage shown = read_shown_image(file, name, left ? session.rig->at(0).camera : session.rig->at(1).camera);
+  ShownImage shown = read_shown_image(file, name, session.rig->at(camera).camera);
   if (!shown.image.isNull())
     cache_.insert(key, new QImage(shown.image), std::max<qsizetype>(1, shown.image.sizeInBytes() / 1024));
   return shown;

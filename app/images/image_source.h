@@ -29,8 +29,8 @@ Image grey_image(const QImage& image);
 class ImageSource {
  public:
   ImageSource() : cache_(96 * 1024) {}
-  /// The left or right image of an observation, from memory where it was shown before.
-  ShownImage image(const Session& session, const Observation& observation, bool left);
+  /// A camera's image of an observation, from memory where it was shown before; nothing where there is none.
+  ShownImage image(const Session& session, const Observation& observation, int camera);
   void clear() { cache_.clear(); }
 
  private:

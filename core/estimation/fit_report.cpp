@@ -60,7 +60,7 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
   if (images.rig && images.shape && residuals.lengths.empty()) add_lengths_of_pose(images, o, unknowns, residuals);
   if (const auto pose = pose_residual(images, o, unknowns)) {
     residuals.lengths.push_back(pose->place.norm());
-    residuals.length_squares_of_noise += 1.5;  // a place's coordinate is the mean of two measurements
+    residuals.length_squares_of_noise += 3;
   }
   return residuals;
 }

@@ -1400,6 +1400,10 @@
         <translation>Marker</translation>
     </message>
     <message>
+        <source>Markers are clicked in sessions of two cameras. These labels came with the session.</source>
+        <translation>Marker werden in Sitzungen mit zwei Kameras angeklickt. Diese Beschriftung kam mit der Sitzung.</translation>
+    </message>
+    <message>
         <source>Markers on the hand</source>
         <translation>Marker an der Hand</translation>
     </message>
@@ -2022,6 +2026,10 @@
     <message>
         <source>Show the model (M)</source>
         <translation>Modell zeigen (M)</translation>
+    </message>
+    <message>
+        <source>Shows the image of this camera</source>
+        <translation>Zeigt das Bild dieser Kamera</translation>
     </message>
     <message>
         <source>Shows the plot against it</source>
@@ -2748,6 +2756,14 @@
         <translation>gegen %1</translation>
     </message>
     <message>
+        <source>all cameras</source>
+        <translation>alle Kameras</translation>
+    </message>
+    <message>
+        <source>all, standard views, from the camera</source>
+        <translation>alles, Standardansichten, von der Kamera</translation>
+    </message>
+    <message>
         <source>an effect is missing</source>
         <translation>eine Ursache fehlt</translation>
     </message>
@@ -2802,6 +2818,10 @@
     <message>
         <source>both</source>
         <translation>beide</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
     </message>
     <message>
         <source>cameras</source>
@@ -3086,6 +3106,10 @@
     <message>
         <source>moved marker %1 of observation %2</source>
         <translation>Marker %1 von Beobachtung %2 verschoben</translation>
+    </message>
+    <message>
+        <source>needs no labels</source>
+        <translation>braucht keine</translation>
     </message>
     <message>
         <source>needs no play</source>
@@ -3398,6 +3422,10 @@
     <message>
         <source>sigma of %1 (%2)</source>
         <translation>Sigma von %1 (%2)</translation>
+    </message>
+    <message>
+        <source>sizes in px, in mm at the hand, in σ</source>
+        <translation>Größen in px, in mm an der Hand, in σ</translation>
     </message>
     <message>
         <source>sizes in px, in mm at the hand, in σ (residual over noise)</source>

@@ -8,6 +8,7 @@
 #include "estimation/export.h"
 #include "estimation/fit.h"
 #include "estimation/fit_report.h"
+#include "estimation/half_turns.h"
 #include "estimation/online.h"
 #include "estimation/target_pose.h"
 #include "session/calibration_xml.h"
@@ -189,6 +190,33 @@ TEST(Targets, OnlineRejectsPointsThatDoNotLieAsOnTheTarget) {
     if (k == 7) {
       EXPECT_EQ(step.reason, "none of its tags was found");
     }
+  }
+}
+
+TEST(Targets, ChessboardsThatLookTheSameTurnedAreToldByTheRobotsMotion) {
+  Target chess;
+  chess.kind = TargetKind::chessboard;
+  chess.columns = 8;
+  chess.rows = 6;
+  chess.square = 0.025;
+  for (const bool mount_is_known : {true, false}) {
+    SimulatedSession s = simulated(target_session(chess), 12);
+    if (!mount_is_known) s.session = with_unknown_mount(s.session);
+    const Fit truth = fit(s.session);
+    for (std::size_t k = 0; k < s.session.observations.size(); k += 3)
+      turn_by_half(s.session.observations[k].sightings, s.session.marker_count);
+    Session online_session = s.session;
+    EXPECT_EQ(undo_half_turns(s.session), 10);
+    const Fit f = fit(s.session);
+    EXPECT_LT(small_motion_between(f.tcp_from_body, truth.tcp_from_body).norm(), 1e-9);
+    OnlineCalibration online(online_session);
+    OnlineStep last;
+    for (const Observation& o : online_session.observations) {
+      last = online.add(o, nullptr);
+      EXPECT_TRUE(last.accepted);
+    }
+    const Rigid apart = inverse(truth.tcp_from_body) * last.tcp_from_body;
+    EXPECT_LT(apart.translation.norm(), 1e-6) << "the middle is the same both ways round";
   }
 }
 

@@ -62,6 +62,7 @@ void paint_honest(QPainter& painter, const CardState& state, const CardLayout& l
 void paint_title(QPainter& painter, const CardState& state, QRectF area) {
   painter.setFont(text_font(TextRole::title));
   painter.setPen(colors().ink1);
+  if (area.height() > 24) return draw_lines(painter, painter.font(), area, state.title, 2);
   draw_text(painter, area, Qt::AlignLeft | Qt::AlignVCenter, state.title);
   area.setLeft(area.left() + QFontMetricsF(painter.font()).horizontalAdvance(state.title) + kGap);
   if (state.where.isEmpty() || area.width() < 24) return;
@@ -143,8 +144,11 @@ void paint_size(QPainter& painter, const ModelParameter& p, const QString& name,
   const Colors& c = colors();
   QString value = with_sigma_text(p.value, p.sigma);
   if (p.value && !p.unit.isEmpty()) value += QChar(0x00A0) + p.unit;
-  const double bar = 64, most = row.width() - bar - 2 * kGap - 44;
   painter.setFont(number_font(TextRole::small));
+  // A long name takes room from the bar, down to half of it.
+  const double wanted = QFontMetricsF(painter.font()).horizontalAdvance(value) + 2 +
+                        QFontMetricsF(small()).horizontalAdvance(name) + 2 * kGap;
+  const double bar = std::clamp(row.width() - wanted, 32.0, 64.0), most = row.width() - bar - 2 * kGap - 44;
   const double needed = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value) + 2, most);
   painter.setPen(c.ink1);
   const QRectF middle(row.right() - bar - kGap - needed, row.top(), needed, row.height());
@@ -154,7 +158,7 @@ void paint_size(QPainter& painter, const ModelParameter& p, const QString& name,
   const QRectF left(row.left(), row.top(), middle.left() - kGap - row.left(), row.height());
   // Names of joints differ at their ends.
   draw_text(painter, left, Qt::AlignLeft | Qt::AlignVCenter,
-            QFontMetricsF(painter.font()).elidedText(name, Qt::ElideMiddle, left.width()));
+            QFontMetricsF(painter.font()).elidedText(name, Qt::ElideLeft, left.width()));
   if (p.plausible && *p.plausible > 0)
     paint_plausible(painter, p, QRectF(row.right() - bar, row.center().y() - 3, bar, 6));
 }
@@ -202,7 +206,8 @@ CardLayout lay_out(const CardState& state, double width) {
   CardLayout l;
   l.drawing = {kMargin, kMargin, kDrawing, kDrawing};
   double left = l.drawing.right() + 12, wide = width - left - kMargin;
-  l.title = {left, kMargin - 2, wide, 22};
+  const double title = lines_height(text_font(TextRole::title), state.title, wide, 2);
+  l.title = {left, kMargin - 2, wide, std::max(title, 22.0)};
   double y = l.title.bottom() + 2;
   const auto text = [&](const QFont& font, const QString& said_text, int most_lines) {
     const double high = lines_height(font, said_text, wide, most_lines);
@@ -211,7 +216,7 @@ CardLayout lay_out(const CardState& state, double width) {
     return area;
   };
   const bool is_honest = state.kind != CardKind::candidate;
-  l.words = text(body(), state.words, is_honest ? 6 : 2);
+  l.words = text(body(), state.words, is_honest ? 6 : 3);
   if (state.error.now && state.error.left) {
     l.error = {left, y, wide, kErrorRow};
     y += kErrorRow + 3;
@@ -257,7 +262,7 @@ void paint_card(QPainter& painter, const CardState& state, const CardLayout& l) 
     paint_honest(painter, state, l);
   paint_title(painter, state, l.title);
   painter.setPen(c.ink1);
-  draw_lines(painter, body(), l.words, state.words, state.kind == CardKind::candidate ? 2 : 6);
+  draw_lines(painter, body(), l.words, state.words, state.kind == CardKind::candidate ? 3 : 6);
   if (!l.error.isEmpty()) paint_error(painter, state.error, l.error);
   painter.setPen(c.care);
   draw_lines(painter, small(), l.caution, state.caution, 2);
