@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/explain/candidate_list.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -140,11 +141,15 @@ void CandidateList::show_cards(const std::vector<CardState>& in_order) {
     if (found != old.end()) old.erase(found);
     CardState shown_state = state;
     if (!can_add_) shown_state.can_add = false, shown_state.why_not = tr("A fit runs.");
+    if (!can_add_ && card->isAncestorOf(QApplication::focusWidget())) setFocus();  // before its button goes grey
     card->set_state(std::move(shown_state));
     now.push_back(card);
   }
   for (CandidateCard* card : old) {  // its own click may be what led here: it must outlive its signal
     let_go(card->state().id);
+    // Else the focus would wander through the window, and what it comes to would scroll.
+    QWidget* const focused = QApplication::focusWidget();
+    if (card == focused || card->isAncestorOf(focused)) setFocus();
     list_->removeWidget(card);
     card->hide();
     card->deleteLater();

@@ -33,8 +33,8 @@ class ResidualCloud : public QWidget {
  public:
   explicit ResidualCloud(QWidget* parent = nullptr);
   void set_noise(std::optional<double> sigma);
-  /// px at first; the axes are locked anew where it changes.
   void set_camera_names(const QStringList& names) { camera_names_ = names; }  // by camera
+  /// px at first; the axes are locked anew where it changes.
   void set_unit(SizeUnit unit);
   void set_before(std::vector<CloudPoint> points, const QString& title);
   /// Where points of the same corners were shown in this pane they move there within 160 ms.

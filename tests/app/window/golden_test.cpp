@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The main states of the window look as they did: pictures of a sixth of the size, with a tolerance for fonts and the
-// software's rendering. HANDSIGHT_GOLDEN=write makes them anew (tests/app/golden): look at each before it is kept.
+// software's rendering. HANDSIGHT_GOLDEN=write makes them anew (tests/app/golden), and whole ones in the build folder
+// (golden): look at each before it is kept.
 #include <gtest/gtest.h>
 
 #include <QImage>
@@ -28,14 +29,16 @@ double difference(const QImage& a, const QImage& b, const QRect& area) {
 
 void expect_as_before(QWidget& window, const char* name) {
   QTest::qWait(300);
-  const QImage now = window.grab()
-                         .toImage()
-                         .scaled(small, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
-                         .convertToFormat(QImage::Format_RGB32);
+  const QImage full = window.grab().toImage();
+  const QImage now =
+      full.scaled(small, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32);
   const auto file = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "tests/app/golden" / (std::string(name) + ".png");
   if (qEnvironmentVariable("HANDSIGHT_GOLDEN") == "write") {
     std::filesystem::create_directories(file.parent_path());
     ASSERT_TRUE(now.save(QString::fromStdString(file.string())));
+    const auto to_look_at = std::filesystem::path(HANDSIGHT_BINARY_DIR) / "golden";
+    std::filesystem::create_directories(to_look_at);
+    ASSERT_TRUE(full.save(QString::fromStdString((to_look_at / file.filename()).string())));
     return;
   }
   const QImage before = QImage(QString::fromStdString(file.string())).convertToFormat(QImage::Format_RGB32);
