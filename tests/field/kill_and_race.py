@@ -20,7 +20,7 @@ import time
 
 SOURCE = os.path.realpath(os.path.join(os.path.dirname(__file__), '..', '..'))
 SAMPLES = os.path.join(SOURCE, 'sample_sessions')
-MOMENT = re.compile(rb'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ')
+MOMENT = re.compile(rb'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ|"milliseconds":[\d.e+-]+')
 FIRST = ['--observation', '0', '--left', '421,338', '408,411', '473,378']
 
 
@@ -30,7 +30,7 @@ def run(arguments, folder, seconds=120):
 
 
 def contents(folder):
-    """Digest of each file below the folder, by its path; the moments that exports tell are left out."""
+    """Digest of each file below the folder, by its path; moments and times that they tell are left out."""
     found = {}
     for place, _, names in os.walk(folder):
         for name in names:
@@ -112,7 +112,7 @@ def killed(desk, name, arguments, times, rng, problems):
     for _ in range(times):
         process = subprocess.Popen([desk.cli] + arguments, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.DEVNULL)
-        time.sleep(rng.uniform(0, 1.05 * duration))
+        time.sleep(rng.uniform(0, 1.2 * duration))
         process.send_signal(signal.SIGKILL)
         process.wait()
         now = contents(folder)
