@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "effects/units.h"
 #include "json_values.h"
 
 namespace handsight::cli {
@@ -41,7 +42,7 @@ Json parameters_json(const Session& session, const std::vector<FittedEffect>& ef
            {"name", effect->parameters[p].name},
            {"value", e.term.values[p]},
            {"sigma", number(e.sigmas[p])},
-           {"unit", effect->parameters[p].unit}});
+           {"unit", unit_at(*effect, p, e.term.joint, session.robot)}});
   }
   return list;
 }
@@ -78,7 +79,7 @@ void print_effects(const Output& out, const Session& session, const Fit& fit) {
       out.line(fmt::format("  {:<22} {:<12} {:<11} {:>11.4g}{} {}", e.term.id, place, effect.parameters[p].name,
                            e.term.values[p],
                            e.sigmas[p] > 0 ? fmt::format(" +- {:<8.2g}", e.sigmas[p]) : std::string(" (held)    "),
-                           effect.parameters[p].unit));
+                           unit_at(effect, p, e.term.joint, session.robot)));
   }
 }
 
