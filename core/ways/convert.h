@@ -29,7 +29,4 @@ struct Conversion {
 /// Makes the session's folder. InputError where the files do not make a session: what is missing and what to do.
 Conversion convert(const std::vector<std::filesystem::path>& files, const ConvertOptions& options);
 
-/// The four points of a target's frame that stand for its pose: its origin and 0.1 m along each axis.
-std::vector<Vector3> virtual_points();
-
 }  // namespace handsight

@@ -27,6 +27,10 @@ std::pair<PoseSeries, PoseSeries> flange_and_target(const std::vector<NamedPoses
 Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const PointSeries& points,
                        const std::vector<double>& speeds, const ConvertOptions& options, Conversion conversion);
 
+/// Of a sensor that tells the target's pose.
+Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, const PoseSeries& target,
+                      const ConvertOptions& options, Conversion conversion);
+
 /// Folders of images of two cameras.
 Conversion from_images(const FieldUrdf& robot, const Brought& brought, const ConvertOptions& options,
                        Conversion conversion);
