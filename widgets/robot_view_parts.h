@@ -6,7 +6,9 @@
 #include <vtkRenderer.h>
 
 #include <QImage>
+#include <QTimer>
 #include <array>
+#include <future>
 
 #include "widgets/robot_view.h"
 #include "widgets/scene/gl_window.h"
@@ -28,6 +30,9 @@ struct RobotView::Parts {
   QWidget* buttons = nullptr;
 
   Robot robot;
+  std::future<ReadMeshes> reading;                 // meshes that are on their way
+  std::vector<std::future<ReadMeshes>> abandoned;  // of robots that are no longer shown: nobody waits for them
+  QTimer reading_poll;
   std::vector<Rigid> posture;
   std::optional<std::vector<Rigid>> bent;
   double ghost_times = 20, arrow_times = 20;

@@ -70,6 +70,7 @@ void CalibrateWorkspace::make_layout() {
   right_->setObjectName("calibrate_right");
   scene_ = new widgets::RobotView(this);
   scene_->setObjectName("calibrate_scene");
+  connect(scene_, &widgets::RobotView::notes_changed, this, &CalibrateWorkspace::say_notes);
   board_ = new widgets::ConvergenceBoard(this);
   board_->set_empty_text(tr("Play, and the six parameters converge here."));
   decisions_ = new widgets::DecisionList(this);
@@ -190,6 +191,9 @@ void CalibrateWorkspace::connect_selection() {
                                .camera = cameras_->camera_of(view)});
     });
   }
+  connect(&bench_.images, &ImageSource::arrived, this, [this] {
+    if (is_active()) refresh_observation();
+  });
   connect(&bench_.selection, &Selection::changed, this, [this] {
     const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
     board_->set_selected(id);
@@ -249,9 +253,13 @@ void CalibrateWorkspace::set_robot() {
   const Session& s = bench_.document.session();
   const std::filesystem::path urdf = folder(s) / s.robot_file;
   scene_->set_robot(s.robot, urdf.parent_path());
-  for (const QString& note : scene_->notes()) emit bench_.document.noticed(note);
+  say_notes();
   own_pose_->set_session();
   robot_is_set_ = true;
+}
+
+void CalibrateWorkspace::say_notes() {
+  for (const QString& note : scene_->notes()) emit bench_.document.noticed(note);
 }
 
 void CalibrateWorkspace::activate() {

@@ -53,6 +53,7 @@ class CalibrateWorkspace : public Workspace {
   void refresh_decisions();
   void refresh_decision_title(bool is_present);
   void set_robot();
+  void say_notes();
   /// The convergence of a session that was played before it was opened.
   void recall();
 

@@ -230,7 +230,7 @@ void add_images(Workbench& bench, const Observation& o, std::vector<ReportPictur
     shown.back().view->show();
   }
   const InspectionRow* row = bench.row(o.id);
-  show_images(bench, o, row, shown, true);
+  show_images(bench, o, row, shown, true, true);
   const double times = row ? round_magnification(row->worst_size, 40) : 1;
   for (const ShownCamera& one : shown) {
     one.view->set_magnification(times);

@@ -111,7 +111,7 @@ std::vector<widgets::ImageMark> label_marks(const Observation& observation, int 
 }
 
 void show_images(Workbench& bench, const Observation& observation, const InspectionRow* row,
-                 const std::vector<ShownCamera>& shown_cameras, bool with_axes) {
+                 const std::vector<ShownCamera>& shown_cameras, bool with_axes, bool at_once) {
   const Session& s = bench.document.session();
   for (const auto& [view, camera] : shown_cameras) {
     if (!s.rig || camera >= s.rig->count()) {
@@ -120,10 +120,12 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
     }
     const Camera& seen_by = s.rig->at(camera).camera;
     const std::string& file = observation.images[static_cast<std::size_t>(camera)];
-    const ShownImage shown = bench.images.image(s, observation, camera);
+    const ShownImage shown =
+        at_once ? bench.images.image_now(s, observation, camera) : bench.images.image(s, observation, camera);
     const QString side = camera_title(*s.rig, camera);
     view->set_title(file.empty() ? side + QObject::tr(", no image")
-                                 : side + "  " + QString::fromStdString(std::filesystem::path(file).filename()));
+                                 : side + "  " + QString::fromStdString(std::filesystem::path(file).filename()) +
+                                       (shown.is_coming ? QObject::tr(", is being read …") : QString()));
     if (!shown.image.isNull()) {
       view->set_image(shown.image);
     } else if (!shown.refusal.isEmpty()) {

@@ -32,9 +32,10 @@ struct ShownCamera {
   int camera = 0;
 };
 
-/// Images of an observation with everything that is known of it; `row` may be null.
+/// Images of an observation with everything that is known of it; `row` may be null. One that is still being read stands
+/// as an empty frame until then, unless it is wanted `at_once`.
 void show_images(Workbench& bench, const Observation& observation, const InspectionRow* row,
-                 const std::vector<ShownCamera>& shown, bool with_axes);
+                 const std::vector<ShownCamera>& shown, bool with_axes, bool at_once = false);
 
 /// The robot in the observation's pose with its cameras, TCP, TCPest and markers; `row` may be null. The ghost is the
 /// hand where it was measured.

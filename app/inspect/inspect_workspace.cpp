@@ -19,6 +19,7 @@
 #include "widgets/observation_table.h"
 #include "widgets/residual_map.h"
 #include "widgets/robot_view.h"
+#include "widgets/theme.h"
 
 namespace handsight::app {
 
@@ -210,6 +211,9 @@ void InspectWorkspace::connect_bench() {
     if (is_active()) refresh_rows();
     is_stale_ = true;
   });
+  connect(&bench_.images, &ImageSource::arrived, this, [this] {
+    if (is_active()) refresh_observation();
+  });
   connect(&bench_.selection, &Selection::changed, this, [this] {
     if (!is_active()) return;
     const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
@@ -344,6 +348,8 @@ void InspectWorkspace::refresh_observation() {
   const auto& rig = bench_.document.session().rig;
   relabel_->setEnabled(o && !o->images[0].empty() && rig && is_pair(*rig));
   blame_->set_sentence(blame_sentence(row, o, bench_.document.session().rig.has_value()));
+  const bool is_noise = row && row->ratio && *row->ratio < widgets::noise_limit(row->coordinates);
+  blame_->set_none_text(is_noise ? tr("Nothing stands out of the noise") : QString());
   blame_->set_blame(row ? shown_blame(row->blame, !bench_.document.session().rig) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));

@@ -37,6 +37,11 @@ LabelWorkspace::LabelWorkspace(Workbench& bench, QWidget* parent) : Workspace(be
     observation_ = -1;
     if (is_active()) show_observation();
   });
+  connect(&bench.images, &ImageSource::arrived, this, [this] {
+    if (!was_coming_) return;
+    observation_ = -1;
+    if (is_active()) show_observation();
+  });
   connect(&bench, &Workbench::relabel_requested, this, [this](qint64 id) {
     bench_.selection.select_observation(id);
     observation_ = -1;
@@ -97,16 +102,18 @@ void LabelWorkspace::show_observation() {
     loupe->set_image(shown.image);
     loupe->set_center({});
     if (shown.image.isNull()) {
-      view->clear(shown.refusal.isEmpty() ? none : shown.refusal);
+      view->clear(shown.is_coming ? tr("The image is being read …") : shown.refusal.isEmpty() ? none : shown.refusal);
     } else {
       view->set_image(shown.image);
-      if (!is_same) view->fit();
+      if (!is_same || was_coming_) view->fit();
     }
   };
   const bool is_labelled_here = !s.rig || is_pair(*s.rig);
+  const bool is_coming = left.is_coming || right.is_coming;
   show(left_, left_loupe_, left, s.rig ? camera_title(*s.rig, 0) : QString(), o->images[0]);
   const bool has_second = !s.rig || s.rig->count() > 1;
   show(right_, right_loupe_, right, s.rig && has_second ? camera_title(*s.rig, 1) : QString(), o->images[1]);
+  was_coming_ = is_coming;
   for (QWidget* w : std::initializer_list<QWidget*>{right_, right_loupe_, together_}) w->setVisible(has_second);
   for (widgets::ImageView* view : {left_, right_}) view->set_labelling(is_labelled_here);
   hint_->setVisible(is_labelled_here);

@@ -94,11 +94,11 @@ Session write_stereo_session(const SessionParts& parts, const StereoRig& rig, co
   made.urdf = o.out / "robot.urdf";
   made.tcp = parts.tcp;
   made.mount = parts.mount;
-  made.rig = rig;
+  made.rig = rig_of(rig);
   made.marker_count = o.markers;
   made.joints = parts.joints.names;
   made.positions = parts.joints.positions;
-  made.images = images;
+  made.images = instants_of(images);
   Session s = make_session(made, &notes);
   if (!parts.times.empty()) {
     for (std::size_t i = 0; i < s.observations.size(); ++i) s.observations[i].time = time_of(parts, i);

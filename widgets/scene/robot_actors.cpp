@@ -47,21 +47,27 @@ vtkSmartPointer<vtkPolyData> surface_of(const Mesh& mesh) {
   return normals->GetOutput();
 }
 
-/// Nothing, and a sentence in the notes, where it cannot be shown.
-vtkSmartPointer<vtkPolyData> mesh_surface(const std::string& written, const fs::path& folder,
-                                          std::vector<QString>& notes) {
+ReadMesh read_one(const std::string& written, const fs::path& folder) {
   const auto file = find_mesh(written, folder);
-  if (!file) {
-    notes.push_back(QObject::tr("The mesh %1 is not in the robot's folder. The link is drawn without it.")
-                        .arg(QString::fromStdString(shortened(written, 100))));
-    return nullptr;
-  }
+  if (!file)
+    return {{},
+            QObject::tr("The mesh %1 is not in the robot's folder. The link is drawn without it.")
+                .arg(QString::fromStdString(shortened(written, 100)))};
   try {
-    return surface_of(read_mesh(*file));
-  } catch (const InputError& error) {
-    notes.push_back(QObject::tr("A mesh cannot be shown. %1").arg(QString::fromStdString(error.what())));
-    return nullptr;
+    return {read_mesh(*file), {}};
+  } catch (const std::exception& error) {
+    return {{}, QObject::tr("A mesh cannot be shown. %1").arg(QString::fromStdString(error.what()))};
   }
+}
+
+/// Nothing where it was not read, and a sentence in the notes where it cannot be shown.
+vtkSmartPointer<vtkPolyData> mesh_surface(const std::string& written, const ReadMeshes& meshes,
+                                          std::vector<QString>& notes) {
+  const auto found = meshes.find(written);
+  if (found == meshes.end()) return nullptr;
+  if (found->second.refusal.isEmpty()) return surface_of(found->second.mesh);
+  notes.push_back(found->second.refusal);
+  return nullptr;
 }
 
 vtkSmartPointer<vtkPolyData> transformed(vtkAlgorithm& source, vtkTransform& transform) {
@@ -72,7 +78,7 @@ vtkSmartPointer<vtkPolyData> transformed(vtkAlgorithm& source, vtkTransform& tra
   return filter->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const fs::path& folder, std::vector<QString>& notes) {
+vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const ReadMeshes& meshes, std::vector<QString>& notes) {
   vtkNew<vtkTransform> transform;
   switch (shape.kind) {
     case ShapeKind::box: {
@@ -96,7 +102,7 @@ vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const fs::path& f
     case ShapeKind::mesh:
       break;
   }
-  const auto mesh = mesh_surface(shape.mesh_file, folder, notes);
+  const auto mesh = mesh_surface(shape.mesh_file, meshes, notes);
   if (!mesh) return nullptr;
   transform->Scale(shape.size.x(), shape.size.y(), shape.size.z());
   vtkNew<vtkTransformPolyDataFilter> filter;
@@ -152,13 +158,29 @@ vtkSmartPointer<vtkPolyData> limbs(const Robot& robot, int link, const Covered& 
 
 }  // namespace
 
-RobotActors make_robot_actors(const Robot& robot, const fs::path& mesh_folder) {
+bool has_meshes(const Robot& robot) {
+  for (const Link& link : robot.links)
+    for (const Shape& shape : link.shapes)
+      if (shape.kind == ShapeKind::mesh) return true;
+  return false;
+}
+
+ReadMeshes read_meshes(const Robot& robot, const fs::path& mesh_folder) {
+  ReadMeshes meshes;
+  for (const Link& link : robot.links)
+    for (const Shape& shape : link.shapes)
+      if (shape.kind == ShapeKind::mesh && !meshes.contains(shape.mesh_file))
+        meshes.emplace(shape.mesh_file, read_one(shape.mesh_file, mesh_folder));
+  return meshes;
+}
+
+RobotActors make_robot_actors(const Robot& robot, const ReadMeshes& meshes) {
   RobotActors actors;
   for (int link = 0; link < static_cast<int>(robot.links.size()); ++link) {
     Covered covered;
     QColor last = kPlain;
     for (const Shape& shape : robot.links[static_cast<std::size_t>(link)].shapes) {
-      const auto surface = shape_surface(shape, mesh_folder, actors.notes);
+      const auto surface = shape_surface(shape, meshes, actors.notes);
       if (!surface) continue;
       const QColor color = shape.color ? QColor::fromRgbF(static_cast<float>(std::clamp((*shape.color)[0], 0.0, 1.0)),
                                                           static_cast<float>(std::clamp((*shape.color)[1], 0.0, 1.0)),

@@ -218,7 +218,7 @@ TEST(ImageSourceTest, GreyIsTheEnginesOwn) {
   const Session session = read_session(sample("first_steps"));
   ImageSource source;
   const Observation& o = session.observations[3];
-  const ShownImage shown = source.image(session, o, 0);
+  const ShownImage shown = source.image_now(session, o, 0);
   ASSERT_FALSE(shown.image.isNull()) << shown.refusal.toStdString();
   EXPECT_EQ(grey_image(shown.image).pixels, read_image(folder(session) / o.images[0]).pixels);
   const QImage colours = shown.image.convertToFormat(QImage::Format_RGB32);
@@ -230,9 +230,9 @@ TEST(ImageSourceTest, RefusesInASentence) {
   Observation o = session.observations[0];
   session.rig->at(0).camera.width = 1280;
   ImageSource source;
-  EXPECT_TRUE(source.image(session, o, 0).refusal.contains("640 x 480, the camera says 1280 x 480"));
+  EXPECT_TRUE(source.image_now(session, o, 0).refusal.contains("640 x 480, the camera says 1280 x 480"));
   o.images[1] = "images/none.png";
-  EXPECT_TRUE(source.image(session, o, 1).refusal.contains("is not there"));
+  EXPECT_TRUE(source.image_now(session, o, 1).refusal.contains("is not there"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QScrollBar>
 #include <QTabWidget>
 
 #include "app/window/pages.h"
@@ -107,19 +108,42 @@ TEST(Pictures, OfEveryWorkspace) {
   photo.take("find");
 }
 
+/// Its fields are below each other: those that are filled in are scrolled to.
 TEST(Pictures, OfTheWizard) {
   Desk desk;
   desk.press_button("start_new");
   auto* wizard = desk.window.findChild<QDialog*>("wizard");
   ASSERT_NE(wizard, nullptr);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(wizard));
-  const auto sample = QString(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/first_steps";
-  desk.type_into(desk.find<QLineEdit>("wizard_left"), sample + "/images");
-  desk.type_into(desk.find<QLineEdit>("wizard_right"), sample + "/images");
-  desk.type_into(desk.find<QLineEdit>("wizard_robot"), sample + "/justin.urdf");
-  desk.type_into(desk.find<QLineEdit>("wizard_angles"), sample + "/nowhere.csv");
-  QTest::qWait(200);
-  wizard->grab().save(folder_of_pictures + "/wizard" + suffix + ".png");
+  auto* scroll = desk.find<QScrollArea>("wizard_scroll");
+  const auto take = [&](const char* name) {
+    QTest::qWait(250);
+    wizard->grab().save(folder_of_pictures + "/" + name + suffix + ".png");
+  };
+  const auto fill = [&](const char* name, const QString& with) {
+    auto* field = desk.find<QLineEdit>(name);
+    scroll->ensureWidgetVisible(field);
+    QTest::qWait(10);
+    desk.type_into(field, with);
+  };
+  take("wizard_empty");
+  const auto samples = QString(HANDSIGHT_SOURCE_DIR) + "/sample_sessions";
+  fill("wizard_robot", samples + "/robots/six_axis.urdf");
+  const auto answer = [&](const char* tile) {
+    scroll->ensureWidgetVisible(desk.find<QAbstractButton>(tile));
+    desk.press_button(tile);
+  };
+  answer("camera_place_0");
+  answer("known_2");
+  desk.find<QComboBox>("wizard_tcp")->setCurrentText("hand");
+  take("wizard");
+  fill("wizard_angles", samples + "/nowhere.csv");
+  scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
+  take("wizard_files");
+  answer("camera_place_2");
+  answer("known_6");
+  scroll->verticalScrollBar()->setValue(0);
+  take("wizard_on_hand");
   wizard->reject();
 }
 

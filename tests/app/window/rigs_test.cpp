@@ -5,9 +5,9 @@
 #include <QToolButton>
 
 #include "app/window/explain_fixture.h"
+#include "app/window/rig_sessions.h"
 #include "frame/camera_strip.h"
 #include "inspect/inspect_workspace.h"
-#include "session/session_xml.h"
 #include "widgets/robot_view.h"
 
 namespace handsight::test {
@@ -15,23 +15,8 @@ namespace {
 
 class Rigs : public testing::Test {
  protected:
-  /// A copy of a sample in which only this many cameras are there; those beyond two have seen nothing.
   void open(const std::string& name, int cameras) {
-    session = copy_of_sample(folder.path, name);
-    Session s = read_session(session / "session.xml");
-    if (cameras == 1) s.rig->cameras.resize(1);
-    for (int i = 2; i < cameras; ++i) {
-      s.rig->cameras.push_back(s.rig->cameras[1]);
-      s.rig->cameras.back().name = "side_" + std::to_string(i);
-      s.rig->cameras.back().camera_from_first.translation.y() += 0.1 * i;
-    }
-    for (Observation& o : s.observations) {
-      if (cameras > 1) continue;
-      o.images[1].clear();
-      for (Sighting& sighting : o.sightings) forget(sighting, 1);
-    }
-    s.source.reset();
-    save_session(s);
+    session = sample_with_cameras(folder.path, name, cameras);
     ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
     ASSERT_TRUE(desk.settle());
   }
@@ -125,7 +110,8 @@ TEST_F(Rigs, ASessionWithABoardIsPlayedWithoutALabel) {
   ASSERT_TRUE(calibrate.play_to_the_end());
   ASSERT_NE(desk.document().model(), nullptr);
   ASSERT_NE(desk.document().model()->fit, nullptr) << desk.document().model()->refusal.toStdString();
-  // Where the hand turns the board away there is nothing to be found; every other observation is taken, as `online` does.
+  // Where the hand turns the board away there is nothing to be found; every other observation is taken, as `online`
+  // does.
   const CliResult online = run_cli(folder.path, {"online", session.string(), "--json", "-"});
   int taken = 0;
   for (std::size_t at = online.output.find("\"accepted\""); at != std::string::npos;
