@@ -81,7 +81,7 @@ Session write_measured_session(const SessionParts& parts, const ConvertOptions& 
   return read_back(s.file);
 }
 
-Session write_stereo_session(const SessionParts& parts, const StereoRig& rig, const std::vector<ImageFiles>& images,
+Session write_camera_session(const SessionParts& parts, const Rig& rig, const std::vector<InstantImages>& images,
                              const ConvertOptions& o, std::vector<std::string>& notes) {
   const Robot robot = parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
   require_link(robot, parts.tcp, "--tcp");
@@ -94,11 +94,12 @@ Session write_stereo_session(const SessionParts& parts, const StereoRig& rig, co
   made.urdf = o.out / "robot.urdf";
   made.tcp = parts.tcp;
   made.mount = parts.mount;
-  made.rig = rig_of(rig);
+  made.rig = rig;
   made.marker_count = o.markers;
+  made.target = o.target;
   made.joints = parts.joints.names;
   made.positions = parts.joints.positions;
-  made.images = instants_of(images);
+  made.images = images;
   Session s = make_session(made, &notes);
   if (!parts.times.empty()) {
     for (std::size_t i = 0; i < s.observations.size(); ++i) s.observations[i].time = time_of(parts, i);

@@ -19,7 +19,7 @@ struct SessionParts {
 /// Write the folder, robot.urdf (where there is one) first and session.xml last; the session that is returned was read
 /// back.
 Session write_measured_session(const SessionParts& parts, const ConvertOptions& options);
-Session write_stereo_session(const SessionParts& parts, const StereoRig& rig, const std::vector<ImageFiles>& images,
+Session write_camera_session(const SessionParts& parts, const Rig& rig, const std::vector<InstantImages>& images,
                              const ConvertOptions& options, std::vector<std::string>& notes);
 
 }  // namespace handsight
