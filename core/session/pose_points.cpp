@@ -27,21 +27,24 @@ double pose_lever(const PoseSensor& sensor) {
   return sensor.sigma && sensor.sigma_angle ? *sensor.sigma / *sensor.sigma_angle : usual_lever;
 }
 
+void show_pose(Observation& o, double lever) {
+  o.sightings.clear();
+  if (!o.target_pose) return;
+  const std::vector<Vector3> shape = pose_shape(lever);
+  for (int m = 0; m < pose_markers; ++m) {
+    Sighting& s = o.sightings.emplace_back();
+    s.marker = m;
+    s.point = *o.target_pose * shape[static_cast<std::size_t>(m)];
+    s.along = measured_along(o.target_pose->rotation, m);
+  }
+}
+
 void show_poses(Session& session, double lever) {
   const bool is_told = session.pose_sensor->sigma && session.pose_sensor->sigma_angle;
   session.marker_count = pose_markers;
   session.sigma_point = is_told ? session.pose_sensor->sigma : std::nullopt;
   session.shape = KnownShape{pose_shape(lever), exactly_known * session.sigma_point.value_or(1e-4)};
-  for (Observation& o : session.observations) {
-    o.sightings.clear();
-    if (!o.target_pose) continue;
-    for (int m = 0; m < pose_markers; ++m) {
-      Sighting& s = o.sightings.emplace_back();
-      s.marker = m;
-      s.point = *o.target_pose * session.shape->markers[static_cast<std::size_t>(m)];
-      s.along = measured_along(o.target_pose->rotation, m);
-    }
-  }
+  for (Observation& o : session.observations) show_pose(o, lever);
 }
 
 PoseError pose_error(const Eigen::Matrix<double, 6, 1>& residuals, double lever) {

@@ -23,6 +23,9 @@ double pose_lever(const PoseSensor& sensor);
 /// Gives the session of a pose sensor its markers: shape, count, noise of a coordinate and sightings.
 void show_poses(Session& session, double lever);
 
+/// Gives one observation of such a session its sightings; none where it has no pose.
+void show_pose(Observation& observation, double lever);
+
 /// What the coordinate of a point counts along, where the target is turned so (Sighting::along).
 Vector3 measured_along(const Matrix3& target_rotation, int marker);
 
