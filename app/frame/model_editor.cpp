@@ -6,18 +6,6 @@
 
 namespace handsight::app {
 
-namespace {
-
-/// The effect of this id: of the catalogue, or by formula in the model.
-const Effect* effect_in(const ModelSettings& settings, const std::string& id) {
-  for (const auto* terms : {&settings.held, &settings.estimated})
-    for (const EffectTerm& term : *terms)
-      if (term.id == id) return &effect_of(term);
-  return find_effect(id);
-}
-
-}  // namespace
-
 void ModelEditor::tick(const QString& id, bool in_model) {
   const std::string name = id.toStdString();
   const auto perform = [this](Edit edit) { bench_.document.perform(std::move(edit)); };

@@ -77,7 +77,7 @@ void show_scene(const WizardScene& scene, widgets::RobotView& view) {
   const Rigid board = root_from_board(scene, root_from_target, links[camera_link].translation);
   const Vector3 middle = board.translation;
   std::vector<widgets::SceneMarker> markers;
-  for (const Vector3& point : board_points(board, scene.is_on_table ? 0.05 : 0.03))
+  for (const Vector3& point : board_points(board, 0.05))
     markers.push_back({.in_root = point, .role = widgets::SceneMarkerRole::predicted});
   Vector3 from = links[camera_link].translation;
   if (camera_link == 0) {  // on a stand, somewhere before the robot

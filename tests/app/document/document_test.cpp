@@ -235,5 +235,33 @@ TEST(ImageSourceTest, RefusesInASentence) {
   EXPECT_TRUE(source.image_now(session, o, 1).refusal.contains("is not there"));
 }
 
+/// The window's thread does not wait for a large image: it is told that it is coming, and when it is there.
+TEST(ImageSourceTest, ALargeImageComesLater) {
+  const TemporaryFolder home;
+  Session session = read_session(sample("first_steps"));
+  Observation o = session.observations[0];
+  session.file = home.path / "session.xml";
+  o.images[0] = "large.png";
+  QImage large(5000, 4000, QImage::Format_Grayscale8);
+  std::uint32_t noise = 1;
+  for (int v = 0; v < large.height(); ++v)
+    for (int u = 0; u < large.width(); ++u)
+      large.scanLine(v)[u] = static_cast<uchar>((noise = 1664525u * noise + 1013904223u) >> 24);
+  ASSERT_TRUE(large.save(QString::fromStdString((home.path / "large.png").string()), "PNG", 100));
+  session.rig->at(0).camera.width = large.width();
+  session.rig->at(0).camera.height = large.height();
+  ImageSource source;
+  int arrived = 0;
+  QEventLoop loop;
+  QObject::connect(&source, &ImageSource::arrived, &loop, [&] { ++arrived, loop.quit(); });
+  QTimer::singleShot(60000, &loop, &QEventLoop::quit);
+  EXPECT_TRUE(source.image(session, o, 0).is_coming);
+  EXPECT_TRUE(source.image(session, o, 0).is_coming) << "asked for again it is not read twice";
+  loop.exec();
+  EXPECT_EQ(arrived, 1);
+  EXPECT_EQ(source.image(session, o, 0).image.size(), large.size());
+  EXPECT_FALSE(source.is_busy());
+}
+
 }  // namespace
 }  // namespace handsight::app

@@ -139,7 +139,8 @@ TEST_P(PaintedTexts, AreWholeAndApartWithOneCameraAndWithThree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, PaintedTexts,
-                         testing::Values(QSize(1366, 768), QSize(1440, 900), QSize(1920, 1080), QSize(2560, 1440)),
+                         testing::Values(QSize(960, 540), QSize(1366, 768), QSize(1440, 900), QSize(1920, 1080),
+                                         QSize(2560, 1440)),
                          [](const auto& one) {
                            return std::to_string(one.param.width()) + "x" + std::to_string(one.param.height());
                          });

@@ -98,7 +98,7 @@ class BoardWizard : public testing::Test {
     replace_file(folder.path / "angles.csv", joint_table(simulated));
     write_camera(folder.path / "camera.yml", simulated.rig->at(0).camera);
   }
-  void fill_in(WizardPage& wizard) {
+  void fill_in() {
     wizard.fill("wizard_robot", urdf);
     wizard.fill("wizard_angles", folder.path / "angles.csv");
     wizard.fill("wizard_left", folder.path / "photos");
@@ -133,7 +133,7 @@ TEST_F(BoardWizard, FromImagesOfABoardToTheExportedCalibration) {
   EXPECT_TRUE(wizard.said("target_said").startsWith("ChArUco board of 7 x 5 squares of 35 mm"))
       << wizard.said("target_said").toStdString();
   EXPECT_FALSE(wizard.make()->isEnabled());
-  fill_in(wizard);
+  fill_in();
   EXPECT_EQ(wizard.link("wizard_mount"), "stand");
   auto* tcp = desk.find<QComboBox>("wizard_tcp");
   tcp->setCurrentText("hand");
