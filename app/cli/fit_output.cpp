@@ -137,6 +137,11 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
   out.line(fit.covariance_kind == CovarianceKind::noise
                ? "  (sigmas from the noise; rotations about the TCP's x, y, z)"
                : "  (sigmas from how the observations differ: the model does not agree with them to the noise)");
+  if (const auto target = tcp_from_target(session, fit)) {
+    const Vector3 xyz = 1e3 * target->translation, angles = degrees * rpy_from_rotation(target->rotation);
+    out.line(fmt::format("The target's own frame in the TCP's: {:.4f} {:.4f} {:.4f} mm, rpy {:.4f} {:.4f} {:.4f} deg",
+                         xyz.x(), xyz.y(), xyz.z(), angles.x(), angles.y(), angles.z()));
+  }
   out.line();
   print_errors(out, fit, told);
   if (fit.objective == Objective::angle_axis)
@@ -167,6 +172,8 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
   result["noise_estimated_m"] = tracker ? estimated : null;
   result["chi2_per_dof"] = number(fit.chi2_per_dof);
   result["tcp_from_body"] = {{"matrix", motion(fit.tcp_from_body)}, {"covariance", matrix(fit.covariance)}};
+  const auto target = tcp_from_target(session, fit);
+  result["tcp_from_target"] = target ? motion(*target) : Json(nullptr);
   result["covariance_from"] = fit.covariance_kind == CovarianceKind::noise ? "noise" : "scatter";
   Json markers = Json::array();
   for (std::size_t m = 0; m < fit.markers_in_body.size(); ++m)

@@ -229,5 +229,17 @@ TEST(Targets, AreExportedAndReadBack) {
   EXPECT_EQ(again.markers.size(), 88u);
 }
 
+TEST(TargetFit, ABoardsOwnFrameIsToldBesideTheBodys) {
+  for (const Session& like : {target_session(), fixture::eye_in_hand_session()}) {
+    const SimulatedSession s = simulated(like, 12);
+    const auto frame = tcp_from_target(s.session, fit(s.session));
+    ASSERT_TRUE(frame);
+    for (std::size_t m = 0; m < s.markers_in_tcp.size(); ++m)
+      EXPECT_LT((*frame * s.session.shape->markers[m] - s.markers_in_tcp[m]).norm(), 5e-4);
+  }
+  const SimulatedSession tags = simulated(target_session(fixture::tags()), 12);
+  EXPECT_FALSE(tcp_from_target(tags.session, fit(tags.session))) << "they have no frame together";
+}
+
 }  // namespace
 }  // namespace handsight
