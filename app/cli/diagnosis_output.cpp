@@ -134,6 +134,13 @@ void print_odd_observations(const Output& out, const Diagnosis& d, const Rig* ri
   if (odd > most) out.line(fmt::format("          and {} more; see per_observation of --json", odd - most));
 }
 
+Json lone_json(const std::vector<LoneObservation>& lone) {
+  Json list = Json::array();
+  for (const LoneObservation& l : lone)
+    list.push_back({{"id", l.id}, {"rms", number(l.error)}, {"others_at_most", number(l.others)}});
+  return list;
+}
+
 std::string sure(double ln_bayes_factor) {
   return ln_bayes_factor > 999 ? ">999" : fmt::format("{:.1f}", ln_bayes_factor);
 }
@@ -155,6 +162,7 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
     out.line(fmt::format("Blame     robot {:.0f} %, marker body {:.0f} %, cameras {:.0f} % of what exceeds the noise",
                          100 * d.blame.robot, 100 * d.blame.body, 100 * d.blame.cameras));
   print_odd_observations(out, d, d.model.session.rig ? &*d.model.session.rig : nullptr);
+  if (!d.model.lone.empty()) out.line("Left out  " + lone_text(d.model.lone, tracker));
   if (!d.model.wrong.empty()) out.line(fmt::format("Left out  {} wrong points", d.model.wrong.size()));
   out.line();
   out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  where", "Candidate", "ln BF", "held out", "explained"));
@@ -213,6 +221,7 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
   j["patterns"] = patterns;
   j["invisible"] = d.invisible;
   j["wrong_points"] = wrong_points_json(d.model.wrong, d.model.session);
+  j["lone_observations"] = lone_json(d.model.lone);
   Json observations = Json::array();
   for (const ObservationBlame& o : d.observations)
     observations.push_back(observation_json(o, d.model.session.rig ? &*d.model.session.rig : nullptr));

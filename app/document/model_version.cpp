@@ -39,6 +39,7 @@ std::shared_ptr<const Inspection> inspection_of(const Session& session, const Se
   auto inspection = std::make_shared<Inspection>(inspect(session, *version.fit, *version.report, looks));
   // A point that is wrong whatever the robot does makes its observation odd, though the fit no longer holds it.
   for (const WrongPoint& w : version.wrong_points) inspection->rows[static_cast<std::size_t>(w.index)].outlier = true;
+  for (const LoneObservation& l : version.lone) inspection->rows[static_cast<std::size_t>(l.index)].outlier = true;
   return inspection;
 }
 
@@ -94,6 +95,7 @@ std::shared_ptr<ModelVersion> version_of(const Session& session, const Diagnosis
   version->settings = settings;
   version->options = d.model_options;
   version->wrong_points = d.model.wrong;
+  version->lone = d.model.lone;
   tell(session, looks, std::make_shared<Fit>(d.model.fit), std::make_shared<FitReport>(d.report), *version);
   return version;
 }
@@ -126,6 +128,7 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
     CleanFit clean = clean_model(session, asking(version->options));
     stop_here();
     version->wrong_points = clean.wrong;
+    version->lone = clean.lone;
     version->options.estimated = with_values_of(clean.fit, settings).estimated;
     if (settings.has_effects()) version->options.start = estimate(clean.fit);
     auto told = std::make_shared<FitReport>(report(clean.session, clean.fit, asking(version->options)));

@@ -27,6 +27,7 @@ struct ModelVersion {
   std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit
   PredictionModel prediction;                      // where the TCP really is in other poses
   std::vector<WrongPoint> wrong_points;            // left out of the fit
+  std::vector<LoneObservation> lone;               // likewise, as a whole
   QString refusal;
   std::unordered_map<std::int64_t, int> row_of;  // observation id -> FitReport::per_observation
 

@@ -60,6 +60,14 @@ CleanFit clean_of_images(const Session& session, const FitOptions& options) {
   return clean;
 }
 
+/// What an observation that is wrong as a whole has pulled about is looked at again without it.
+void leave_out_lone(const Session& session, const FitOptions& options, CleanFit& clean) {
+  const std::vector<LoneObservation> lone = lone_observations(clean.session, clean.fit, options);
+  if (lone.empty()) return;
+  clean = clean_of_images(without(session, lone), options);
+  clean.lone = lone;
+}
+
 }  // namespace
 
 CleanFit clean_model(const Session& session, const FitOptions& options) {
@@ -68,8 +76,10 @@ CleanFit clean_model(const Session& session, const FitOptions& options) {
   of_images.fix_markers = false;
   of_images.loss = Loss::none;
   CleanFit clean = clean_of_images(session, of_images);
+  if (!clean.fit.solution.stopped) leave_out_lone(session, of_images, clean);
   const bool is_other = options.objective != Objective::image || options.fix_markers || options.loss != Loss::none;
   if (is_other && !clean.fit.solution.stopped) clean.fit = fit(clean.session, options);
+  if (!clean.lone.empty()) clean.fit.notes.push_back(lone_text(clean.lone, session.is_tracker()));
   return clean;
 }
 

@@ -3,6 +3,7 @@
 // errors as random effects (Baarda 1968; docs/method.md, "Wrong points").
 #pragma once
 
+#include "diagnosis/lone_observations.h"
 #include "estimation/fit.h"
 
 namespace handsight {
@@ -30,6 +31,7 @@ struct CleanFit {
   Session session;  // without the wrong points
   Fit fit;
   std::vector<WrongPoint> wrong;
+  std::vector<LoneObservation> lone = {};  // left out whole, by clean_model; excluded in `session`
 };
 
 CleanFit clean_fit(const Session& session, const FitOptions& options);

@@ -233,6 +233,24 @@ std::vector<char> outliers(const std::vector<Residuals>& all, std::optional<doub
   return out;
 }
 
+double mean_square(const Residuals& r) { return r.rows > 0 ? r.squares / r.rows : 0.0; }
+
+std::vector<double> mean_squares_of(const std::vector<Residuals>& all) {
+  std::vector<double> squares;
+  for (const Residuals& r : all) squares.push_back(mean_square(r));
+  return squares;
+}
+
+/// Of each used observation of another session.
+std::vector<Residuals> residuals_on(const Session& others, const Fit& fit) {
+  Problem images = make_problem(others, chain_of(others), fit.problem.terms);
+  images.tcp_from_slip = fit.problem.tcp_from_slip;
+  if (!images.terms.empty()) place_observations(images);
+  std::vector<Residuals> all;
+  for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
+  return all;
+}
+
 std::vector<Unused> unused(const Session& session) {
   std::vector<Unused> list;
   const char* const shows_nothing = session.target || session.pose_sensor ? "its target was not found"
@@ -276,12 +294,19 @@ std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemOb
 }
 
 ErrorSummary error_on(const Session& others, const Fit& fit) {
-  Problem images = make_problem(others, chain_of(others), fit.problem.terms);
-  images.tcp_from_slip = fit.problem.tcp_from_slip;
-  if (!images.terms.empty()) place_observations(images);
-  std::vector<Residuals> all;
-  for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
-  return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+  const std::vector<Residuals> all = residuals_on(others, fit);
+  return all.empty() ? ErrorSummary{} : summary(all, others.rig.has_value());
+}
+
+std::vector<double> mean_squares_on(const Session& others, const Fit& fit) {
+  return mean_squares_of(residuals_on(others, fit));
+}
+
+std::vector<double> mean_squares(const Fit& fit) {
+  std::vector<double> squares;
+  for (const ProblemObservation& o : fit.problem.observations)
+    squares.push_back(mean_square(residuals_of(fit.problem, o, estimate(fit))));
+  return squares;
 }
 
 std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, const FitOptions& options, int blocks) {
@@ -289,10 +314,7 @@ std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, c
   std::vector<int> folds;
   for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
     folds.push_back(static_cast<int>(rank * static_cast<std::size_t>(blocks) / images.observations.size()));
-  std::vector<double> left;
-  for (const Residuals& r : held_out_residuals(images, fit, options, session.observations.size(), folds))
-    left.push_back(r.rows > 0 ? r.squares / r.rows : 0.0);
-  return left;
+  return mean_squares_of(held_out_residuals(images, fit, options, session.observations.size(), folds));
 }
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {

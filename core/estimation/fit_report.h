@@ -57,6 +57,11 @@ FitReport report(const Session& session, const Fit& fit, const FitOptions& optio
 /// the same robot, sensors and hand. Fitted errors; no folds.
 ErrorSummary error_on(const Session& others, const Fit& fit);
 
+/// The mean square of the coordinates (px^2, m^2) of each observation of the fit, in order of time; and of each used one
+/// of another session, as `error_on`.
+std::vector<double> mean_squares(const Fit& fit);
+std::vector<double> mean_squares_on(const Session& others, const Fit& fit);
+
 /// The mean square of each used observation's coordinates (px^2, m^2), in order of time, where the block of `blocks`
 /// blocks of neighbours in time in which it lies is left out of the fit. An image fit.
 std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, const FitOptions& options, int blocks);

@@ -88,10 +88,14 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   require_answer(clean_a, "first");
   require_answer(clean_b, "second");
   Comparison c;
-  for (const auto* clean : {&clean_a, &clean_b})
+  for (const auto* clean : {&clean_a, &clean_b}) {
+    if (!clean->lone.empty())
+      c.notes.push_back(fmt::format("Of the {} session: {}", clean == &clean_a ? "first" : "second",
+                                    lone_text(clean->lone, a.is_tracker())));
     if (!clean->wrong.empty())
       c.notes.push_back(fmt::format("{} single wrong points of the {} session are left out.", clean->wrong.size(),
                                     clean == &clean_a ? "first" : "second"));
+  }
   if (a.rig && b.rig && !are_alike(*a.rig, *b.rig))
     c.notes.push_back("The sessions name other calibrations of the cameras; each is measured by its own.");
   ComparedSides sides;

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/lone_observations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/text.h"
+#include "estimation/fit_report.h"
+
+namespace handsight {
+namespace {
+
+constexpr std::size_t fewest_others = 8, one_in = 20;
+constexpr double apart = 4;          // rms over that of the next, while they still pull at the fit
+constexpr double apart_beside = 6;   // ... over the worst of the others, once they no longer do
+constexpr double beyond_noise = 10;  // rms over the noise
+
+/// The used observations by their error, the worst first; and at which counts of them those that remain are far better.
+struct StandingApart {
+  std::vector<std::size_t> order, counts;  // counts descending
+};
+
+StandingApart standing_apart(const std::vector<double>& squares, std::size_t most) {
+  StandingApart a;
+  if (squares.size() <= fewest_others) return a;
+  a.order.resize(squares.size());
+  std::iota(a.order.begin(), a.order.end(), std::size_t{0});
+  std::sort(a.order.begin(), a.order.end(), [&](std::size_t x, std::size_t y) { return squares[x] > squares[y]; });
+  for (std::size_t count = std::min(most, squares.size() - fewest_others); count > 0; --count)
+    if (squares[a.order[count - 1]] >= apart * apart * squares[a.order[count]]) a.counts.push_back(count);
+  return a;
+}
+
+/// Several at the beginning or the end of the session, one after another.
+bool is_like_a_slip(std::vector<std::size_t> places, std::size_t count) {
+  if (places.size() < 2) return false;
+  std::sort(places.begin(), places.end());
+  const bool in_a_row = places.back() - places.front() + 1 == places.size();
+  return in_a_row && (places.front() == 0 || places.back() + 1 == count);
+}
+
+Session only(const Session& session, const std::vector<LoneObservation>& lone) {
+  Session s = session;
+  for (std::size_t i = 0; i < s.observations.size(); ++i)
+    if (std::none_of(lone.begin(), lone.end(),
+                     [&](const LoneObservation& l) { return l.index == static_cast<int>(i); }))
+      s.observations[i].decision = Decision::excluded;
+  return s;
+}
+
+/// How far off they are by a fit without them; nothing where the others do not agree without them either.
+std::vector<LoneObservation> confirmed(const Session& session, std::vector<LoneObservation> lone,
+                                       const FitOptions& options) {
+  const Fit rest = fit(without(session, lone), options);
+  if (!rest.converged()) return {};
+  const std::vector<double> others = mean_squares(rest);
+  const double worst = *std::max_element(others.begin(), others.end());
+  const double least = std::max(apart_beside * apart_beside * worst,
+                                beyond_noise * beyond_noise * rest.noise.value_or(0) * rest.noise.value_or(0));
+  const std::vector<double> squares = mean_squares_on(only(session, lone), rest);
+  if (squares.size() != lone.size()) return {};
+  std::sort(lone.begin(), lone.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
+  for (std::size_t i = 0; i < lone.size(); ++i) {
+    if (squares[i] < least) return {};
+    lone[i].error = std::sqrt(squares[i]);
+    lone[i].others = std::sqrt(worst);
+  }
+  return lone;
+}
+
+}  // namespace
+
+Session without(const Session& session, const std::vector<LoneObservation>& lone) {
+  Session s = session;
+  for (const LoneObservation& l : lone) {
+    s.observations[static_cast<std::size_t>(l.index)].decision = Decision::excluded;
+    s.observations[static_cast<std::size_t>(l.index)].reason = "it alone does not agree with the others";
+  }
+  return s;
+}
+
+std::vector<LoneObservation> lone_observations(const Session& session, const Fit& fit, const FitOptions& options) {
+  const std::vector<ProblemObservation>& used = fit.problem.observations;
+  const std::size_t most = std::max<std::size_t>(1, used.size() / one_in);
+  const StandingApart a = standing_apart(mean_squares(fit), most);
+  for (const std::size_t count : a.counts) {
+    const std::vector<std::size_t> places(a.order.begin(), a.order.begin() + static_cast<std::ptrdiff_t>(count));
+    if (is_like_a_slip(places, used.size())) continue;
+    std::vector<LoneObservation> lone;
+    for (const std::size_t p : places)
+      lone.push_back({session.observations[static_cast<std::size_t>(used[p].index)].id, used[p].index});
+    if (auto found = confirmed(session, std::move(lone), options); !found.empty()) return found;
+  }
+  return {};
+}
+
+std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker) {
+  if (lone.empty()) return {};
+  std::string ids;
+  double least = lone.front().error;
+  for (const LoneObservation& l : lone) {
+    ids += fmt::format("{}{}", ids.empty() ? "" : ", ", l.id);
+    least = std::min(least, l.error);
+  }
+  const auto size = [&](double x) {
+    return is_tracker ? fmt::format("{:.3g} mm", 1e3 * x) : fmt::format("{:.3g} px", x);
+  };
+  return fmt::format(
+      "{} {} left out: by what the others say {} {} off by {}{}, and the others by {} at most. Look for a wrong "
+      "reading or "
+      "image, correct it or exclude it.",
+      lone.size() == 1 ? "Observation" : "Observations", ids + (lone.size() == 1 ? " is" : " are"),
+      lone.size() == 1 ? "it" : "they", lone.size() == 1 ? "is" : "are", size(least),
+      lone.size() == 1 ? "" : " and more", size(lone.front().others));
+}
+
+}  // namespace handsight
