@@ -143,6 +143,14 @@ std::vector<int> SaddleField::at(const Eigen::Vector2d& position) const {
   return numbers;
 }
 
+bool SaddleField::has_near(const Eigen::Vector2d& position, double distance) const {
+  bool has = false;
+  each_row_round(position, distance, [&](int begin, int end) {
+    for (int n = begin; n < end && !has; ++n) has = within({u_[n], v_[n]}, position, distance);
+  });
+  return has;
+}
+
 void SaddleField::set_probability(const std::vector<int>& numbers, double probability) {
   for (const int n : numbers) says_[n] = static_cast<float>(1 - 2 * probability);
 }

@@ -33,6 +33,8 @@ class SaddleField {
   double others(const Candidate& candidate) const;
   /// Numbers of the saddles that are the one at `position` (px).
   std::vector<int> at(const Eigen::Vector2d& position) const;
+  /// Whether a saddle is within `distance` px, 40 at most.
+  bool has_near(const Eigen::Vector2d& position, double distance) const;
   void set_probability(const std::vector<int>& numbers, double probability);
   /// How many of the saddles with these numbers `others` counts.
   int counted(const std::vector<int>& numbers, const Candidate& candidate) const;

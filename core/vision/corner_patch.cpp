@@ -13,6 +13,8 @@ namespace handsight {
 namespace {
 
 constexpr double kSharp = 0.7;  // px, of blur: below it the pixel's own shape matters
+// Grey levels beyond which a pixel may be cut off; JPEG spreads the limit a little.
+constexpr float kWhite = 249.5f, kBlack = 1.5f;
 
 // Offsets from the central pixel, nearest first: the first count[r] of them are the disc of r px without its four
 // outermost pixels. Those have no weight in a fit with a rim half a pixel inside, wherever in its pixel the corner is,
@@ -63,10 +65,10 @@ struct SmoothEdge {  // lens and pixel together as one Gaussian
         slope_scale(static_cast<float>(M_2_SQRTPI * M_SQRT1_2 / blur)),
         per_blur(static_cast<float>(-1 / blur)) {}
   template <class Vector>
-  HANDSIGHT_INLINE void operator()(const Vector& d, Edge<Vector>& edge) const {
-    erf_and_bell(scale * d, edge.value, edge.slope);
-    edge.slope *= slope_scale;
-    edge.spread = d * edge.slope * per_blur;
+  HANDSIGHT_INLINE void operator()(const Vector& d, const Vector& e, Edge<Vector>& one, Edge<Vector>& other) const {
+    erfs_and_bells<Vector>(scale * d, scale * e, one.value, one.slope, other.value, other.slope);
+    one.slope *= slope_scale, other.slope *= slope_scale;
+    one.spread = d * one.slope * per_blur, other.spread = e * other.slope * per_blur;
   }
 };
 
@@ -80,7 +82,11 @@ struct SharpEdge {
     spread_scale = static_cast<float>(M_SQRT1_2 * M_2_SQRTPI * blur / lens);
   }
   template <class Vector>
-  HANDSIGHT_INLINE void operator()(const Vector& d, Edge<Vector>& edge) const {
+  HANDSIGHT_INLINE void operator()(const Vector& d, const Vector& e, Edge<Vector>& one, Edge<Vector>& other) const {
+    edge_at(d, one), edge_at(e, other);
+  }
+  template <class Vector>
+  HANDSIGHT_INLINE void edge_at(const Vector& d, Edge<Vector>& edge) const {
     const Vector before = d - 0.5f, after = d + 0.5f;
     Vector f0, f1, g0, g1;
     erf_and_bell(scale * before, f0, g0);
@@ -119,8 +125,8 @@ HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, 
     w = w < zero ? zero : w;
     w = w > one ? one : w;
     Edge<Vector> a, b;
-    shape(c.c1 * y - c.s1 * x, a);
-    shape(c.c2 * y - c.s2 * x, b);
+    const Vector d = c.c1 * y - c.s1 * x, e = c.c2 * y - c.s2 * x;
+    shape(d, e, a, b);
     const Vector f = a.value * b.value, base = w * (c.level + c.half * f);
     store(w, &patch.weight[n]);
     store(w * value - (1.f + c.hu * x + c.hv * y) * base, &patch.residual[n]);
@@ -172,6 +178,19 @@ HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, C
     store(steep * beyond * c.per_softness, &patch.shadow[3][n]);
     for (CornerPatch::Row& row : patch.odd) load(&row[n], value), store(light * value, &row[n]);
     for (CornerPatch::Row& row : patch.even) load(&row[n], value), store(light * value, &row[n]);
+  }
+}
+
+// What the sensor cuts off says no more than that there is at least as much, or as little: where the model agrees the
+// pixel has no weight.
+HANDSIGHT_LANES void leave_out_clipped(int begin, int end, CornerPatch& patch) {
+  for (int n = begin; n < end; ++n) {
+    const float value = patch.value[n], beyond = patch.residual[n];
+    const float keep = (value > kWhite && beyond < 0) || (value < kBlack && beyond > 0) ? 0.f : 1.f;
+    patch.weight[n] *= keep, patch.residual[n] *= keep;
+    for (CornerPatch::Row& row : patch.odd) row[n] *= keep;
+    for (CornerPatch::Row& row : patch.even) row[n] *= keep;
+    for (CornerPatch::Row& row : patch.shadow) row[n] *= keep;
   }
 }
 
@@ -268,6 +287,9 @@ int pixels_in_disc(int radius) { return disc().count[radius]; }
 
 Eigen::Vector2i offset_of_pixel(int number) { return {disc().offsets[number][0], disc().offsets[number][1]}; }
 
+const float* pixel_columns() { return disc().u.data(); }
+const float* pixel_rows() { return disc().v.data(); }
+
 void gather(const Image& image, const Eigen::Vector2i& centre, int radius, CornerPatch& patch) {
   const Disc& d = disc();
   patch.count = d.count[radius];
@@ -277,7 +299,12 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   if (there >= patch.count) return;
   patch.centre = centre, patch.gathered = radius;
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
-  for (int n = there; n < patch.count; ++n) patch.value[n] = middle[d.v_whole[n] * image.width + d.u_whole[n]];
+  std::uint8_t least = 255, most = 0;
+  for (int n = there; n < patch.count; ++n) {
+    const std::uint8_t value = middle[d.v_whole[n] * image.width + d.u_whole[n]];
+    patch.value[n] = value, least = std::min(least, value), most = std::max(most, value);
+  }
+  patch.is_clipped = (there > 0 && patch.is_clipped) || least < kBlack || most > kWhite;
   for (int n = patch.count; n < patch.padded; ++n) patch.value[n] = 0;
 }
 
@@ -288,13 +315,15 @@ void evaluate(const CornerModel& model, double radius, int begin, int end, Corne
     (has_wide_lanes() ? sharp_in_wide : sharp_in_lanes)(SharpEdge(model.blur), constants, begin, end, patch);
   else
     (has_wide_lanes() ? smooth_in_wide : smooth_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
-  if (!has_shadow(model)) return;
-  const ShadowConstants shadow(model.shadow, model.position - patch.centre.cast<double>());
-  (has_wide_lanes() ? shade_in_wide : shade_in_lanes)(shadow, begin, end, patch);
+  if (has_shadow(model)) {
+    const ShadowConstants shadow(model.shadow, model.position - patch.centre.cast<double>());
+    (has_wide_lanes() ? shade_in_wide : shade_in_lanes)(shadow, begin, end, patch);
+  }
+  if (patch.is_clipped) leave_out_clipped(begin, end, patch);
 }
 
 void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch) {
-  if (has_shadow(model) || model.blur < kSharp) return evaluate(model, radius, begin, end, patch);
+  if (has_shadow(model) || model.blur < kSharp || patch.is_clipped) return evaluate(model, radius, begin, end, patch);
   end = in_groups(end);
   const Constants constants(model, patch.centre, radius);
   (has_wide_lanes() ? residuals_in_wide : residuals_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "vision/corner_lanes.h"
+#include "vision/corner_products.h"
 #include "vision/corner_solve.h"
 
 namespace handsight {
@@ -87,41 +88,13 @@ Split best_split(const Terms& terms, int count, const Side& all) {
   return best;
 }
 
-constexpr int kTile = 4;
-
-// Products of a row with some others, few enough to stay in registers.
-template <class Vector>
-HANDSIGHT_INLINE void tile_products(const float* row, const float* const* others, int count, float* results) {
-  constexpr int kParts = Sum<Vector>::kParts, kStep = kLanesOf<Vector>;
-  Sum<Vector> sum[kTile];
-  for (int n = 0; n < count; n += kWideLanes) {
-#pragma GCC unroll 2
-    for (int p = 0; p < kParts; ++p) {
-      Vector a, b;
-      load(row + n + p * kStep, a);
-#pragma GCC unroll 4
-      for (int k = 0; k < kTile; ++k) load(others[k] + n + p * kStep, b), sum[k].part[p] += a * b;
-    }
-  }
-  Lanes folded[kTile];
-  for (int k = 0; k < kTile; ++k) fold(sum[k], folded[k]);
-  totals(folded, results);
-}
-
-// The lower triangle of all rows' products, row by row, each row in whole tiles.
-using Products = std::array<std::array<float, kUnknowns + 1 + kTile>, kUnknowns + 1>;
-
-template <class Vector>
-HANDSIGHT_INLINE void all_products(const float* const* rows, int count, Products& products) {
-  for (int i = 0; i <= kUnknowns; ++i)
-    for (int j = 0; j <= i; j += kTile) tile_products<Vector>(rows[i], rows + j, count, &products[i][j]);
-}
+using Products = RowProducts<kUnknowns + 1>;
 
 HANDSIGHT_LANES void products_in_lanes(const float* const* rows, int count, Products& products) {
-  all_products<Lanes>(rows, count, products);
+  all_products<Lanes, kUnknowns + 1>(rows, count, products);
 }
 HANDSIGHT_WIDE void products_in_wide(const float* const* rows, int count, Products& products) {
-  all_products<WideLanes>(rows, count, products);
+  all_products<WideLanes, kUnknowns + 1>(rows, count, products);
 }
 
 struct Normal {
@@ -144,7 +117,7 @@ void add_prior(const CornerModel& model, double noise, Normal& normal) {
 
 Normal normal_equations(const CornerPatch& patch) {
   // The residual stands last; what fills the last tile is not read.
-  std::array<const float*, kUnknowns + kTile> rows;
+  std::array<const float*, kUnknowns + kTileOfRows> rows;
   std::size_t n = 0;
   for (const auto& row : patch.odd) rows[n++] = row.data();
   for (const auto& row : patch.even) rows[n++] = row.data();

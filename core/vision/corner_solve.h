@@ -36,4 +36,19 @@ bool solve(Eigen::Matrix<double, N, N> m, Eigen::Matrix<double, N, 1>& x) {
   return x.allFinite();
 }
 
+/// The inverse of a positive definite matrix, unknown by unknown; false where it is none.
+template <int N>
+bool invert(Eigen::Matrix<double, N, N>& m) {
+  for (int k = 0; k < N; ++k) {
+    if (!(m(k, k) > 1e-12)) return false;
+    const double inverse = 1 / m(k, k);
+    const Eigen::Matrix<double, N, 1> column = m.col(k);
+    m.noalias() -= column * (inverse * column.transpose());
+    m.col(k) = inverse * column, m.row(k) = inverse * column.transpose();
+    m(k, k) = -inverse;
+  }
+  m = -m;
+  return m.allFinite();
+}
+
 }  // namespace handsight
