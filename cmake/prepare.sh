@@ -2,10 +2,12 @@
 # Shared by ./run and ./test: the packages of Debian 12 that Handsight needs, and how it is built.
 
 build_packages=(g++ cmake ninja-build ccache mold libeigen3-dev libceres-dev libopencv-dev libtinyxml2-dev libcli11-dev
-  nlohmann-json3-dev libfmt-dev libboost-dev libmuparser-dev pkg-config)
+  nlohmann-json3-dev libfmt-dev libboost-dev libmuparser-dev libyaml-cpp-dev
+  libsqlite3-dev pkg-config)
 window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev libvtk9-dev libqcustomplot-dev
   libqcustomplot2.1-qt6 fonts-dejavu-core)
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick poppler-utils)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick poppler-utils
+  python3)
 
 # install_missing WHY PACKAGE...: asks apt for those that are not there; says what and why before it does.
 install_missing() {
@@ -28,16 +30,44 @@ install_missing() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build TARGET: configures once and builds; two builds at once wait for each other.
+# How far ninja is: one line that changes on a terminal, elsewhere a line every twentieth; everything else as it comes.
+show_progress() {
+  local line next_told=0 shown="" progress='^\[ *([0-9]+)% ([0-9]+/[0-9]+) ([0-9]+)\.[0-9]* s\]'
+  while IFS= read -r line; do
+    if [[ $line =~ $progress ]]; then
+      local percent=${BASH_REMATCH[1]} text="[${BASH_REMATCH[1]} % of the steps, ${BASH_REMATCH[3]} s]"
+      if [ -t 1 ]; then
+        printf '\r\033[K%s' "$text"
+        shown=yes
+      elif [ "$percent" -ge "$next_told" ]; then
+        echo "$text"
+        next_told=$((percent - percent % 5 + 5))
+      fi
+    elif [ "$line" != "ninja: no work to do." ] && [[ $line != "ninja: Entering directory"* ]]; then
+      if [ -n "$shown" ]; then printf '\r\033[K'; fi
+      printf '%s\n' "$line"
+    fi
+  done
+  if [ -n "$shown" ]; then printf '\r\033[K'; fi
+}
+
+# build TARGET [WHAT]: configures once and builds; two builds at once wait for each other. Says what is built and how far
+# it is; a fresh machine compiles for minutes.
 build() {
   mkdir -p build
   exec 8>build/.lock
   if command -v flock >/dev/null; then flock 8; fi
   local status=0
   if [ ! -f build/build.ninja ]; then
+    echo "Looking at what is installed (cmake)..."
     cmake -S . -B build -G Ninja >build/configure.txt 2>&1 || { cat build/configure.txt; status=1; }
   fi
-  if [ $status -eq 0 ]; then ninja -C build --quiet "$1" | sed '/^ninja: no work to do\.$/d' || status=1; fi
+  if [ $status -eq 0 ]; then
+    local steps
+    steps=$(ninja -C build -n "$1" 2>/dev/null | grep -c '^\[' || true)
+    [ "$steps" -gt 20 ] && echo "Building ${2:-$1}: $steps steps; the first time takes minutes, later seconds."
+    (set -o pipefail; NINJA_STATUS='[%p %f/%t %e s] ' ninja -C build "$1" | show_progress) || status=1
+  fi
   exec 8>&-
   return $status
 }

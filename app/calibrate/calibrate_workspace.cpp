@@ -243,7 +243,7 @@ WorkStatus CalibrateWorkspace::status() const {
                                       [](const Observation& o) { return o.decision == Decision::rejected; });
   if (player_.is_playing()) return {WorkState::open, tr("playing")};
   const bool any_images = std::any_of(s.observations.begin(), s.observations.end(),
-                                      [](const Observation& o) { return !o.left_image.empty(); });
+                                      [](const Observation& o) { return !o.images[0].empty(); });
   if (taken == 0)
     return any_images ? WorkStatus{WorkState::open, tr("ready to play")}
                       : WorkStatus{WorkState::done, tr("needs no play")};

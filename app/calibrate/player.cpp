@@ -30,10 +30,11 @@ namespace {
 
 /// The images of an observation; the sentence where one cannot be read.
 std::optional<ImagePair> read_pair(const Session& session, const Observation& o, std::string& refusal) {
-  if (o.left_image.empty() || o.right_image.empty() || !session.stereo || o.decision == Decision::excluded)
+  if (o.images[0].empty() || o.images[1].empty() || !session.rig || !is_pair(*session.rig) ||
+      o.decision == Decision::excluded)
     return std::nullopt;
-  const ShownImage left = read_shown_image(folder(session) / o.left_image, o.left_image, session.stereo->left);
-  const ShownImage right = read_shown_image(folder(session) / o.right_image, o.right_image, session.stereo->right);
+  const ShownImage left = read_shown_image(folder(session) / o.images[0], o.images[0], session.rig->at(0).camera);
+  const ShownImage right = read_shown_image(folder(session) / o.images[1], o.images[1], session.rig->at(1).camera);
   for (const ShownImage* shown : {&left, &right})
     if (shown->image.isNull()) {
       refusal = shown->refusal.toStdString();

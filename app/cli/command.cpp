@@ -106,4 +106,12 @@ void add_export_option(CLI::App& app, Output& output) {
   app.add_option("--export", output.export_file, "Write the calibration XML to this file; - is standard output");
 }
 
+void require_pair(const Session& session, const char* command) {
+  if (!session.rig || is_pair(*session.rig)) return;
+  throw InputError(
+      fmt::format("{}: {} looks for corners in the images of two cameras, and this session has {} ({}); bring its "
+                  "markers' image points as <marker> elements, and fit and diagnose work with any number of cameras.",
+                  session.file.filename().string(), command, session.rig->count(), listed_names(*session.rig)));
+}
+
 }  // namespace handsight::cli

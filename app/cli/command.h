@@ -77,9 +77,17 @@ Command add_fit(CLI::App& app);
 Command add_diagnose(CLI::App& app);
 Command add_improve(CLI::App& app);
 Command add_predict(CLI::App& app);
+Command add_convert(CLI::App& app);
+Command add_export(CLI::App& app);
+Command add_correct(CLI::App& app);
+Command add_compare(CLI::App& app);
+Command add_batch(CLI::App& app);
 Command add_plan(CLI::App& app);
 Command add_effective_mass(CLI::App& app);
 Command add_simulate(CLI::App& app);
 Command add_effects(CLI::App& app);
+
+/// InputError where the session has not two cameras, whose images `command` needs.
+void require_pair(const Session& session, const char* command);
 
 }  // namespace handsight::cli

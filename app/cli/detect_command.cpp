@@ -41,15 +41,16 @@ int run(const Options& o) {
   note_input(o.left);
   note_input(o.right);
   const Session session = open_session(o.session, o.output);
-  if (!session.stereo) throw InputError("detect needs a session with cameras; this one has a tracker.");
-  const Image left_image = read_image(o.left, session.stereo->left, o.left),
-              right_image = read_image(o.right, session.stereo->right, o.right);
+  if (!session.rig) throw InputError("detect needs a session with cameras; this one has a tracker.");
+  require_pair(session, "detect");
+  const Image left_image = read_image(o.left, session.rig->at(0).camera, o.left),
+              right_image = read_image(o.right, session.rig->at(1).camera, o.right);
   const std::vector<Corner> left = detect_corners(left_image), right = detect_corners(right_image);
   print_corners(o.output, "left", left);
   print_corners(o.output, "right", right);
   Json pairs = Json::array();
   o.output.line("pairs: left right  epipolar px      x        y        z m");
-  for (const CornerPair& p : corner_pairs(*session.stereo, left, right)) {
+  for (const CornerPair& p : corner_pairs(stereo_of(*session.rig), left, right)) {
     o.output.line(fmt::format("       {:>4} {:>5}  {:>11.3f} {:>8.4f} {:>8.4f} {:>8.4f}", p.left, p.right,
                               p.point.epipolar_distance, p.point.point.x(), p.point.point.y(), p.point.point.z()));
     pairs.push_back({{"left", p.left},

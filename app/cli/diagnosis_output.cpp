@@ -102,9 +102,10 @@ Json blame_json(const Blame& blame) {
   return {{"cameras", blame.cameras}, {"body", blame.body}, {"robot", blame.robot}};
 }
 
-Json observation_json(const ObservationBlame& o, bool tracker) {
+Json observation_json(const ObservationBlame& o, const Rig* rig) {
+  const bool tracker = !rig;
   const Json null = nullptr;
-  const std::string change = change_text(o.change, !tracker);
+  const std::string change = change_text(o.change, rig);
   const char* cause = o.blame.letter == 'C' ? "cameras" : o.blame.letter == 'B' ? "body" : "robot";
   return {{"id", o.id},
           {"blame", blame_json(o.blame)},
@@ -115,7 +116,8 @@ Json observation_json(const ObservationBlame& o, bool tracker) {
 }
 
 /// Those whose own fault it is: not the robot's, which a missing effect makes everybody's.
-void print_odd_observations(const Output& out, const Diagnosis& d, bool tracker) {
+void print_odd_observations(const Output& out, const Diagnosis& d, const Rig* rig) {
+  const bool tracker = !rig;
   constexpr int most = 5;
   int odd = 0;
   for (const ObservationBlame& o : d.observations) {
@@ -126,7 +128,7 @@ void print_odd_observations(const Output& out, const Diagnosis& d, bool tracker)
                                                   tracker ? fmt::format("{:.1f} mm", 1e3 * *o.smallest_visible)
                                                           : fmt::format("{:.1f} px", *o.smallest_visible))
                                     : "";
-    out.line(fmt::format("Odd       observation {}: {}{}", o.id, change_text(o.change, !tracker), visible));
+    out.line(fmt::format("Odd       observation {}: {}{}", o.id, change_text(o.change, rig), visible));
   }
   if (odd > most) out.line(fmt::format("          and {} more; see per_observation of --json", odd - most));
 }
@@ -151,7 +153,7 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   if (d.blame.letter != 0)
     out.line(fmt::format("Blame     robot {:.0f} %, marker body {:.0f} %, cameras {:.0f} % of what exceeds the noise",
                          100 * d.blame.robot, 100 * d.blame.body, 100 * d.blame.cameras));
-  print_odd_observations(out, d, tracker);
+  print_odd_observations(out, d, d.model.session.rig ? &*d.model.session.rig : nullptr);
   if (!d.model.wrong.empty()) out.line(fmt::format("Left out  {} wrong points", d.model.wrong.size()));
   out.line();
   out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  where", "Candidate", "ln BF", "held out", "explained"));
@@ -209,21 +211,26 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
   j["candidates"] = candidates;
   j["patterns"] = patterns;
   j["invisible"] = d.invisible;
-  j["wrong_points"] = wrong_points_json(d.model.wrong);
+  j["wrong_points"] = wrong_points_json(d.model.wrong, d.model.session);
   Json observations = Json::array();
-  for (const ObservationBlame& o : d.observations) observations.push_back(observation_json(o, tracker));
+  for (const ObservationBlame& o : d.observations)
+    observations.push_back(observation_json(o, d.model.session.rig ? &*d.model.session.rig : nullptr));
   j["per_observation"] = observations;
+  if (d.sample)
+    j["sample"] = {{"observations", d.sample->taken},
+                   {"of", d.sample->all},
+                   {"others_rms_pixel", number(d.sample->others.rms_pixel)},
+                   {"others_rms_m", number(d.sample->others.rms_m)},
+                   {"others_mean_m", number(d.sample->others.mean_m)}};
   return j;
 }
 
-Json wrong_points_json(const std::vector<WrongPoint>& wrong) {
+Json wrong_points_json(const std::vector<WrongPoint>& wrong, const Session& session) {
   Json list = Json::array();
   for (const WrongPoint& w : wrong)
     list.push_back({{"id", w.id},
                     {"marker", w.marker},
-                    {"seen_by", w.camera == SeenBy::left    ? "left"
-                                : w.camera == SeenBy::right ? "right"
-                                                            : "tracker"},
+                    {"seen_by", w.camera == by_tracker ? "tracker" : session.rig->at(w.camera).name},
                     {"off_by", w.distance}});
   return list;
 }
@@ -259,7 +266,8 @@ void print_improvement(const Output& out, const Session& session, const Improvem
 Json improvement_json(const Session& session, const Improvement& m) {
   const bool tracker = session.is_tracker();
   const Json null = nullptr;
-  Json j = fit_json(session, m.last.model.fit, m.last.report, m.last.model_options);
+  const Session& fitted = m.last.sample ? m.last.model.session : session;
+  Json j = fit_json(fitted, m.last.model.fit, m.last.report, m.last.model_options);
   Json steps = Json::array(), refused = Json::array();
   for (const ImprovementStep& s : m.steps)
     steps.push_back({{"added", s.added.empty() ? null : Json(s.added)},

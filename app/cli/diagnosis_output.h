@@ -9,7 +9,7 @@ namespace handsight::cli {
 
 void print_diagnosis(const Output& output, const Session& session, const Diagnosis& diagnosis);
 /// The points that a fit leaves out.
-Json wrong_points_json(const std::vector<WrongPoint>& wrong);
+Json wrong_points_json(const std::vector<WrongPoint>& wrong, const Session& session);
 Json diagnosis_json(const Session& session, const Diagnosis& diagnosis);
 
 void print_improvement(const Output& output, const Session& session, const Improvement& improvement);

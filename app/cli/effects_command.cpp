@@ -15,6 +15,8 @@ const char* at(EffectScope scope) {
       return ", at each joint that follows others";
     case EffectScope::marker:
       return ", at each marker";
+    case EffectScope::camera:
+      return ", of each camera";
     case EffectScope::session:
       return "";
   }
@@ -70,7 +72,7 @@ int run(const Options& o) {
     print_effect(o.output, effect);
     list.push_back(effect_json(effect));
   };
-  for (const Effect& effect : catalogue()) tell(effect);
+  for (const Effect* effect : catalogue_beside(own)) tell(*effect);
   for (const std::shared_ptr<const Effect>& effect : own) tell(*effect);
   o.output.json(list);
   return done;

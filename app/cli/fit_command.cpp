@@ -35,7 +35,7 @@ int run(const Options& o) {
   if (!clean.wrong.empty())
     o.output.line(fmt::format("Left out: {} wrong points (wrong_points of --json)", clean.wrong.size()));
   Json json = fit_json(session, result, told, options);
-  if (o.without_wrong_points) json["wrong_points"] = wrong_points_json(clean.wrong);
+  if (o.without_wrong_points) json["wrong_points"] = wrong_points_json(clean.wrong, clean.session);
   o.output.json(json);
   if (!o.output.export_file.empty())
     o.output.calibration(calibration_of(session, result, told, options, "handsight " HANDSIGHT_VERSION));

@@ -54,7 +54,10 @@ Json effects_json(const Session& session, const std::vector<FittedEffect>& effec
     list.push_back({{"id", id}, {"parameters", parameters}});
     if (definition) list.back()["definition"] = effect_definition_text(*definition);
   };
-  for (const Effect& effect : catalogue()) add(effect.id, nullptr);
+  OwnEffects own;
+  for (const FittedEffect& e : effects)
+    if (e.term.own) own.push_back(e.term.own);
+  for (const Effect* effect : catalogue_beside(own)) add(effect->id, nullptr);
   std::vector<std::string> told;
   for (const FittedEffect& e : effects)
     if (e.term.own && std::find(told.begin(), told.end(), e.term.id) == told.end()) {

@@ -61,18 +61,20 @@ std::vector<int> marker_numbers(const Options& options, int marker_count) {
 
 int run(const Options& options) {
   Session session = open_session(options.session, options.output);
-  if (!session.stereo) throw InputError("A tracker session has no images to label; its markers are points already.");
+  if (!session.rig) throw InputError("A tracker session has no images to label; its markers are points already.");
+  require_pair(session, "label");
   Observation& observation = observation_with(session, options.observation);
-  if (observation.left_image.empty() || observation.right_image.empty())
+  if (observation.images[0].empty() || observation.images[1].empty())
     throw InputError(fmt::format(
         "Observation {} has no images to label; name a left and a right image in its <images>.", observation.id));
   const std::vector<int> numbers_of = marker_numbers(options, session.marker_count);
   std::vector<Vector2> pointed;
   for (const std::string& text : options.left) pointed.push_back(parse_point(text));
-  const Image left = read_image(folder(session) / observation.left_image, session.stereo->left, observation.left_image);
+  const Image left =
+      read_image(folder(session) / observation.images[0], session.rig->at(0).camera, observation.images[0]);
   const Image right =
-      read_image(folder(session) / observation.right_image, session.stereo->right, observation.right_image);
-  const FirstLabels labels = label_first(*session.stereo, detect_corners(left), detect_corners(right), pointed);
+      read_image(folder(session) / observation.images[1], session.rig->at(1).camera, observation.images[1]);
+  const FirstLabels labels = label_first(stereo_of(*session.rig), detect_corners(left), detect_corners(right), pointed);
   Json result{{"observation", observation.id}, {"refusal", labels.refusal}, {"markers", Json::array()}};
   if (!labels.refusal.empty()) {
     options.output.json(result);
@@ -81,7 +83,9 @@ int run(const Options& options) {
   observation.sightings.clear();
   for (std::size_t m = 0; m < labels.markers.size(); ++m) {
     const LabelledMarker& l = labels.markers[m];
-    observation.sightings.push_back({numbers_of[m], l.left, l.right, {}, MarkedBy::hand});
+    Sighting& sighting = observation.sightings.emplace_back(Sighting{.marker = numbers_of[m], .by = MarkedBy::hand});
+    see(sighting, 0, l.left, pixel_sigma(l.left_covariance));
+    see(sighting, 1, l.right, pixel_sigma(l.right_covariance));
     result["markers"].push_back({{"index", numbers_of[m]},
                                  {"left", numbers(l.left)},
                                  {"right", numbers(l.right)},

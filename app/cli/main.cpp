@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "command.h"
+#include "describe.h"
 
 namespace {
 
@@ -16,11 +17,16 @@ int run(int argc, char** argv) {
   CLI::App app("Find out where a robot's hand really is, and why it is not where the model says.", "handsight-cli");
   app.set_version_flag("--version", "handsight " HANDSIGHT_VERSION);
   app.require_subcommand(1);
+  std::string described;  // for packages: the manual page, completions of shells
+  CLI::App* const describe =
+      app.add_subcommand("describe", "Writes the manual page or a shell's completion")->group("");
+  describe->add_option("WHAT", described)->required()->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
   const std::vector<cli::Command> commands = {
-      cli::add_check(app),    cli::add_detect(app),  cli::add_label(app),
-      cli::add_online(app),   cli::add_fit(app),     cli::add_diagnose(app),
-      cli::add_improve(app),  cli::add_predict(app), cli::add_effective_mass(app),
-      cli::add_simulate(app), cli::add_effects(app), cli::add_plan(app)};
+      cli::add_check(app),   cli::add_detect(app),         cli::add_label(app),    cli::add_online(app),
+      cli::add_fit(app),     cli::add_diagnose(app),       cli::add_improve(app),  cli::add_predict(app),
+      cli::add_convert(app), cli::add_export(app),         cli::add_correct(app),  cli::add_compare(app),
+      cli::add_batch(app),   cli::add_effective_mass(app), cli::add_simulate(app), cli::add_effects(app),
+      cli::add_plan(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -29,6 +35,10 @@ int run(int argc, char** argv) {
     std::cout << printable(out.str());
     std::cerr << printable(err.str());
     return code == 0 ? cli::done : cli::wrong_input;
+  }
+  if (describe->parsed()) {
+    std::cout << (described == "man" ? cli::manual_page(app, HANDSIGHT_VERSION) : cli::completion(app, described));
+    return cli::done;
   }
   for (const cli::Command& command : commands)
     if (command.app->parsed()) return command.run();

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
 #include <iostream>
 #include <set>
+#include <thread>
 
 #include "command.h"
 #include "estimation/online.h"
@@ -11,13 +16,15 @@
 #include "outputs.h"
 #include "session/session_xml.h"
 #include "vision/image_file.h"
+#include "ways/arrivals.h"
 
 namespace handsight::cli {
 namespace {
 
 struct Options {
   std::string session;
-  bool save = false;
+  bool save = false, watch = false;
+  double watch_for = 0;  // s; 0: until interrupted
   double body_gate_mm = 30;
   Output output;
 };
@@ -50,10 +57,10 @@ std::string step_line(const OnlineStep& step) {
 }
 
 std::optional<ImagePair> read_images(const Session& session, const Observation& o, std::string& refusal) {
-  if (o.left_image.empty() || o.right_image.empty() || !session.stereo) return std::nullopt;
+  if (o.images[0].empty() || o.images[1].empty() || !session.rig || !is_pair(*session.rig)) return std::nullopt;
   try {
-    return ImagePair{read_image(folder(session) / o.left_image, session.stereo->left, o.left_image),
-                     read_image(folder(session) / o.right_image, session.stereo->right, o.right_image)};
+    return ImagePair{read_image(folder(session) / o.images[0], session.rig->at(0).camera, o.images[0]),
+                     read_image(folder(session) / o.images[1], session.rig->at(1).camera, o.images[1])};
   } catch (const InputError& error) {
     refusal = error.what();
     return std::nullopt;
@@ -145,8 +152,47 @@ OnlineStep decided(OnlineCalibration& online, const Session& session, const Obse
   return step;
 }
 
+std::atomic<bool> is_interrupted = false;
+
+/// Takes what arrives in the session's folder until it is interrupted, or the time is over.
+void watch(Session& session, const Options& options, OnlineCalibration& online, Steps& steps) {
+  Arrivals arrivals(session);
+  std::int64_t next_id = 0;
+  for (const Observation& o : session.observations) next_id = std::max(next_id, o.id + 1);
+  std::signal(SIGINT, [](int) { is_interrupted = true; });
+  std::signal(SIGTERM, [](int) { is_interrupted = true; });
+  const auto start = std::chrono::steady_clock::now();
+  const auto is_over = [&] {
+    return is_interrupted || (options.watch_for > 0 && std::chrono::steady_clock::now() - start >
+                                                           std::chrono::duration<double>(options.watch_for));
+  };
+  while (!is_over()) {
+    Arrivals::Look look = arrivals.look();
+    for (const std::string& remark : look.remarks) Output::note(remark);
+    for (Observation& o : look.arrived) {
+      o.id = next_id++;
+      if (options.save) session.observations.push_back(o);  // else nothing is kept: a watch may last for days
+      const OnlineStep step = decided(online, session, o, steps);
+      for (const OnlineStep& revised : online.take_revised()) steps.take(revised);
+      steps.take(step);
+    }
+    if (!look.arrived.empty()) std::cout.flush();
+    if (options.save && !look.arrived.empty()) {
+      std::stable_sort(session.observations.begin(), session.observations.end(),
+                       [](const Observation& a, const Observation& b) { return a.time < b.time; });
+      steps.save();
+      session.source = std::make_shared<const std::string>(session_text(session));
+    }
+    if (look.arrived.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
 int run(const Options& options) {
   Session session = open_session(options.session, options.output);
+  const bool is_labelled = std::any_of(session.observations.begin(), session.observations.end(),
+                                       [](const Observation& o) { return !o.sightings.empty(); });
+  // A single camera shows no points to begin with; more than two show them where somebody has labelled them.
+  if (session.rig && (session.rig->count() == 1 || !is_labelled)) require_pair(session, "online");
   OnlineOptions online_options;
   online_options.match.body_gate = 1e-3 * options.body_gate_mm;
   OnlineCalibration online(session, online_options);
@@ -158,8 +204,9 @@ int run(const Options& options) {
     steps.take(step);
     progress.at(k + 1);
   }
+  if (options.watch) watch(session, options, online, steps);
   if (!steps.json_lines().empty()) write_output(options.output.json_file, steps.json_lines(), "--json");
-  if (options.save) steps.save();
+  if (options.save && !options.watch) steps.save();
   options.output.line();
   options.output.line(fmt::format("{} of {} observations taken{}", steps.taken(), session.observations.size(),
                                   options.save ? "; saved in the session" : ""));
@@ -180,6 +227,9 @@ Command add_online(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("online", "Online calibration: observation by observation, each taken or rejected");
   add_session_option(*command, options->session);
+  command->add_flag("--watch", options->watch,
+                    "Go on with what arrives in the session's folder: joints.csv, and images/ or points.csv");
+  command->add_option("--for", options->watch_for, "s: how long to watch; 0 until interrupted")->check(within(0, 1e9));
   command->add_flag("--save", options->save, "Save decisions and found markers in the session");
   command
       ->add_option("--body-gate", options->body_gate_mm,

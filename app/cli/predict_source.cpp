@@ -2,67 +2,63 @@
 #include "predict_source.h"
 
 #include "base/files.h"
-#include "command.h"
+#include "diagnosis_output.h"
+#include "estimation/fit_report.h"
+#include "outputs.h"
 #include "robot/urdf.h"
 #include "session/calibration_xml.h"
+#include "session/session_xml.h"
 
 namespace handsight::cli {
 namespace {
 
-bool is_calibration(const std::string& path) {
-  return !std::filesystem::is_directory(path) && read_file(path).find("<handsight_calibration") != std::string::npos;
-}
-
-PredictSource from_session(const std::string& path, const std::string& robot_file) {
+CalibratedRobot from_session(const std::string& path, const std::string& robot_file,
+                             const std::vector<std::string>& effects) {
   Session session = open_session(path);
-  if (!robot_file.empty()) session.robot = read_urdf(robot_file);
-  const Fit fitted = fit(session);
-  PredictSource source;
-  source.chain = chain_of(session);
-  source.joint_names = session.joints;
-  source.model = prediction_model(fitted);
-  source.times = times_of(session);
-  if (source.model.scatter.observations < 3)
-    source.notes.push_back(
-        "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "
-        "sigma leaves it out.");
-  return source;
+  std::filesystem::path urdf = folder(session) / session.robot_file;
+  if (!robot_file.empty()) bind_robot(session, read_urdf(urdf = robot_file));
+  FitOptions options;
+  add_effects(effects, session, options.effects, options.estimated);
+  const Fit fitted = fit(session, options);
+  CalibratedRobot robot =
+      calibrated_robot(session, fitted, report(session, fitted, options), options, "handsight " HANDSIGHT_VERSION);
+  robot.urdf_text = read_file(urdf);
+  robot.urdf_file = urdf.filename().string();
+  return robot;
 }
 
-PredictSource from_calibration(const std::string& path, const std::string& robot_file) {
+CalibratedRobot from_calibration(const std::string& path, const std::string& robot_file) {
   const Calibration c = read_calibration(path);
   if (robot_file.empty())
     throw InputError(fmt::format("{}: a calibration alone has no robot; name its URDF with --robot.", path));
-  if (c.tcp.empty() || c.joints.empty())
-    throw InputError(fmt::format(
-        "{}: has no <robot> with the tcp link or no <joints> with their order; predict from its session.", path));
-  Session session;
-  session.file = path;
-  session.robot_file = robot_file;
-  session.robot = read_urdf(robot_file);
-  session.tcp = c.tcp;
-  session.mount.link = c.mount;
-  session.gravity = c.gravity.value_or(session.gravity);
-  session.joints = c.joints;
-  PredictSource source;
-  source.joint_names = c.joints;
-  source.model = prediction_model(c, session.robot);
-  session.marker_count = std::max(static_cast<int>(c.markers.size()), markers_of(source.model.effects));
-  source.chain = chain_of(session);
-  source.times = c.times;
-  source.notes = c.notes;
-  if (!c.effects.empty() && !c.model_covariance)
-    source.notes.push_back(
-        "The file does not say how the errors of TCP->Body and of the effects go together (<model_covariance>): sigma "
-        "takes them as independent and is too large.");
-  return source;
+  CalibratedRobot robot = calibrated_robot(c, read_urdf(robot_file), robot_file, path);
+  robot.urdf_text = read_file(robot_file);
+  robot.urdf_file = std::filesystem::path(robot_file).filename().string();
+  return robot;
 }
 
 }  // namespace
 
-PredictSource predict_source(const std::string& session_or_calibration, const std::string& robot_file) {
-  if (!is_calibration(session_or_calibration)) return from_session(session_or_calibration, robot_file);
-  return from_calibration(session_or_calibration, robot_file);
+CalibratedRobot predict_source(const std::string& source, const std::string& robot_file,
+                               const std::vector<std::string>& effects) {
+  if (!is_calibration_file(source)) return from_session(source, robot_file, effects);
+  if (!effects.empty())
+    throw InputError(fmt::format(
+        "{}: a calibration holds its effects already; --effects is for sessions, which are fitted here.", source));
+  return from_calibration(source, robot_file);
+}
+
+void add_source_options(CLI::App& command, SourceOptions& options) {
+  command.add_option("SESSION", options.source, "A session, or a calibration XML")->required();
+  command.add_option("--robot", options.robot, "URDF; needed with a calibration");
+  command.add_option(
+      "--effects", options.effects,
+      "Effects in a session's model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
+}
+
+CalibratedRobot predict_source(const SourceOptions& options) {
+  for (const std::string& input : {options.source, options.robot}) note_input(input);
+  return predict_source(options.source, options.robot, options.effects);
 }
 
 }  // namespace handsight::cli

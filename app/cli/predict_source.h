@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "estimation/prediction.h"
+#include "command.h"
+#include "ways/calibrated_robot.h"
 
 namespace handsight::cli {
 
-/// What a prediction is made from: a session, which is fitted, or a calibration file and a robot.
-struct PredictSource {
-  Chain chain;
-  std::vector<std::string> joint_names;
-  PredictionModel model;
-  std::vector<double> times;  // s, of the session's observations; empty: not known
-  std::vector<std::string> notes;
-};
+/// What predictions, corrections and exports are made from: a session, which is fitted with these effects, or a
+/// calibration file and a robot. InputError where a calibration stands without a robot, or with effects.
+CalibratedRobot predict_source(const std::string& session_or_calibration, const std::string& robot_file,
+                               const std::vector<std::string>& effects = {});
 
-PredictSource predict_source(const std::string& session_or_calibration, const std::string& robot_file);
+/// Where the same is asked for in options: SESSION, --robot, --effects.
+struct SourceOptions {
+  std::string source, robot;
+  std::vector<std::string> effects;
+};
+void add_source_options(CLI::App& command, SourceOptions& options);
+CalibratedRobot predict_source(const SourceOptions& options);
 
 }  // namespace handsight::cli

@@ -6,6 +6,7 @@
 #include "limits.h"
 #include "outputs.h"
 #include "robot/urdf.h"
+#include "simulate_live.h"
 #include "simulation/simulated_files.h"
 
 namespace handsight::cli {
@@ -14,7 +15,8 @@ namespace {
 struct Options {
   std::string robot, like, out, images = "none";
   std::vector<std::string> effects, curves, disturbances;
-  double noise = -1;
+  double noise = -1, rate = 5;
+  std::string live;
   bool undeclared = false;
   SimulationOptions simulation;
   std::vector<double> shift;
@@ -57,6 +59,17 @@ int run(const Options& o) {
   // The noise of corners found in images is the detector's, not that of the simulated labels.
   options.declare_noise = !o.undeclared && image.observations == 0;
   const SimulatedSession simulated = simulate_session(like, options);
+  if (!o.live.empty()) {
+    if (like.rig) require_pair(like, "simulate --live");
+    if (like.rig) image.observations = options.observations;
+    Progress progress("arriving", static_cast<std::size_t>(options.observations));
+    simulate_live(simulated, options, robot_file, image, o.live, o.rate,
+                  [&](int done) { progress.at(static_cast<std::size_t>(done)); });
+    o.output.line(fmt::format("{}: {} observations have arrived", o.live, options.observations));
+    return done;
+  }
+  if (o.out.empty())
+    throw InputError("--out is missing: the folder to make (or --live FOLDER, for arrivals one by one).");
   Progress progress("rendering", static_cast<std::size_t>(image.observations));
   const WrittenSession written = write_simulated(simulated, options, robot_file, image, o.out,
                                                  [&](int done) { progress.at(static_cast<std::size_t>(done)); });
@@ -79,7 +92,10 @@ Command add_simulate(CLI::App& app) {
   command->add_option("--robot", o->robot, "URDF of the robot; the session's own where it is left out");
   command->add_option("--like", o->like, "The session that gives cameras or tracker, mount, joints and markers")
       ->required();
-  command->add_option("--out", o->out, "Folder to make; it must not hold a session already")->required();
+  CLI::Option* const out = command->add_option("--out", o->out, "Folder to make; it must not hold a session already");
+  command->add_option("--live", o->live, "Instead: a new folder into which the observations arrive one by one")
+      ->excludes(out);
+  command->add_option("--rate", o->rate, "Arrivals a second")->check(within(0.01, 1000));
   command->add_option("--effect", o->effects, "What is hidden in it: id:joint.parameter=value");
   command->add_option("--curve", o->curves,
                       "A deviation of a joint's angle that no effect describes: \"JOINT: SIZE*sin(ORDERq)\", or cos");

@@ -31,13 +31,21 @@ std::optional<Vector> point_of(const Json& parent, const char* key) {
   return v;
 }
 
+/// Of a camera's points and images in a journal.
+std::string key_of(int camera) {
+  return camera == 0 ? "left" : camera == 1 ? "right" : "camera_" + std::to_string(camera);
+}
+
 Json state_json(const ObservationState& state) {
   Json sightings = Json::array();
   for (const Sighting& s : state.sightings) {
     Json one{{"marker", s.marker}, {"by", static_cast<int>(s.by)}};
-    if (s.left) one["left"] = point_json(*s.left);
-    if (s.right) one["right"] = point_json(*s.right);
+    for (const CameraPoint& seen : s.in_cameras) {
+      one[key_of(seen.camera)] = point_json(seen.pixel);
+      if (seen.sigma) one[key_of(seen.camera) + "_sigma"] = {seen.sigma->u, seen.sigma->v, seen.sigma->uv};
+    }
     if (s.point) one["point"] = point_json(*s.point);
+    if (s.point_sigma) one["sigma"] = *s.point_sigma;
     sightings.push_back(std::move(one));
   }
   return {{"sightings", sightings}, {"decision", static_cast<int>(state.decision)}, {"reason", state.reason}};
@@ -49,12 +57,23 @@ int within(const Json& value, int lowest, int highest) {
   return number;
 }
 
+std::optional<PixelSigma> sigma_of(const Json& parent, const char* key) {
+  const auto numbers = point_of<Vector3>(parent, key);
+  return numbers ? std::optional(PixelSigma{numbers->x(), numbers->y(), numbers->z()}) : std::nullopt;
+}
+
 ObservationState parse_state(const Json& json) {
   ObservationState state;
-  for (const Json& one : json.at("sightings"))
-    state.sightings.push_back({within(one.at("marker"), 0, 63), point_of<Vector2>(one, "left"),
-                               point_of<Vector2>(one, "right"), point_of<Vector3>(one, "point"),
-                               static_cast<MarkedBy>(within(one.at("by"), 0, 2))});
+  for (const Json& one : json.at("sightings")) {
+    Sighting& s = state.sightings.emplace_back();
+    s.marker = within(one.at("marker"), 0, 63);
+    s.by = static_cast<MarkedBy>(within(one.at("by"), 0, 2));
+    s.point = point_of<Vector3>(one, "point");
+    for (int c = 0; c < max_cameras; ++c)
+      if (const auto pixel = point_of<Vector2>(one, key_of(c).c_str()))
+        see(s, c, *pixel, sigma_of(one, (key_of(c) + "_sigma").c_str()));
+    if (one.contains("sigma")) s.point_sigma = one.at("sigma").get<double>();
+  }
   state.decision = static_cast<Decision>(within(json.at("decision"), 0, 3));
   state.reason = json.at("reason").get<std::string>();
   return state;
@@ -70,11 +89,11 @@ bool same_term(const EffectTerm& a, const EffectTerm& b) {
 }
 
 Json observation_json(const Observation& o) {
-  return {{"id", o.id},
-          {"time", o.time},
-          {"position", point_json(o.position)},
-          {"left", o.left_image},
-          {"right", o.right_image}};
+  Json json{{"id", o.id}, {"time", o.time}, {"position", point_json(o.position)}};
+  for (int c = 0; c < max_cameras; ++c)
+    if (const std::string& image = o.images[static_cast<std::size_t>(c)]; c < 2 || !image.empty())
+      json[key_of(c)] = image;
+  return json;
 }
 
 Observation parse_observation(const Json& json) {
@@ -83,8 +102,7 @@ Observation parse_observation(const Json& json) {
   o.time = json.at("time").get<double>();
   const auto position = json.at("position").get<std::vector<double>>();
   o.position = Eigen::Map<const Eigen::VectorXd>(position.data(), static_cast<Eigen::Index>(position.size()));
-  o.left_image = json.at("left").get<std::string>();
-  o.right_image = json.at("right").get<std::string>();
+  for (int c = 0; c < max_cameras; ++c) o.images[static_cast<std::size_t>(c)] = json.value(key_of(c), std::string());
   return o;
 }
 
@@ -194,14 +212,24 @@ bool ModelSettings::operator==(const ModelSettings& o) const {
          same(held, o.held) && by_hand == o.by_hand;
 }
 
+namespace {
+
+bool same_cameras(const Sighting& x, const Sighting& y) {
+  return std::equal(x.in_cameras.begin(), x.in_cameras.end(), y.in_cameras.begin(), y.in_cameras.end(),
+                    [](const CameraPoint& a, const CameraPoint& b) {
+                      return a.camera == b.camera && same_point(std::optional(a.pixel), std::optional(b.pixel));
+                    });
+}
+
+}  // namespace
+
 ObservationState state_of(const Observation& observation) {
   return {observation.sightings, observation.decision, observation.reason};
 }
 
 bool same_state(const ObservationState& a, const ObservationState& b) {
   const auto same_sighting = [](const Sighting& x, const Sighting& y) {
-    return x.marker == y.marker && x.by == y.by && same_point(x.left, y.left) && same_point(x.right, y.right) &&
-           same_point(x.point, y.point);
+    return x.marker == y.marker && x.by == y.by && same_cameras(x, y) && same_point(x.point, y.point);
   };
   return a.decision == b.decision && a.reason == b.reason &&
          std::equal(a.sightings.begin(), a.sightings.end(), b.sightings.begin(), b.sightings.end(), same_sighting);

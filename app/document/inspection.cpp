@@ -6,12 +6,18 @@
 namespace handsight::app {
 namespace {
 
-void predict(const StereoRig* rig, MarkerResidual& marker) {
+std::optional<Vector2> pixel_in(const Sighting& s, int camera) {
+  const CameraPoint* const seen = seen_by(s, camera);
+  return seen ? std::optional(seen->pixel) : std::nullopt;
+}
+
+void predict(const Rig* rig, MarkerResidual& marker) {
   if (!rig) return;
   const Vector3& x = marker.predicted_in_sensor;
-  const Vector3 in_right = rig->right_from_left * x;
-  if (x.z() > 1e-6) marker.predicted_left = project(rig->left, x);
-  if (in_right.z() > 1e-6) marker.predicted_right = project(rig->right, in_right);
+  if (x.z() > 1e-6) marker.predicted_left = project(rig->at(0).camera, x);
+  if (rig->count() < 2) return;
+  const Vector3 in_right = rig->at(1).camera_from_first * x;
+  if (in_right.z() > 1e-6) marker.predicted_right = project(rig->at(1).camera, in_right);
 }
 
 void note_worst(const MarkerResidual& marker, InspectionRow& row) {
@@ -30,7 +36,7 @@ void note_worst(const MarkerResidual& marker, InspectionRow& row) {
 /// Fills what the row shows of the observation's markers and pose.
 ResidualParts measure(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
                       InspectionRow& row) {
-  const StereoRig* rig = problem.rig_or_null();
+  const Rig* rig = problem.rig_or_null();
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
   double lengths = 0;
   double variances = 0, squared_variances = 0;  // of the points in space, for a noise of 1 px (1 m) a coordinate
@@ -39,13 +45,13 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
     squared_variances += covariance.squaredNorm();
   };
   for (const Sighting& s : o.sightings) {
-    MarkerResidual marker{.marker = s.marker, .left = s.left, .right = s.right};
+    MarkerResidual marker{.marker = s.marker, .left = pixel_in(s, 0), .right = pixel_in(s, 1)};
     marker.predicted_in_sensor = sensor_from_tcp * marker_at(o, unknowns, s.marker);
     predict(rig, marker);
     marker.measured_in_sensor = s.point;
     if (s.point) add_variance(Matrix3::Identity());
-    if (rig && s.left && s.right)
-      if (const auto point = triangulate(*rig, *s.left, *s.right)) {
+    if (rig)
+      if (const auto point = triangulate_unweighed(*rig, s)) {
         marker.measured_in_sensor = point->point;
         add_variance(point->covariance);
       }
@@ -101,7 +107,7 @@ void judge(const Problem& problem, const ProblemObservation& seen, const Unknown
   row.ratio = *row.rms / *noise;
   row.blame = blame_of(parts, *noise, typical);
   const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.blame.letter);
-  row.what_would_mend = QString::fromStdString(change_text(change, problem.rig.has_value()));
+  row.what_would_mend = QString::fromStdString(change_text(change, problem.rig_or_null()));
   row.smallest_visible = smallest_visible(problem, seen, unknowns, *noise);
 }
 
@@ -117,7 +123,7 @@ void inspect_observation(const Problem& problem, const ProblemObservation& obser
 Inspection inspect(const Session& session, const Fit& fit, const FitReport& report, const SecondLooks& looks) {
   Inspection inspection;
   inspection.noise = fit.noise;
-  inspection.in_pixels = session.stereo.has_value();
+  inspection.in_pixels = session.rig.has_value();
   inspection.rows.resize(session.observations.size());
   for (std::size_t i = 0; i < session.observations.size(); ++i) {
     InspectionRow& row = inspection.rows[i];

@@ -22,8 +22,11 @@ std::vector<Sighting> sightings_of(const Match& match, const std::vector<Corner>
   std::vector<Sighting> list;
   for (const MatchedMarker& m : match.markers) {
     Sighting s{.marker = m.marker, .by = MarkedBy::import};
-    if (m.left >= 0) s.left = left[static_cast<std::size_t>(m.left)].position;
-    if (m.right >= 0) s.right = right[static_cast<std::size_t>(m.right)].position;
+    const auto take = [&](const Corner& corner, int camera) {
+      see(s, camera, corner.position, pixel_sigma(measured_covariance(corner)));
+    };
+    if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], 0);
+    if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], 1);
     list.push_back(s);
   }
   return list;
@@ -43,12 +46,12 @@ constexpr Look looks[] = {
 
 std::optional<std::vector<Sighting>> second_look(const Session& session, const Fit& fit, const Observation& observation,
                                                  const ImagePair& images) {
-  if (!session.stereo) return std::nullopt;
+  if (!session.rig || !is_pair(*session.rig)) return std::nullopt;
   Session alone = session;
   alone.source.reset();
   Observation posed = observation;
   posed.decision = Decision::none;
-  posed.sightings = {{.marker = 0, .left = Vector2(0, 0)}};
+  posed.sightings = {seen_at(0, Vector2(0, 0))};
   alone.observations = {posed};
   const Problem problem = make_problem(alone, chain_of(alone));
   const Rigid sensor_from_body =
@@ -60,8 +63,8 @@ std::optional<std::vector<Sighting>> second_look(const Session& session, const F
     options.body_gate = look.body_gate;
     options.turn_gate = look.turn_gate;
     options.pairs.epipolar_threshold = look.epipolar;
-    const Match match =
-        match_markers(*session.stereo, left, right, known_markers(fit, look.side_sigma), sensor_from_body, options);
+    const Match match = match_markers(stereo_of(*session.rig), left, right, known_markers(fit, look.side_sigma),
+                                      sensor_from_body, options);
     if (match.accepted() && match.markers.size() >= 3) return sightings_of(match, left, right);
   }
   return std::nullopt;

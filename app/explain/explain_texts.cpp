@@ -85,8 +85,9 @@ Part part_of(const DiagnosisCandidate& c, const Diagnosis& d) {
   const std::size_t every = all.size() / 100 + 1;  // a slip begins somewhere on the way
   for (std::size_t i = 0; i < all.size(); i += every) {
     const Sites sites = moved_sites(all[i], c.terms);
-    const bool moves_cameras = !sites.mount.isZero() || !sites.drift.isZero() || !sites.rig.isZero() ||
-                               !sites.left_camera.isZero() || !sites.right_camera.isZero();
+    const bool moves_cameras =
+        !sites.mount.isZero() || !sites.drift.isZero() ||
+        !std::all_of(sites.cameras.begin(), sites.cameras.end(), [](const CameraChange& one) { return one.is_zero(); });
     if (moves_cameras) return Part::cameras;
     const bool moves_markers =
         std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(); });

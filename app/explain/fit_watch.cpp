@@ -19,10 +19,10 @@ std::vector<widgets::CloudPoint> cloud_of(const std::vector<CornerResidual>& cor
   std::vector<widgets::CloudPoint> points;
   points.reserve(corners.size());
   for (const CornerResidual& c : corners) {
-    const double scale = c.camera == SeenBy::tracker ? 1e3 : 1;
+    const double scale = c.camera == by_tracker ? 1e3 : 1;
     points.push_back({ids[static_cast<std::size_t>(c.place)], c.marker,
-                      c.camera == SeenBy::right ? widgets::ImageSide::right : widgets::ImageSide::left,
-                      scale * c.residual.x(), scale * c.residual.y()});
+                      c.camera == 1 ? widgets::ImageSide::right : widgets::ImageSide::left, scale * c.residual.x(),
+                      scale * c.residual.y()});
   }
   return points;
 }

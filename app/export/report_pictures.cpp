@@ -149,10 +149,10 @@ void add_histogram(const Workbench& bench, const Inspection& all, std::vector<Re
 
 void add_map(const Workbench& bench, std::vector<ReportPicture>& pictures) {
   const Session& s = bench.document.session();
-  if (!s.stereo) return;
+  if (!s.rig) return;
   widgets::ResidualMap map;
   lay_out(map, 640, 480);
-  map.set_image_size(s.stereo->left.width, s.stereo->left.height);
+  map.set_image_size(s.rig->at(0).camera.width, s.rig->at(0).camera.height);
   map.set_unit(bench.units.unit());
   map.set_points(map_points(bench));
   map.fit();
@@ -166,7 +166,7 @@ const Observation* shown_observation(const Workbench& bench, const Inspection& a
   for (const InspectionRow& row : all.rows) {
     const Observation* o = bench.document.find(row.id);
     if (!o || !row.is_used || !row.rms || row.markers.empty()) continue;
-    const double rank = *row.rms + (o->left_image.empty() ? 0 : 1e6);
+    const double rank = *row.rms + (o->images[0].empty() ? 0 : 1e6);
     if (rank <= worst) continue;
     worst = rank;
     best = o;
@@ -196,7 +196,7 @@ void add_robot(const Workbench& bench, const Observation& o, const Inspection& a
 }
 
 void add_images(Workbench& bench, const Observation& o, std::vector<ReportPicture>& pictures) {
-  if (!bench.document.session().stereo || o.left_image.empty()) return;
+  if (!bench.document.session().rig || o.images[0].empty()) return;
   QWidget pair;
   auto* left = new widgets::ImageView(&pair);
   auto* right = new widgets::ImageView(&pair);

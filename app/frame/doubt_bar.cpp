@@ -16,11 +16,11 @@ namespace {
 /// The first image of each camera that is of another size than the camera says; its head alone is read.
 QStringList size_doubts(const Session& session) {
   QStringList doubts;
-  if (!session.stereo) return doubts;
+  if (!session.rig || !is_pair(*session.rig)) return doubts;
   for (const bool left : {true, false}) {
-    const Camera& camera = left ? session.stereo->left : session.stereo->right;
+    const Camera& camera = left ? session.rig->at(0).camera : session.rig->at(1).camera;
     for (const Observation& o : session.observations) {
-      const std::string& file = left ? o.left_image : o.right_image;
+      const std::string& file = left ? o.images[0] : o.images[1];
       if (file.empty()) continue;
       const QSize size = QImageReader(QString::fromStdString((folder(session) / file).string())).size();
       if (!size.isValid() || size == QSize(camera.width, camera.height)) break;

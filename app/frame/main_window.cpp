@@ -215,7 +215,8 @@ void MainWindow::refresh_crumbs() {
   const InspectionRow* row = bench_.selected_row();
   if (!crumbs.isEmpty() && row && row->rms) {
     const Inspection& all = *bench_.inspection();
-    const auto& rig = bench_.document.session().stereo;
+    const auto& cameras = bench_.document.session().rig;
+    const auto rig = cameras && is_pair(*cameras) ? std::optional(stereo_of(*cameras)) : std::nullopt;
     ResidualSize size = size_of(*row);
     for (const MarkerResidual& m : row->markers) {
       if (!s.marker || m.marker != *s.marker) continue;

@@ -25,9 +25,9 @@ bool is_decided(const Session& s) {
 bool wants_labels(const Session& s) {
   bool any_labels = false, any_images = false;
   for (const Observation& o : s.observations) {
-    if (!o.left_image.empty() && !o.sightings.empty()) return false;
+    if (!o.images[0].empty() && !o.sightings.empty()) return false;
     any_labels = any_labels || !o.sightings.empty();
-    any_images = any_images || !o.left_image.empty();
+    any_images = any_images || !o.images[0].empty();
   }
   return any_images ? !is_decided(s) : !any_labels;
 }
@@ -36,7 +36,7 @@ bool wants_labels(const Session& s) {
 bool wants_explaining(const Session& s) {
   constexpr std::ptrdiff_t fewest = 10;
   const bool any_images = std::any_of(s.observations.begin(), s.observations.end(),
-                                      [](const Observation& o) { return !o.left_image.empty(); });
+                                      [](const Observation& o) { return !o.images[0].empty(); });
   return !any_images && std::count_if(s.observations.begin(), s.observations.end(), is_used) >= fewest;
 }
 

@@ -106,9 +106,10 @@ QString wrong_points_text(const ModelVersion& model, std::size_t most_named) {
   QStringList named;
   for (std::size_t i = 0; i < std::min(most_named, wrong.size()); ++i) {
     const WrongPoint& w = wrong[i];
-    const QString side = w.camera == SeenBy::left    ? QObject::tr(", left image")
-                         : w.camera == SeenBy::right ? QObject::tr(", right image")
-                                                     : QString();
+    const auto& rig = model.fit->problem.rig;
+    const QString side = w.camera != by_tracker && rig
+                             ? QObject::tr(", %1 image").arg(QString::fromStdString(rig->at(w.camera).name))
+                             : QString();
     named << QObject::tr("observation %1, marker %2%3, %4 off")
                  .arg(w.id)
                  .arg(w.marker)

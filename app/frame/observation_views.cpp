@@ -85,7 +85,8 @@ std::vector<widgets::ImageAxes> image_axes(const InspectionRow& row, const Stere
 std::vector<widgets::ImageMark> label_marks(const Observation& observation, bool left) {
   std::vector<widgets::ImageMark> marks;
   for (const Sighting& s : observation.sightings)
-    if (const auto& px = left ? s.left : s.right) marks.push_back({.marker = s.marker, .position = *px});
+    if (const CameraPoint* const seen = seen_by(s, left ? 0 : 1))
+      marks.push_back({.marker = s.marker, .position = seen->pixel});
   return marks;
 }
 
@@ -94,12 +95,12 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
   const Session& s = bench.document.session();
   for (widgets::ImageView* view : {&left, &right}) {
     const bool is_left = view == &left;
-    if (!s.stereo) {
+    if (!s.rig || !is_pair(*s.rig)) {
       view->clear(QObject::tr("A tracker session has no images."));
       continue;
     }
-    const Camera& camera = is_left ? s.stereo->left : s.stereo->right;
-    const std::string& file = is_left ? observation.left_image : observation.right_image;
+    const Camera& camera = is_left ? s.rig->at(0).camera : s.rig->at(1).camera;
+    const std::string& file = is_left ? observation.images[0] : observation.images[1];
     const ShownImage shown = bench.images.image(s, observation, is_left);
     const QString side = is_left ? QObject::tr("Left") : QObject::tr("Right");
     view->set_title(file.empty() ? side + QObject::tr(", no image")
@@ -112,10 +113,10 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
       view->show_frame(camera.width, camera.height);
     }
     const auto noise = bench.inspection() ? bench.inspection()->noise : std::nullopt;
-    view->set_marks(row ? image_marks(*row, is_left, *s.stereo, noise, bench.units)
+    view->set_marks(row ? image_marks(*row, is_left, stereo_of(*s.rig), noise, bench.units)
                         : label_marks(observation, is_left));
     view->set_arrows(row ? image_arrows(*row, is_left, noise) : std::vector<widgets::ImageArrow>{});
-    view->set_axes(row && with_axes ? image_axes(*row, *s.stereo, is_left) : std::vector<widgets::ImageAxes>{});
+    view->set_axes(row && with_axes ? image_axes(*row, stereo_of(*s.rig), is_left) : std::vector<widgets::ImageAxes>{});
     view->set_selected_marker(bench.selection.current().marker.value_or(-1));
   }
 }
@@ -139,9 +140,10 @@ void show_pose(const Document& document, const Observation& observation, const I
       row ? row->root_from_sensor
           : links[static_cast<std::size_t>(mount)] *
                 (model && model->fit ? estimate(*model->fit).mount_from_sensor : s.mount.mount_from_sensor);
-  if (s.stereo && (s.mount.known || row))
-    view.set_cameras({{QObject::tr("left"), root_from_sensor, s.stereo->left},
-                      {QObject::tr("right"), root_from_sensor * inverse(s.stereo->right_from_left), s.stereo->right}});
+  if (s.rig && is_pair(*s.rig) && (s.mount.known || row))
+    view.set_cameras(
+        {{QObject::tr("left"), root_from_sensor, s.rig->at(0).camera},
+         {QObject::tr("right"), root_from_sensor * inverse(s.rig->at(1).camera_from_first), s.rig->at(1).camera}});
   view.set_selected_observation(observation.id);
   std::vector<widgets::SceneMarker> markers;
   if (!row) {

@@ -129,10 +129,10 @@ void Workbench::look_again() {
   if (!model || !model->fit) return;
   std::vector<Observation> rejected;
   for (const Observation& o : document.session().observations)
-    if (o.decision == Decision::rejected && o.sightings.empty() && !o.left_image.empty() && !o.right_image.empty() &&
+    if (o.decision == Decision::rejected && o.sightings.empty() && !o.images[0].empty() && !o.images[1].empty() &&
         !document.second_looks().contains(o.id))
       rejected.push_back(o);
-  if (rejected.empty() || !document.session().stereo) return;
+  if (rejected.empty() || !document.session().rig || !is_pair(*document.session().rig)) return;
   background.start<SecondLooks>(
       "second look",
       tr("Looking again at %1")
@@ -141,9 +141,10 @@ void Workbench::look_again() {
         SecondLooks found;
         for (std::size_t i = 0; i < rejected.size() && !control.is_cancelled(); ++i) {
           const Observation& o = rejected[i];
-          const ShownImage left = read_shown_image(folder(session) / o.left_image, o.left_image, session.stereo->left);
+          const ShownImage left =
+              read_shown_image(folder(session) / o.images[0], o.images[0], session.rig->at(0).camera);
           const ShownImage right =
-              read_shown_image(folder(session) / o.right_image, o.right_image, session.stereo->right);
+              read_shown_image(folder(session) / o.images[1], o.images[1], session.rig->at(1).camera);
           if (left.image.isNull() || right.image.isNull()) continue;
           // What was looked at and not found is remembered too, so that it is not looked for again.
           found[o.id] = second_look(session, *model->fit, o, {grey_image(left.image), grey_image(right.image)})

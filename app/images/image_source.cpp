@@ -72,12 +72,12 @@ Image grey_image(const QImage& image) {
 }
 
 ShownImage ImageSource::image(const Session& session, const Observation& observation, bool left) {
-  const std::string& name = left ? observation.left_image : observation.right_image;
-  if (name.empty() || !session.stereo) return {};
+  const std::string& name = left ? observation.images[0] : observation.images[1];
+  if (name.empty() || !session.rig || !is_pair(*session.rig)) return {};
   const std::filesystem::path file = folder(session) / name;
   const QString key = QString::fromStdString(file.string());
   if (const QImage* known = cache_.object(key)) return {*known, {}};
-  ShownImage shown = read_shown_image(file, name, left ? session.stereo->left : session.stereo->right);
+  ShownImage shown = read_shown_image(file, name, left ? session.rig->at(0).camera : session.rig->at(1).camera);
   if (!shown.image.isNull())
     cache_.insert(key, new QImage(shown.image), std::max<qsizetype>(1, shown.image.sizeInBytes() / 1024));
   return shown;

@@ -91,8 +91,8 @@ void InspectWorkspace::connect_images() {
       const Observation* o = bench_.selected_observation();
       if (!o) return;
       for (const Sighting& s : o->sightings)
-        if (const auto& px = is_left ? s.left : s.right; s.marker == marker && px)
-          return relabel_in_place(is_left, marker, *px + delta, true, true);
+        if (const CameraPoint* const px = seen_by(s, is_left ? 0 : 1); s.marker == marker && px)
+          return relabel_in_place(is_left, marker, px->pixel + delta, true, true);
     });
   }
 }
@@ -111,7 +111,7 @@ void InspectWorkspace::relabel_in_place(bool left, int marker, const Vector2& px
   ObservationState after = state_of(*o);
   for (Sighting& s : after.sightings) {
     if (s.marker != marker) continue;
-    (left ? s.left : s.right) = free ? px : snapped(view.image(), px).value_or(px);
+    see(s, left ? 0 : 1, free ? px : snapped(view.image(), px).value_or(px));  // without the sigma of what it was
     s.by = MarkedBy::hand;
   }
   relabel(tr("moved marker %1 of observation %2").arg(marker).arg(o->id), o->id, after);
@@ -322,7 +322,7 @@ void InspectWorkspace::refresh_plots() {
     beyond_text_->setText(tr("Drag the threshold: what lies beyond it can be excluded."));
     exclude_beyond_->setEnabled(false);
   }
-  if (s.stereo) map_->set_image_size(s.stereo->left.width, s.stereo->left.height);
+  if (s.rig) map_->set_image_size(s.rig->at(0).camera.width, s.rig->at(0).camera.height);
   map_->set_points(map_points(bench_));
   map_->fit();
   if (!all) return;
@@ -348,8 +348,8 @@ void InspectWorkspace::refresh_observation() {
     return x.decision == Decision::excluded || (x.decision == Decision::rejected && !x.sightings.empty());
   }));
   look_->setEnabled(row && row->worst_marker >= 0);
-  relabel_->setEnabled(o && !o->left_image.empty());
-  blame_->set_sentence(blame_sentence(row, o, bench_.document.session().stereo.has_value()));
+  relabel_->setEnabled(o && !o->images[0].empty());
+  blame_->set_sentence(blame_sentence(row, o, bench_.document.session().rig.has_value()));
   blame_->set_blame(row ? shown_blame(row->blame) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));

@@ -54,7 +54,8 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
 std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   std::vector<widgets::MapPoint> points;
   const Inspection* all = bench.inspection();
-  const auto& rig = bench.document.session().stereo;
+  const auto& session_rig = bench.document.session().rig;
+  const auto rig = session_rig && is_pair(*session_rig) ? std::optional(stereo_of(*session_rig)) : std::nullopt;
   if (!all || !rig) return points;
   for (const InspectionRow& row : all->rows) {
     if (!row.is_used) continue;

@@ -101,8 +101,8 @@ void LabelWorkspace::show_observation() {
       if (!is_same) view->fit();
     }
   };
-  show(left_, left_loupe_, left, tr("Left"), o->left_image);
-  show(right_, right_loupe_, right, tr("Right"), o->right_image);
+  show(left_, left_loupe_, left, tr("Left"), o->images[0]);
+  show(right_, right_loupe_, right, tr("Right"), o->images[1]);
   refresh();
   if (corners_of_ != o->id && !left.image.isNull() && !right.image.isNull()) find_corners(o->id);
 }
@@ -312,7 +312,7 @@ void LabelWorkspace::next_observation() {
   const int index = bench_.document.index_of(observation_);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Observation& o = all[(static_cast<std::size_t>(std::max(0, index)) + k) % all.size()];
-    if (o.left_image.empty() || o.right_image.empty()) continue;
+    if (o.images[0].empty() || o.images[1].empty()) continue;
     bench_.selection.select_observation(o.id);
     return;
   }

@@ -23,7 +23,7 @@ Corner free_corner(const Vector2& px) {
 KnownMarkers known_from_others(const Session& session, std::int64_t except) {
   KnownMarkers known{std::vector<std::optional<Vector3>>(static_cast<std::size_t>(session.marker_count)), {}};
   known.sigma.resize(known.in_body.size(), 0);
-  if (!session.stereo) return known;
+  if (!session.rig || !is_pair(*session.rig)) return known;
   constexpr int enough = 20;
   RunningShape shape(session.marker_count);
   int taken = 0;
@@ -31,9 +31,9 @@ KnownMarkers known_from_others(const Session& session, std::int64_t except) {
     if (o.id == except || !is_used(o) || taken >= enough) continue;
     std::vector<Sighting> labels;
     for (const Sighting& s : o.sightings)
-      if (s.left && s.right && s.by != MarkedBy::tracker) labels.push_back(s);
+      if (s.in_cameras.size() > 1 && s.by != MarkedBy::tracker) labels.push_back(s);
     if (labels.size() < 3) continue;
-    shape.add(&*session.stereo, labels, session.sigma_pixel.value_or(0.3));
+    shape.add(&*session.rig, labels, session.sigma_pixel.value_or(0.3));
     ++taken;
   }
   if (taken == 0) return known;
@@ -46,18 +46,19 @@ KnownMarkers known_from_others(const Session& session, std::int64_t except) {
 
 void Labeller::start(const Session& session, const Observation& observation, CornersOfPair corners,
                      const LabelDraft* draft) {
-  rig_ = session.stereo;
+  rig_ = session.rig && is_pair(*session.rig) ? std::optional(stereo_of(*session.rig)) : std::nullopt;
   marker_count_ = session.marker_count;
   known_ = known_from_others(session, observation.id);
   markers_.clear();
   placed_ = -1;
   corners_ = std::move(corners);
   for (const Sighting& s : observation.sightings) {
-    if (!s.left) continue;
+    const CameraPoint *left = seen_by(s, 0), *right = seen_by(s, 1);
+    if (!left) continue;
     LabelMarker& marker = markers_[s.marker];
-    marker.left = labelled_corner(corners_.left, *s.left);
-    if (!s.right) continue;
-    marker.right = labelled_corner(corners_.right, *s.right);
+    marker.left = labelled_corner(corners_.left, left->pixel);
+    if (!right) continue;
+    marker.right = labelled_corner(corners_.right, right->pixel);
     marker.right_is_chosen = true;
   }
   own_ = as_draft();
@@ -222,7 +223,7 @@ void Labeller::find_partners() {
     }
     const auto pairs = corner_pairs(*rig_, {m.left}, corners_.right);
     const auto best = std::min_element(pairs.begin(), pairs.end(), [](const CornerPair& a, const CornerPair& b) {
-      return a.point.epipolar_distance + 2 * a.likeness < b.point.epipolar_distance + 2 * b.likeness;
+      return a.point.epipolar_distance + 2 * a.unlikeness < b.point.epipolar_distance + 2 * b.unlikeness;
     });
     if (best != pairs.end()) m.right = corners_.right[static_cast<std::size_t>(best->right)];
   }
@@ -295,8 +296,9 @@ bool Labeller::will_do() const {
 std::vector<Sighting> Labeller::sightings() const {
   std::vector<Sighting> list;
   for (const auto& [number, m] : markers_) {
-    Sighting s{.marker = number, .left = m.left.position, .by = MarkedBy::hand};
-    if (m.right) s.right = m.right->position;
+    Sighting s{.marker = number, .by = MarkedBy::hand};
+    see(s, 0, m.left.position, pixel_sigma(measured_covariance(m.left)));
+    if (m.right) see(s, 1, m.right->position, pixel_sigma(measured_covariance(*m.right)));
     list.push_back(s);
   }
   return list;

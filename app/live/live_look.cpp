@@ -192,18 +192,18 @@ class Look {
 LiveSources own_sources(const Session& session) {
   LiveSources sources{folder(session) / "images", folder(session) / "images", folder(session) / "joints.csv"};
   for (const Observation& o : session.observations) {
-    if (!o.left_image.empty()) sources.left_folder = folder(session) / fs::path(o.left_image).parent_path();
-    if (!o.right_image.empty()) sources.right_folder = folder(session) / fs::path(o.right_image).parent_path();
+    if (!o.images[0].empty()) sources.left_folder = folder(session) / fs::path(o.images[0]).parent_path();
+    if (!o.images[1].empty()) sources.right_folder = folder(session) / fs::path(o.images[1]).parent_path();
   }
   return sources;
 }
 
 LiveTask task_of(const Session& session, const LiveSources& sources) {
   LiveTask task{.sources = sources, .session_folder = folder(session), .joints = session.joints};
-  if (session.stereo) task.rig = *session.stereo;
+  if (session.rig && is_pair(*session.rig)) task.rig = stereo_of(*session.rig);
   for (const Observation& o : session.observations) {
-    if (!o.left_image.empty()) task.known_left[fs::path(o.left_image).filename().string()] = o.position;
-    if (!o.right_image.empty()) task.known_right.insert(fs::path(o.right_image).filename().string());
+    if (!o.images[0].empty()) task.known_left[fs::path(o.images[0]).filename().string()] = o.position;
+    if (!o.images[1].empty()) task.known_right.insert(fs::path(o.images[1]).filename().string());
   }
   return task;
 }

@@ -127,8 +127,8 @@ void LiveWatch::take(LiveLook look) {
     o.id = ++id;
     o.time = time = pair.time ? *pair.time : time + 1;
     o.position = std::move(pair.position);
-    o.left_image = std::move(pair.left);
-    o.right_image = std::move(pair.right);
+    o.images[0] = std::move(pair.left);
+    o.images[1] = std::move(pair.right);
     observations.push_back(std::move(o));
     names.push_back(pair.left_name);
   }

@@ -99,6 +99,10 @@ struct Ignored {
 void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<std::string_view> attributes,
                   std::initializer_list<std::string_view> elements, bool holds_text = false);
 
+/// The same with attributes that are known only when the program runs.
+void note_unknown(Ignored& ignored, const XmlNode& node, const std::vector<std::string>& attributes,
+                  std::initializer_list<std::string_view> elements, bool holds_text = false);
+
 /// "session.xml: element <foo> in <bar> is not known and is ignored (12 times, first at line 30)."
 std::vector<std::string> ignored_sentences(const Ignored& ignored, std::string_view file);
 

@@ -11,7 +11,8 @@ namespace handsight {
 
 namespace {
 
-bool is_among(std::string_view name, std::initializer_list<std::string_view> names) {
+template <class Names>
+bool is_among(std::string_view name, const Names& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -31,8 +32,11 @@ class TwoSpacesPrinter : public tinyxml2::XMLPrinter {
 
 }  // namespace
 
-void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<std::string_view> attributes,
-                  std::initializer_list<std::string_view> elements, bool holds_text) {
+namespace {
+
+template <class Names>
+void note_others(Ignored& ignored, const XmlNode& node, const Names& attributes,
+                 std::initializer_list<std::string_view> elements, bool holds_text) {
   const std::string tag = shortened(node.tag());
   for (auto* attribute = node.element->FirstAttribute(); attribute; attribute = attribute->Next())
     if (!is_among(attribute->Name(), attributes))
@@ -43,6 +47,18 @@ void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<s
     if (child->ToText() && !holds_text && !split_words(child->Value()).empty())
       count(ignored, fmt::format("text in <{}>", tag), child->GetLineNum());
   }
+}
+
+}  // namespace
+
+void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<std::string_view> attributes,
+                  std::initializer_list<std::string_view> elements, bool holds_text) {
+  note_others(ignored, node, attributes, elements, holds_text);
+}
+
+void note_unknown(Ignored& ignored, const XmlNode& node, const std::vector<std::string>& attributes,
+                  std::initializer_list<std::string_view> elements, bool holds_text) {
+  note_others(ignored, node, attributes, elements, holds_text);
 }
 
 std::vector<std::string> ignored_sentences(const Ignored& ignored, std::string_view file) {

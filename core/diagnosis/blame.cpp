@@ -43,16 +43,16 @@ Blame shares(double cameras, double body, double robot) {
 
 ResidualParts residual_parts(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
   ResidualParts parts;
-  const StereoRig* rig = problem.rig_or_null();
+  const Rig* rig = problem.rig_or_null();
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
   for (const Sighting& s : o.sightings) {
     const SightingNormal normal = sighting_normal(rig, s, sensor_from_tcp * marker_at(o, u, s.marker));
     parts.total += normal.cost;
     parts.rows += normal.rows;
-    if (!rig || !s.left || !s.right) continue;
-    if (const auto point = triangulate(*rig, *s.left, *s.right)) {
+    if (!rig) continue;
+    if (const auto point = triangulate_unweighed(*rig, s)) {
       parts.cameras += sighting_normal(rig, s, point->point).cost;
-      parts.camera_rows += 1;
+      parts.camera_rows += normal.rows - 3;
     }
   }
   const auto pose = estimate_body_pose(rig, o.sightings, markers_at(o, u), sensor_from_tcp);

@@ -30,7 +30,7 @@ struct TypicalParts {
 };
 TypicalParts typical_parts(const std::vector<ResidualParts>& used);
 
-/// Shares of what exceeds the noise (0 to 1, together 1 or all 0): cameras: the two images of a marker do not fit
+/// Shares of what exceeds the noise (0 to 1, together 1 or all 0): cameras: the images of a marker do not fit
 /// together; body: the markers do not lie to each other as the body's do; robot: the body as a whole is not where the
 /// robot says.
 struct Blame {
@@ -45,7 +45,7 @@ Blame blame_of(const std::vector<ResidualParts>& used, double noise);
 struct SingleChange {
   enum class Kind { none, corner, marker, images, body, pose } kind = Kind::none;
   int marker = -1;                   // of corner and marker
-  SeenBy camera = SeenBy::left;      // of corner
+  int camera = 0;                    // of corner: of the rig
   Vector2 shift = Vector2::Zero();   // of corner: px, from where it was measured to where the rest says it is
   Vector3 offset = Vector3::Zero();  // of marker: m, in the body's own directions (TCP frame)
   double size = 0;                   // px of images; px or m of body; m of pose
@@ -53,8 +53,8 @@ struct SingleChange {
 };
 SingleChange single_change(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns, double noise,
                            const TypicalParts& typical, const ResidualParts& parts, char letter);
-/// "Marker 2, right image, 3.4 px further left."; empty of none.
-std::string change_text(const SingleChange& change, bool in_pixels);
+/// "Marker 2, right image, 3.4 px further left."; empty of none. `rig` is null in a tracker session.
+std::string change_text(const SingleChange& change, const Rig* rig);
 
 /// The error of one corner (px; of a tracker's point m) that this observation would show with odds of 4 to 1, at a
 /// false alarm in 100,000, whatever the robot does: that of its least visible corner. Nothing where some error of a

@@ -12,9 +12,8 @@ BodyRows body_rows(const Problem& problem, const ProblemObservation& o, const Un
   for (const Sighting& s : o.sightings) {
     const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
     const SightingResidual r = sighting_residual(problem.rig_or_null(), s, x);
-    rows.by_body.block(row, 0, r.rows, 3) = r.by_point.topRows(r.rows);
-    rows.by_body.block(row, 3, r.rows, 3) = -r.by_point.topRows(r.rows) * cross_matrix(x);
-    rows.error.segment(row, r.rows) = r.error.head(r.rows);
+    rows.by_body.middleRows(row, r.rows) = by_motion(r.by_point, x);
+    rows.error.segment(row, r.rows) = r.error;
     row += r.rows;
   }
   return rows;

@@ -5,7 +5,7 @@
 
 namespace handsight {
 
-/// The rows of one observation, sighting by sighting (left u, v, right u, v, or x, y, z): by the six small motions of
+/// The rows of one observation, sighting by sighting (u, v of each camera, or x, y, z): by the six small motions of
 /// the body in the sensor's frame (n x 6), and measured - predicted (n), px or m.
 struct BodyRows {
   Eigen::MatrixXd by_body;

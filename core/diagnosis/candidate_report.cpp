@@ -5,6 +5,8 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
+#include "diagnosis/lack_of_fit.h"
+
 namespace handsight {
 namespace {
 
@@ -65,19 +67,6 @@ bool fails_by_much(const Diagnosis& d) {
 }
 
 }  // namespace
-
-std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
-  std::vector<EffectTerm> terms;
-  Eigen::Index i = 0;
-  for (const std::size_t u : r.units) {
-    EffectTerm term = r.candidate->units[u].term;
-    const Effect& effect = *r.candidate->effect;
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice) term.values[p] = r.estimate.value[i++] * r.candidate->sizes[p];
-    terms.push_back(term);
-  }
-  return terms;
-}
 
 DiagnosisCandidate candidate_of(const RankedEffect& r, const Diagnosis& d, const Weighing& weighing,
                                 const Session& session) {

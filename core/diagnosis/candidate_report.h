@@ -9,9 +9,6 @@
 
 namespace handsight {
 
-/// A ranked effect at its linear estimate.
-std::vector<EffectTerm> terms_with_values(const RankedEffect& ranked);
-
 DiagnosisCandidate candidate_of(const RankedEffect& ranked, const Diagnosis& model, const Weighing& weighing,
                                 const Session& session);
 DiagnosisCandidate candidate_of(const RankedLocaliser& ranked, const Session& session);

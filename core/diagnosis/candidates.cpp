@@ -94,7 +94,7 @@ Candidates all_candidates(const Problem& model, int most_orders) {
   candidates.problem = model;
   candidates.base_effects = model.effect_count();
   const Offer offer{model, step_orders(model, most_orders), candidates};
-  for (const Effect& effect : catalogue()) offer(effect, nullptr);
+  for (const Effect* effect : catalogue_beside(model.source->own_effects)) offer(*effect, nullptr);
   for (const std::shared_ptr<const Effect>& own : model.source->own_effects) offer(*own, own);
   place_observations(candidates.problem);
   return candidates;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/clean_model.h"
 
-#include "diagnosis/candidate_report.h"
+#include <algorithm>
+
 #include "diagnosis/refitting.h"
 
 namespace handsight {
@@ -10,6 +11,17 @@ namespace {
 constexpr std::size_t fewest_wrong = 4;
 constexpr std::size_t most_tried = 3;
 constexpr double clearly = 10;  // ln of a Bayes factor
+
+/// Can it make points right that do not fit to the others of their observation? What moves whole poses cannot, where
+/// the robot's joints reach every motion of the body: there no point is called wrong for a pose that is.
+bool parts_points(const RankedEffect& r, const LinearModel& linear, const Chain& chain) {
+  if (chain.joints.size() < 6) return true;
+  const std::vector<CandidateUnit>& units = r.candidate->units;
+  return std::any_of(units.begin(), units.end(), [&](const CandidateUnit& unit) {
+    const auto first = linear.internal_of.begin() + unit.first;
+    return std::any_of(first, first + unit.count, [](Eigen::Index internal) { return internal >= 0; });
+  });
+}
 
 /// The points without which an effect that makes most of the wrong ones right leaves the session; nothing where none
 /// does.
@@ -20,10 +32,13 @@ std::optional<CleanFit> with_an_explanation(const Session& session, const FitOpt
   const Candidates candidates = all_candidates(whole.fit.problem);
   const LinearModel linear = linear_model(candidates.problem, estimate(whole.fit), candidates.base_effects, by.noise);
   const Ranking ranking = rank(linear, by.knowledge, candidates, {});
-  for (std::size_t i = 0; i < std::min(most_tried, ranking.effects.size()); ++i) {
-    if (ranking.effects[i].ln_bayes_factor < clearly) return std::nullopt;
+  std::size_t tried = 0;
+  for (const RankedEffect& r : ranking.effects) {
+    if (r.ln_bayes_factor < clearly || tried == most_tried) return std::nullopt;
+    if (!parts_points(r, linear, candidates.problem.source->chain)) continue;
+    ++tried;
     FitOptions with = options;
-    const std::vector<EffectTerm> terms = with_settled_orders(whole, terms_with_values(ranking.effects[i]), by);
+    const std::vector<EffectTerm> terms = with_settled_orders(whole, terms_with_values(r), by);
     with.estimated.insert(with.estimated.end(), terms.begin(), terms.end());
     CleanFit alternative = clean_fit(session, with);
     if (2 * alternative.wrong.size() <= clean.wrong.size()) return alternative;

@@ -9,6 +9,7 @@
 #include "diagnosis/curves.h"
 #include "diagnosis/explanation.h"
 #include "diagnosis/judging.h"
+#include "diagnosis/lack_of_fit.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/upkeep.h"
 

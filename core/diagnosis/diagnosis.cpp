@@ -10,8 +10,10 @@
 #include "diagnosis/curves.h"
 #include "diagnosis/explanation.h"
 #include "diagnosis/judging.h"
+#include "diagnosis/lack_of_fit.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/robot_check.h"
+#include "diagnosis/sampled.h"
 #include "diagnosis/threshold.h"
 
 namespace handsight {
@@ -113,12 +115,19 @@ class Work {
     sort_candidates();
   }
 
+  /// What only another number of cameras could have is not spoken of.
+  bool is_of_this_rig(const std::string& id) const {
+    const Effect& e = *find_effect(id, d_.model.fit.problem.source->own_effects);
+    return e.scope != EffectScope::camera || !e.cameras.empty();
+  }
+
   /// What this robot or session cannot have at all is invisible too.
   void add_impossible_effects() {
     const Fit& f = d_.model.fit;
     for (const Effect& e : catalogue())
-      if (std::none_of(candidates_.effects.begin(), candidates_.effects.end(),
-                       [&](const CandidateEffect& c) { return c.effect == &e; }) &&
+      if (is_of_this_rig(e.id) &&
+          std::none_of(candidates_.effects.begin(), candidates_.effects.end(),
+                       [&](const CandidateEffect& c) { return c.effect->id == e.id; }) &&
           std::none_of(f.effects.begin(), f.effects.end(), [&](const FittedEffect& t) { return t.term.id == e.id; }))
         d_.invisible.push_back(e.id);
   }
@@ -295,6 +304,14 @@ const char* verdict_text(Verdict verdict) {
   return "";
 }
 
-Diagnosis diagnose(const Session& session, const DiagnosisOptions& options) { return Work(session, options).run(); }
+Diagnosis diagnose(const Session& session, const DiagnosisOptions& options) {
+  const auto sample = sample_to_judge(session);
+  if (!sample) return Work(session, options).run();
+  DiagnosisOptions of_sample = options;
+  of_sample.fitted.reset();
+  Diagnosis d = Work(sample->session, of_sample).run();
+  check_on_the_others(session, *sample, d);
+  return d;
+}
 
 }  // namespace handsight

@@ -74,6 +74,12 @@ struct DiagnosisPattern {
   double p_value = 1;
 };
 
+/// Long sessions are judged by a sample of their observations, and the judgement is tried on the others.
+struct SampleCheck {
+  int taken = 0, all = 0;  // used observations
+  ErrorSummary others;     // what the model leaves of those that were not taken
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::adequate;
   std::string reason;
@@ -90,21 +96,15 @@ struct Diagnosis {
   std::vector<std::string> invisible;          // effects that these poses could not show
   Blame blame;                                 // of all observations together, wrong points included
   std::vector<ObservationBlame> observations;  // of each, in order of time
+  std::optional<SampleCheck> sample;           // `model` and all that goes with it are then of a sample
   bool stopped = false;
 };
 
+/// Of more than 4000 used observations a sample of 3000 decides (SampleCheck); DiagnosisOptions::fitted is then not
+/// read.
 Diagnosis diagnose(const Session& session, const DiagnosisOptions& options = {});
 
 /// Are these terms of one named effect? Their places as a user reads them.
 std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session);
-
-/// Lack of fit: chi-squared of what any effect could explain, its degrees of freedom, its p-value.
-struct LackOfFit {
-  double chi2 = 0;
-  double degrees = 0;
-  double p = 1;
-  double excess() const { return chi2 - degrees; }
-};
-std::optional<LackOfFit> lack_of_fit(const Fit& fit);
 
 }  // namespace handsight

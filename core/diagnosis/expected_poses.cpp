@@ -60,9 +60,9 @@ void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Eig
   std::vector<Sighting> sightings;
   for (int m = 0; m < problem.marker_count; ++m) {
     if (!problem.marker_is_seen[static_cast<std::size_t>(m)]) continue;
-    Sighting s{m, {}, {}, {}, MarkedBy::import};
+    Sighting s{.marker = m};
     if (problem.rig) {
-      s.left = s.right = Vector2::Zero();
+      for (int camera = 0; camera < problem.rig->count(); ++camera) see(s, camera, Vector2::Zero());
     } else {
       s.point = Vector3::Zero();
     }
@@ -78,6 +78,23 @@ void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Eig
   for (const ProblemObservation& o : problem.observations) rows_.push_back(rows_at(problem, o, judge));
 }
 
+namespace {
+
+/// Of more than two cameras a good pose is seen by two at least: what the others see of it too.
+std::vector<Sighting> shown(const Problem& problem, const ProblemObservation& o, const Unknowns& u,
+                            const Rigid& sensor_from_tcp) {
+  std::vector<Sighting> seen = o.sightings;
+  if (!problem.rig || problem.rig->count() <= 2) return seen;
+  for (Sighting& s : seen) {
+    const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
+    for (int c = 0; c < problem.rig->count(); ++c)
+      if (!is_visible(problem.rig->at(c).camera, problem.rig->at(c).camera_from_first * x)) forget(s, c);
+  }
+  return seen;
+}
+
+}  // namespace
+
 ExpectedRows ExpectedPoses::rows_at(const Problem& problem, const ProblemObservation& o, const PoseJudge& judge) const {
   const Unknowns& u = estimate(fit_);
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
@@ -86,22 +103,21 @@ ExpectedRows ExpectedPoses::rows_at(const Problem& problem, const ProblemObserva
   ExpectedRows rows;
   rows.is_shown = o.springs_hold && judge.is_shown(sensor_from_tcp);
   Eigen::Index count = 0, row = 0;
-  for (const Sighting& s : o.sightings) count += row_count(s);
+  const std::vector<Sighting> sightings = shown(problem, o, u, sensor_from_tcp);
+  for (const Sighting& s : sightings) count += row_count(s);
   rows.by_columns.setZero(count, problem.columns());
   rows.predicted.resize(count);
-  for (const Sighting& s : o.sightings) {
+  for (const Sighting& s : sightings) {
     const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
     const SightingResidual r = sighting_residual(problem.rig_or_null(), s, x);
-    const Eigen::Matrix<double, 4, 3> by_marker = r.by_point * sensor_from_tcp.rotation;
-    Eigen::Matrix<double, 4, 6> by_motion;
-    by_motion << r.by_point, -r.by_point * cross_matrix(x);
-    rows.by_columns.block(row, 3 * s.marker, r.rows, 3) = by_marker.topRows(r.rows);
+    const SightingRows<3> by_marker = r.by_point * sensor_from_tcp.rotation;
+    rows.by_columns.block(row, 3 * s.marker, r.rows, 3) = by_marker;
     rows.by_columns.block(row, problem.mount_column(), r.rows, motion.cols()).noalias() =
-        by_motion.topRows(r.rows) * motion;
+        by_motion(r.by_point, x) * motion;
     if (direct)
       rows.by_columns.block(row, problem.effect_column(), r.rows, problem.effect_count()) +=
           direct_by_effects(problem, o, s, r, x, sensor_from_tcp.rotation);
-    rows.predicted.segment(row, r.rows) = -r.error.head(r.rows);  // against a measurement of zero
+    rows.predicted.segment(row, r.rows) = -r.error;  // against a measurement of zero
     row += r.rows;
   }
   rows.by_columns /= noise_;

@@ -8,6 +8,7 @@
 
 #include "diagnosis/conclusion.h"
 #include "diagnosis/curves.h"
+#include "diagnosis/sampled.h"
 #include "diagnosis/slips.h"
 #include "diagnosis/upkeep.h"
 
@@ -96,12 +97,20 @@ Diagnosis diagnosed(const Session& session, const ImprovementOptions& options) {
 ModelChange add_candidate(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
                           const DiagnosisCandidate& candidate) {
   ModelChange change;
+  const std::string id = candidate.unnamed ? candidate.terms.front().id : candidate.id;
+  const double least_of_slip = model.threshold + ln_odds_against_slip;
+  if (slip_order(candidate.terms) && candidate.ln_bayes_factor < least_of_slip) {
+    change.refused.push_back(
+        {id, candidate.where,
+         fmt::format("slips are rare, and its evidence of ln {:.1f} is below the ln {:.1f} that is asked of them",
+                     candidate.ln_bayes_factor, least_of_slip)});
+    return change;
+  }
   FitOptions from = candidate.full_fit.value_or(model.model_options);
   if (!candidate.full_fit) from.estimated.insert(from.estimated.end(), candidate.terms.begin(), candidate.terms.end());
   Diagnosis next = diagnosed_from(session, options, from.estimated, from.start);
   change.stopped = next.stopped;
   if (next.stopped) return change;
-  const std::string id = candidate.unnamed ? candidate.terms.front().id : candidate.id;
   const double before = held_out_error(model);
   if (held_out_error(next) >= before) {
     change.refused.push_back({id, candidate.where, "the held-out error does not fall"});
@@ -137,7 +146,14 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
   return all;
 }
 
-Improvement improve(const Session& session, const ImprovementOptions& options) {
+Improvement improve(const Session& session, const ImprovementOptions& asked) {
+  if (const auto sample = sample_to_judge(session)) {
+    Improvement m = improve(sample->session, asked);
+    check_on_the_others(session, *sample, m.last);
+    return m;
+  }
+  ImprovementOptions options = asked;
+  options.with_held_out = false;
   Improvement m;
   m.last = diagnosed(session, options);
   m.steps = {step_of(m.last)};

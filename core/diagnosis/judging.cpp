@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "diagnosis/explanation.h"
+#include "diagnosis/lack_of_fit.h"
 
 namespace handsight {
 namespace {

@@ -37,7 +37,8 @@ class Builder {
     place_of_.assign(static_cast<std::size_t>(p_.effect_count()), -1);
     for (std::size_t i = 0; i < direct_.size(); ++i)
       place_of_[static_cast<std::size_t>(direct_[i])] = static_cast<Eigen::Index>(i);
-    cameras_.resize(22, p_.cameras_by_effect.cols() > 0 ? static_cast<Eigen::Index>(direct_.size()) : 0);
+    cameras_.resize(p_.cameras_by_effect.rows(),
+                    p_.cameras_by_effect.cols() > 0 ? static_cast<Eigen::Index>(direct_.size()) : 0);
     for (Eigen::Index i = 0; i < cameras_.cols(); ++i)
       cameras_.col(i) = p_.cameras_by_effect.col(direct_[static_cast<std::size_t>(i)]);
   }
@@ -76,17 +77,15 @@ class Builder {
     for (const Sighting& s : o.sightings) {
       const Vector3 x = sensor_from_tcp * marker_at(o, u_, s.marker);
       const SightingResidual r = sighting_residual(p_.rig_or_null(), s, x);
-      Eigen::Matrix<double, 4, 6> by_body;
-      by_body << r.by_point, -r.by_point * cross_matrix(x);
-      rows.by_body.middleRows(row, r.rows) = by_body.topRows(r.rows);
-      const Eigen::Matrix<double, 4, 3> by_marker = r.by_point * sensor_from_tcp.rotation;
-      rows.rest.block(row, 3 * s.marker, r.rows, 3) = by_marker.topRows(r.rows);
-      rows.rest.col(inner - 1).segment(row, r.rows) = r.error.head(r.rows);
+      rows.by_body.middleRows(row, r.rows) = by_motion(r.by_point, x);
+      const SightingRows<3> by_marker = r.by_point * sensor_from_tcp.rotation;
+      rows.rest.block(row, 3 * s.marker, r.rows, 3) = by_marker;
+      rows.rest.col(inner - 1).segment(row, r.rows) = r.error;
       auto direct = rows.rest.block(row, model_.base, r.rows, static_cast<Eigen::Index>(direct_.size()));
-      if (cameras_.cols() > 0) direct = camera_columns(*p_.rig, s, x).topRows(r.rows) * cameras_;
+      if (cameras_.cols() > 0) direct = camera_columns(*p_.rig, s, x) * cameras_;
       for (const EffectMotion::MarkerColumn& m : o.motion.markers) {
         const Eigen::Index place = place_of_[static_cast<std::size_t>(m.column)];
-        if (m.marker == s.marker && place >= 0) direct.col(place) += by_marker.topRows(r.rows) * m.direction;
+        if (m.marker == s.marker && place >= 0) direct.col(place) += by_marker * m.direction;
       }
       if (base_is_direct && base_effects_ > 0)
         rows.rest.block(row, p_.effect_column(), r.rows, base_effects_) =
@@ -177,7 +176,7 @@ class Builder {
   double noise_;
   std::vector<Eigen::Index> direct_;
   std::vector<Eigen::Index> place_of_;  // per effect column: among the direct candidates, or -1
-  Eigen::Matrix<double, 22, Eigen::Dynamic> cameras_;
+  Eigen::MatrixXd cameras_;             // the rig's numbers by direct candidates
   LinearModel model_;
   Eigen::Index next_ = 0;
 };

@@ -73,7 +73,7 @@ void PoseJudge::set_limits(const Session& session) {
 }
 
 void PoseJudge::learn_what_shows(const Session& session) {
-  std::vector<Vector3> ways;  // to the left camera, TCP frame
+  std::vector<Vector3> ways;  // to the first camera, TCP frame
   double nearest = 1e300, farthest = 0;
   for (const ProblemObservation& o : fit_.problem.observations) {
     const Rigid left_from_tcp = sensor_from_tcp_at(o, estimate(fit_).mount_from_sensor);
@@ -108,15 +108,19 @@ double PoseJudge::unseen_by(const Camera& camera, const Vector3& x, const Vector
   return total;
 }
 
-double PoseJudge::unseen(const Rigid& left_from_tcp) const {
+double PoseJudge::unseen(const Rigid& sensor_from_tcp) const {
   if (!fit_.problem.rig) return 0;
-  const StereoRig& rig = *fit_.problem.rig;
-  const Rigid right_from_tcp = rig.right_from_left * left_from_tcp;
+  const Rig& rig = *fit_.problem.rig;
   const Vector3 facing = facing_.value_or(Vector3::Zero());
   double total = 0;
-  for (const Vector3& m : markers_)
-    total += unseen_by(rig.left, left_from_tcp * m, left_from_tcp.rotation * facing, left_from_tcp * middle_) +
-             unseen_by(rig.right, right_from_tcp * m, right_from_tcp.rotation * facing, right_from_tcp * middle_);
+  for (const Vector3& m : markers_) {
+    LeastTwo least;
+    for (const RigCamera& c : rig.cameras) {
+      const Rigid camera_from_tcp = c.camera_from_first * sensor_from_tcp;
+      least.add(unseen_by(c.camera, camera_from_tcp * m, camera_from_tcp.rotation * facing, camera_from_tcp * middle_));
+    }
+    total += least.sum();
+  }
   return total;
 }
 
@@ -214,9 +218,9 @@ std::vector<Eigen::VectorXd> pose_pool(const Session& session, const PoseJudge& 
   }
   if (starts.empty())
     throw InputError(fmt::format(
-        "{}: in {} searches no pose within the joint limits shows all markers to both cameras; check the limits in the "
+        "{}: in {} searches no pose within the joint limits shows all markers to {}; check the limits in the "
         "robot's file and the mount of the cameras.",
-        session.file.filename().string(), most_failures));
+        session.file.filename().string(), most_failures, cameras_that_must_see(session.rig)));
   std::vector<Eigen::VectorXd> pool;
   for (int round = 0, wanted = count; wanted > 0 && round * chains < 2 * count + chains; ++round)
     for (Eigen::VectorXd& position : starts) {

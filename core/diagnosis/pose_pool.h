@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Poses that a robot could take next: within all joint limits, the markers in front of both cameras.
+// Poses that a robot could take next: within all joint limits, the markers in front of the cameras.
 #pragma once
 
 #include <random>
@@ -15,12 +15,12 @@ class PoseJudge {
   /// `fit` is of that session and lives as long.
   PoseJudge(const Session& session, const Fit& fit);
 
-  /// 0 where the pose is within the limits (those of joints that follow others too) and both cameras see every marker;
-  /// else how far from that it is, in rough units of a radian. Springs are left out.
+  /// 0 where the pose is within the limits (those of joints that follow others too) and the cameras (of more than two
+  /// any two) see every marker; else how far from that it is, in rough units of a radian. Springs are left out.
   double violation(const Eigen::VectorXd& position) const;
 
-  /// Do both cameras see a body that sits there? Always true before a tracker.
-  bool is_shown(const Rigid& left_from_tcp) const { return unseen(left_from_tcp) == 0; }
+  /// Do the cameras see a body that sits there? Always true before a tracker.
+  bool is_shown(const Rigid& sensor_from_tcp) const { return unseen(sensor_from_tcp) == 0; }
 
   /// What every joint may take (rad, m), in the order of the session: limits less a margin; of a joint without limits
   /// a turn about what was taken (a sliding one: what was taken).
@@ -31,7 +31,7 @@ class PoseJudge {
  private:
   void set_limits(const Session& session);
   void learn_what_shows(const Session& session);
-  double unseen(const Rigid& left_from_tcp) const;
+  double unseen(const Rigid& sensor_from_tcp) const;
   double unseen_by(const Camera& camera, const Vector3& x, const Vector3& normal, const Vector3& middle) const;
 
   const Fit& fit_;

@@ -218,6 +218,19 @@ const std::vector<double>& scatter_grid() {
   return grid;
 }
 
+std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
+  std::vector<EffectTerm> terms;
+  Eigen::Index i = 0;
+  for (const std::size_t u : r.units) {
+    EffectTerm term = r.candidate->units[u].term;
+    const Effect& effect = *r.candidate->effect;
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice) term.values[p] = r.estimate.value[i++] * r.candidate->sizes[p];
+    terms.push_back(term);
+  }
+  return terms;
+}
+
 Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candidates& candidates,
              const std::vector<Variable>& variables) {
   Ranking ranking;

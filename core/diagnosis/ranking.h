@@ -39,6 +39,9 @@ struct Ranking {
 /// Repeatabilities that are tried (rad).
 const std::vector<double>& scatter_grid();
 
+/// A ranked effect at its linear estimate.
+std::vector<EffectTerm> terms_with_values(const RankedEffect& ranked);
+
 Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candidates& candidates,
              const std::vector<Variable>& variables);
 

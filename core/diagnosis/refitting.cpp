@@ -24,13 +24,6 @@ void set_scale(LinearModel& model, const LinearModel& plain, Eigen::Index first,
 
 }  // namespace
 
-void set_quick(const Weighing& weighing, FitOptions& options) {
-  options.smallest_step = 1e-7;
-  options.least_gain = 1e-4 * weighing.noise * weighing.noise;
-  options.reuse_below = 1e-3;
-  options.most_iterations = 40;
-}
-
 FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing) {
   const Problem problem = with_motions(fit.problem);
   const LinearModel plain = linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);

@@ -15,9 +15,6 @@ struct Refit {
   double ln_bayes_factor = 0;  // against the model without them, at the minimum, repeatability profiled out
 };
 
-/// As exact as any Bayes factor shows, and no more.
-void set_quick(const Weighing& weighing, FitOptions& options);
-
 /// Adds terms to a model and fits everything from there, on the same points.
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
                  const Weighing& weighing);

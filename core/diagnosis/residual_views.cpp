@@ -20,14 +20,13 @@ void each_sighting(const Problem& problem, const ProblemObservation& o, const Un
   }
 }
 
-void add_corners(const Sighting& s, int place, const Eigen::Vector4d& error, std::vector<CornerResidual>& corners) {
-  if (s.point) corners.push_back({place, s.marker, SeenBy::tracker, error.head<2>()});
+void add_corners(const Sighting& s, int place, const SightingColumn& error, std::vector<CornerResidual>& corners) {
+  if (s.point) corners.push_back({place, s.marker, by_tracker, error.head<2>()});
   Eigen::Index row = 0;
-  if (s.left) {
-    corners.push_back({place, s.marker, SeenBy::left, error.segment<2>(row)});
+  for (const CameraPoint& seen : s.in_cameras) {
+    corners.push_back({place, s.marker, seen.camera, error.segment<2>(row)});
     row += 2;
   }
-  if (s.right) corners.push_back({place, s.marker, SeenBy::right, error.segment<2>(row)});
 }
 
 /// How the rows of one sighting follow from all columns of the problem.
@@ -35,10 +34,8 @@ Eigen::MatrixXd by_columns(const Problem& p, const ProblemObservation& o, const 
                            const SightingResidual& r, const Matrix3& sensor_from_tcp,
                            const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion) {
   Eigen::MatrixXd j = Eigen::MatrixXd::Zero(r.rows, p.columns());
-  Eigen::Matrix<double, 4, 6> by_body;
-  by_body << r.by_point, -r.by_point * cross_matrix(x);
-  j.middleCols(3 * s.marker, 3) = (r.by_point * sensor_from_tcp).topRows(r.rows);
-  j.rightCols(motion.cols()) += by_body.topRows(r.rows) * motion;
+  j.middleCols(3 * s.marker, 3) = r.by_point * sensor_from_tcp;
+  j.rightCols(motion.cols()) += by_motion(r.by_point, x) * motion;
   if (p.effect_count() > 0)
     j.rightCols(p.effect_count()) += direct_by_effects(p, o, s, r, x, sensor_from_tcp).leftCols(p.effect_count());
   return j;
@@ -74,10 +71,9 @@ std::vector<CornerResidual> corner_residuals(const Problem& problem, const Unkno
     if (change.size() > 0 && !change.isZero(0)) motion = motion_by_columns(problem, o, unknowns);
     each_sighting(
         problem, o, unknowns, sensor_from_tcp, [&](const Sighting& s, const Vector3& x, const SightingResidual& r) {
-          Eigen::Vector4d error = Eigen::Vector4d::Zero();
-          error.head(r.rows) = r.error.head(r.rows);
+          SightingColumn error = r.error;
           if (motion.cols() > 0)
-            error.head(r.rows) -=
+            error -=
                 by_columns(problem, o, s, x, r, sensor_from_tcp.rotation, motion).rightCols(change.size()) * change;
           add_corners(s, static_cast<int>(i), error, corners);
         });

@@ -13,7 +13,7 @@ namespace handsight {
 struct CornerResidual {
   int place = 0;  // into ResidualViews::problem.observations
   int marker = 0;
-  SeenBy camera = SeenBy::left;
+  int camera = 0;  // of the rig; by_tracker
   Vector2 residual;
 };
 

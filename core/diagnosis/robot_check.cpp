@@ -71,17 +71,18 @@ std::optional<Part> predicted(const Reading& reading, const Terms& model, const 
 }
 
 /// One marker of one observation, where the fit has it.
-struct SeenPoint {
+struct FittedPoint {
   const ProblemObservation* observation;
   int marker;
   Vector3 x_in_sensor;
 };
 
-std::vector<SeenPoint> seen_points(const Fit& fit) {
-  std::vector<SeenPoint> points;
+std::vector<FittedPoint> fitted_points(const Fit& fit) {
+  std::vector<FittedPoint> points;
+  if (!fit.problem.rig) return points;
   for (const ProblemObservation& o : fit.problem.observations)
     for (const Sighting& s : o.sightings)
-      if (s.left && s.right)
+      if (static_cast<int>(s.in_cameras.size()) == fit.problem.rig->count() || s.in_cameras.size() > 2)
         points.push_back(
             {&o, s.marker,
              sensor_from_tcp_at(o, estimate(fit).mount_from_sensor) * marker_at(o, estimate(fit), s.marker)});
@@ -111,14 +112,12 @@ class Prediction {
             "The hand is", "beside where the model has it",
             [this](const Circumstances& c, const Terms& t) { return hand_in_sensor(c, t, mount()); }, false);
       case CheckReads::epipolar:
-        return in_the_images("off the epipolar line",
-                             [](const StereoRig& nominal, const StereoRig& rig, const Vector3& x) {
-                               return off_epipolar_line(nominal, rig, x);
-                             });
+        return in_the_images("off the epipolar line", [](const Rig& nominal, const Rig& rig, const Vector3& x) {
+          return off_epipolar_line(nominal, rig, x);
+        });
       case CheckReads::image:
-        return in_the_images(
-            "from where the calibration has them",
-            [](const StereoRig&, const StereoRig& rig, const Vector3& x) { return image_points(rig, x); });
+        return in_the_images("from where the calibration has them",
+                             [](const Rig&, const Rig& rig, const Vector3& x) { return image_points(rig, x); });
     }
     return std::nullopt;
   }
@@ -228,18 +227,18 @@ class Prediction {
 
   template <class Read>
   std::optional<CheckPrediction> in_the_images(const char* after, const Read& read) const {
-    const StereoRig* rig = chain_.stereo ? &*chain_.stereo : nullptr;
+    const Rig* rig = chain_.rig ? &*chain_.rig : nullptr;
     if (!rig) return std::nullopt;
-    const std::vector<SeenPoint> points = seen_points(fit_);
+    const std::vector<FittedPoint> points = fitted_points(fit_);
     const std::size_t stride = points.size() / most_poses + 1;
-    const auto reading_at = [&](const SeenPoint& point) -> Reading {
+    const auto reading_at = [&](const FittedPoint& point) -> Reading {
       const Circumstances& c = fit_.problem.source->circumstances[static_cast<std::size_t>(point.observation->index)];
       return [&c, rig, x = point.x_in_sensor, &read](const Terms& terms) -> ReadValue {
         return read(*rig, moved_rig(*rig, moved_sites(c, terms)), x);
       };
     };
     double most = 0;
-    const SeenPoint* best = nullptr;
+    const FittedPoint* best = nullptr;
     for (std::size_t i = 0; i < points.size(); i += stride)
       if (const auto part = part_of(reading_at(points[i]), model_, c_.terms); part && size_of(*part) > most) {
         most = size_of(*part);

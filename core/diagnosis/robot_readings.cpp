@@ -67,17 +67,25 @@ double angle_error(const Circumstances& circumstances, const Terms& terms, int j
   return sites.robot.joints.empty() ? 0 : sites.robot.joints[static_cast<std::size_t>(joint)].angle;
 }
 
-ReadValue off_epipolar_line(const StereoRig& nominal, const StereoRig& rig, const Vector3& x) {
-  const auto left = undistort(nominal.left, project(rig.left, x));
-  const auto right = undistort(nominal.right, project(rig.right, rig.right_from_left * x));
-  if (!left || !right) return std::nullopt;
-  return one(epipolar_distance(nominal, essential_matrix(nominal), *left, *right));
+ReadValue off_epipolar_line(const Rig& nominal, const Rig& rig, const Vector3& x) {
+  Eigen::VectorXd distances(rig.count() - 1);
+  const auto first = undistort(nominal.at(0).camera, project(rig.at(0).camera, x));
+  if (!first || rig.count() < 2) return std::nullopt;
+  for (int c = 1; c < rig.count(); ++c) {
+    const Vector3 in_camera = rig.at(c).camera_from_first * x;
+    const auto other = undistort(nominal.at(c).camera, project(rig.at(c).camera, in_camera));
+    if (!other) return std::nullopt;
+    const StereoRig pair{nominal.at(0).camera, nominal.at(c).camera, nominal.at(c).camera_from_first};
+    distances[c - 1] = epipolar_distance(pair, essential_matrix(pair), *first, *other);
+  }
+  return distances;
 }
 
-ReadValue image_points(const StereoRig& rig, const Vector3& x) {
-  Eigen::VectorXd both(4);
-  both << project(rig.left, x), project(rig.right, rig.right_from_left * x);
-  return both;
+ReadValue image_points(const Rig& rig, const Vector3& x) {
+  Eigen::VectorXd all(2 * rig.count());
+  for (int c = 0; c < rig.count(); ++c)
+    all.segment<2>(2 * c) = project(rig.at(c).camera, Vector3(rig.at(c).camera_from_first * x));
+  return all;
 }
 
 }  // namespace handsight

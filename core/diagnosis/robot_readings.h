@@ -30,10 +30,11 @@ ReadValue from_start_to_end(const Circumstances& circumstances, const Terms& ter
 /// rad (m): how much more the joint has than it reads, at the reading q.
 double angle_error(const Circumstances& circumstances, const Terms& terms, int joint, double q);
 
-/// px: how far the image points of x (m, left camera) in `rig` miss the epipolar line of `nominal`.
-ReadValue off_epipolar_line(const StereoRig& nominal, const StereoRig& rig, const Vector3& x);
+/// px: how far the image points of x (m, first camera) in `rig` miss the epipolar lines of `nominal`, by each camera
+/// but the first with the first.
+ReadValue off_epipolar_line(const Rig& nominal, const Rig& rig, const Vector3& x);
 
-/// px: the left and the right image point of x (m, left camera).
-ReadValue image_points(const StereoRig& rig, const Vector3& x);
+/// px: the image points of x (m, first camera) in all cameras.
+ReadValue image_points(const Rig& rig, const Vector3& x);
 
 }  // namespace handsight

@@ -36,19 +36,15 @@ SingleChange best_corner(const Problem& problem, const ProblemObservation& o, co
   const Rigid guess = sensor_from_tcp_at(o, u.mount_from_sensor);
   const std::vector<Vector3> markers = markers_at(o, u);
   for (std::size_t i = 0; i < o.sightings.size(); ++i)
-    for (const SeenBy camera : {SeenBy::left, SeenBy::right}) {
+    for (const auto& [camera, measured, sigma] : o.sightings[i].in_cameras) {
       std::vector<Sighting> others = o.sightings;
-      std::optional<Vector2>& corner = camera == SeenBy::left ? others[i].left : others[i].right;
-      if (!corner) continue;
-      const Vector2 measured = *corner;
-      corner.reset();
+      forget(others[i], camera);
       const Rest rest = rest_of(problem, markers, guess, others);
       if (rest.squares_per_degree >= squares) continue;
       squares = rest.squares_per_degree;
       const Vector3 x = rest.sensor_from_body * markers[static_cast<std::size_t>(o.sightings[i].marker)];
-      const Vector2 expected = camera == SeenBy::left
-                                   ? project(problem.rig->left, x)
-                                   : project(problem.rig->right, Vector3(problem.rig->right_from_left * x));
+      const RigCamera& c = problem.rig->at(camera);
+      const Vector2 expected = project(c.camera, Vector3(c.camera_from_first * x));
       best = {SingleChange::Kind::corner,
               o.sightings[i].marker,
               camera,
@@ -73,13 +69,13 @@ SingleChange best_marker(const Problem& problem, const ProblemObservation& o, co
     const Rest rest = rest_of(problem, markers, guess, others);
     if (rest.squares_per_degree >= squares) continue;
     std::optional<Vector3> seen = s.point;
-    if (!seen && problem.rig && s.left && s.right)
-      if (const auto point = triangulate(*problem.rig, *s.left, *s.right)) seen = point->point;
+    if (!seen && problem.rig)
+      if (const auto point = triangulate_unweighed(*problem.rig, s)) seen = point->point;
     if (!seen) continue;
     squares = rest.squares_per_degree;
     const Vector3 in_body = inverse(rest.sensor_from_body) * *seen;
     const Vector3 offset = in_body - markers[static_cast<std::size_t>(s.marker)];
-    best = {SingleChange::Kind::marker, s.marker, SeenBy::left, Vector2::Zero(), offset, offset.norm(), 0};
+    best = {SingleChange::Kind::marker, s.marker, 0, Vector2::Zero(), offset, offset.norm(), 0};
   }
   return best;
 }
@@ -120,22 +116,22 @@ SingleChange single_change(const Problem& problem, const ProblemObservation& o, 
   return change;
 }
 
-std::string change_text(const SingleChange& c, bool in_pixels) {
+std::string change_text(const SingleChange& c, const Rig* rig) {
+  const bool in_pixels = rig != nullptr;
   constexpr double degrees = 57.29577951308232;
   switch (c.kind) {
     case SingleChange::Kind::none:
       return {};
     case SingleChange::Kind::corner:
-      return fmt::format("Marker {}, {} image, {}.", c.marker, c.camera == SeenBy::left ? "left" : "right",
-                         direction(c.shift));
+      return fmt::format("Marker {}, {} image, {}.", c.marker, rig->at(c.camera).name, direction(c.shift));
     case SingleChange::Kind::marker:
       return fmt::format("Marker {}, {:.1f} mm from its place on the body: loose, hidden in part, or another corner.",
                          c.marker, 1e3 * c.size);
     case SingleChange::Kind::images:
       return fmt::format(
-          "The two images do not fit together ({:.1f} px across the epipolar lines): not taken at the same instant, or "
+          "The {} images do not fit together ({:.1f} px across the epipolar lines): not taken at the same instant, or "
           "several wrong corners.",
-          c.size);
+          is_pair(*rig) ? "two" : "cameras'", c.size);
     case SingleChange::Kind::body:
       return fmt::format(
           "The markers do not lie to each other as on the other images ({:.1f} {}): several are wrong, or the body is "

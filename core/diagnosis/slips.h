@@ -6,6 +6,10 @@
 
 namespace handsight {
 
+/// Slips are rare (one session in fifty or so), and one that did not happen spoils the mount for good: ln of the odds
+/// against one that its evidence has to overcome, beside the threshold.
+inline constexpr double ln_odds_against_slip = 4;
+
 /// The first moment from which on one of the terms acts (an observation's order); none where no term has one.
 std::optional<double> slip_order(const std::vector<EffectTerm>& terms);
 

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "diagnosis/body_rows.h"
+#include "diagnosis/weighing.h"
+#include "estimation/fit_noise.h"
 
 namespace handsight {
 namespace {
@@ -50,27 +52,42 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double median_of_chi2(double degrees) { return boost::math::quantile(boost::math::chi_squared(degrees), 0.5); }
+/// The chi-squared quantile of as many degrees of freedom, each number of degrees worked out once.
+class ChiSquared {
+ public:
+  explicit ChiSquared(double upper_tail) : upper_tail_(upper_tail) {}
+  double at(Eigen::Index degrees) {
+    const auto place = static_cast<std::size_t>(degrees);
+    if (place >= known_.size()) known_.resize(place + 1, 0);
+    if (known_[place] == 0)
+      known_[place] = boost::math::quantile(
+          boost::math::complement(boost::math::chi_squared(static_cast<double>(degrees)), upper_tail_));
+    return known_[place];
+  }
+
+ private:
+  double upper_tail_;
+  std::vector<double> known_;
+};
 
 /// Of one coordinate, from the internal squares of the middle observation: wrong points do not reach it.
 double robust_noise(const std::vector<Parted>& all) {
   std::vector<double> variances;
-  for (const Parted& p : all) {
-    const double degrees = static_cast<double>(p.error.size() - 6);
-    variances.push_back(p.internal_squares / median_of_chi2(degrees));
-  }
+  ChiSquared middle(0.5);
+  for (const Parted& p : all) variances.push_back(p.internal_squares / middle.at(p.error.size() - 6));
   return std::sqrt(std::max(median(variances), 1e-300));
 }
 
 /// The joints' random error (rad) for which the middle observation is as likely as it should be.
 double joint_scatter(const std::vector<Parted>& all, double noise) {
+  ChiSquared middle_of(0.5);
   const auto excess = [&](double scatter) {
     std::vector<double> ratios;
     for (const Parted& p : all) {
       double chi2 = p.internal_squares / (noise * noise);
       for (Eigen::Index k = 0; k < 6; ++k)
         chi2 += p.external_error[k] * p.external_error[k] / (noise * noise + scatter * scatter * p.joint_variance[k]);
-      ratios.push_back(chi2 / median_of_chi2(static_cast<double>(p.error.size())));
+      ratios.push_back(chi2 / middle_of.at(p.error.size()));
     }
     return median(ratios) > 1;
   };
@@ -84,7 +101,8 @@ double joint_scatter(const std::vector<Parted>& all, double noise) {
 }
 
 /// The least likely point of an observation, if it is less likely than `least_likely`.
-std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, double noise, double scatter) {
+std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, double noise, double scatter,
+                                      ChiSquared& likely) {
   // V^-1 = (1 - Q diag(m) Q^T) / noise^2 with m = g / (1 + g).
   const Eigen::VectorXd g = scatter * scatter / (noise * noise) * p.joint_variance;
   const Eigen::VectorXd m = g.array() / (1 + g.array());
@@ -92,24 +110,21 @@ std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, d
   std::optional<WrongPoint> worst;
   double largest = 0;
   Eigen::Index row = 0;
-  const auto consider = [&](const Sighting& s, SeenBy camera, Eigen::Index size) {
+  const auto consider = [&](const Sighting& s, int camera, Eigen::Index size) {
     const Eigen::MatrixXd q = p.motions.middleRows(row, size);
     const Eigen::MatrixXd precision =
         (Eigen::MatrixXd::Identity(size, size) - q * m.asDiagonal() * q.transpose()) / (noise * noise);
     const Eigen::VectorXd displacement = precision.ldlt().solve(z.segment(row, size));
     const double chi2 = z.segment(row, size).dot(displacement);
     row += size;
-    const double limit = boost::math::quantile(
-        boost::math::complement(boost::math::chi_squared(static_cast<double>(size)), least_likely));
-    if (chi2 < limit || chi2 <= largest) return;
+    if (chi2 < likely.at(size) || chi2 <= largest) return;
     largest = chi2;
     const Observation& o = session.observations[static_cast<std::size_t>(p.observation->index)];
     worst = WrongPoint{o.id, p.observation->index, s.marker, camera, displacement.norm()};
   };
   for (const Sighting& s : p.observation->sightings) {
-    if (s.point) consider(s, SeenBy::tracker, 3);
-    if (s.left) consider(s, SeenBy::left, 2);
-    if (s.right) consider(s, SeenBy::right, 2);
+    if (s.point) consider(s, by_tracker, 3);
+    for (const CameraPoint& seen : s.in_cameras) consider(s, seen.camera, 2);
   }
   return worst;
 }
@@ -118,11 +133,12 @@ void drop(Session& session, const WrongPoint& w) {
   std::vector<Sighting>& sightings = session.observations[static_cast<std::size_t>(w.index)].sightings;
   for (Sighting& s : sightings) {
     if (s.marker != w.marker) continue;
-    if (w.camera == SeenBy::left) s.left.reset();
-    if (w.camera == SeenBy::right) s.right.reset();
-    if (w.camera == SeenBy::tracker) s.point.reset();
+    if (w.camera == by_tracker)
+      s.point.reset();
+    else
+      forget(s, w.camera);
   }
-  std::erase_if(sightings, [](const Sighting& s) { return !s.left && !s.right && !s.point; });
+  std::erase_if(sightings, [](const Sighting& s) { return row_count(s) == 0; });
 }
 
 std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
@@ -132,24 +148,50 @@ std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
     if (auto p = parted(problem, o, estimate(f))) all.push_back(std::move(*p));
   std::vector<WrongPoint> wrong;
   if (all.size() < 5) return wrong;
-  const double noise = robust_noise(all);
+  // What the session declares is the least: points of one rigid thing (a tracker's) may fit each other far better than
+  // they are right, and are none the worse for it.
+  const double noise = std::max(robust_noise(all), declared_noise(session).value_or(0));
   const double scatter = joint_scatter(all, noise);
+  ChiSquared likely(least_likely);
   for (const Parted& p : all)
-    if (const auto w = worst_point(session, p, noise, scatter)) wrong.push_back(*w);
+    if (const auto w = worst_point(session, p, noise, scatter, likely)) wrong.push_back(*w);
   return wrong;
 }
 
 std::size_t point_count(const Session& session) {
   std::size_t count = 0;
   for (const Observation& o : session.observations)
-    for (const Sighting& s : o.sightings) count += (s.left ? 1 : 0) + (s.right ? 1 : 0) + (s.point ? 1 : 0);
+    for (const Sighting& s : o.sightings) count += s.in_cameras.size() + (s.point ? 1 : 0);
   return count;
 }
 
 }  // namespace
 
+namespace {
+
+/// The same fit from where it ended, on what is left of the session.
+FitOptions from_there(const FitOptions& options, const Fit& fit) {
+  FitOptions again = options;
+  again.start = estimate(fit);
+  for (std::size_t t = 0; t < again.estimated.size(); ++t)
+    again.estimated[t] = fit.effects[options.effects.size() + t].term;
+  return again;
+}
+
+/// Which points are wrong does not hang on what no Bayes factor shows.
+FitOptions roughly(FitOptions options, const Weighing& by) {
+  set_quick(by, options);
+  return options;
+}
+
+}  // namespace
+
 CleanFit clean_fit(const Session& session, const FitOptions& options) {
-  CleanFit clean{session, fit(session, options), {}};
+  // Models that bend are fitted roughly until the wrong points are known.
+  const bool bends = !options.estimated.empty() && options.least_gain == 0;
+  const std::optional<double>& declared = declared_noise(session);
+  bool is_rough = bends && options.start && declared;
+  CleanFit clean{session, fit(session, is_rough ? roughly(options, {.noise = *declared}) : options), {}};
   const auto most = static_cast<std::size_t>(most_dropped * static_cast<double>(point_count(session)));
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds && !clean.fit.solution.stopped; ++round) {
@@ -157,12 +199,11 @@ CleanFit clean_fit(const Session& session, const FitOptions& options) {
     if (wrong.empty() || clean.wrong.size() + wrong.size() > most) break;
     for (const WrongPoint& w : wrong) drop(clean.session, w);
     clean.wrong.insert(clean.wrong.end(), wrong.begin(), wrong.end());
-    FitOptions again = options;
-    again.start = estimate(clean.fit);
-    for (std::size_t t = 0; t < again.estimated.size(); ++t)
-      again.estimated[t] = clean.fit.effects[options.effects.size() + t].term;
-    clean.fit = fit(clean.session, again);
+    const FitOptions again = from_there(options, clean.fit);
+    is_rough = bends;
+    clean.fit = fit(clean.session, is_rough ? roughly(again, weighing(clean.fit)) : again);
   }
+  if (is_rough && !clean.fit.solution.stopped) clean.fit = fit(clean.session, from_there(options, clean.fit));
   return clean;
 }
 

@@ -7,14 +7,15 @@
 
 namespace handsight {
 
-enum class SeenBy { left, right, tracker };
+/// What saw a point: a camera of the rig (its number), or the tracker.
+constexpr int by_tracker = -1;
 
 /// One measured point that was left out.
 struct WrongPoint {
   std::int64_t id = 0;  // of the observation
   int index = 0;        // into Session::observations
   int marker = 0;
-  SeenBy camera = SeenBy::left;
+  int camera = 0;       // of the rig; by_tracker
   double distance = 0;  // px or m: how far it is from where the rest of the observation puts it
 };
 

@@ -214,6 +214,7 @@ Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& optio
   o.estimated = estimated;
   o.start = start;
   o.with_curves = options.with_curves;
+  o.with_held_out = options.with_held_out;
   o.on_progress = options.on_progress;
   o.on_iteration = options.on_iteration;
   return diagnose(session, o);

@@ -54,10 +54,10 @@ std::vector<Variable> variables_of(const Problem& problem, const Unknowns& u) {
   if (problem.rig) {
     add(
         VariableKind::image_u, -1, "image column", "px", 1, problem,
-        [&](const auto& o) { return project(problem.rig->left, middle(problem, u, o)).x(); }, list);
+        [&](const auto& o) { return project(problem.rig->at(0).camera, middle(problem, u, o)).x(); }, list);
     add(
         VariableKind::image_v, -1, "image row", "px", 1, problem,
-        [&](const auto& o) { return project(problem.rig->left, middle(problem, u, o)).y(); }, list);
+        [&](const auto& o) { return project(problem.rig->at(0).camera, middle(problem, u, o)).y(); }, list);
   }
   add(
       VariableKind::depth, -1, "distance from the sensor", "m", 1e-3, problem,

@@ -8,6 +8,7 @@ namespace handsight {
 Weighing weighing(const Fit& fit) {
   constexpr int sure = 30;
   Weighing w;
+  w.residual = fit.residual_rms;
   if (fit.noise_estimate && fit.noise_estimate->sigma > 0 && fit.noise_estimate->degrees >= sure) {
     w.noise = fit.noise_estimate->sigma;
   } else if (fit.noise && *fit.noise > 0) {
@@ -17,6 +18,14 @@ Weighing weighing(const Fit& fit) {
     w.noise = std::max(fit.residual_rms, 1e-12);
   }
   return w;
+}
+
+void set_quick(const Weighing& weighing, FitOptions& options) {
+  options.smallest_step = 1e-7;
+  const double usual = std::max(weighing.noise, weighing.residual);  // of a residual, as Bayes factors weigh it
+  options.least_gain = 1e-2 * usual * usual;
+  options.reuse_below = 1e-3;
+  options.most_iterations = 40;
 }
 
 }  // namespace handsight

@@ -12,8 +12,12 @@ namespace handsight {
 struct Weighing {
   NoiseKnowledge knowledge;
   double noise = 1;
+  double residual = 0;  // px or m, root mean square of what the fit leaves
 };
 
 Weighing weighing(const Fit& fit);
+
+/// Makes fits as exact as any Bayes factor shows, and no more.
+void set_quick(const Weighing& weighing, FitOptions& options);
 
 }  // namespace handsight

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "effects/list.h"
+#include "effects/rig_effects.h"
 
 namespace handsight {
-namespace {
-
-void move(const Circumstances&, int, std::span<const double> values, Sites& sites) {
-  for (int i = 0; i < 4; ++i) {
-    sites.left_camera[i] += values[static_cast<std::size_t>(i)];
-    sites.right_camera[i] += values[static_cast<std::size_t>(i + 4)];
-  }
-}
-
-}  // namespace
-
-Effect camera_intrinsics() {
+Effect camera_intrinsics(const Rig& rig) {
   Effect effect;
   effect.id = "camera_intrinsics";
   effect.title = "Camera intrinsics";
@@ -24,15 +14,9 @@ Effect camera_intrinsics() {
   effect.check = "Calibrate the cameras again with a board.";
   effect.check_reads = CheckReads::number;
   effect.source = "Zhang 2000";
-  effect.scope = EffectScope::session;
-  for (const char* camera : {"left_", "right_"}) {
-    for (const char* focal : {"fx", "fy"})
-      effect.parameters.push_back(
-          {.name = std::string(camera) + focal, .unit = "px", .sigma = 2.5, .share_of_focal = 5e-3});
-    for (const char* middle : {"cx", "cy"}) effect.parameters.push_back({std::string(camera) + middle, "px", 4});
-  }
-  effect.move = move;
-  return effect;
+  return with_camera_numbers(std::move(effect), rig, 0, camera_number_count - distortion_numbers);
 }
+
+Effect camera_intrinsics() { return camera_intrinsics(rig_of(StereoRig{})); }
 
 }  // namespace handsight

@@ -24,6 +24,7 @@ const std::vector<Effect>& catalogue() {
                                               mimic_error(),
                                               camera_mount(),
                                               stereo_rig(),
+                                              rig(),
                                               camera_intrinsics(),
                                               lens_distortion(),
                                               time_lag(),
@@ -42,6 +43,13 @@ const Effect* find_effect(const std::string& id) {
   }();
   const auto found = by_id.find(id);
   return found == by_id.end() ? nullptr : found->second;
+}
+
+std::vector<const Effect*> catalogue_beside(const OwnEffects& own) {
+  std::vector<const Effect*> all;
+  for (const Effect& effect : catalogue())
+    if (std::none_of(own.begin(), own.end(), [&](const auto& o) { return o->id == effect.id; })) all.push_back(&effect);
+  return all;
 }
 
 const Effect* find_effect(const std::string& id, const OwnEffects& own) {
@@ -115,6 +123,9 @@ std::vector<char> joints_that_matter(const Chain& chain) {
 std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
   std::vector<int> places;
   if (effect.scope == EffectScope::session) return {-1};
+  if (effect.scope == EffectScope::camera)
+    for (std::size_t c = 0; c < effect.cameras.size(); ++c)
+      if (!effect.cameras[c].empty()) places.push_back(static_cast<int>(c));
   if (effect.scope == EffectScope::marker)
     for (int m = 0; m < chain.marker_count; ++m) places.push_back(m);
   if (!moves_one_joint(effect)) return places;
@@ -130,12 +141,15 @@ std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
 std::string place_name(const Effect& effect, int place, const Robot& robot) {
   if (place < 0) return "";
   if (effect.scope == EffectScope::marker) return fmt::format("marker {}", place);
+  if (effect.scope == EffectScope::camera) return effect.cameras[static_cast<std::size_t>(place)];
   return robot.joints[static_cast<std::size_t>(place)].name;
 }
 
 double plausible_size(const EffectParameter& parameter, const Chain& chain) {
-  if (!(parameter.share_of_focal > 0) || !chain.stereo) return parameter.sigma;
-  return parameter.share_of_focal * 0.5 * (chain.stereo->left.fx + chain.stereo->right.fx);
+  if (!(parameter.share_of_focal > 0) || !chain.rig) return parameter.sigma;
+  double sum = 0;
+  for (const RigCamera& c : chain.rig->cameras) sum += c.camera.fx;
+  return parameter.share_of_focal * (sum / chain.rig->count());
 }
 
 Sites unmoved_sites(const Chain& chain) {
@@ -151,8 +165,10 @@ bool is_finite(const Sites& s) {
            std::isfinite(j.lateral_compliance) && std::isfinite(j.gap);
   };
   return std::all_of(s.robot.joints.begin(), s.robot.joints.end(), joint) && std::isfinite(s.robot.tilt_x) &&
-         std::isfinite(s.robot.tilt_y) && s.mount.allFinite() && s.drift.allFinite() && s.rig.allFinite() &&
-         s.left_camera.allFinite() && s.right_camera.allFinite() && s.body.allFinite() && s.hand.allFinite() &&
+         std::isfinite(s.robot.tilt_y) && s.mount.allFinite() && s.drift.allFinite() && s.body.allFinite() &&
+         s.hand.allFinite() &&
+         std::all_of(s.cameras.begin(), s.cameras.end(),
+                     [](const CameraChange& c) { return c.motion.allFinite() && c.numbers.allFinite(); }) &&
          std::all_of(s.markers.begin(), s.markers.end(), [](const Vector3& m) { return m.allFinite(); });
 }
 

@@ -36,11 +36,16 @@ std::vector<Circumstances> circumstances_of(const Session& session, const Chain&
     c.sensor = per_robot_joint(chain, o.position, true);
     c.velocity = per_robot_joint(chain, o.velocity, false);
     c.approach.resize(c.sensor.size());
+    const double start = o.whole ? o.whole->start : session.observations[order.front()].time;
+    const double end = o.whole ? o.whole->end : session.observations[order.back()].time;
+    c.elapsed = o.time - start;
+    c.duration = end - start;
+    c.order = o.whole ? o.whole->order : static_cast<int>(k);
+    std::optional<Eigen::VectorXd> from;
+    if (o.whole && o.whole->position_before.size() > 0) from = per_robot_joint(chain, o.whole->position_before, true);
+    if (!o.whole && before) from = before->sensor;
     for (Eigen::Index j = 0; j < c.sensor.size(); ++j)
-      c.approach[j] = c.velocity[j] != 0 ? sign(c.velocity[j]) : before ? sign(c.sensor[j] - before->sensor[j]) : 0.0;
-    c.elapsed = o.time - session.observations[order.front()].time;
-    c.duration = session.observations[order.back()].time - session.observations[order.front()].time;
-    c.order = static_cast<int>(k);
+      c.approach[j] = c.velocity[j] != 0 ? sign(c.velocity[j]) : from ? sign(c.sensor[j] - (*from)[j]) : 0.0;
     before = &c;
   }
   return all;
@@ -96,14 +101,15 @@ ObservedEnds observed_ends(const Circumstances& c, const Sites& sites) {
           small_motion<double>(sites.mount) * small_motion<double>(sites.drift)};
 }
 
-StereoRig moved_rig(const StereoRig& rig, const Sites& sites) {
-  StereoRig moved = rig;
-  moved.right_from_left = small_motion<double>(sites.rig) * rig.right_from_left;
-  double Camera::*const numbers[] = {&Camera::fx, &Camera::fy, &Camera::cx, &Camera::cy,
-                                     &Camera::k1, &Camera::k2, &Camera::p1, &Camera::p2};
-  for (int i = 0; i < 8; ++i) {
-    moved.left.*numbers[i] += sites.left_camera[i];
-    moved.right.*numbers[i] += sites.right_camera[i];
+Rig moved_rig(const Rig& rig, const Sites& sites) {
+  Rig moved = rig;
+  for (int c = 0; c < rig.count(); ++c) {
+    const CameraChange& change = sites.cameras[static_cast<std::size_t>(c)];
+    RigCamera& camera = moved.at(c);
+    if (c > 0) camera.camera_from_first = small_motion<double>(change.motion) * camera.camera_from_first;
+    const auto numbers = camera_numbers(camera.camera);
+    for (int i = 0; i < camera_number_count; ++i)
+      camera.camera.*numbers[static_cast<std::size_t>(i)].value += change.numbers[i];
   }
   return moved;
 }

@@ -56,6 +56,6 @@ struct ObservedEnds {
 ObservedEnds observed_ends(const Circumstances& circumstances, const Sites& sites);
 
 /// The rig with its own sites moved.
-StereoRig moved_rig(const StereoRig& rig, const Sites& sites);
+Rig moved_rig(const Rig& rig, const Sites& sites);
 
 }  // namespace handsight

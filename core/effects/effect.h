@@ -14,9 +14,9 @@
 
 namespace handsight {
 
-/// Where an effect may sit: an instance for every moving joint, for every mimic joint, for every marker, or one for the
-/// whole session.
-enum class EffectScope { joint, mimic_joint, marker, session };
+/// Where an effect may sit: an instance for every moving joint, for every mimic joint, for every marker, for cameras of
+/// a rig, or one for the whole session.
+enum class EffectScope { joint, mimic_joint, marker, camera, session };
 
 struct EffectParameter {
   std::string name;
@@ -49,18 +49,20 @@ struct Effect {
   std::string source;
   EffectScope scope = EffectScope::joint;
   std::vector<EffectParameter> parameters;
-  /// Adds to the sites of the chain what the effect does in one observation. `place` is the robot's joint or the
-  /// marker, -1 for the session; `values` has one number a parameter. Linear in the parameters that are no choices: the
-  /// sites take up what is not.
+  /// Adds to the sites of the chain what the effect does in one observation. `place` is the robot's joint, the
+  /// marker or the camera, -1 for the session; `values` has one number a parameter. Linear in the parameters that are
+  /// no choices: the sites take up what is not.
   std::function<void(const Circumstances&, int place, std::span<const double> values, Sites& sites)> move;
   std::shared_ptr<const EffectDefinition> definition;  // of an effect by formula; null: of the catalogue
-  bool reads_torque = false;                           // its formula reads gravity torques (Circumstances::torque)
+  std::vector<std::string> cameras = {};  // of camera scope: by camera of the rig, its name; empty where it has none
+  bool reads_torque = false;              // its formula reads gravity torques (Circumstances::torque)
 
   /// A curve that the program has found: it is told by its formula, not by a name.
   bool is_unnamed() const { return definition && definition->unnamed; }
 };
 
-/// Effects by formula (own_effect.h), beside those of the catalogue.
+/// Effects of this session beside those of the catalogue: by formula (own_effect.h), and those of its cameras
+/// (rig_effects.h), which stand in place of the catalogue's of the same id.
 using OwnEffects = std::vector<std::shared_ptr<const Effect>>;
 
 /// Effects of joint scope change their own joint's numbers and nothing else.
@@ -71,6 +73,9 @@ inline bool moves_one_joint(const Effect& e) {
 /// All effects that the program knows, each with a unique id.
 const std::vector<Effect>& catalogue();
 
+/// The effects of the catalogue that none of these stands in place of.
+std::vector<const Effect*> catalogue_beside(const OwnEffects& own);
+
 /// The effect of that id, null where there is none; own ones first.
 const Effect* find_effect(const std::string& id);
 const Effect* find_effect(const std::string& id, const OwnEffects& own);
@@ -78,11 +83,11 @@ const Effect* find_effect(const std::string& id, const OwnEffects& own);
 /// One effect at one place with values for its parameters, in the order of Effect::parameters.
 struct EffectTerm {
   std::string id;
-  int joint = -1;  // the place: index into robot.joints, or the marker; -1 for the session scope
+  int joint = -1;  // the place: index into robot.joints, the marker or the camera; -1 for the session scope
   std::vector<double> values;
   std::vector<char> held =
       {};  // per parameter, not 0: where the term is estimated, this number stays; empty: none does
-  std::shared_ptr<const Effect> own = nullptr;  // the effect where it is one by formula; null: that of the catalogue
+  std::shared_ptr<const Effect> own = nullptr;  // the effect where it is one of OwnEffects; null: that of the catalogue
 };
 
 /// What the term is a term of. Its id must be one of the catalogue where it is no own effect.
@@ -100,7 +105,7 @@ inline bool is_free(const Effect& effect, const EffectTerm& term, std::size_t pa
 /// the root to TCP and mount, but for those that load springs on it or that joints on it follow.
 std::vector<int> effect_places(const Effect& effect, const Chain& chain);
 
-/// The name of a place: a joint's name, "marker 2", or empty.
+/// The name of a place: a joint's or camera's name, "marker 2", or empty.
 std::string place_name(const Effect& effect, int place, const Robot& robot);
 
 /// The chain's sites, all zero, with room for every joint and marker.

@@ -11,7 +11,7 @@ namespace {
 
 std::string known_effects(const OwnEffects& own) {
   std::string list;
-  for (const Effect& effect : catalogue()) list += (list.empty() ? "" : ", ") + effect.id;
+  for (const Effect* effect : catalogue_beside(own)) list += (list.empty() ? "" : ", ") + effect->id;
   for (const std::shared_ptr<const Effect>& effect : own) list += ", " + effect->id;
   return list;
 }
@@ -33,7 +33,19 @@ int joint_for(const Effect& effect, const std::string& name, const Robot& robot,
   return joint;
 }
 
+int camera_for(const Effect& effect, const std::string& name, const std::string& text) {
+  std::string known;
+  for (std::size_t c = 0; c < effect.cameras.size(); ++c) {
+    if (effect.cameras[c].empty()) continue;
+    if (effect.cameras[c] == name) return static_cast<int>(c);
+    known += (known.empty() ? "" : ", ") + effect.cameras[c];
+  }
+  throw InputError(fmt::format("Effect \"{}\": {} sits at no camera \"{}\"; it may sit at: {}.", text, effect.id, name,
+                               known.empty() ? "none of this session" : known));
+}
+
 int place_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
+  if (effect.scope == EffectScope::camera) return camera_for(effect, name, text);
   if (effect.scope != EffectScope::marker) return joint_for(effect, name, robot, text);
   constexpr std::string_view prefix = "marker ";  // as place_name writes it
   int marker = -1;
@@ -60,6 +72,10 @@ std::size_t term_for(const Found& found, int place, std::vector<EffectTerm>& ter
     if (terms[t].id == found.effect->id && terms[t].joint == place) return t;
   terms.push_back(term_of(*found.effect, place, found.own));
   return terms.size() - 1;
+}
+
+const char* kind_of_place(EffectScope scope) {
+  return scope == EffectScope::marker ? "marker" : scope == EffectScope::camera ? "camera" : "joint";
 }
 
 /// `text` is what sentences call it.
@@ -103,10 +119,10 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
   int place = -1;
   if (effect->scope != EffectScope::session) {
     const auto dot = name.rfind('.');
+    const char* const kind = kind_of_place(effect->scope);
     if (dot == std::string::npos)
-      throw InputError(fmt::format("Effect \"{}\" sits at a {}; write {}:{}.parameter=value.", text,
-                                   effect->scope == EffectScope::marker ? "marker" : "joint", id,
-                                   effect->scope == EffectScope::marker ? "0" : "joint"));
+      throw InputError(fmt::format("Effect \"{}\" sits at a {}; write {}:{}.parameter=value.", text, kind, id,
+                                   effect->scope == EffectScope::marker ? "0" : kind));
     place = place_for(*effect, name.substr(0, dot), robot, text);
     name = name.substr(dot + 1);
   }
@@ -125,9 +141,11 @@ std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain
   if (colon == std::string::npos) {
     places = effect_places(*effect, chain);
     if (places.empty())
-      throw InputError(
-          fmt::format("Effect \"{}\" has no place in this session: it sits at {}.", id,
-                      effect->scope == EffectScope::mimic_joint ? "joints that follow others" : "markers"));
+      throw InputError(fmt::format("Effect \"{}\" has no place in this session: it sits at {}.", id,
+                                   effect->scope == EffectScope::mimic_joint ? "joints that follow others"
+                                   : effect->scope == EffectScope::camera
+                                       ? "cameras, which this session has not got for it"
+                                       : "markers"));
   } else if (effect->scope == EffectScope::session) {
     throw InputError(fmt::format("Effect \"{}\" sits at no joint; write {} alone.", text, id));
   } else {

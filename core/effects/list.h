@@ -23,6 +23,7 @@ Effect mimic_error();
 Effect mimic_linkage();
 Effect camera_mount();
 Effect stereo_rig();
+Effect rig();
 Effect camera_intrinsics();
 Effect lens_distortion();
 Effect time_lag();

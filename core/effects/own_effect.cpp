@@ -7,25 +7,25 @@
 
 #include "base/text.h"
 #include "effects/formula.h"
+#include "effects/rig_effects.h"
 
 namespace handsight {
 namespace {
 
-enum class Slot { angle, compliance, bend, before, after, marker, hand, mount, body, gravity, left, right };
+enum class Slot { angle, compliance, bend, before, after, marker, hand, mount, body, gravity, camera };
 
 struct Place {
   Slot slot = Slot::angle;
-  int index = 0;  // of the axis, or of the camera's number
+  int index = 0;   // of the axis, or of the camera's number
+  int camera = 0;  // of the rig
 };
-
-constexpr const char* camera_numbers[] = {"fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2"};
 
 struct NamedPlace {
   std::string name;
   Place place;
 };
 
-std::vector<NamedPlace> sites_of_scope(const std::string& scope) {
+std::vector<NamedPlace> sites_of_scope(const std::string& scope, const Rig& rig) {
   std::vector<NamedPlace> all;
   const auto six = [&](const std::string& prefix, Slot slot) {
     for (int i = 0; i < 6; ++i) all.push_back({prefix + "_" + motion_axes[i], {slot, i}});
@@ -42,13 +42,14 @@ std::vector<NamedPlace> sites_of_scope(const std::string& scope) {
     six("body", Slot::body);
     all.push_back({"gravity_rx", {Slot::gravity, 0}});
     all.push_back({"gravity_ry", {Slot::gravity, 1}});
-    for (const auto& [camera, slot] : {std::pair("left_", Slot::left), std::pair("right_", Slot::right)})
-      for (int i = 0; i < 8; ++i) all.push_back({std::string(camera) + camera_numbers[i], {slot, i}});
+    for (int c = 0; c < rig.count(); ++c) {
+      int i = 0;
+      for (const CameraNumber& number : camera_numbers(rig.at(c).camera))
+        all.push_back({rig.at(c).name + "_" + number.name, {Slot::camera, i++, c}});
+    }
   }
   return all;
 }
-
-bool is_of_camera(Slot slot) { return slot == Slot::left || slot == Slot::right; }
 
 void add_to(Place p, int place, double amount, const Circumstances& c, Sites& sites) {
   switch (p.slot) {
@@ -82,11 +83,8 @@ void add_to(Place p, int place, double amount, const Circumstances& c, Sites& si
     case Slot::gravity:
       (p.index == 0 ? sites.robot.tilt_x : sites.robot.tilt_y) += amount;
       break;
-    case Slot::left:
-      sites.left_camera[p.index] += amount;
-      break;
-    case Slot::right:
-      sites.right_camera[p.index] += amount;
+    case Slot::camera:
+      sites.cameras[static_cast<std::size_t>(p.camera)].numbers[p.index] += amount;
       break;
   }
 }
@@ -202,8 +200,8 @@ void check_linear(const EffectDefinition& d, const DefinedMove& m, const Formula
   }
 }
 
-CompiledMove compile(const EffectDefinition& d, const DefinedMove& m, const Names& names) {
-  const std::vector<NamedPlace> sites = sites_of_scope(d.scope);
+CompiledMove compile(const EffectDefinition& d, const DefinedMove& m, const Names& names, const Rig& rig) {
+  const std::vector<NamedPlace> sites = sites_of_scope(d.scope, rig);
   const auto site = std::find_if(sites.begin(), sites.end(), [&](const NamedPlace& s) { return s.name == m.site; });
   if (site == sites.end()) {
     std::string known;
@@ -213,7 +211,7 @@ CompiledMove compile(const EffectDefinition& d, const DefinedMove& m, const Name
   }
   CompiledMove move{site->place, Formula(m.formula, names.all, where(d, m.line))};
   for (const std::size_t used : move.formula.used()) {
-    if (is_of_camera(site->place.slot) && used >= names.parameters)
+    if (site->place.slot == Slot::camera && used >= names.parameters)
       throw InputError(
           fmt::format("{}: the cameras' numbers are the same in all observations; {} names the variable "
                       "\"{}\", expected parameters and numbers alone.",
@@ -230,7 +228,7 @@ CompiledMove compile(const EffectDefinition& d, const DefinedMove& m, const Name
 
 bool is_torque(const std::string& name) { return name == "tau" || name.starts_with("tau_"); }
 
-Compiled compile(const EffectDefinition& d, const Robot& robot) {
+Compiled compile(const EffectDefinition& d, const Robot& robot, const Rig& rig) {
   Compiled own{names_of(d, robot), {}, false};
   const Names& names = own.names;
   for (std::size_t p = 0; p < names.parameters; ++p)
@@ -239,7 +237,7 @@ Compiled compile(const EffectDefinition& d, const Robot& robot) {
                                    where(d, 0), names.all[p]));
   std::vector<char> used(names.all.size(), 0);
   for (const DefinedMove& m : d.moves) {
-    own.moves.push_back(compile(d, m, names));
+    own.moves.push_back(compile(d, m, names, rig));
     for (const std::size_t u : own.moves.back().formula.used()) {
       used[u] = 1;
       own.reads_torque = own.reads_torque || (u >= names.parameters && is_torque(names.all[u]));
@@ -280,8 +278,8 @@ std::string formula_name(const std::string& name) {
   return text;
 }
 
-std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot& robot) {
-  const auto own = std::make_shared<const Compiled>(compile(d, robot));
+std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot& robot, const Rig& rig) {
+  const auto own = std::make_shared<const Compiled>(compile(d, robot, rig));
   auto effect = std::make_shared<Effect>();
   effect->id = d.id;
   effect->title = d.title;
@@ -301,13 +299,15 @@ std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot&
 
 OwnEffects own_effects_of(const Session& session, const Chain& chain) {
   OwnEffects all;
+  if (chain.rig) all = rig_effects(*chain.rig);
   if (session.effect_definitions.empty()) return all;
+  const Rig cameras = chain.rig.value_or(rig_of(StereoRig{}));
   const std::vector<Circumstances> circumstances = circumstances_of(session, chain);
   for (const EffectDefinition& d : session.effect_definitions) {
     if (find_effect(d.id))
       throw InputError(
           fmt::format("{}: the catalogue has an effect \"{}\" already; give it another id.", where(d, 0), d.id));
-    all.push_back(own_effect(d, session.robot));
+    all.push_back(own_effect(d, session.robot, cameras));
     if (!circumstances.empty()) check_finite(*all.back(), session, circumstances);
   }
   return all;

@@ -8,16 +8,17 @@
 namespace handsight {
 
 /// Sites by scope. joint: angle, compliance, bend_compliance, before_x ... before_rz, after_x ... after_rz; marker: x,
-/// y, z; session: hand_x ... hand_rz, mount_x ... mount_rz, body_x ... body_rz, gravity_rx, gravity_ry, left_fx ...
-/// left_p2, right_fx ... right_p2 (fx fy cx cy k1 k2 p1 p2; the same in all observations: no variables).
+/// y, z; session: hand_x ... hand_rz, mount_x ... mount_rz, body_x ... body_rz, gravity_rx, gravity_ry, and
+/// of each camera NAME_fx ... NAME_p2 (camera_numbers; the same in all observations: no variables).
 /// Variables: q, tau, velocity, approach of the effect's own joint (scope joint); q_NAME, tau_NAME of any; time (0 to 1
 /// over the session), seconds, order. tau is the gravity torque of the nominal robot (N m; N where prismatic).
 /// Throws InputError where a site or a formula is not understood, a name is taken, or a formula is not linear in the
 /// parameters.
-std::shared_ptr<const Effect> own_effect(const EffectDefinition& definition, const Robot& robot);
+std::shared_ptr<const Effect> own_effect(const EffectDefinition& definition, const Robot& robot,
+                                         const Rig& rig = rig_of(StereoRig{}));
 
-/// Those of the session, found finite at every observation. Throws InputError as above, and where an id is one of the
-/// catalogue.
+/// Those of the session's cameras (rig_effects.h), then those by formula, found finite at every observation. Throws
+/// InputError as above, and where an id is one of the catalogue.
 OwnEffects own_effects_of(const Session& session, const Chain& chain);
 
 /// A name as formulas write it: characters other than letters, digits and _ become _.

@@ -5,7 +5,7 @@ namespace handsight {
 namespace {
 
 void move(const Circumstances&, int, std::span<const double> values, Sites& sites) {
-  sites.rig += Eigen::Map<const Vector6>(values.data());
+  sites.cameras[1].motion += Eigen::Map<const Vector6>(values.data());
 }
 
 }  // namespace

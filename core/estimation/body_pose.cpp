@@ -16,7 +16,7 @@ struct PoseNormal {
 };
 
 /// By the small motion xi in exp(xi) sensor_from_body: a point moves by v + w cross x.
-PoseNormal pose_normal(const StereoRig* rig, const std::vector<Sighting>& sightings,
+PoseNormal pose_normal(const Rig* rig, const std::vector<Sighting>& sightings,
                        const std::vector<Vector3>& markers_in_body, const Rigid& sensor_from_body) {
   PoseNormal pose;
   for (const Sighting& s : sightings) {
@@ -52,7 +52,7 @@ bool is_determined(const Matrix6& information) {
 
 }  // namespace
 
-std::optional<BodyPose> estimate_body_pose(const StereoRig* rig, const std::vector<Sighting>& sightings,
+std::optional<BodyPose> estimate_body_pose(const Rig* rig, const std::vector<Sighting>& sightings,
                                            const std::vector<Vector3>& markers_in_body, const Rigid& guess) {
   if (sightings.size() < 3) return std::nullopt;
   Rigid pose = guess;
@@ -79,7 +79,7 @@ std::optional<BodyPose> estimate_body_pose(const StereoRig* rig, const std::vect
   return BodyPose{pose, normal.information.inverse(), normal.cost, normal.rows};
 }
 
-std::optional<Rigid> refined_body_pose(const StereoRig* rig, const std::vector<Sighting>& sightings,
+std::optional<Rigid> refined_body_pose(const Rig* rig, const std::vector<Sighting>& sightings,
                                        const std::vector<Vector3>& markers_in_body, const Rigid& guess,
                                        double near_enough) {
   if (sightings.size() < 3) return std::nullopt;
@@ -100,13 +100,13 @@ std::optional<Rigid> refined_body_pose(const StereoRig* rig, const std::vector<S
   return pose_by_damping ? std::optional(pose_by_damping->sensor_from_body) : std::nullopt;
 }
 
-std::optional<Rigid> body_pose_from_points(const StereoRig* rig, const std::vector<Sighting>& sightings,
+std::optional<Rigid> body_pose_from_points(const Rig* rig, const std::vector<Sighting>& sightings,
                                            const std::vector<Vector3>& markers_in_body) {
   Eigen::Matrix3Xd in_sensor(3, 0), in_body(3, 0);
   for (const Sighting& s : sightings) {
     std::optional<Vector3> point = s.point;
-    if (!point && rig && s.left && s.right)
-      if (const auto p = triangulate(*rig, *s.left, *s.right)) point = p->point;
+    if (!point && rig)
+      if (const auto p = triangulate_unweighed(*rig, s)) point = p->point;
     if (!point) continue;
     in_sensor.conservativeResize(3, in_sensor.cols() + 1);
     in_body.conservativeResize(3, in_body.cols() + 1);

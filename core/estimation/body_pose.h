@@ -16,16 +16,16 @@ struct BodyPose {
 /// Least reprojection error over the sightings of markers with the given positions in the body frame (m); `guess`
 /// is where to start. Nothing where the sightings do not determine the six unknowns (fewer than three markers, or
 /// all on a line) or where it does not converge.
-std::optional<BodyPose> estimate_body_pose(const StereoRig* rig, const std::vector<Sighting>& sightings,
+std::optional<BodyPose> estimate_body_pose(const Rig* rig, const std::vector<Sighting>& sightings,
                                            const std::vector<Vector3>& markers_in_body, const Rigid& guess);
 
 /// The pose alone, near enough to the least reprojection error to linearise there: within about `near_enough` (m, rad).
-std::optional<Rigid> refined_body_pose(const StereoRig* rig, const std::vector<Sighting>& sightings,
+std::optional<Rigid> refined_body_pose(const Rig* rig, const std::vector<Sighting>& sightings,
                                        const std::vector<Vector3>& markers_in_body, const Rigid& guess,
                                        double near_enough);
 
 /// A start without a guess, from three or more points that both cameras (or the tracker) saw.
-std::optional<Rigid> body_pose_from_points(const StereoRig* rig, const std::vector<Sighting>& sightings,
+std::optional<Rigid> body_pose_from_points(const Rig* rig, const std::vector<Sighting>& sightings,
                                            const std::vector<Vector3>& markers_in_body);
 
 }  // namespace handsight

@@ -17,8 +17,8 @@ constexpr double hardly_held = 100;  // plausible sizes: a start is sought where
 
 bool cameras_are_free(const Problem& problem) { return problem.rig && problem.cameras_by_effect.cols() > 0; }
 
-/// The same problem with only those effects free whose column of camera numbers `is_free` takes (22 numbers, zero for
-/// an effect that moves no camera).
+/// The same problem with only those effects free whose column of camera numbers `is_free` takes (the rig's numbers,
+/// zero for an effect that moves no camera).
 Problem with_free_cameras(const Problem& images, const std::function<bool(const Eigen::VectorXd&)>& is_free) {
   Problem part = images;
   part.columns_of_effects.clear();
@@ -32,15 +32,20 @@ Problem with_free_cameras(const Problem& images, const std::function<bool(const 
   return part;
 }
 
-/// What the left camera saw.
-Problem left_alone(const Problem& images) {
-  Problem left = images;
-  for (ProblemObservation& o : left.observations) {
-    std::erase_if(o.sightings, [](const Sighting& s) { return !s.left; });
-    for (Sighting& s : o.sightings) s.right.reset();
+/// What the first camera saw.
+Problem first_alone(const Problem& images) {
+  Problem first = images;
+  for (ProblemObservation& o : first.observations) {
+    std::erase_if(o.sightings, [](const Sighting& s) { return !seen_by(s, 0); });
+    for (Sighting& s : o.sightings) s.in_cameras.resize(1);
   }
-  std::erase_if(left.observations, [](const ProblemObservation& o) { return o.sightings.empty(); });
-  return left;
+  std::erase_if(first.observations, [](const ProblemObservation& o) { return o.sightings.empty(); });
+  return first;
+}
+
+/// Does an effect move numbers of the first camera and of no other?
+bool moves_first_alone(const Eigen::VectorXd& by, int cameras) {
+  return by.head(first_number(cameras, 0)).isZero(0) && by.tail(camera_number_count * (cameras - 1)).isZero(0);
 }
 
 /// Adds the equations of one viewing ray (or point) to those of the markers and of the mount's translation: what is
@@ -72,15 +77,15 @@ Unknowns with_rotation_by_rays(const Problem& problem, const Unknowns& like, con
     const Rigid mount_from_tcp = inverse(o.root_from_mount) * o.root_from_tcp;
     for (const Sighting& s : o.sightings) {
       if (s.point) system.add(s.marker, mount_from_tcp, Matrix3::Identity(), rotation * *s.point);
-      for (const bool is_left : {true, false}) {
-        const auto& pixel = is_left ? s.left : s.right;
-        if (!pixel || !problem.rig) continue;
-        const auto ray = undistort(is_left ? problem.rig->left : problem.rig->right, *pixel);
+      for (const CameraPoint& seen : s.in_cameras) {
+        if (!problem.rig) continue;
+        const RigCamera& c = problem.rig->at(seen.camera);
+        const auto ray = undistort(c.camera, seen.pixel);
         if (!ray) continue;
-        const Rigid left_from_camera = is_left ? Rigid{} : inverse(problem.rig->right_from_left);
-        const Vector3 d = (rotation * left_from_camera.rotation * ray->homogeneous()).normalized();
+        const Rigid first_from_camera = inverse(c.camera_from_first);
+        const Vector3 d = (rotation * first_from_camera.rotation * ray->homogeneous()).normalized();
         system.add(s.marker, mount_from_tcp, Matrix3::Identity() - d * d.transpose(),
-                   rotation * left_from_camera.translation);
+                   rotation * first_from_camera.translation);
       }
     }
   }
@@ -167,7 +172,12 @@ namespace {
 /// How many times more than few robots explain a solution leaves.
 double far_off(const Problem& images, const Solution& s) {
   if (s.normal.rows == 0) return 0;
-  const double much = images.rig ? 0.003 * std::max(images.rig->left.fx, images.rig->right.fx) : 0.03;
+  double much = 0.03;
+  if (images.rig) {
+    double longest = 0;
+    for (const RigCamera& c : images.rig->cameras) longest = std::max(longest, c.camera.fx);
+    much = 0.003 * longest;
+  }
   return std::sqrt(s.normal.data_cost() / s.normal.rows) / much;
 }
 
@@ -183,7 +193,7 @@ std::vector<Unknowns> competing_starts(const Problem& images, const Unknowns& gi
   const bool cameras = cameras_are_free(images);
   if (!cameras && !images.mount_is_estimated) return {};
   const Problem thin = thinned(images, spread);
-  Problem body = cameras ? left_alone(thin) : thin;
+  Problem body = cameras ? first_alone(thin) : thin;
   if (body.observations.empty()) body = thin;
   hold_effects(body);
   Unknowns start = given;
@@ -195,15 +205,15 @@ std::vector<Unknowns> competing_starts(const Problem& images, const Unknowns& gi
     std::vector<EffectTerm> terms = images.terms;
     Solution last = s;
     if (cameras) {
-      const Problem left = with_free_cameras(
-          left_alone(thin), [](const Eigen::VectorXd& by) { return by.head<6>().isZero(0) && by.tail<8>().isZero(0); });
-      if (left.effect_count() > 0 && !left.observations.empty()) {
-        last = released(left, terms, last.unknowns);
-        terms = terms_at(left, terms, last);
+      const Problem first = with_free_cameras(
+          first_alone(thin), [&](const Eigen::VectorXd& by) { return moves_first_alone(by, images.rig->count()); });
+      if (first.effect_count() > 0 && !first.observations.empty()) {
+        last = released(first, terms, last.unknowns);
+        terms = terms_at(first, terms, last);
       }
-      const Problem both = with_free_cameras(thin, [](const Eigen::VectorXd&) { return true; });
-      last = released(both, terms, last.unknowns);
-      terms = terms_at(both, terms, last);
+      const Problem all = with_free_cameras(thin, [](const Eigen::VectorXd&) { return true; });
+      last = released(all, terms, last.unknowns);
+      terms = terms_at(all, terms, last);
     }
     Problem whole = images;
     whole.terms = terms;

@@ -191,9 +191,10 @@ Fit fit(const Session& session, const FitOptions& options) {
   if (start) start->effects = effect_values(images);
   if (!start)
     throw InputError(fmt::format(
-        "{}: nothing is known of the mount, and no marker is seen by both cameras, so that no start can be found; give "
-        "mount_from_left an xyz and rpy.",
-        session_name(session)));
+        "{}: nothing is known of the mount, and no marker is seen by two cameras, so that no start can be found; give "
+        "{} an xyz and rpy.",
+        session_name(session),
+        !session.rig || is_left_and_right(*session.rig) ? "mount_from_left" : "mount_from_first"));
   refuse_cameras_of_points(session, options, images);
 
   Fit result;
@@ -212,7 +213,7 @@ Fit fit(const Session& session, const FitOptions& options) {
   result.problem = options.objective == Objective::image ? images : as_points(images, result.sightings_left_out);
   if (result.problem.observations.empty())
     throw InputError(fmt::format(
-        "{}: no marker is seen by both cameras in any used observation, which the {} objective needs; use the image "
+        "{}: no marker is seen by two cameras in any used observation, which the {} objective needs; use the image "
         "objective.",
         session_name(session), options.objective == Objective::camera ? "camera" : "angle-axis"));
   if (options.objective == Objective::camera) result.problem.noise = 1e-3;  // points: m
@@ -226,8 +227,7 @@ Fit fit(const Session& session, const FitOptions& options) {
     set_effects(result.problem, result.solution.unknowns.effects);
   }
   set_noise(session, images, result);
-  set_covariances(images, options, (session.is_tracker() ? session.sigma_point : session.sigma_pixel).has_value(),
-                  result);
+  set_covariances(images, options, declared_noise(session).has_value() || !result.noise_estimate, result);
   add_shape_covariance(result);
   set_body(options, result);
   set_effect_results(options.effects.size(), result);

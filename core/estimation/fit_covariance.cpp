@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/fit_covariance.h"
 
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
+#include "estimation/noise.h"
 #include "estimation/objectives.h"
 
 namespace handsight {
@@ -87,21 +86,9 @@ bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution
   const std::optional<Solution> other = is_own ? std::nullopt : std::optional(solve(images, fit.solution.unknowns));
   const int unknowns = other ? unknowns_of(images, *other, unit_covariance(*other), false) : fit.unknowns;
   const NormalEquations& efficient = other ? other->normal : at_solution;
-  const double cost = efficient.data_cost();
-  const int degrees = efficient.rows - unknowns;
-  if (degrees <= 0) return true;  // nothing speaks against it
-  const double variance = *fit.noise * *fit.noise;
-  if (!declared) {
-    // The noise was estimated from part of these same residuals, with an error of its own: what is left of them over
-    // is to be no larger (Fisher's F).
-    const int extra = degrees - fit.noise_estimate->degrees;
-    if (extra <= 0) return true;
-    const double ratio = std::max(cost - variance * fit.noise_estimate->degrees, 0.0) / extra / variance;
-    const boost::math::fisher_f expected(extra, fit.noise_estimate->degrees);
-    return boost::math::cdf(boost::math::complement(expected, ratio)) > 1e-3;
-  }
-  const double chi2 = cost / variance;
-  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees), chi2)) > 1e-3;
+  const double squares = efficient.data_cost() / (*fit.noise * *fit.noise);
+  const auto test = noise_test(squares, efficient.rows - unknowns, declared ? 0 : fit.noise_estimate->degrees);
+  return !test || test->p > 1e-3;  // where nothing is left, nothing speaks against it
 }
 
 /// With a loss: its curvature about the moment of its scores, of sightings where the noise is all that differs, of

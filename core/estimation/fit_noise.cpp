@@ -5,11 +5,11 @@
 #include <cmath>
 
 namespace handsight {
-namespace {
-
 const std::optional<double>& declared_noise(const Session& session) {
   return session.is_tracker() ? session.sigma_point : session.sigma_pixel;
 }
+
+namespace {
 
 /// Robust scale of one coordinate: from the median squared length of the sightings' residuals, which for noise alone is
 /// about (1 - 2/9k)^3 k variances for k rows.
@@ -57,7 +57,9 @@ std::optional<double> noise_at_start(const Session& session, const Problem& imag
   const auto& declared = declared_noise(session);
   if (declared && *declared > 0) return declared;
   const auto seen = seen_noise(images, start);
-  return seen && seen->sigma > 0 ? std::optional(seen->sigma) : std::nullopt;
+  if (seen && seen->sigma > 0) return seen->sigma;
+  const double told = usual_sigma(session);
+  return told > 0 ? std::optional(told) : std::nullopt;
 }
 
 void set_prior_noise(const Session& session, const Unknowns& start, Problem& images) {
@@ -93,6 +95,12 @@ void set_noise(const Session& session, const Problem& images, Fit& fit) {
       fit.notes.push_back(fmt::format(
           "The noise, {:.3g} {}, is that of poses which were measured again; how well the robot repeats is part of it.",
           *fit.noise, unit));
+  }
+  if (const double told = usual_sigma(session); !fit.noise && told > 0) {
+    fit.noise = told;
+    fit.notes.push_back(fmt::format(
+        "Nothing but the measurements' own sigmas (usually {:.3g} {}) tells the noise; they are taken at their word.",
+        told, unit));
   }
   if (declared && fit.noise_estimate && std::abs(fit.noise_estimate->sigma - *declared) > 3 * fit.noise_estimate->error)
     fit.notes.push_back(fmt::format(

@@ -6,6 +6,9 @@
 
 namespace handsight {
 
+/// Of one coordinate (px, m), as the session has it.
+const std::optional<double>& declared_noise(const Session& session);
+
 /// Points that stand against each other better than any sensor measures (1e-3 px, 1 um) and a hundred times better than
 /// the model meets them: a tracker's virtual points, computed from one pose. Their scatter says nothing of the noise.
 bool are_rigid_by_construction(const Problem& images, const Unknowns& unknowns, const NoiseEstimate& estimate);

@@ -31,8 +31,8 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
       residuals.lengths.push_back((*s.point - predicted).norm());
       residuals.length_squares_of_noise += 3;
     }
-    if (!images.rig || !s.left || !s.right) continue;
-    if (const auto point = triangulate(*images.rig, *s.left, *s.right)) {
+    if (!images.rig) continue;
+    if (const auto point = triangulate_unweighed(*images.rig, s)) {
       residuals.lengths.push_back((point->point - predicted).norm());
       residuals.length_squares_of_noise += point->covariance.trace();
     }
@@ -89,6 +89,7 @@ std::optional<Unknowns> nearby_estimate(const Fit& fit, const std::vector<char>&
   constexpr double near = 5e-4;  // a first step that short needs no second one
   constexpr double settled = 1e-6;
   constexpr int most_steps = 12;
+  const double little = 1e-3 * fit.residual_rms * fit.residual_rms;  // of the squares: no residual shows it
   Problem part = part_of(fit.problem, trains);
   Unknowns unknowns = estimate(fit);
   NormalEquations normal = normal_equations(part, unknowns);
@@ -99,7 +100,8 @@ std::optional<Unknowns> nearby_estimate(const Fit& fit, const std::vector<char>&
     const double size = size_of(part, step);
     if (i > 0 && size > 0.7 * last) return std::nullopt;
     unknowns = moved(part, unknowns, step);
-    if (size < settled || (i == 0 && size < near)) return unknowns;
+    const bool gains_little = normal.gradient.dot(step) < little;
+    if (size < settled || gains_little || (i == 0 && size < near)) return unknowns;
     last = size;
     follow_effects(part, unknowns.effects);
     normal = normal_equations(part, unknowns);
@@ -233,6 +235,15 @@ std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemOb
                       to_tcp * pose->unit_covariance * to_tcp.transpose()};
 }
 
+ErrorSummary error_on(const Session& others, const Fit& fit) {
+  Problem images = make_problem(others, chain_of(others), fit.problem.terms);
+  images.tcp_from_slip = fit.problem.tcp_from_slip;
+  if (!images.terms.empty()) place_observations(images);
+  std::vector<Residuals> all;
+  for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
+  return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+}
+
 std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, const FitOptions& options, int blocks) {
   const Problem& images = fit.problem;
   std::vector<int> folds;
@@ -246,7 +257,7 @@ std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, c
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {
   Problem images = fit.problem;
-  if (fit.objective == Objective::camera && session.stereo) {
+  if (fit.objective == Objective::camera && session.rig) {
     images = make_problem(session, chain_of(session), fit.problem.terms);
     images.tcp_from_slip = fit.problem.tcp_from_slip;
     images.columns_of_effects = fit.problem.columns_of_effects;

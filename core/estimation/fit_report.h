@@ -53,6 +53,10 @@ struct FitReport {
 /// `options` must be those of the fit. Held-out errors need observations in two folds at least; else they are absent.
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options = {});
 
+/// What a fit leaves of observations that it has not seen: a part of the same session (session/sample.h), or another of
+/// the same robot, sensors and hand. Fitted errors; no folds.
+ErrorSummary error_on(const Session& others, const Fit& fit);
+
 /// The mean square of each used observation's coordinates (px^2, m^2), in order of time, where the block of `blocks`
 /// blocks of neighbours in time in which it lies is left out of the fit. An image fit.
 std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, const FitOptions& options, int blocks);

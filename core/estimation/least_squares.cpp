@@ -104,6 +104,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   const bool can_start = std::isfinite(solution.start_cost);
   double damping = 1e-8;
   bool was_refused = false;
+  int patience = 0, wait = 0;  // steps that are taken before a longer one is tried
   while (can_start && solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
     ++solution.iterations;
     solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
@@ -118,13 +119,17 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < options.least_gain;
     const bool rounding = size < options.smallest_step || gains_nothing;
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost;
+    const double kept_promise = (solution.normal.cost - normal.cost) / std::max(gradient.dot(step), 1e-300);
+    const bool accepted = !was_refused;
     was_refused = !better;
     if (better || rounding) {
       if (better) {
         solution.unknowns = next;
         solution.normal = std::move(normal);
       }
-      damping = std::max(damping * 0.1, 1e-15);
+      // What bends is not trusted farther at once, and ever later where that was refused: else every other step is.
+      if (kept_promise > 0.75 && --wait < 0) damping = std::max(damping * 0.1, 1e-15);
+      if (kept_promise < 0.1) damping *= 3;
       solution.converged = rounding;
       if (options.on_iteration && !options.on_iteration(solution.iterations, solution.normal.cost, solution.unknowns))
         solution.stopped = true;
@@ -133,6 +138,8 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
       if (size < 1e-9 && gradient.dot(step) < 1e-13 * (solution.normal.cost + 1e-300)) solution.converged = true;
       damping = std::max(damping * 10, 1e-6);
       if (damping > 1e12) break;
+      if (accepted) patience = std::max(1, 2 * patience);
+      wait = patience;
     }
   }
   if (!solution.normal.in_front) solution.converged = false;

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/loss.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace handsight {
 
-double bend(int rows) { return rows <= 2 ? 2.45 : rows == 3 ? 2.80 : rows == 4 ? 3.08 : 3.55; }
+double bend(int rows) {
+  constexpr double lengths[] = {2.45, 2.45, 2.45, 2.80, 3.08, 3.33, 3.55, 3.75, 3.94,
+                                4.11, 4.28, 4.44, 4.59, 4.73, 4.87, 5.00, 5.13};
+  return lengths[std::clamp(rows, 0, static_cast<int>(std::size(lengths)) - 1)];
+}
 
 LossValue loss_at(Loss loss, double squared_length, int rows, double noise) {
   if (loss == Loss::none || rows == 0) return {1, squared_length, 0};

@@ -9,7 +9,7 @@ namespace handsight {
 /// Robust losses on the length of one sighting's residual in units of the noise; they bend at `bend`.
 enum class Loss { none, huber, cauchy };
 
-/// Where a loss bends, in units of the noise: the length that noise alone exceeds once in 20 (chi, 2 to 4 rows, or 6).
+/// Where a loss bends, in units of the noise: the length that noise alone exceeds once in 20 (chi, 2 rows to 16).
 double bend(int rows);
 
 /// A loss rho of a squared length s, scaled so that it is s near 0.

@@ -3,6 +3,8 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <map>
 #include <numeric>
 
@@ -12,9 +14,9 @@
 namespace handsight {
 namespace {
 
-/// The rows of one observation: by the body's six small motions, and by what observations share (3 a marker, 22 for
-/// the cameras) with the error as the last column, so that one product makes all sums. Kept from one observation to
-/// the next, for their memory.
+/// The rows of one observation: by the body's six small motions, and by what observations share (3 a marker, then
+/// the rig's numbers) with the error as the last column, so that one product makes all sums. Kept from one observation
+/// to the next, for their memory.
 struct Rows {
   Eigen::Matrix<double, Eigen::Dynamic, 6> by_pose;
   Eigen::MatrixXd shared_and_error;
@@ -24,15 +26,17 @@ struct Rows {
 constexpr double near_enough = 1e-3;
 constexpr Eigen::Index stacked_rows = 512;  // a long product costs less than many short ones
 
+Eigen::Index rig_numbers(const Problem& problem) { return problem.rig ? rig_number_count(problem.rig->count()) : 0; }
+
 void set_rows(const Problem& problem, const ProblemObservation& o, const Unknowns& u, Rows& rows) {
-  const StereoRig* rig = problem.rig_or_null();
+  const Rig* rig = problem.rig_or_null();
   // The body's own pose is the place to linearise at: with a large effect the chain's is pixels away.
   Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
   if (const auto pose = refined_body_pose(rig, o.sightings, markers_at(o, u), sensor_from_tcp, near_enough))
     sensor_from_tcp = *pose;
 
   const Eigen::Index cameras = 3 * problem.marker_count;
-  const Eigen::Index error = cameras + (rig ? 22 : 0);
+  const Eigen::Index error = cameras + rig_numbers(problem);
   Eigen::Index count = 0;
   for (const Sighting& s : o.sightings) count += row_count(s);
   rows.by_pose.resize(count, 6);
@@ -41,13 +45,13 @@ void set_rows(const Problem& problem, const ProblemObservation& o, const Unknown
   for (const Sighting& s : o.sightings) {
     const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
     const SightingResidual r = sighting_residual(rig, s, x);
-    const Eigen::Matrix<double, 4, 3> by_rotation = -r.by_point * cross_matrix(x);
-    const Eigen::Matrix<double, 4, 3> by_marker = r.by_point * sensor_from_tcp.rotation;
-    rows.shared_and_error.col(error).segment(row, r.rows) = r.error.head(r.rows);
-    rows.by_pose.block(row, 0, r.rows, 3) = r.by_point.topRows(r.rows);
-    rows.by_pose.block(row, 3, r.rows, 3) = by_rotation.topRows(r.rows);
-    rows.shared_and_error.block(row, 3 * s.marker, r.rows, 3) = by_marker.topRows(r.rows);
-    if (rig) rows.shared_and_error.block(row, cameras, r.rows, 22) = camera_columns(*rig, s, x).topRows(r.rows);
+    const SightingRows<3> by_rotation = -r.by_point * cross_matrix(x);
+    const SightingRows<3> by_marker = r.by_point * sensor_from_tcp.rotation;
+    rows.shared_and_error.col(error).segment(row, r.rows) = r.error;
+    rows.by_pose.block(row, 0, r.rows, 3) = r.by_point;
+    rows.by_pose.block(row, 3, r.rows, 3) = by_rotation;
+    rows.shared_and_error.block(row, 3 * s.marker, r.rows, 3) = by_marker;
+    if (rig) rows.shared_and_error.block(row, cameras, r.rows, rig_numbers(problem)) = camera_columns(*rig, s, x);
     row += r.rows;
   }
 }
@@ -55,7 +59,7 @@ void set_rows(const Problem& problem, const ProblemObservation& o, const Unknown
 }  // namespace
 
 std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknowns& unknowns) {
-  const Eigen::Index shared = 3 * problem.marker_count + (problem.rig ? 22 : 0);
+  const Eigen::Index shared = 3 * problem.marker_count + rig_numbers(problem);
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(shared + 1, shared + 1);  // lower triangle
   Eigen::MatrixXd stack(stacked_rows, shared + 1);
   Eigen::Index stacked = 0, free_rows = 0;
@@ -146,16 +150,16 @@ std::optional<NoiseEstimate> noise_from_repeats(const Problem& problem, const Un
   double squares = 0;
   int degrees = 0;
   for (const std::vector<std::size_t>& group : repeated_poses(problem)) {
-    std::map<std::pair<int, int>, Sums> coordinates;  // of a marker: u and v, left and right, or x, y, z
+    std::map<std::pair<int, int>, Sums> coordinates;  // of a marker: u and v by camera, or x, y, z
     for (const std::size_t place : group) {
       const ProblemObservation& o = problem.observations[place];
       const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
       for (const Sighting& s : o.sightings) {
         const SightingResidual r =
             sighting_residual(problem.rig_or_null(), s, sensor_from_tcp * marker_at(o, unknowns, s.marker));
-        const int first = !s.point && !s.left ? 2 : 0;  // by the right camera alone
         for (int row = 0; row < r.rows; ++row) {
-          Sums& sums = coordinates[{s.marker, first + row}];
+          const int camera = s.point ? 0 : s.in_cameras[static_cast<std::size_t>(row / 2)].camera;
+          Sums& sums = coordinates[{s.marker, s.point ? row : 2 * camera + row % 2}];
           ++sums.count;
           sums.sum += r.error[row];
           sums.squares += r.error[row] * r.error[row];
@@ -170,6 +174,19 @@ std::optional<NoiseEstimate> noise_from_repeats(const Problem& problem, const Un
   if (degrees < fewest_degrees) return std::nullopt;
   const double sigma = std::sqrt(squares / degrees);
   return NoiseEstimate{sigma, sigma / std::sqrt(2.0 * degrees), degrees, true};
+}
+
+std::optional<NoiseTest> noise_test(double squares, double degrees, double estimated) {
+  namespace bm = boost::math;
+  NoiseTest test{squares, degrees, 1};
+  if (estimated > 0) {
+    test.chi2 = std::max(squares - estimated, 0.0);
+    test.degrees = degrees - estimated;
+  }
+  if (test.degrees < 1) return std::nullopt;
+  test.p = estimated > 0 ? bm::cdf(bm::complement(bm::fisher_f(test.degrees, estimated), test.chi2 / test.degrees))
+                         : bm::cdf(bm::complement(bm::chi_squared(test.degrees), test.chi2));
+  return test;
 }
 
 }  // namespace handsight

@@ -24,4 +24,16 @@ std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknow
 /// not. Nothing with fewer than 10 degrees of freedom.
 std::optional<NoiseEstimate> noise_from_repeats(const Problem& problem, const Unknowns& unknowns);
 
+/// Residual squares beside what noise alone leaves of them: chi2, in units of its variance, of so many degrees of
+/// freedom, and the probability of that many or more.
+struct NoiseTest {
+  double chi2 = 0, degrees = 0, p = 1;
+  double excess() const { return chi2 - degrees; }
+};
+
+/// `squares` in units of the noise's variance. `estimated`: the degrees of freedom from which the noise was estimated
+/// where that was part of these same residuals, 0 where it was not; what they leave over is then compared with it
+/// (Fisher's F), for chi2 and degrees are of the rest. Nothing where no degree of freedom is left.
+std::optional<NoiseTest> noise_test(double squares, double degrees, double estimated);
+
 }  // namespace handsight

@@ -81,7 +81,7 @@ void minimise(const Session& session, const Problem& images, const Unknowns& sta
       fit.fixed_markers ? with_average_shape(images, start, fit.shape_covariance) : start;
   if (!held)
     throw InputError(fmt::format(
-        "{}: holding the markers fixed needs an observation that shows three of them as points (both cameras, or a "
+        "{}: holding the markers fixed needs an observation that shows three of them as points (two cameras, or a "
         "tracker), and there is none; fit with free markers.",
         session.file.filename().string()));
   const Unknowns& from = *held;
@@ -135,9 +135,8 @@ Eigen::MatrixXd point_noise_middle(const Problem& points, const Unknowns& unknow
       const Vector3 x = sensor_from_tcp * marker_at(o, unknowns, o.sightings[i].marker);
       Eigen::MatrixXd by = Eigen::MatrixXd::Zero(3, points.columns());
       by.middleCols<3>(m) = sensor_from_tcp.rotation;
-      Eigen::Matrix<double, 3, 6> by_motion;
-      by_motion << Matrix3::Identity(), -cross_matrix(x);
-      by.rightCols(points.columns() - points.mount_column()) = by_motion * motion_by_columns(points, o, unknowns);
+      by.rightCols(points.columns() - points.mount_column()) =
+          by_motion(Matrix3(Matrix3::Identity()), x) * motion_by_columns(points, o, unknowns);
       middle +=
           by.transpose() * (o.point_covariances.empty() ? Matrix3(Matrix3::Identity()) : o.point_covariances[i]) * by;
     }

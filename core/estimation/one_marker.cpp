@@ -114,8 +114,7 @@ std::optional<Vector3> measured_marker(const Session& session, const Observation
   for (const Sighting& s : observation.sightings) {
     if (s.marker != marker) continue;
     if (s.point) return s.point;
-    if (!s.left || !s.right) return std::nullopt;
-    const auto point = triangulate(*session.stereo, *s.left, *s.right);
+    const auto point = triangulate_unweighed(*session.rig, s);
     return point ? std::optional(point->point) : std::nullopt;
   }
   return std::nullopt;

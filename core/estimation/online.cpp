@@ -2,12 +2,11 @@
 #include "estimation/online.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <chrono>
 #include <cmath>
 
 #include "estimation/body_pose.h"
+#include "estimation/noise.h"
 #include "estimation/start.h"
 
 namespace handsight {
@@ -21,14 +20,10 @@ bool moved_enough(const Joint& joint, double change, const OnlineOptions& option
   return std::abs(change) >= (joint.kind == JointKind::prismatic ? options.new_pose_m : options.new_pose_rad);
 }
 
-/// Are the squares (in units of the noise) more than the noise explains, p < 1e-3? Where the noise was estimated from
-/// `estimated` degrees of freedom of these same residuals, what is left over is compared with it (Fisher's F).
+/// Are the squares (in units of the noise) more than the noise explains?
 bool exceeds_noise(double squares, int degrees, int estimated) {
-  namespace bm = boost::math;
-  if (estimated <= 0) return bm::cdf(bm::complement(bm::chi_squared(degrees), squares)) < 1e-3;
-  const int extra = degrees - estimated;
-  if (extra <= 0) return false;
-  return bm::cdf(bm::complement(bm::fisher_f(extra, estimated), std::max(squares - estimated, 0.0) / extra)) < 1e-3;
+  const auto test = noise_test(squares, degrees, estimated);
+  return test && test->p < 1e-3;
 }
 
 double milliseconds_since(std::chrono::steady_clock::time_point began) {
@@ -48,10 +43,12 @@ OnlineCalibration::OnlineCalibration(const Session& session, OnlineOptions optio
       mount_(session.mount),
       options_(std::move(options)),
       declared_noise_(session.is_tracker() ? session.sigma_point : session.sigma_pixel),
+      usual_sigma_(usual_sigma(session) > 0 ? usual_sigma(session)
+                                            : declared_noise_.value_or(chain_.rig ? 0.15 : 3e-4)),
       shape_(chain_.marker_count),
       sides_(options_.sides),
       sides_are_kept_(options_.sides.has_value()) {
-  problem_.rig = chain_.stereo;
+  problem_.rig = chain_.rig;
   problem_.marker_count = chain_.marker_count;
   problem_.mount_is_estimated = mount_.estimate;
   problem_.marker_is_seen.assign(static_cast<std::size_t>(chain_.marker_count), 0);
@@ -115,11 +112,14 @@ std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, con
                                             const ProblemObservation& posture, std::vector<Sighting>& sightings) const {
   // The markers in the TCP frame stand for the body: its prediction is the chain's TCP (thesis 4.52).
   const Rigid prediction = sensor_from_tcp_at(posture, fit_->unknowns().mount_from_sensor);
-  const Match match = match_markers(*problem_.rig, left, right, known_markers(), prediction, options_.match);
+  const Match match = match_markers(stereo_of(*problem_.rig), left, right, known_markers(), prediction, options_.match);
   for (const MatchedMarker& m : match.markers) {
-    Sighting s{m.marker, {}, {}, {}, MarkedBy::tracker};
-    if (m.left >= 0) s.left = left[static_cast<std::size_t>(m.left)].position;
-    if (m.right >= 0) s.right = right[static_cast<std::size_t>(m.right)].position;
+    Sighting s{.marker = m.marker, .by = MarkedBy::tracker};
+    const auto take = [&](const Corner& corner, int camera) {
+      see(s, camera, corner.position, pixel_sigma(measured_covariance(corner)));
+    };
+    if (m.left >= 0) take(left[static_cast<std::size_t>(m.left)], 0);
+    if (m.right >= 0) take(right[static_cast<std::size_t>(m.right)], 1);
     sightings.push_back(s);
   }
   return match.reason;
@@ -141,7 +141,7 @@ std::string OnlineCalibration::label_refusal(const std::vector<Sighting>& sighti
     if (s.point) {
       measured = *s.point;
     } else {
-      const auto point = s.left && s.right ? triangulate(*problem_.rig, *s.left, *s.right) : std::nullopt;
+      const auto point = triangulate_unweighed(*problem_.rig, s);
       if (!point) continue;
       measured = point->point;
       sigma = std::hypot(sigma, noise().value_or(0.3) * std::sqrt(point->covariance.trace()));
@@ -159,7 +159,7 @@ std::string OnlineCalibration::label_refusal(const std::vector<Sighting>& sighti
 std::string OnlineCalibration::start(const ProblemObservation& first) {
   const auto needed = static_cast<std::size_t>(markers_needed(problem_.marker_count));
   std::size_t points = 0;
-  for (const Sighting& s : first.sightings) points += s.point || (s.left && s.right) ? 1 : 0;
+  for (const Sighting& s : first.sightings) points += s.point || s.in_cameras.size() > 1 ? 1 : 0;
   if (points < needed)
     return fmt::format("the first observation needs {} labelled markers seen as points, and has {}", needed, points);
   waiting_.push_back(first);
@@ -291,6 +291,7 @@ OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePai
     }
   }
   posture.sightings = step.sightings;
+  for (Sighting& s : posture.sightings) s.usual_sigma = usual_sigma_;
   if (step.reason.empty() && first) step.reason = start(posture);
   if (step.reason.empty()) {
     step.accepted = true;

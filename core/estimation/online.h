@@ -118,6 +118,7 @@ class OnlineCalibration {
   OnlineOptions options_;
   Problem problem_;
   std::optional<double> declared_noise_;
+  double usual_sigma_;  // px or m: what a sighting of weight 1 has; Sighting::usual_sigma
   std::optional<IncrementalFit> fit_;
   RunningShape shape_;
   std::optional<BodySides> sides_;

@@ -17,7 +17,7 @@ constexpr std::size_t most_looked_at = 60;  // of the open observations, the new
 std::vector<Sighting> labels_by_somebody(const Observation& o) {
   std::vector<Sighting> labels;
   for (const Sighting& s : o.sightings)
-    if (s.by != MarkedBy::tracker && s.left && s.right) labels.push_back(s);
+    if (s.by != MarkedBy::tracker && s.in_cameras.size() > 1) labels.push_back(s);
   if (labels.size() < 3) labels.clear();
   return labels;
 }
@@ -36,11 +36,8 @@ std::vector<SeenBody> seen_bodies(const StereoRig& rig, const std::vector<Corner
   for (const BodyCandidate& c : body_candidates(rig, left, right, known, options)) {
     SeenBody seen{{}, c.sensor_from_body, c.sigma, c.turn_sigma};
     for (const MatchedMarker& m : c.markers)
-      seen.sightings.push_back({m.marker,
-                                left[static_cast<std::size_t>(m.left)].position,
-                                right[static_cast<std::size_t>(m.right)].position,
-                                {},
-                                MarkedBy::tracker});
+      seen.sightings.push_back(seen_at(m.marker, left[static_cast<std::size_t>(m.left)].position,
+                                       right[static_cast<std::size_t>(m.right)].position, MarkedBy::tracker));
     bodies.push_back(std::move(seen));
   }
   return bodies;
@@ -49,7 +46,8 @@ std::vector<SeenBody> seen_bodies(const StereoRig& rig, const std::vector<Corner
 }  // namespace
 
 bool OnlineCalibration::searches_mount(const Observation& observation, const ImagePair* images) const {
-  if (fit_ || !mount_.estimate || mount_.known || !problem_.rig || problem_.marker_count < 3) return false;
+  if (fit_ || !mount_.estimate || mount_.known || problem_.marker_count < 3) return false;
+  if (!problem_.rig || !is_pair(*problem_.rig)) return false;
   return images || !labels_by_somebody(observation).empty();
 }
 
@@ -61,9 +59,10 @@ KnownMarkers OnlineCalibration::labelled_markers() const {
   for (const Open& o : open_) {
     if (!o.is_labelled) continue;
     for (const Sighting& s : o.posture.sightings) {
-      if (!s.left || !s.right) continue;
-      const auto point = triangulate(*problem_.rig, *s.left, *s.right, covariance_at(o.left, *s.left),
-                                     covariance_at(o.right, *s.right));
+      const CameraPoint *left = seen_by(s, 0), *right = seen_by(s, 1);
+      if (!left || !right) continue;
+      const auto point = triangulate(stereo_of(*problem_.rig), left->pixel, right->pixel,
+                                     covariance_at(o.left, left->pixel), covariance_at(o.right, right->pixel));
       if (!point) continue;
       known.in_body[static_cast<std::size_t>(s.marker)] = point->point;
       known.sigma[static_cast<std::size_t>(s.marker)] = std::sqrt(point->covariance.trace() / 3);
@@ -134,7 +133,8 @@ void OnlineCalibration::look_for_mount() {
   for (Open& o : open_) open += o.is_labelled ? 0 : 1;
   for (Open& o : open_) {
     if (!o.is_labelled && open-- > most_looked_at) continue;
-    if (!o.has_bodies && !o.is_labelled) o.bodies = seen_bodies(*problem_.rig, o.left, o.right, known, options_.match);
+    if (!o.has_bodies && !o.is_labelled)
+      o.bodies = seen_bodies(stereo_of(*problem_.rig), o.left, o.right, known, options_.match);
     if (o.is_labelled && !o.has_bodies) {
       std::vector<Vector3> in_body;
       for (const auto& x : known.in_body) in_body.push_back(x.value_or(Vector3::Zero()));

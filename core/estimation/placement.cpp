@@ -62,8 +62,8 @@ void set_motion(const Problem& problem, const Circumstances& c, const Sites& sit
       posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)] * small_motion<double>(sites.hand);
   const Matrix6 root_from_slip = adjoint(root_from_tcp * problem.tcp_from_slip);
   const Matrix6 by_body = root_from_slip * small_motion_jacobian(sites.body);
-  const Matrix6 by_hand = adjoint(posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)]) *
-                          small_motion_jacobian(sites.hand);
+  const Matrix6 by_hand =
+      adjoint(posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)]) * small_motion_jacobian(sites.hand);
   const Rigid mount = small_motion<double>(sites.mount), drift = small_motion<double>(sites.drift);
   const Matrix6 by_mount = adjoint(inverse(mount * drift)) * small_motion_jacobian(sites.mount);
   const Matrix6 by_drift = adjoint(inverse(drift)) * small_motion_jacobian(sites.drift);
@@ -119,21 +119,32 @@ void place(const Problem& problem, bool derives, ProblemObservation& o) {
   o.deflection = std::move(posture.deflection);
 }
 
+/// What the rig's numbers do as a unit of an effect moves the cameras' sites by `d`.
+void set_numbers(const Sites& sites, const Sites& d, int cameras, Eigen::Ref<Eigen::VectorXd> numbers) {
+  for (int c = 0; c < cameras; ++c) {
+    const auto at = static_cast<std::size_t>(c);
+    numbers.segment<camera_number_count>(first_number(cameras, c)) = d.cameras[at].numbers;
+    if (c > 0)
+      numbers.segment<6>(motion_number(c)) = small_motion_jacobian(sites.cameras[at].motion) * d.cameras[at].motion;
+  }
+}
+
 /// Cameras and rig move alike in all observations; only the chain's circumstances are needed.
 void place_cameras(Problem& problem) {
   const Chain& chain = problem.source->chain;
-  if (!chain.stereo || !problem.rig) return;
+  if (!chain.rig || !problem.rig) return;
   const Circumstances c =
       circumstances_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
   const Sites sites = moved_sites(c, problem.terms);
-  if (!problem.terms.empty()) problem.rig = moved_rig(*chain.stereo, sites);
-  problem.cameras_by_effect.resize(22, 0);
+  if (!problem.terms.empty()) problem.rig = moved_rig(*chain.rig, sites);
+  problem.cameras_by_effect.resize(0, 0);
   UnitSites unit(problem, c);
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const Sites& d = unit.of(problem.columns_of_effects[static_cast<std::size_t>(i)]);
-    if (d.rig.isZero(0) && d.left_camera.isZero(0) && d.right_camera.isZero(0)) continue;
-    if (problem.cameras_by_effect.cols() == 0) problem.cameras_by_effect.setZero(22, problem.effect_count());
-    problem.cameras_by_effect.col(i) << small_motion_jacobian(sites.rig) * d.rig, d.left_camera, d.right_camera;
+    if (std::all_of(d.cameras.begin(), d.cameras.end(), [](const CameraChange& c) { return c.is_zero(); })) continue;
+    if (problem.cameras_by_effect.cols() == 0)
+      problem.cameras_by_effect.setZero(rig_number_count(chain.rig->count()), problem.effect_count());
+    set_numbers(sites, d, chain.rig->count(), problem.cameras_by_effect.col(i));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "effects/own_effect.h"
+#include "effects/rig_effects.h"
 #include "effects/term_numbers.h"
 
 namespace handsight {
@@ -104,10 +105,50 @@ PredictionModel prediction_model(const Fit& fit) {
   return model;
 }
 
+namespace {
+
+/// The name of a camera before that of one of its numbers: "side" of "side_fx". Nothing where it is none.
+std::optional<std::string> camera_before_number(const std::string& name) {
+  for (const CameraNumber& number : camera_numbers({}))
+    if (const std::string end = std::string("_") + number.name; name.size() > end.size() && name.ends_with(end))
+      return name.substr(0, name.size() - end.size());
+  return std::nullopt;
+}
+
+/// A rig with the names of the cameras that a calibration speaks of: so many that its effects are what they were.
+Rig rig_named_in(const Calibration& calibration) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::optional<std::string>& name) {
+    if (name && std::find(names.begin(), names.end(), *name) == names.end()) names.push_back(*name);
+  };
+  const auto rig_is = [](const CalibrationEffect& e) { return e.id == "rig"; };
+  bool has_rig = std::any_of(calibration.effects.begin(), calibration.effects.end(), rig_is), has_single = has_rig;
+  if (has_rig) names.push_back("first camera");
+  for (const CalibrationEffect& e : calibration.effects)
+    for (const CalibrationParameter& p : e.parameters) {
+      if (e.id != "camera_intrinsics" && e.id != "lens_distortion" && e.id != "rig") continue;
+      has_single = has_single || !p.of.empty();
+      add(p.of.empty() ? camera_before_number(p.name) : std::optional(p.of));
+    }
+  for (const EffectDefinition& d : calibration.definitions)
+    for (const DefinedMove& m : d.moves) add(camera_before_number(m.site));
+  if (names.empty()) return rig_of(StereoRig{});
+  if (has_single && names.size() == 2) names.push_back("another camera");
+  if (!has_single && names.size() == 1) names.push_back(names.front() == "right" ? "left" : "right");
+  Rig rig;
+  for (std::string& name : names)
+    if (rig.count() < max_cameras) rig.cameras.push_back(RigCamera{std::move(name), Camera(), Rigid()});
+  if (find_camera(rig, "left") == 1 && rig.count() == 2) std::swap(rig.cameras[0].name, rig.cameras[1].name);
+  return rig;
+}
+
+}  // namespace
+
 PredictionModel prediction_model(const Calibration& calibration, const Robot& robot) {
   PredictionModel model;
-  OwnEffects own;
-  for (const EffectDefinition& d : calibration.definitions) own.push_back(own_effect(d, robot));
+  const Rig rig = rig_named_in(calibration);
+  OwnEffects own = rig_effects(rig);
+  for (const EffectDefinition& d : calibration.definitions) own.push_back(own_effect(d, robot, rig));
   std::vector<NumberPlace> listed;  // where each parameter of the file stands in the model
   std::vector<double> variances;
   for (const CalibrationEffect& e : calibration.effects) {

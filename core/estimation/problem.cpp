@@ -20,7 +20,7 @@ bool reads_torques(const std::vector<EffectTerm>& terms, const OwnEffects& own) 
 Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held,
                      const std::vector<EffectTerm>& estimated) {
   Problem problem;
-  problem.rig = chain.stereo;
+  problem.rig = chain.rig;
   problem.marker_count = chain.marker_count;
   problem.mount_is_estimated = session.mount.estimate;
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
@@ -40,6 +40,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     for (Circumstances& c : source->circumstances) c.torque = nominal_torques(source->chain, c.sensor);
   problem.source = source;
 
+  const double usual = usual_sigma(session);
   std::vector<int> order(session.observations.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -53,6 +54,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     ProblemObservation& o = problem.observations.emplace_back();
     o.index = index;
     o.sightings = observation.sightings;
+    for (Sighting& s : o.sightings) s.usual_sigma = usual;
     for (const Sighting& s : observation.sightings) problem.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;
   }
   place_observations(problem);
@@ -82,7 +84,7 @@ void set_effects(Problem& problem, const Eigen::VectorXd& values) {
 
 void hold_effects(Problem& problem) {
   problem.columns_of_effects.clear();
-  problem.cameras_by_effect.resize(22, 0);
+  problem.cameras_by_effect.resize(0, 0);
   for (ProblemObservation& o : problem.observations) o.motion = EffectMotion{};
 }
 
@@ -96,12 +98,12 @@ Problem as_points(const Problem& problem, int& left_out) {
     std::vector<Sighting> kept;
     observation.point_covariances.clear();
     for (const Sighting& s : observation.sightings) {
-      const auto point = s.left && s.right ? triangulate(*problem.rig, *s.left, *s.right) : std::nullopt;
+      const auto point = triangulate(*problem.rig, s);
       if (!point) {
         ++left_out;
         continue;
       }
-      kept.push_back({s.marker, {}, {}, point->point, s.by});
+      kept.push_back({.marker = s.marker, .point = point->point, .by = s.by});
       observation.point_covariances.push_back(point->covariance);
       points.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;
     }
@@ -138,14 +140,59 @@ Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservati
                                   const Matrix3& sensor_from_tcp_rotation) {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(residual.rows, problem.effect_count());
   for (const EffectMotion::MarkerColumn& m : o.motion.markers)
-    if (m.marker == sighting.marker)
-      rows.col(m.column) += residual.by_point.topRows(residual.rows) * (sensor_from_tcp_rotation * m.direction);
+    if (m.marker == sighting.marker) rows.col(m.column) += residual.by_point * (sensor_from_tcp_rotation * m.direction);
   if (problem.cameras_by_effect.cols() == 0 || !problem.rig) return rows;
-  rows += camera_columns(*problem.rig, sighting, x_in_sensor).topRows(residual.rows) * problem.cameras_by_effect;
+  // Camera by camera: what a sighting's rows owe to the numbers of the others is zero.
+  const CameraColumns by_numbers = camera_columns(*problem.rig, sighting, x_in_sensor);
+  const int cameras = problem.rig->count();
+  Eigen::Index row = 0;
+  for (const CameraPoint& seen : sighting.in_cameras) {
+    const Eigen::Index first = first_number(cameras, seen.camera);
+    rows.middleRows<2>(row) += by_numbers.block<2, camera_number_count>(row, first)
+                                   .lazyProduct(problem.cameras_by_effect.middleRows<camera_number_count>(first));
+    if (seen.camera > 0)
+      rows.middleRows<2>(row) += by_numbers.block<2, 6>(row, motion_number(seen.camera))
+                                     .lazyProduct(problem.cameras_by_effect.middleRows<6>(motion_number(seen.camera)));
+    row += 2;
+  }
   return rows;
 }
 
 namespace {
+
+/// What the sightings of an observation add up to by the six motions of the body.
+struct BodySums {
+  Matrix6 information = Matrix6::Zero();
+  Vector6 gradient = Vector6::Zero();
+};
+
+/// One sighting's part. The usual two cameras have rows of a fixed number, whose products cost less.
+template <int Rows>
+void add_sighting_with_effects(const Problem& problem, const ProblemObservation& o, const Sighting& sighting,
+                               const SightingResidual& r, const Vector3& x, double root, const Matrix3& rotation,
+                               const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion, bool direct, BodySums& sums,
+                               NormalEquations& normal) {
+  constexpr int most = Rows == Eigen::Dynamic ? max_rows : Rows;
+  const Eigen::Index mount = problem.mount_column(), count = problem.columns() - mount, m = 3 * sighting.marker;
+  const Eigen::Matrix<double, Rows, 3, 0, most, 3> by_point = root * r.by_point;
+  const auto by_body = by_motion(by_point, x);
+  const Eigen::Matrix<double, Rows, 3, 0, most, 3> by_marker = by_point * rotation;
+  const Eigen::Matrix<double, Rows, 1, 0, most, 1> error = root * r.error;
+  normal.cost += error.squaredNorm();
+  normal.information.block<3, 3>(m, m).noalias() += by_marker.transpose() * by_marker;
+  normal.gradient.segment<3>(m).noalias() += by_marker.transpose() * error;
+  if (!direct) {
+    sums.information.noalias() += by_body.transpose() * by_body;
+    sums.gradient.noalias() += by_body.transpose() * error;
+    normal.information.block(mount, m, count, 3).noalias() += motion.transpose() * (by_body.transpose() * by_marker);
+    return;
+  }
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> by_columns = by_body * motion;
+  by_columns.rightCols(problem.effect_count()) += root * direct_by_effects(problem, o, sighting, r, x, rotation);
+  normal.information.block(mount, mount, count, count).noalias() += by_columns.transpose() * by_columns;
+  normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;
+  normal.gradient.segment(mount, count).noalias() += by_columns.transpose() * error;
+}
 
 /// The general road: effects among the columns, or a sensor or markers that move.
 void add_observation_with_effects(const Problem& problem, const ProblemObservation& o, const Unknowns& u,
@@ -155,41 +202,21 @@ void add_observation_with_effects(const Problem& problem, const ProblemObservati
   const Eigen::Index count = problem.columns() - mount;
   const auto motion = motion_by_columns(problem, o, u);
   const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
-  Matrix6 information = Matrix6::Zero();
-  Vector6 gradient = Vector6::Zero();
+  BodySums sums;
   for (std::size_t i = 0; i < o.sightings.size(); ++i) {
     const Sighting& sighting = o.sightings[i];
     const Vector3 x = sensor_from_tcp * marker_at(o, u, sighting.marker);
-    SightingResidual r = sighting_residual(problem.rig_or_null(), sighting, x);
+    const SightingResidual r = sighting_residual(problem.rig_or_null(), sighting, x);
     const double root = o.weights.empty() ? 1.0 : std::sqrt(o.weights[i]);
-    Eigen::Matrix<double, 4, 6> by_motion;  // rows that were not measured are zero
-    by_motion << root * r.by_point, -root * r.by_point * cross_matrix(x);
-    const Eigen::Matrix<double, 4, 3> by_marker = root * r.by_point * sensor_from_tcp.rotation;
-    const Eigen::Matrix<double, 4, 1> error = root * r.error;
-    normal.cost += error.squaredNorm();
     normal.rows += r.rows;
     normal.in_front = normal.in_front && r.in_front;
-    const Eigen::Index m = 3 * sighting.marker;
-    normal.information.block<3, 3>(m, m).noalias() += by_marker.transpose() * by_marker;
-    normal.gradient.segment<3>(m).noalias() += by_marker.transpose() * error;
-    if (!direct) {
-      information.noalias() += by_motion.transpose() * by_motion;
-      gradient.noalias() += by_motion.transpose() * error;
-      normal.information.block(mount, m, count, 3).noalias() +=
-          motion.transpose() * (by_motion.transpose() * by_marker);
-      continue;
-    }
-    Eigen::Matrix<double, 4, Eigen::Dynamic> by_columns = by_motion * motion;
-    by_columns.topRightCorner(r.rows, problem.effect_count()) +=
-        root * direct_by_effects(problem, o, sighting, r, x, sensor_from_tcp.rotation);
-    normal.information.block(mount, mount, count, count).noalias() += by_columns.transpose() * by_columns;
-    normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;
-    normal.gradient.segment(mount, count).noalias() += by_columns.transpose() * error;
+    const auto add = r.rows == 4 ? add_sighting_with_effects<4> : add_sighting_with_effects<Eigen::Dynamic>;
+    add(problem, o, sighting, r, x, root, sensor_from_tcp.rotation, motion, direct, sums, normal);
   }
   if (direct) return;
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> weighed = information * motion;
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> weighed = sums.information * motion;
   normal.information.block(mount, mount, count, count).noalias() += motion.transpose() * weighed;
-  normal.gradient.segment(mount, count).noalias() += motion.transpose() * gradient;
+  normal.gradient.segment(mount, count).noalias() += motion.transpose() * sums.gradient;
 }
 
 bool is_plain(const Problem& problem, const ProblemObservation& o) {

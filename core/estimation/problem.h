@@ -63,7 +63,7 @@ struct ProblemSource {
 
 struct Problem {
   std::vector<ProblemObservation> observations;
-  std::optional<StereoRig> rig;  // absent: sightings are points
+  std::optional<Rig> rig;  // absent: sightings are points
   int marker_count = 0;
   bool mount_is_estimated = false;
   std::vector<char> marker_is_seen;  // per marker, in any used observation
@@ -71,12 +71,12 @@ struct Problem {
   std::shared_ptr<const ProblemSource> source;
   std::vector<EffectTerm> terms;  // the model's effects at their present values
   std::vector<EffectColumn> columns_of_effects;
-  Rigid tcp_from_slip;        // the frame in which slips of the body and its markers are measured
-  bool with_motions = false;  // EffectMotion is filled even where no effect is estimated
-  double noise = 1;           // px or m: what the priors of the effects are weighed against
-  Eigen::Matrix<double, 22, Eigen::Dynamic> cameras_by_effect;  // rig motion 6, left 8, right 8; empty: none
+  Rigid tcp_from_slip;                // the frame in which slips of the body and its markers are measured
+  bool with_motions = false;          // EffectMotion is filled even where no effect is estimated
+  double noise = 1;                   // px or m: what the priors of the effects are weighed against
+  Eigen::MatrixXd cameras_by_effect;  // rows: the rig's numbers as in camera/rig.h; empty: none
 
-  const StereoRig* rig_or_null() const { return rig ? &*rig : nullptr; }
+  const Rig* rig_or_null() const { return rig ? &*rig : nullptr; }
   Eigen::Index mount_column() const { return 3 * marker_count; }
   Eigen::Index effect_column() const { return mount_column() + (mount_is_estimated ? 6 : 0); }
   Eigen::Index effect_count() const { return static_cast<Eigen::Index>(columns_of_effects.size()); }
@@ -111,8 +111,8 @@ void place_observations(Problem& problem);
 /// The problem with EffectMotion filled: how joints move the TCP, torques.
 Problem with_motions(const Problem& problem);
 
-/// The same with every marker that both cameras saw as a triangulated point, for the 3D objective (thesis 4.41).
-/// Markers seen by one camera only cannot take part: `left_out` counts them.
+/// The same with every marker that two cameras or more saw as a triangulated point, for the 3D objective (thesis
+/// 4.41). Markers seen by one camera only cannot take part: `left_out` counts them.
 Problem as_points(const Problem& problem, int& left_out);
 
 /// The unknowns: markers in the TCP frame (m), the mount, and the effects' numbers.

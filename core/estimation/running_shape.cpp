@@ -12,13 +12,13 @@ struct Point {
   Matrix3 covariance;
 };
 
-std::vector<Point> points_of(const StereoRig* rig, const std::vector<Sighting>& sightings, double noise) {
+std::vector<Point> points_of(const Rig* rig, const std::vector<Sighting>& sightings, double noise) {
   std::vector<Point> points;
   for (const Sighting& s : sightings) {
     if (s.point) {
       points.push_back({s.marker, *s.point, noise * noise * Matrix3::Identity()});
-    } else if (rig && s.left && s.right) {
-      if (const auto p = triangulate(*rig, *s.left, *s.right))
+    } else if (rig) {
+      if (const auto p = triangulate_unweighed(*rig, s))
         points.push_back({s.marker, p->point, noise * noise * p->covariance});
     }
   }
@@ -43,7 +43,7 @@ std::vector<double> RunningShape::sigmas() const {
   return all;
 }
 
-void RunningShape::add(const StereoRig* rig, const std::vector<Sighting>& sightings, double noise) {
+void RunningShape::add(const Rig* rig, const std::vector<Sighting>& sightings, double noise) {
   const std::vector<Point> points = points_of(rig, sightings, noise);
   Rigid body_from_sensor;
   if (started_) {

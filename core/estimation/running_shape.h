@@ -17,7 +17,7 @@ class RunningShape {
   /// Lays the observation's points onto the shape by the markers that they share (three or more) and averages them in,
   /// each weighed by its covariance. `noise` is that of one coordinate (px, m). The first observation gives the frame;
   /// one that shares fewer than three markers with the shape adds nothing.
-  void add(const StereoRig* rig, const std::vector<Sighting>& sightings, double noise);
+  void add(const Rig* rig, const std::vector<Sighting>& sightings, double noise);
 
   /// m, in the shape's own frame; empty for markers never seen as points.
   std::vector<std::optional<Vector3>> markers() const;

@@ -14,6 +14,22 @@
 namespace handsight {
 namespace {
 
+std::string device_of(const Session& session) {
+  if (!session.rig) return "A tracker";
+  if (is_left_and_right(*session.rig)) return "Two cameras";
+  constexpr const char* counts[] = {"One camera",   "Two cameras", "Three cameras", "Four cameras",
+                                    "Five cameras", "Six cameras", "Seven cameras", "Eight cameras"};
+  return fmt::format("{} ({})", counts[session.rig->count() - 1], listed_names(*session.rig));
+}
+
+/// Images that every camera of the rig has of this observation; cameras without one.
+int missing_images(const Session& session, const Observation& o) {
+  int missing = 0;
+  for (int c = 0; session.rig && c < session.rig->count(); ++c)
+    missing += o.images[static_cast<std::size_t>(c)].empty();
+  return missing;
+}
+
 void list_contents(const Session& session, const Chain& chain, SessionCheck& check) {
   int moving = 0, masses = 0;
   for (const Joint& j : chain.robot.joints) moving += j.moves() ? 1 : 0;
@@ -21,29 +37,28 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
   check.contents.push_back(
       fmt::format("Robot {}: {} links ({} with mass), {} moving joints, {} of them measured; TCP is {}.",
                   chain.robot.name, chain.robot.links.size(), masses, moving, chain.joints.size(), session.tcp));
-  check.contents.push_back(fmt::format("{} on {}, mount {}.", session.stereo ? "Two cameras" : "A tracker",
-                                       session.mount.link,
+  check.contents.push_back(fmt::format("{} on {}, mount {}.", device_of(session), session.mount.link,
                                        !session.mount.estimate ? "known"
                                        : session.mount.known   ? "guessed, part of the fit"
                                                                : "unknown, part of the fit"));
   int labelled = 0, with_images = 0, unused = 0;
   for (const Observation& o : session.observations) {
     labelled += o.sightings.empty() ? 0 : 1;
-    with_images += o.left_image.empty() || o.right_image.empty() ? 0 : 1;
+    with_images += has_images(o) && missing_images(session, o) == 0 ? 1 : 0;
     unused += o.decision == Decision::rejected || o.decision == Decision::excluded ? 1 : 0;
   }
   check.contents.push_back(
       fmt::format("{} observations: {} labelled, {} with images, {} rejected or excluded; {} marker{}.",
                   session.observations.size(), labelled, with_images, unused, session.marker_count,
                   session.marker_count == 1 ? "" : "s"));
-  const auto& declared = session.stereo ? session.sigma_pixel : session.sigma_point;
+  const auto& declared = session.rig ? session.sigma_pixel : session.sigma_point;
   check.contents.push_back(
-      declared ? fmt::format("Declared noise of one coordinate: {:g} {}.", *declared, session.stereo ? "px" : "m")
+      declared ? fmt::format("Declared noise of one coordinate: {:g} {}.", *declared, session.rig ? "px" : "m")
                : std::string("The noise is not declared; it is estimated where three markers are seen."));
 }
 
 void check_images(const Session& session, SessionCheck& check) {
-  if (!session.stereo) return;
+  if (!session.rig) return;
   auto look = [&](const std::string& file, const Camera& camera, std::int64_t id) {
     if (file.empty()) return;
     try {
@@ -53,9 +68,9 @@ void check_images(const Session& session, SessionCheck& check) {
     }
   };
   for (const Observation& o : session.observations) {
-    look(o.left_image, session.stereo->left, o.id);
-    look(o.right_image, session.stereo->right, o.id);
-    if (o.left_image.empty() != o.right_image.empty())
+    for (int c = 0; c < session.rig->count(); ++c)
+      look(o.images[static_cast<std::size_t>(c)], session.rig->at(c).camera, o.id);
+    if (is_pair(*session.rig) && has_images(o) && missing_images(session, o) > 0)
       check.warnings.push_back(
           fmt::format("Observation {} has an image of one camera only; it is not looked for markers.", o.id));
   }
@@ -79,19 +94,20 @@ void check_limits(const Session& session, const Chain& chain, SessionCheck& chec
 
 /// Pixels of markers outside the image, and pairs that cannot be one point.
 void check_markers(const Session& session, SessionCheck& check) {
-  if (!session.stereo) return;
+  if (!session.rig) return;
   auto inside = [](const Camera& c, const Vector2& p) {
     return p.x() >= -0.5 && p.y() >= -0.5 && p.x() <= c.width - 0.5 && p.y() <= c.height - 0.5;
   };
   for (const Observation& o : session.observations)
     for (const Sighting& s : o.sightings) {
-      if ((s.left && !inside(session.stereo->left, *s.left)) || (s.right && !inside(session.stereo->right, *s.right)))
+      const auto is_outside = [&](const CameraPoint& p) { return !inside(session.rig->at(p.camera).camera, p.pixel); };
+      if (std::any_of(s.in_cameras.begin(), s.in_cameras.end(), is_outside))
         check.warnings.push_back(fmt::format("Observation {}: marker {} lies outside the image.", o.id, s.marker));
-      if (s.left && s.right && !triangulate(*session.stereo, *s.left, *s.right))
+      if (s.in_cameras.size() > 1 && !triangulate_unweighed(*session.rig, s))
         check.warnings.push_back(
-            fmt::format("Observation {}: marker {} cannot be triangulated; its two image points are not one point in "
+            fmt::format("Observation {}: marker {} cannot be triangulated; its {} image points are not one point in "
                         "front of the cameras.",
-                        o.id, s.marker));
+                        o.id, s.marker, s.in_cameras.size() == 2 ? "two" : "several"));
     }
 }
 

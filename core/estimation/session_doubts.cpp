@@ -19,22 +19,19 @@ bool is_inside(const Vector2& px, int width, int height) {
 }
 
 void doubt_points(const Session& session, std::vector<std::string>& doubts) {
-  if (!session.stereo) return;
+  if (!session.rig) return;
   int outside = 0, outside_turned = 0;
   std::int64_t first = -1;
-  const auto look = [&](const std::optional<Vector2>& px, const Camera& camera, std::int64_t id) {
-    if (!px) return;
-    outside_turned += is_inside(*px, camera.height, camera.width) ? 0 : 1;
-    if (is_inside(*px, camera.width, camera.height)) return;
+  const auto look = [&](const Vector2& px, const Camera& camera, std::int64_t id) {
+    outside_turned += is_inside(px, camera.height, camera.width) ? 0 : 1;
+    if (is_inside(px, camera.width, camera.height)) return;
     if (outside++ == 0) first = id;
   };
   for (const Observation& o : session.observations)
-    for (const Sighting& s : o.sightings) {
-      look(s.left, session.stereo->left, o.id);
-      look(s.right, session.stereo->right, o.id);
-    }
+    for (const Sighting& s : o.sightings)
+      for (const CameraPoint& p : s.in_cameras) look(p.pixel, session.rig->at(p.camera).camera, o.id);
   if (outside == 0) return;
-  const Camera& camera = session.stereo->left;
+  const Camera& camera = session.rig->at(0).camera;
   std::string text = fmt::format("{} image points lie outside the image of {} x {} px, first in observation {}",
                                  outside, camera.width, camera.height, first);
   text += outside_turned == 0 ? ": are width and height of the cameras swapped?"
@@ -50,7 +47,7 @@ void doubt_markers(const Session& session, std::vector<std::string>& doubts) {
       if (s.marker >= 0 && s.marker < session.marker_count) seen[static_cast<std::size_t>(s.marker)] = any = true;
   const auto unseen = std::count(seen.begin(), seen.end(), 0);
   const bool are_images_left = std::any_of(session.observations.begin(), session.observations.end(),
-                                           [](const auto& o) { return o.sightings.empty() && !o.left_image.empty(); });
+                                           [](const auto& o) { return o.sightings.empty() && has_images(o); });
   if (!any || unseen == 0 || are_images_left) return;
   std::string names;
   for (std::size_t m = 0; m < seen.size(); ++m)

@@ -36,7 +36,7 @@ void look_at_positions(const Session& session, Sentences& said) {
     said.push_back("All observations have the same joint positions: nothing can be told from one pose.");
 }
 
-void look_at_camera(const char* name, const Camera& c, Sentences& said) {
+void look_at_camera(const std::string& name, const Camera& c, Sentences& said) {
   const double view = 2 * degrees * std::atan(0.5 * c.width / c.fx);
   if (view < 1 || view > 170)
     said.push_back(fmt::format("The {} camera sees {:.3g} degrees across (fx {:g} px, {} px wide): is fx in px?", name,
@@ -48,21 +48,30 @@ void look_at_camera(const char* name, const Camera& c, Sentences& said) {
         fmt::format("The {} camera's principal point {:g}, {:g} lies outside of its image.", name, c.cx, c.cy));
 }
 
-void look_at_pairs(const Session& session, Sentences& said) {
+/// The first camera and another one.
+void look_at_pair(const Session& session, int camera, Sentences& said) {
+  const Rig& rig = *session.rig;
+  const std::string &first = rig.at(0).name, &other = rig.at(camera).name;
   int pairs = 0, equal = 0, files = 0;
   for (const Observation& o : session.observations) {
-    files += !o.left_image.empty() && o.left_image == o.right_image;
+    files += !o.images[0].empty() && o.images[0] == o.images[static_cast<std::size_t>(camera)];
     for (const Sighting& s : o.sightings) {
-      pairs += s.left && s.right;
-      equal += s.left && s.right && *s.left == *s.right;
+      const CameraPoint *a = seen_by(s, 0), *b = seen_by(s, camera);
+      pairs += a && b;
+      equal += a && b && a->pixel == b->pixel;
     }
   }
   if (2 * equal > pairs)
-    said.push_back(
-        fmt::format("In {} of {} sightings the left point is the right one: is one column copied?", equal, pairs));
-  if (files > 0) said.push_back(fmt::format("In {} observations the left image is the right one.", files));
-  if (const double baseline = session.stereo->right_from_left.translation.norm(); baseline < 2e-3 || baseline > 10)
+    said.push_back(fmt::format("In {} of {} sightings the {} point is the {} one: is one column copied?", equal, pairs,
+                               first, other));
+  if (files > 0) said.push_back(fmt::format("In {} observations the {} image is the {} one.", files, first, other));
+  const double baseline = rig.at(camera).camera_from_first.translation.norm();
+  if (baseline >= 2e-3 && baseline <= 10) return;
+  if (is_left_and_right(rig))
     said.push_back(fmt::format("The cameras are {:.4g} m apart: is right_from_left in m?", baseline));
+  else
+    said.push_back(
+        fmt::format("The cameras {} and {} are {:.4g} m apart: is from_first in m?", first, other, baseline));
 }
 
 }  // namespace
@@ -70,10 +79,9 @@ void look_at_pairs(const Session& session, Sentences& said) {
 std::vector<std::string> session_oddities(const Session& session) {
   Sentences said;
   look_at_positions(session, said);
-  if (session.stereo) {
-    look_at_camera("left", session.stereo->left, said);
-    look_at_camera("right", session.stereo->right, said);
-    look_at_pairs(session, said);
+  if (session.rig) {
+    for (const RigCamera& c : session.rig->cameras) look_at_camera(c.name, c.camera, said);
+    for (int c = 1; c < session.rig->count(); ++c) look_at_pair(session, c, said);
   }
   if (const double g = session.gravity.norm(); std::abs(g - 9.81) > 0.2)
     said.push_back(fmt::format("Gravity is {:.4g} m/s^2; on Earth it is 9.78 to 9.83.", g));

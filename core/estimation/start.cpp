@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "estimation/competition.h"
+
 namespace handsight {
 namespace {
 
@@ -24,15 +26,12 @@ struct RaySum {
   }
 };
 
-void add_sighting(const StereoRig* rig, const Sighting& s, const Rigid& tcp_from_sensor, RaySum& sum) {
+void add_sighting(const Rig* rig, const Sighting& s, const Rigid& tcp_from_sensor, RaySum& sum) {
   if (s.point) return sum.add_point(tcp_from_sensor * *s.point);
-  if (s.left)
-    if (const auto ray = undistort(rig->left, *s.left))
-      sum.add_ray(tcp_from_sensor.translation, tcp_from_sensor.rotation * ray->homogeneous());
-  if (s.right)
-    if (const auto ray = undistort(rig->right, *s.right)) {
-      const Rigid tcp_from_right = tcp_from_sensor * inverse(rig->right_from_left);
-      sum.add_ray(tcp_from_right.translation, tcp_from_right.rotation * ray->homogeneous());
+  for (const CameraPoint& seen : s.in_cameras)
+    if (const auto ray = undistort(rig->at(seen.camera).camera, seen.pixel)) {
+      const Rigid tcp_from_camera = tcp_from_sensor * inverse(rig->at(seen.camera).camera_from_first);
+      sum.add_ray(tcp_from_camera.translation, tcp_from_camera.rotation * ray->homogeneous());
     }
 }
 
@@ -129,6 +128,15 @@ std::vector<Vector3> start_markers(const Problem& problem, const Rigid& mount_fr
 
 namespace {
 
+/// Where no marker is seen as a point (one camera), and nothing is known of the mount: rotations all round compete.
+std::optional<Unknowns> start_by_rays(const Problem& problem) {
+  Problem alone = problem;
+  hold_effects(alone);
+  const auto markers = static_cast<std::size_t>(problem.marker_count);
+  const auto starts = competing_starts(alone, Unknowns{std::vector<Vector3>(markers, Vector3::Zero()), Rigid{}, {}});
+  return starts.empty() ? std::nullopt : std::optional(starts.front());
+}
+
 std::optional<Unknowns> start_without_effects(const Problem& problem, const Mount& mount) {
   if (!mount.estimate) return Unknowns{start_markers(problem, mount.mount_from_sensor), mount.mount_from_sensor, {}};
 
@@ -136,7 +144,7 @@ std::optional<Unknowns> start_without_effects(const Problem& problem, const Moun
   Problem points = thinned(as_points(problem, left_out), 60);
   hold_effects(points);
   if (points.observations.empty()) {
-    if (!mount.known) return std::nullopt;
+    if (!mount.known) return start_by_rays(problem);
     return Unknowns{start_markers(problem, mount.mount_from_sensor), mount.mount_from_sensor, {}};
   }
   const MountSystem system = mount_system(points);

@@ -171,11 +171,8 @@ class SightingCost : public ceres::CostFunction {
   void set_jacobians(const ProblemObservation& o, const SightingResidual& r, const Vector3& x, const Matrix3& rotation,
                      double sign, double** jacobians) const {
     const Problem& p = place_.problem;
-    const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 4, 3> by_point =
-        sign == 0 ? Eigen::Matrix<double, 4, 3>(Eigen::Matrix<double, 4, 3>::Zero()).topRows(r.rows).eval()
-                  : (sign * r.by_point).topRows(r.rows).eval();
-    Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 4, 6> by_motion(r.rows, 6);
-    by_motion << by_point, -by_point * cross_matrix(x);
+    const SightingRows<3> by_point = sign == 0 ? SightingRows<3>::Zero(r.rows, 3).eval() : (sign * r.by_point).eval();
+    const SightingRows<6> by_sensor = by_motion(by_point, x);
     int block = 0;
     if (double* by_body = jacobians[block++]) {
       if (place_.is_fixed_body) {
@@ -190,12 +187,12 @@ class SightingCost : public ceres::CostFunction {
     const auto& motion = place_.motions[observation_];
     if (p.mount_is_estimated)
       if (double* by_mount = jacobians[block++])
-        Rows(by_mount, r.rows, 12) = by_motion * motion.leftCols<6>() * place_.mount_step_by_numbers;
+        Rows(by_mount, r.rows, 12) = by_sensor * motion.leftCols<6>() * place_.mount_step_by_numbers;
     if (p.effect_count() == 0) return;
     double* by_effects = jacobians[block];
     if (!by_effects) return;
     Rows rows(by_effects, r.rows, p.effect_count());
-    rows.noalias() = by_motion * motion.rightCols(p.effect_count());
+    rows.noalias() = by_sensor * motion.rightCols(p.effect_count());
     if (p.cameras_by_effect.cols() > 0 || !o.motion.markers.empty())
       rows += sign * direct_by_effects(p, o, seen(), r, x, rotation);
     for (Eigen::Index i = 0; i < p.effect_count(); ++i) rows.col(i) *= place_.sigma(i);
@@ -247,8 +244,6 @@ ceres::LossFunction* loss_function(Loss loss, double limit) {
 
 void add_sightings(Place& place, const SolveOptions& options, double unit, ceres::Problem& squares) {
   std::map<int, ceres::LossFunction*> losses;  // by rows; the problem owns them
-  for (const int rows : {2, 3, 4})
-    if (options.loss != Loss::none) losses[rows] = loss_function(options.loss, bend(rows) * options.noise / unit);
   const Problem& p = place.problem;
   for (std::size_t k = 0; k < p.observations.size(); ++k)
     for (std::size_t i = 0; i < p.observations[k].sightings.size(); ++i) {
@@ -260,6 +255,8 @@ void add_sightings(Place& place, const SolveOptions& options, double unit, ceres
                               : place.unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)].data()};
       if (p.mount_is_estimated) blocks.push_back(place.mount.data());
       if (place.effects.size() > 0) blocks.push_back(place.effects.data());
+      if (options.loss != Loss::none && !losses.contains(rows))
+        losses[rows] = loss_function(options.loss, bend(rows) * options.noise / unit);
       const bool weighted = options.loss == Loss::none && !o.weights.empty();
       squares.AddResidualBlock(new SightingCost(place, k, i, (weighted ? std::sqrt(o.weights[i]) : 1.0) / unit),
                                options.loss == Loss::none ? nullptr : losses[rows], blocks);

@@ -20,7 +20,7 @@ Chain chain_of(const Session& session) {
   chain.gravity = session.gravity;
   chain.tcp_link = link_named(session, session.tcp, "tcp");
   chain.mount_link = link_named(session, session.mount.link, "mount");
-  chain.stereo = session.stereo;
+  chain.rig = session.rig;
   chain.marker_count = session.marker_count;
   for (const std::string& name : session.joints) {
     const int joint = find_joint(session.robot, name);

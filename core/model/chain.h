@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The measurement chain of a session, names resolved to indices once:
 //   sensor_from_tcp = mount_from_sensor^-1 * root_from_mount(q~)^-1 * root_from_tcp(q~)
-// where the sensor is the left camera or the tracker.
+// where the sensor is the first camera or the tracker.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,8 @@ struct Chain {
   Vector3 gravity = Vector3::Zero();  // m/s^2, root frame
   int tcp_link = 0;
   int mount_link = 0;
-  std::vector<int> joints;          // indices into robot.joints, in the order of Observation::position
-  std::optional<StereoRig> stereo;  // absent: a tracker
+  std::vector<int> joints;  // indices into robot.joints, in the order of Observation::position
+  std::optional<Rig> rig;   // absent: a tracker
   int marker_count = 0;
 };
 

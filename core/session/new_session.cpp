@@ -174,7 +174,7 @@ Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
   s.robot_file = bring_into(parts.urdf, parts.folder, "");
   s.tcp = parts.tcp;
   s.mount = {parts.mount, parts.mount_from_left, !parts.mount_is_known, parts.mount_is_known};
-  s.stereo = parts.rig;
+  s.rig = rig_of(parts.rig);
   s.marker_count = parts.marker_count;
   s.joints = parts.joints;
   for (std::size_t i = 0; i < parts.positions.size(); ++i) {
@@ -185,8 +185,8 @@ Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
     const ImageFiles& pair = parts.images[i];
     if (!pair.left.empty() && !pair.right.empty()) {
       const bool twins = pair.left.filename() == pair.right.filename();
-      o.left_image = bring_into(pair.left, parts.folder, twins ? "images/left" : "images");
-      o.right_image = bring_into(pair.right, parts.folder, twins ? "images/right" : "images");
+      o.images[0] = bring_into(pair.left, parts.folder, twins ? "images/left" : "images");
+      o.images[1] = bring_into(pair.right, parts.folder, twins ? "images/right" : "images");
     } else if (notes) {
       notes->push_back(fmt::format("{} has no partner and is left out; observation {} has no images.",
                                    (pair.left.empty() ? pair.right : pair.left).filename().string(), i));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <cmath>
 
 #include "base/error.h"
 #include "base/numbers.h"
@@ -36,10 +37,11 @@ std::string find_image(const XmlNode& node, const char* attribute) {
   return *text;
 }
 
-void read_images(const XmlNode& node, Observation& observation, Ignored& ignored) {
-  note_unknown(ignored, node, {"left", "right"}, {});
-  observation.left_image = find_image(node, "left");
-  observation.right_image = find_image(node, "right");
+/// The cameras' names as attributes; of a tracker's session, which has none, those of a pair.
+void read_images(const XmlNode& node, const Session& session, Observation& observation, Ignored& ignored) {
+  const std::vector<std::string> names = camera_names(session.rig.value_or(rig_of(StereoRig{})));
+  note_unknown(ignored, node, names, {});
+  for (std::size_t c = 0; c < names.size(); ++c) observation.images[c] = find_image(node, names[c].c_str());
 }
 
 std::optional<Vector2> find_pixel(const XmlNode& node, const char* attribute) {
@@ -48,19 +50,53 @@ std::optional<Vector2> find_pixel(const XmlNode& node, const char* attribute) {
   return Vector2(numbers->data());
 }
 
+std::optional<PixelSigma> find_pixel_sigma(const XmlNode& node, const char* attribute, bool is_seen) {
+  const auto numbers = find_numbers(node, attribute, 3);
+  if (!numbers) return std::nullopt;
+  const PixelSigma sigma{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  const bool is_covariance =
+      bounds::sigma_pixel.hold(sigma.u) && bounds::sigma_pixel.hold(sigma.v) && std::abs(sigma.uv) < sigma.u * sigma.v;
+  if (!is_covariance || !is_seen)
+    refuse(node,
+           fmt::format("has {}={}, expected {}.", attribute, in_quotes(*find_text(node, attribute), 100),
+                       is_seen ? "\"su sv suv\": two standard deviations of 1e-9 to 1e4 px, and a covariance in px^2 "
+                                 "that is smaller than their product"
+                               : "none, as that camera did not see the marker"));
+  return sigma;
+}
+
+std::string neither_of(const Rig& rig) {
+  if (rig.count() == 1) return "has no " + rig.at(0).name;
+  std::string list = "has neither " + rig.at(0).name;
+  for (int c = 1; c < rig.count(); ++c) list += " nor " + rig.at(c).name;
+  return list;
+}
+
+void read_camera_points(const XmlNode& node, const Rig& rig, Sighting& sighting, Ignored& ignored) {
+  std::vector<std::string> known{"index", "by"};
+  for (const RigCamera& c : rig.cameras) known.insert(known.end(), {c.name, c.name + "_sigma"});
+  note_unknown(ignored, node, known, {});
+  for (int c = 0; c < rig.count(); ++c) {
+    const std::string& name = rig.at(c).name;
+    const auto pixel = find_pixel(node, name.c_str());
+    const auto sigma = find_pixel_sigma(node, (name + "_sigma").c_str(), pixel.has_value());
+    if (pixel) see(sighting, c, *pixel, sigma);
+  }
+  if (sighting.in_cameras.empty())
+    refuse(node, neither_of(rig) + (rig.count() == 1 ? "; a" : ", expected at least one; a") +
+                     " marker that is not seen has no element.");
+}
+
 Sighting read_sighting(const XmlNode& node, const Session& session, Ignored& ignored) {
   Sighting sighting;
   sighting.marker = static_cast<int>(required_integer(node, "index", 0, session.marker_count - 1));
   if (session.is_tracker()) {
-    note_unknown(ignored, node, {"index", "by", "point"}, {});
+    note_unknown(ignored, node, {"index", "by", "point", "sigma"}, {});
     if (const auto point = find_numbers(node, "point", 3, bounds::length)) sighting.point = Vector3(point->data());
+    sighting.point_sigma = find_positive(node, "sigma", bounds::sigma_point);
     if (!sighting.point) refuse(node, "has no point, expected point=\"x y z\" as this is a tracker session.");
   } else {
-    note_unknown(ignored, node, {"index", "by", "left", "right"}, {});
-    sighting.left = find_pixel(node, "left");
-    sighting.right = find_pixel(node, "right");
-    if (!sighting.left && !sighting.right)
-      refuse(node, "has neither left nor right, expected at least one; a marker that is not seen has no element.");
+    read_camera_points(node, *session.rig, sighting, ignored);
   }
   constexpr std::array makers{MarkedBy::hand, MarkedBy::tracker, MarkedBy::import};
   sighting.by = makers[find_choice(node, "by", {"hand", "tracker", "import"}).value_or(2)];
@@ -99,7 +135,7 @@ Observation read_observation(const XmlNode& node, const Session& session, Ignore
   observation.position = read_joint_vector(required_child(node, "position"), session, bounds::joint, ignored);
   observation.velocity = find_joint_vector(node, "velocity", session, bounds::joint, ignored);
   observation.torque = find_joint_vector(node, "torque", session, bounds::torque, ignored);
-  if (const auto images = find_child(node, "images")) read_images(*images, observation, ignored);
+  if (const auto images = find_child(node, "images")) read_images(*images, session, observation, ignored);
   read_sightings(node, session, observation, ignored);
   if (const auto decision = find_child(node, "decision")) read_decision(*decision, observation, ignored);
   return observation;

@@ -54,19 +54,35 @@ void set_text(XMLElement& element, const char* attribute, const char* text) {
   if (!element.Attribute(attribute, text)) element.SetAttribute(attribute, text);
 }
 
-void update_marker(XMLElement& element, const Sighting& sighting) {
+std::optional<Vector3> numbers_of(const std::optional<PixelSigma>& sigma) {
+  return sigma ? std::optional(Vector3(sigma->u, sigma->v, sigma->uv)) : std::nullopt;
+}
+
+std::optional<Eigen::VectorXd> numbers_of(const std::optional<double>& sigma) {
+  return sigma ? std::optional<Eigen::VectorXd>(Eigen::VectorXd::Constant(1, *sigma)) : std::nullopt;
+}
+
+void update_marker(XMLElement& element, const Session& session, const Sighting& sighting) {
   if (element.IntAttribute("index", -1) != sighting.marker) element.SetAttribute("index", sighting.marker);
   // Only what belongs to the kind of session is touched.
   if (sighting.point) {
     set_numbers(element, "point", sighting.point);
+    set_numbers(element, "sigma", numbers_of(sighting.point_sigma));
   } else {
-    set_numbers(element, "left", sighting.left);
-    set_numbers(element, "right", sighting.right);
+    const int cameras = session.rig ? session.rig->count() : 0;
+    for (int c = 0; c < cameras; ++c) {
+      const CameraPoint* const seen = seen_by(sighting, c);
+      set_numbers(element, session.rig->at(c).name.c_str(), seen ? std::optional(seen->pixel) : std::nullopt);
+    }
+    for (int c = 0; c < cameras; ++c) {  // after the points, whether these were there before or not
+      const CameraPoint* const seen = seen_by(sighting, c);
+      set_numbers(element, (session.rig->at(c).name + "_sigma").c_str(), numbers_of(seen ? seen->sigma : std::nullopt));
+    }
   }
   if (element.Attribute("by") || sighting.by != MarkedBy::import) set_text(element, "by", word(sighting.by));
 }
 
-void update_markers(XMLElement& element, const Observation& observation) {
+void update_markers(XMLElement& element, const Session& session, const Observation& observation) {
   std::map<int, XMLElement*> present;
   for (auto* marker = element.FirstChildElement("marker"); marker; marker = marker->NextSiblingElement("marker"))
     present[marker->IntAttribute("index", -1)] = marker;
@@ -82,7 +98,7 @@ void update_markers(XMLElement& element, const Observation& observation) {
       element.InsertAfterChild(decision->PreviousSibling(), marker);
     else
       element.InsertEndChild(marker);
-    update_marker(*marker, sighting);
+    update_marker(*marker, session, sighting);
     last = marker;
   }
   for (const auto& [index, gone] : present) element.DeleteChild(gone);
@@ -108,28 +124,29 @@ void write_vector(XMLElement& parent, const char* tag, const Eigen::VectorXd& nu
 
 }  // namespace
 
-void write_observation(XMLElement& parent, const Observation& observation) {
+void write_observation(XMLElement& parent, const Session& session, const Observation& observation) {
   XMLElement& element = *parent.InsertNewChildElement("observation");
   element.SetAttribute("id", std::to_string(observation.id).c_str());
   element.SetAttribute("time", format_number(observation.time).c_str());
   write_vector(element, "position", observation.position);
   write_vector(element, "velocity", observation.velocity);
   write_vector(element, "torque", observation.torque);
-  if (!observation.left_image.empty() || !observation.right_image.empty()) {
+  if (has_images(observation) && session.rig) {
     XMLElement& images = *element.InsertNewChildElement("images");
-    if (!observation.left_image.empty()) images.SetAttribute("left", observation.left_image.c_str());
-    if (!observation.right_image.empty()) images.SetAttribute("right", observation.right_image.c_str());
+    for (int c = 0; c < session.rig->count(); ++c)
+      if (const std::string& image = observation.images[static_cast<std::size_t>(c)]; !image.empty())
+        images.SetAttribute(session.rig->at(c).name.c_str(), image.c_str());
   }
   for (const Sighting& sighting : observation.sightings) {
     XMLElement& marker = *element.InsertNewChildElement("marker");
-    update_marker(marker, sighting);
+    update_marker(marker, session, sighting);
     set_text(marker, "by", word(sighting.by));
   }
   update_decision(element, observation);
 }
 
-void update_observation(XMLElement& element, const Observation& observation) {
-  update_markers(element, observation);
+void update_observation(XMLElement& element, const Session& session, const Observation& observation) {
+  update_markers(element, session, observation);
   update_decision(element, observation);
 }
 

@@ -11,10 +11,10 @@ namespace handsight {
 Observation read_observation(const XmlNode& node, const Session& session, Ignored& ignored);
 
 /// Appends a whole observation to `parent`.
-void write_observation(tinyxml2::XMLElement& parent, const Observation& observation);
+void write_observation(tinyxml2::XMLElement& parent, const Session& session, const Observation& observation);
 
 /// Brings markers and decision of an element to those of the observation; all else stays, and so does the
 /// spelling of numbers that are the same.
-void update_observation(tinyxml2::XMLElement& element, const Observation& observation);
+void update_observation(tinyxml2::XMLElement& element, const Session& session, const Observation& observation);
 
 }  // namespace handsight

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/session.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace handsight {
 
 std::filesystem::path folder(const Session& session) {
@@ -8,9 +11,76 @@ std::filesystem::path folder(const Session& session) {
   return parent.empty() ? "." : parent;
 }
 
+const char* device_tag(const Session& session) {
+  if (!session.rig) return "tracker";
+  return is_left_and_right(*session.rig) ? "stereo" : "cameras";
+}
+
+const CameraPoint* seen_by(const Sighting& sighting, int camera) {
+  for (const CameraPoint& p : sighting.in_cameras)
+    if (p.camera == camera) return &p;
+  return nullptr;
+}
+
+CameraPoint* seen_by(Sighting& sighting, int camera) {
+  for (CameraPoint& p : sighting.in_cameras)
+    if (p.camera == camera) return &p;
+  return nullptr;
+}
+
+void see(Sighting& sighting, int camera, const Vector2& pixel, const std::optional<PixelSigma>& sigma) {
+  auto& points = sighting.in_cameras;
+  const auto at = std::find_if(points.begin(), points.end(), [&](const CameraPoint& p) { return p.camera >= camera; });
+  if (at != points.end() && at->camera == camera)
+    *at = {camera, pixel, sigma};
+  else
+    points.insert(at, CameraPoint{camera, pixel, sigma});
+}
+
+void forget(Sighting& sighting, int camera) {
+  auto& points = sighting.in_cameras;
+  points.erase(std::remove_if(points.begin(), points.end(), [&](const CameraPoint& p) { return p.camera == camera; }),
+               points.end());
+}
+
+Sighting seen_at(int marker, const Vector2& first, const std::optional<Vector2>& second, MarkedBy by) {
+  Sighting s{.marker = marker, .by = by};
+  see(s, 0, first);
+  if (second) see(s, 1, *second);
+  return s;
+}
+
+bool has_images(const Observation& observation) {
+  return std::any_of(observation.images.begin(), observation.images.end(), [](const auto& i) { return !i.empty(); });
+}
+
 bool is_used(const Observation& observation) {
   return !observation.sightings.empty() && observation.decision != Decision::rejected &&
          observation.decision != Decision::excluded;
+}
+
+double usual_sigma(const Session& session) {
+  const std::optional<double>& declared = session.is_tracker() ? session.sigma_point : session.sigma_pixel;
+  std::vector<double> told;
+  for (const Observation& o : session.observations)
+    for (const Sighting& s : o.sightings) {
+      for (const CameraPoint& p : s.in_cameras)
+        if (p.sigma) told.push_back(std::sqrt((p.sigma->u * p.sigma->u + p.sigma->v * p.sigma->v) / 2));
+      if (s.point_sigma) told.push_back(*s.point_sigma);
+    }
+  if (told.empty()) return 0;
+  if (declared) return *declared;
+  const auto middle = told.begin() + static_cast<std::ptrdiff_t>(told.size() / 2);
+  std::nth_element(told.begin(), middle, told.end());
+  return *middle;
+}
+
+PixelSigma pixel_sigma(const Eigen::Matrix2d& covariance) {
+  return {std::sqrt(covariance(0, 0)), std::sqrt(covariance(1, 1)), covariance(0, 1)};
+}
+
+Eigen::Matrix2d covariance_of(const PixelSigma& sigma) {
+  return (Eigen::Matrix2d() << sigma.u * sigma.u, sigma.uv, sigma.uv, sigma.v * sigma.v).finished();
 }
 
 }  // namespace handsight

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -10,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "camera/camera.h"
+#include "camera/rig.h"
 #include "robot/robot.h"
 #include "session/effect_definition.h"
 
@@ -18,31 +20,69 @@ namespace handsight {
 
 enum class MarkedBy { hand, tracker, import };
 
-/// Where one marker was seen in one observation. In a stereo session `left` and `right` (px, either may be absent);
-/// in a tracker session `point` (m, in the tracker's frame).
-struct Sighting {
-  int marker = 0;  // 0 to marker_count - 1
-  std::optional<Vector2> left, right;
-  std::optional<Vector3> point;
-  MarkedBy by = MarkedBy::import;
+/// How sure an image point is: standard deviations of u and v (px) and their covariance (px^2, smaller than su sv).
+struct PixelSigma {
+  double u = 0, v = 0, uv = 0;
 };
+
+/// Where one camera saw a marker.
+struct CameraPoint {
+  int camera = 0;                        // of the rig
+  Vector2 pixel;                         // px
+  std::optional<PixelSigma> sigma = {};  // absent: the session's usual one
+};
+
+/// Where one marker was seen in one observation: by cameras, or in a tracker session as a point.
+struct Sighting {
+  int marker = 0;                                                  // 0 to marker_count - 1
+  boost::container::small_vector<CameraPoint, 2> in_cameras = {};  // in order of camera, each at most once
+  std::optional<Vector3> point = {};                               // m, in the tracker's frame
+  MarkedBy by = MarkedBy::import;
+  std::optional<double> point_sigma = {};  // m, of each coordinate; absent: the session's usual one
+  /// The sigma of a measurement whose residuals are taken as they are (px, m): those of surer ones are drawn out, those
+  /// of less sure ones drawn in. 0: all are taken as they are.
+  double usual_sigma = 0;
+};
+
+/// What a camera saw of the marker; null where it did not.
+const CameraPoint* seen_by(const Sighting& sighting, int camera);
+CameraPoint* seen_by(Sighting& sighting, int camera);
+
+/// The camera sees the marker there, in place of what was.
+void see(Sighting& sighting, int camera, const Vector2& pixel, const std::optional<PixelSigma>& sigma = {});
+
+/// The camera does not see it.
+void forget(Sighting& sighting, int camera);
+
+/// A marker seen there by the first camera, and by the second where it is given.
+Sighting seen_at(int marker, const Vector2& first, const std::optional<Vector2>& second = {},
+                 MarkedBy by = MarkedBy::import);
 
 enum class Decision { none, accepted, rejected, excluded };
 
+/// Where an observation of a part of a session stood in the whole (session/sample.h): what follows from its neighbours
+/// there must not follow from those that it has been left with.
+struct PlaceInWhole {
+  int order = 0;                    // among all observations, by time
+  double start = 0, end = 0;        // s, of the whole session
+  Eigen::VectorXd position_before;  // of the observation before it; empty: it was the first
+};
+
 struct Observation {
-  std::int64_t id = 0;                  // non-negative, unique
-  double time = 0;                      // s
-  Eigen::VectorXd position;             // rad or m, in the order of Session::joints
-  Eigen::VectorXd velocity;             // empty where not measured
-  Eigen::VectorXd torque;               // N m (N), empty where not measured
-  std::string left_image, right_image;  // relative to the session's folder; empty where there are none
-  std::vector<Sighting> sightings;      // in order of marker
+  std::int64_t id = 0;                          // non-negative, unique
+  double time = 0;                              // s
+  Eigen::VectorXd position;                     // rad or m, in the order of Session::joints
+  Eigen::VectorXd velocity;                     // empty where not measured
+  Eigen::VectorXd torque;                       // N m (N), empty where not measured
+  std::array<std::string, max_cameras> images;  // by camera, relative to the session's folder; empty: there is none
+  std::vector<Sighting> sightings;              // in order of marker
   Decision decision = Decision::none;
   std::string reason;
+  std::shared_ptr<const PlaceInWhole> whole = nullptr;  // null: the session is no part of another
 };
 
 /// The link that carries the cameras or the tracker, and where on it: mount_from_sensor, the sensor's frame being
-/// the left camera's (x right, y down, z forward) or the tracker's own.
+/// the first camera's (x right, y down, z forward) or the tracker's own.
 struct Mount {
   std::string link;
   Rigid mount_from_sensor;
@@ -58,21 +98,34 @@ struct Session {
   std::string tcp;               // the link whose frame is TCP
   Vector3 gravity{0, 0, -9.81};  // m/s^2, in the root link's frame
   Mount mount;
-  std::optional<StereoRig> stereo;    // absent: a tracker session
+  std::optional<Rig> rig;             // absent: a tracker session
   std::optional<double> sigma_pixel;  // declared noise of one image coordinate, px
   std::optional<double> sigma_point;  // tracker sessions: declared noise of one coordinate, m
   int marker_count = 0;
-  std::vector<std::string> joints;            // the order of position, velocity and torque; joints not named stand at 0
-  std::vector<Observation> observations;      // in order of time
+  std::vector<std::string> joints;        // the order of position, velocity and torque; joints not named stand at 0
+  std::vector<Observation> observations;  // in order of time
   std::vector<EffectDefinition> effect_definitions;  // of effects.xml and the user's own folder
-  std::vector<std::string> notes;             // what the reader ignored, and warnings, a sentence each
+  std::vector<std::string> notes;                    // what the reader ignored, and warnings, a sentence each
   std::shared_ptr<const std::string> source;  // the XML text as read, so that saving keeps what is not understood
 
-  bool is_tracker() const { return !stereo.has_value(); }
+  bool is_tracker() const { return !rig.has_value(); }
 };
+
+/// The element that holds what watches the robot: "stereo", "cameras" or "tracker".
+const char* device_tag(const Session& session);
 
 /// The folder that robot and images are relative to.
 std::filesystem::path folder(const Session& session);
+
+/// What a sighting without a sigma of its own is taken to have (px, m): declared for the session, else the median of
+/// those that are told; 0 where no sighting tells one.
+double usual_sigma(const Session& session);
+
+PixelSigma pixel_sigma(const Eigen::Matrix2d& covariance);
+Eigen::Matrix2d covariance_of(const PixelSigma& sigma);
+
+/// Is there an image of any camera?
+bool has_images(const Observation& observation);
 
 /// Is the observation part of a fit: it has a sighting and is neither rejected nor excluded?
 bool is_used(const Observation& observation);

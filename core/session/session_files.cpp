@@ -101,7 +101,7 @@ void bind_robot(Session& session, Robot robot, const SessionLines& lines) {
     if (joint.is_mimic()) refuse_joint(session, lines, name, "which follows other joints (<mimic>)");
   }
   require_link(session, lines.robot, "<robot> tcp", session.tcp);
-  require_link(session, lines.device, session.is_tracker() ? "<tracker> mount" : "<stereo> mount", session.mount.link);
+  require_link(session, lines.device, fmt::format("<{}> mount", device_tag(session)), session.mount.link);
 }
 
 void check_image_paths(const Session& session, const SessionLines& lines) {
@@ -109,7 +109,7 @@ void check_image_paths(const Session& session, const SessionLines& lines) {
   const fs::path home = fs::weakly_canonical(folder(session), error);
   if (error) return;  // nothing can be read there, whatever the paths say
   for (std::size_t i = 0; i < session.observations.size(); ++i)
-    for (const std::string& image : {session.observations[i].left_image, session.observations[i].right_image}) {
+    for (const std::string& image : session.observations[i].images) {
       if (image.empty()) continue;
       const fs::path real = fs::weakly_canonical(home / image, error);
       const bool is_inside =
@@ -128,7 +128,7 @@ std::vector<fs::path> files_of(const Session& session) {
   for (const std::string& name : {session.robot_file, std::string("truth.xml"), std::string("effects.xml")})
     if (!name.empty()) files.push_back(home / name);
   for (const Observation& o : session.observations)
-    for (const std::string& image : {o.left_image, o.right_image})
+    for (const std::string& image : o.images)
       if (!image.empty()) files.push_back(home / image);
   return files;
 }

@@ -35,9 +35,9 @@ Mount read_mount(const XmlNode& device, const char* tag, Ignored& ignored) {
   return mount;
 }
 
-Camera read_camera(const XmlNode& node, Ignored& ignored) {
+Camera read_camera(const XmlNode& node, Ignored& ignored, std::initializer_list<std::string_view> inside = {}) {
   note_unknown(ignored, node, {"name", "width", "height", "fx", "fy", "skew", "cx", "cy", "k1", "k2", "p1", "p2", "k3"},
-               {});
+               inside);
   constexpr int largest_side = 1'000'000;
   const auto distortion = [&](const char* attribute) {
     return find_number(node, attribute, bounds::distortion).value_or(0);
@@ -58,7 +58,7 @@ Camera read_camera(const XmlNode& node, Ignored& ignored) {
   return camera;
 }
 
-void read_cameras(const XmlNode& stereo, StereoRig& rig, Ignored& ignored) {
+void read_pair(const XmlNode& stereo, StereoRig& rig, Ignored& ignored) {
   bool has_left = false, has_right = false;
   for (const XmlNode& node : children(stereo, "camera")) {
     required_text(node, "name");
@@ -80,11 +80,53 @@ void read_stereo(const XmlNode& node, Session& session, Ignored& ignored) {
   session.mount = read_mount(node, "mount_from_left", ignored);
   const XmlNode right = required_child(node, "right_from_left");
   note_unknown(ignored, right, {"xyz", "rpy"}, {});
-  StereoRig& rig = session.stereo.emplace();
+  StereoRig rig;
   rig.right_from_left = read_rigid(right);
   if (rig.right_from_left.translation.cwiseAbs().maxCoeff() < 1e-9)
     refuse(right, "has no translation, expected the two cameras apart: without a baseline there is no depth.");
-  read_cameras(node, rig, ignored);
+  read_pair(node, rig, ignored);
+  session.rig = rig_of(rig);
+}
+
+/// Letters, digits and _, and none of what else stands as an attribute beside it.
+std::string read_camera_name(const XmlNode& node, const Rig& rig) {
+  const std::string name = required_name(node, "name");
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  if (name.size() > 40 || !std::all_of(name.begin(), name.end(), is_plain))
+    refuse(node, fmt::format("has name={}, expected at most 40 letters, digits and _.", in_quotes(name)));
+  for (const char* taken : {"index", "by", "point", "sigma"})
+    if (name == taken)
+      refuse(node,
+             fmt::format("has name=\"{}\", which markers have as an attribute already, expected another name.", name));
+  for (const RigCamera& other : rig.cameras)
+    if (other.name == name || other.name == name + "_sigma" || other.name + "_sigma" == name)
+      refuse(node, fmt::format("has name=\"{}\" beside the camera \"{}\", expected names that differ, and none that "
+                               "is another's with _sigma behind it.",
+                               name, other.name));
+  return name;
+}
+
+void read_cameras(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"mount"}, {"mount_from_first", "camera"});
+  session.mount = read_mount(node, "mount_from_first", ignored);
+  Rig& rig = session.rig.emplace();
+  for (const XmlNode& child : children(node, "camera")) {
+    if (rig.count() == max_cameras) refuse(child, fmt::format("is one too many, expected at most {}.", max_cameras));
+    RigCamera camera{read_camera_name(child, rig), read_camera(child, ignored, {"from_first"}), Rigid()};
+    const auto from_first = find_child(child, "from_first");
+    if (from_first) {
+      note_unknown(ignored, *from_first, {"xyz", "rpy"}, {});
+      camera.camera_from_first = read_rigid(*from_first);
+    }
+    if (rig.count() == 0 && from_first)
+      refuse(*from_first, "stands in the first camera, expected none there: the first is the reference.");
+    if (rig.count() > 0 && !from_first)
+      refuse(child, "has no <from_first>, expected where it is: X of this camera = R X of the first + t.");
+    rig.cameras.push_back(std::move(camera));
+  }
+  if (rig.count() == 0) refuse(node, "holds no <camera>, expected one to eight.");
 }
 
 void read_tracker(const XmlNode& node, Session& session, Ignored& ignored) {
@@ -95,15 +137,18 @@ void read_tracker(const XmlNode& node, Session& session, Ignored& ignored) {
 
 /// Returns the device's line.
 int read_device(const XmlNode& root, Session& session, Ignored& ignored) {
-  const auto stereo = find_child(root, "stereo"), tracker = find_child(root, "tracker");
-  if (stereo && tracker)
-    refuse(*tracker, fmt::format("stands beside the <stereo> of line {}, expected one of the two.", stereo->line()));
-  if (!stereo && !tracker) refuse(root, "has neither <stereo> nor <tracker>, expected one of the two.");
-  if (stereo)
-    read_stereo(*stereo, session, ignored);
-  else
-    read_tracker(*tracker, session, ignored);
-  return (stereo ? *stereo : *tracker).line();
+  std::optional<XmlNode> found;
+  for (const char* tag : {"stereo", "cameras", "tracker"})
+    if (const auto device = find_child(root, tag)) {
+      if (found)
+        refuse(*device, fmt::format("stands beside the <{}> of line {}, expected one of the two.",
+                                    found->element->Name(), found->line()));
+      found = device;
+    }
+  if (!found) refuse(root, "has neither <stereo> nor <tracker> nor <cameras>, expected one of the three.");
+  const std::string tag = found->element->Name();
+  (tag == "stereo" ? read_stereo : tag == "cameras" ? read_cameras : read_tracker)(*found, session, ignored);
+  return found->line();
 }
 
 void read_markers_element(const XmlNode& node, Session& session, Ignored& ignored) {
@@ -149,13 +194,13 @@ void read_observations(const XmlNode& node, Session& session, SessionLines& line
 void note_outside(Session& session, std::string_view file) {
   if (session.is_tracker()) return;
   int outside = 0;
-  const auto is_outside = [](const Camera& camera, const std::optional<Vector2>& pixel) {
-    return pixel && (pixel->x() < -0.5 || pixel->y() < -0.5 || pixel->x() > camera.width - 0.5 ||
-                     pixel->y() > camera.height - 0.5);
+  const auto is_outside = [](const Camera& camera, const Vector2& pixel) {
+    return pixel.x() < -0.5 || pixel.y() < -0.5 || pixel.x() > camera.width - 0.5 || pixel.y() > camera.height - 0.5;
   };
   for (const Observation& observation : session.observations)
     for (const Sighting& sighting : observation.sightings)
-      outside += is_outside(session.stereo->left, sighting.left) + is_outside(session.stereo->right, sighting.right);
+      for (const CameraPoint& seen : sighting.in_cameras)
+        outside += is_outside(session.rig->at(seen.camera).camera, seen.pixel);
   if (outside > 0)
     session.notes.push_back(
         fmt::format("{}: markers lie outside their camera's image ({} positions).", shortened(file, 80), outside));
@@ -169,7 +214,7 @@ Session parse_session(const std::string& text, const std::string& file, SessionL
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "title"},
-               {"robot", "gravity", "stereo", "tracker", "markers", "joints", "observations"});
+               {"robot", "gravity", "stereo", "cameras", "tracker", "markers", "joints", "observations"});
   SessionLines found;
   Session session;
   session.title = find_name(root, "title").value_or("");

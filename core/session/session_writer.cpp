@@ -25,27 +25,37 @@ void write_mount(XMLElement& device, const char* tag, const Mount& mount) {
   element.SetAttribute("estimate", mount.estimate ? "yes" : "no");
 }
 
-void write_camera(XMLElement& parent, const char* name, const Camera& camera) {
+XMLElement& write_camera(XMLElement& parent, const std::string& name, const Camera& camera) {
   XMLElement& element = *parent.InsertNewChildElement("camera");
-  element.SetAttribute("name", name);
+  element.SetAttribute("name", name.c_str());
   element.SetAttribute("width", camera.width);
   element.SetAttribute("height", camera.height);
   const std::pair<const char*, double> numbers[] = {
       {"fx", camera.fx}, {"fy", camera.fy}, {"skew", camera.skew}, {"cx", camera.cx}, {"cy", camera.cy},
       {"k1", camera.k1}, {"k2", camera.k2}, {"p1", camera.p1},     {"p2", camera.p2}, {"k3", camera.k3}};
   for (const auto& [attribute, number] : numbers) set(element, attribute, number);
+  return element;
+}
+
+void write_cameras(XMLElement& device, const Session& session) {
+  write_mount(device, "mount_from_first", session.mount);
+  for (int c = 0; c < session.rig->count(); ++c) {
+    const RigCamera& camera = session.rig->at(c);
+    XMLElement& element = write_camera(device, camera.name, camera.camera);
+    if (c > 0) write_rigid(*element.InsertNewChildElement("from_first"), camera.camera_from_first);
+  }
 }
 
 void write_device(XMLElement& root, const Session& session) {
-  XMLElement& device = *root.InsertNewChildElement(session.is_tracker() ? "tracker" : "stereo");
+  XMLElement& device = *root.InsertNewChildElement(device_tag(session));
   if (session.is_tracker()) {
     if (session.sigma_point) set(device, "sigma", *session.sigma_point);
     return write_mount(device, "mount_from_tracker", session.mount);
   }
+  if (!is_left_and_right(*session.rig)) return write_cameras(device, session);
   write_mount(device, "mount_from_left", session.mount);
-  write_rigid(*device.InsertNewChildElement("right_from_left"), session.stereo->right_from_left);
-  write_camera(device, "left", session.stereo->left);
-  write_camera(device, "right", session.stereo->right);
+  write_rigid(*device.InsertNewChildElement("right_from_left"), session.rig->at(1).camera_from_first);
+  for (const RigCamera& camera : session.rig->cameras) write_camera(device, camera.name, camera.camera);
 }
 
 std::string text_from_scratch(const Session& session) {
@@ -65,7 +75,7 @@ std::string text_from_scratch(const Session& session) {
   if (session.sigma_pixel) set(markers, "sigma_pixel", *session.sigma_pixel);
   root.InsertNewChildElement("joints")->SetText(fmt::format("{}", fmt::join(session.joints, " ")).c_str());
   XMLElement& observations = *root.InsertNewChildElement("observations");
-  for (const Observation& observation : session.observations) write_observation(observations, observation);
+  for (const Observation& observation : session.observations) write_observation(observations, session, observation);
   return xml_text(document);
 }
 
@@ -102,11 +112,11 @@ std::string updated_text(const Session& session) {
       parent->DeleteChild(element);
       continue;
     }
-    update_observation(*element, *found->second);
+    update_observation(*element, session, *found->second);
     wanted.erase(found);
   }
   for (const Observation& observation : session.observations)
-    if (wanted.contains(observation.id)) write_observation(*parent, observation);
+    if (wanted.contains(observation.id)) write_observation(*parent, session, observation);
   bring_to_order(*parent, session.observations);
   return xml_text(*document);
 }

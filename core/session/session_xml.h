@@ -15,7 +15,7 @@ namespace handsight {
 /// Lines of the text that later refusals name; 0: not known.
 struct SessionLines {
   int robot = 0;
-  int device = 0;  // <stereo> or <tracker>
+  int device = 0;  // <stereo>, <cameras> or <tracker>
   int joints = 0;
   std::vector<int> observations;  // in the order of Session::observations
 };

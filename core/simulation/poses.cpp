@@ -50,17 +50,18 @@ PoseSampler::PoseSampler(const Session& like, const Chain& chain, const ShownBod
 }
 
 double PoseSampler::violation(const Eigen::VectorXd& position) const {
-  if (!chain_.stereo) return 0;
+  if (!chain_.rig) return 0;
   const Circumstances c = circumstances_at(chain_, position);
-  const Rigid left_from_tcp =
+  const Rigid first_from_tcp =
       sensor_from_tcp(observed_ends(c, moved_sites(c, options_.effects, options_.curves)).ends, mount_from_sensor_);
   double total = 0;
   for (const Vector3& marker : body_.markers_in_tcp) {
-    const Vector3 x = left_from_tcp * marker;
-    const Vector3 right = chain_.stereo->right_from_left * x;
-    const Vector3 normal = left_from_tcp.rotation * body_.normal_in_tcp;
-    total += unseen(chain_.stereo->left, x, normal) +
-             unseen(chain_.stereo->right, right, chain_.stereo->right_from_left.rotation * normal);
+    const Vector3 x = first_from_tcp * marker;
+    const Vector3 normal = first_from_tcp.rotation * body_.normal_in_tcp;
+    LeastTwo least;
+    for (const RigCamera& c : chain_.rig->cameras)
+      least.add(unseen(c.camera, c.camera_from_first * x, c.camera_from_first.rotation * normal));
+    total += least.sum();
   }
   return total;
 }
@@ -120,9 +121,9 @@ Eigen::VectorXd PoseSampler::next(Random& random) {
     return last_;
   }
   throw InputError(fmt::format(
-      "No pose in {} searches shows all {} markers to both cameras between {:.2f} and {:.2f} m; check the mount of the "
+      "No pose in {} searches shows all {} markers to {} between {:.2f} and {:.2f} m; check the mount of the "
       "cameras, or widen --joint-range.",
-      most_tries, body_.markers_in_tcp.size(), options_.nearest, options_.farthest));
+      most_tries, body_.markers_in_tcp.size(), cameras_that_must_see(chain_.rig), options_.nearest, options_.farthest));
 }
 
 }  // namespace handsight

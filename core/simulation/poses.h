@@ -11,9 +11,9 @@ struct ShownBody {
   Vector3 normal_in_tcp = Vector3::UnitZ();
 };
 
-/// Joint positions in the order of the chain, each showing every marker to both cameras (in a tracker session: any
-/// pose). Drawn from a share of the limits, or from the span of `like`'s observations. Throws InputError where 500
-/// searches in a row find none.
+/// Joint positions in the order of the chain, each showing every marker to the cameras (of more than two to any two)
+/// (in a tracker session: any pose). Drawn from a share of the limits, or from the span of `like`'s observations.
+/// Throws InputError where 500 searches in a row find none.
 class PoseSampler {
  public:
   PoseSampler(const Session& like, const Chain& chain, const ShownBody& body, const SimulationOptions& options);

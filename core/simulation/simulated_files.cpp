@@ -45,29 +45,28 @@ Scene scene_for(const SimulatedSession& s, const SimulationOptions& options, con
   return make_scene(marker_plates(s.markers_in_tcp, s.normal_in_tcp, cell, options.seed), scene);
 }
 
-struct View {
-  const PixelRays& rays;
-  Rigid root_from_camera, root_from_tcp;
-  const char* side;
-};
+/// A number for each image; those of a pair are as they always were.
+std::uint64_t seed_of_image(const Rig& rig, std::size_t k, int camera) {
+  const auto stride = static_cast<std::size_t>(std::max(rig.count(), 2));
+  return stride * k + static_cast<std::size_t>(camera);
+}
 
-void render_observation(const SimulatedSession& s, std::size_t k, Scene scene, const PixelRays& left_rays,
-                        const PixelRays& right_rays, const ImageOptions& images, std::uint64_t seed,
-                        const fs::path& out, Observation& o) {
+void render_observation(const SimulatedSession& s, std::size_t k, Scene scene, const std::vector<PixelRays>& rays,
+                        const ImageOptions& images, std::uint64_t seed, const fs::path& out, Observation& o) {
   for (std::size_t m = 0; m < scene.markers.size(); ++m) scene.markers[m].center = s.markers[k][m];
-  const StereoRig& rig = *s.true_rig;
-  const View views[] = {
-      {left_rays, s.root_from_sensor[k], s.root_from_tcp[k], "left"},
-      {right_rays, s.right_root_from_sensor[k] * inverse(rig.right_from_left), s.right_root_from_tcp[k], "right"}};
-  for (const View& view : views) {
-    const bool left = &view == &views[0];
+  const Rig& rig = *s.true_rig;
+  for (int c = 0; c < rig.count(); ++c) {
+    const Rigid& root_from_sensor = c == 0 ? s.root_from_sensor[k] : s.later_root_from_sensor[k];
+    const Rigid& root_from_tcp = c == 0 ? s.root_from_tcp[k] : s.later_root_from_tcp[k];
     ImageEffects effects;
     effects.blur_px = images.blur_px;
     effects.noise_grey = images.noise_grey;
-    effects.seed = Random(seed).child(2 * k + (left ? 0 : 1)).word();
-    const std::string file = fmt::format("images/{:03}_{}.png", o.id, view.side);
-    write_png(render(scene, view.rays, view.root_from_camera, view.root_from_tcp, effects), out / file);
-    (left ? o.left_image : o.right_image) = file;
+    effects.seed = Random(seed).child(seed_of_image(rig, k, c)).word();
+    std::string& file = o.images[static_cast<std::size_t>(c)];
+    file = fmt::format("images/{:03}_{}.png", o.id, rig.at(c).name);
+    write_png(render(scene, rays[static_cast<std::size_t>(c)], root_from_sensor * inverse(rig.at(c).camera_from_first),
+                     root_from_tcp, effects),
+              out / file);
   }
 }
 
@@ -75,7 +74,8 @@ std::string label_hint(const SimulatedSession& s, const fs::path& out) {
   std::string hint =
       fmt::format("handsight-cli label {} --observation {} --left", out.string(), s.session.observations[0].id);
   for (const Vector3& marker : s.markers[0]) {
-    const Vector2 pixel = project(s.true_rig->left, inverse(s.root_from_sensor[0]) * (s.root_from_tcp[0] * marker));
+    const Vector2 pixel =
+        project(s.true_rig->at(0).camera, inverse(s.root_from_sensor[0]) * (s.root_from_tcp[0] * marker));
     hint += fmt::format(" \"{:.0f},{:.0f}\"", pixel.x(), pixel.y());
   }
   return hint;
@@ -104,7 +104,7 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
                                const std::function<void(int)>& rendered) {
   if (fs::exists(out) && !(fs::is_directory(out) && fs::is_empty(out)))
     throw InputError(fmt::format("{} is there already and not empty; name a new folder in --out.", shown_path(out)));
-  if (images.observations > 0 && !simulated.session.stereo)
+  if (images.observations > 0 && !simulated.session.rig)
     throw InputError("A tracker session has no images to render; leave --images out.");
   const std::string robot_text = read_file(robot_file);
   std::error_code error;
@@ -118,15 +118,16 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
   const auto chosen = chosen_observations(simulated, options, images.observations);
   if (!chosen.empty()) {
     const Scene scene = scene_for(simulated, options, images);
-    const PixelRays left = pixel_rays(simulated.true_rig->left), right = pixel_rays(simulated.true_rig->right);
+    std::vector<PixelRays> rays;
+    for (const RigCamera& c : simulated.true_rig->cameras) rays.push_back(pixel_rays(c.camera));
     for (const std::size_t k : chosen) {
       Observation& o = simulated.session.observations[k];
-      render_observation(simulated, k, scene, left, right, images, options.seed, part, o);
-      o.sightings.clear();  // to be found in the images
+      render_observation(simulated, k, scene, rays, images, options.seed, part, o);
+      if (is_pair(*simulated.true_rig)) o.sightings.clear();  // to be found in the images
       if (rendered) rendered(++written.with_images);
     }
     written.with_images = static_cast<int>(chosen.size());
-    written.label_hint = label_hint(simulated, out);
+    if (is_pair(*simulated.true_rig)) written.label_hint = label_hint(simulated, out);
   }
   simulated.session.robot_file = robot_name(robot_file);
   replace_file(part / simulated.session.robot_file, robot_text);

@@ -76,27 +76,37 @@ Vector2 noisy(const Vector2& pixel, double noise, Random& random) {
   return pixel + noise * Vector2(u, v);
 }
 
-std::vector<Sighting> sightings_of(const SimulatedSession& s, std::size_t k, const Vector3& shift, Random random) {
+/// Cameras that stand round a hand see markers from behind, which nobody sees.
+bool faces(const Vector3& normal, const Vector3& in_camera, double most_turned) {
+  return -normal.dot(in_camera) >= std::cos(most_turned) * in_camera.norm();
+}
+
+std::vector<Sighting> sightings_of(const SimulatedSession& s, std::size_t k, const Vector3& shift, double most_turned,
+                                   Random random) {
   std::vector<Sighting> all;
-  const Rigid left_from_tcp = inverse(s.root_from_sensor[k]) * s.root_from_tcp[k];
-  const Rigid left_from_tcp_later = inverse(s.right_root_from_sensor[k]) * s.right_root_from_tcp[k];
+  const Rigid sensor_from_tcp = inverse(s.root_from_sensor[k]) * s.root_from_tcp[k];
+  const Rigid sensor_from_tcp_later = inverse(s.later_root_from_sensor[k]) * s.later_root_from_tcp[k];
   for (int m = 0; m < s.session.marker_count; ++m) {
     const Vector3& marker = s.markers[k][static_cast<std::size_t>(m)];
-    const Vector3 x = left_from_tcp * marker + shift;
-    Sighting sighting{m, {}, {}, {}, MarkedBy::import};
-    if (!s.session.stereo) {
+    const Vector3 x = sensor_from_tcp * marker + shift;
+    Sighting sighting{.marker = m};
+    if (!s.session.rig) {
       const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian();
       sighting.point = x + s.noise * Vector3(a, b, c);
       all.push_back(sighting);
       continue;
     }
-    const StereoRig& rig = *s.true_rig;
-    const Vector3 in_right = rig.right_from_left * (left_from_tcp_later * marker + shift);
-    const Vector2 left = noisy(project(rig.left, x), s.noise, random);
-    const Vector2 right = noisy(project(rig.right, in_right), s.noise, random);
-    if (is_visible(rig.left, x)) sighting.left = left;
-    if (is_visible(rig.right, in_right)) sighting.right = right;
-    if (sighting.left || sighting.right) all.push_back(sighting);
+    for (int c = 0; c < s.true_rig->count(); ++c) {
+      const RigCamera& camera = s.true_rig->at(c);
+      const Rigid& first_from_tcp = c == 0 ? sensor_from_tcp : sensor_from_tcp_later;
+      const Vector3 in_camera = camera.camera_from_first * (first_from_tcp * marker + shift);
+      const Vector2 pixel = noisy(project(camera.camera, in_camera), s.noise, random);
+      if (!is_visible(camera.camera, in_camera)) continue;
+      const Vector3 normal = camera.camera_from_first.rotation * (first_from_tcp.rotation * s.normal_in_tcp);
+      if (s.true_rig->count() > 2 && !faces(normal, in_camera, most_turned)) continue;
+      see(sighting, c, pixel);
+    }
+    if (!sighting.in_cameras.empty()) all.push_back(sighting);
   }
   return all;
 }
@@ -108,13 +118,14 @@ void spoil_sightings(const SimulationOptions& options, std::size_t k, SimulatedS
   Random unseen = root.child(unseen_stream + k), wrong = root.child(wrong_stream + k);
   std::erase_if(o.sightings, [&](const Sighting&) { return unseen.uniform() < options.unseen; });
   for (Sighting& sighting : o.sightings)
-    for (std::optional<Vector2>* point : {&sighting.left, &sighting.right}) {
+    for (int c = 0; s.session.rig && c < s.session.rig->count(); ++c) {
       const bool spoilt = wrong.uniform() < options.wrong_corners;
       const double u = wrong.gaussian(), v = wrong.gaussian();
-      if (!spoilt || !*point) continue;
+      CameraPoint* const point = seen_by(sighting, c);
+      if (!spoilt || !point) continue;
       const Vector2 off = wrong_corner_size * Vector2(u, v);
-      **point += off;
-      s.wrong_corners.push_back({o.id, sighting.marker, point == &sighting.left, off});
+      point->pixel += off;
+      s.wrong_corners.push_back({o.id, sighting.marker, c, off});
     }
 }
 
@@ -138,8 +149,8 @@ void disturb(const Disturbance& d, const World& world, SimulatedSession& s, std:
   Eigen::VectorXd later = o.position;
   later[j] += d.size;
   const Ends ends = ends_at(world, circumstances_at(world.chain, later));
-  s.right_root_from_tcp[k] = ends.root_from_tcp;
-  s.right_root_from_sensor[k] = ends.root_from_sensor;
+  s.later_root_from_tcp[k] = ends.root_from_tcp;
+  s.later_root_from_sensor[k] = ends.root_from_sensor;
 }
 
 void add_observations(const Session& like, const SimulationOptions& options, const World& world, SimulatedSession& s) {
@@ -190,20 +201,23 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
   s.normal_in_tcp = body.normal_in_tcp;
 
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
-  if (like.stereo) s.true_rig = moved_rig(*like.stereo, moved_sites(circumstances_at(chain, zero), options.effects));
+  if (like.rig) s.true_rig = moved_rig(*like.rig, moved_sites(circumstances_at(chain, zero), options.effects));
   add_observations(like, options, world, s);
-  s.right_root_from_tcp = s.root_from_tcp;
-  s.right_root_from_sensor = s.root_from_sensor;
+  s.later_root_from_tcp = s.root_from_tcp;
+  s.later_root_from_sensor = s.root_from_sensor;
   for (const Disturbance& d : options.disturbances) {
     if (d.id < 0 || d.id >= options.observations ||
         (d.kind == Disturbance::Kind::marker && d.index >= like.marker_count))
       throw InputError(fmt::format("Disturbance of observation {}: there are observations 0 to {} and markers 0 to {}.",
                                    d.id, options.observations - 1, like.marker_count - 1));
+    if (d.kind == Disturbance::Kind::right_image && like.rig && like.rig->count() < 2)
+      throw InputError(fmt::format("Disturbance of observation {}: right_image needs a second camera.", d.id));
     disturb(d, world, s, static_cast<std::size_t>(d.id));
   }
   const Random root(options.seed);
   for (std::size_t k = 0; k < s.session.observations.size(); ++k) {
-    s.session.observations[k].sightings = sightings_of(s, k, options.shift_in_sensor, root.child(noise_stream + k));
+    s.session.observations[k].sightings =
+        sightings_of(s, k, options.shift_in_sensor, options.most_turned, root.child(noise_stream + k));
     spoil_sightings(options, k, s);
   }
   return s;

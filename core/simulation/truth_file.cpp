@@ -34,10 +34,9 @@ void add_effects(tinyxml2::XMLElement& parent, const SimulatedSession& simulated
     for (std::size_t p = 0; p < term.values.size(); ++p) {
       tinyxml2::XMLElement* parameter = element->InsertNewChildElement("parameter");
       if (term.joint >= 0)
-        parameter->SetAttribute(
-            "of", effect->scope == EffectScope::marker
-                      ? std::to_string(term.joint).c_str()
-                      : simulated.session.robot.joints[static_cast<std::size_t>(term.joint)].name.c_str());
+        parameter->SetAttribute("of", effect->scope == EffectScope::marker
+                                          ? std::to_string(term.joint).c_str()
+                                          : place_name(*effect, term.joint, simulated.session.robot).c_str());
       parameter->SetAttribute("name", effect->parameters[p].name.c_str());
       parameter->SetAttribute("value", format_number(term.values[p]).c_str());
       parameter->SetAttribute("unit", effect->parameters[p].unit.c_str());
@@ -58,7 +57,7 @@ void add_wrong_corners(tinyxml2::XMLElement& parent, const SimulatedSession& sim
     tinyxml2::XMLElement* element = parent.InsertNewChildElement("wrong_corner");
     element->SetAttribute("observation", wrong.id);
     element->SetAttribute("marker", wrong.marker);
-    element->SetAttribute("seen_by", wrong.left ? "left" : "right");
+    element->SetAttribute("seen_by", simulated.session.rig->at(wrong.camera).name.c_str());
     element->SetAttribute("off", format_numbers(std::vector<double>{wrong.off.x(), wrong.off.y()}).c_str());
   }
 }
@@ -100,7 +99,8 @@ void write_truth(const SimulatedSession& simulated, const SimulationOptions& opt
     root->InsertNewChildElement("shift_in_sensor")->SetAttribute("xyz", three(options.shift_in_sensor).c_str());
   add_effects(*root, simulated);
   for (const EffectTerm& term : simulated.effects)
-    if (term.own) write_effect_definition(*root->InsertNewChildElement("effect_definition"), *term.own->definition);
+    if (term.own && term.own->definition)
+      write_effect_definition(*root->InsertNewChildElement("effect_definition"), *term.own->definition);
   add_curves(*root, simulated, options);
   add_wrong_corners(*root, simulated);
   for (const Disturbance& d : options.disturbances) {

@@ -123,7 +123,7 @@ std::optional<BodyHypothesis> body_hypothesis(const std::vector<CornerPair>& pai
   for (const MarkerNode& node : h.nodes) {
     const Miss m = miss_of(pairs[static_cast<std::size_t>(node.pair)], known, node.marker, h.sensor_from_body);
     if (m.distance > options.marker_gate + 3 * m.sigma) return std::nullopt;
-    h.misfit += m.chi2 + std::pow(pairs[static_cast<std::size_t>(node.pair)].likeness, 2);
+    h.misfit += m.chi2 + std::pow(pairs[static_cast<std::size_t>(node.pair)].unlikeness, 2);
     center += in_body(known, node.marker) / static_cast<double>(h.nodes.size());
   }
   if (prediction) {

@@ -39,6 +39,10 @@ double unlikeness(const Corner& a, const Corner& b) {
 
 }  // namespace
 
+Eigen::Matrix2d measured_covariance(const Corner& corner, const PairOptions& options) {
+  return corner.covariance + options.corner_floor * options.corner_floor * Eigen::Matrix2d::Identity();
+}
+
 std::vector<CornerPair> corner_pairs(const StereoRig& rig, const std::vector<Corner>& left,
                                      const std::vector<Corner>& right, const PairOptions& options,
                                      const std::vector<int>& lefts) {
@@ -51,7 +55,6 @@ std::vector<CornerPair> corner_pairs(const StereoRig& rig, const std::vector<Cor
     std::iota(chosen.begin(), chosen.end(), 0);
   }
 
-  const Eigen::Matrix2d floor = options.corner_floor * options.corner_floor * Eigen::Matrix2d::Identity();
   std::vector<CornerPair> pairs;
   for (const int l : chosen) {
     const Normalised& a = left_points[static_cast<std::size_t>(l)];
@@ -63,8 +66,8 @@ std::vector<CornerPair> corner_pairs(const StereoRig& rig, const std::vector<Cor
       const double limit = options.epipolar_threshold + 3 * std::hypot(a.sigma, b.sigma);
       if (epipolar_distance(rig, essential, *a.point, *b.point) > limit) continue;
       const Corner& left_corner = left[static_cast<std::size_t>(l)];
-      const auto point = triangulate(rig, left_corner.position, right[r].position, left_corner.covariance + floor,
-                                     right[r].covariance + floor);
+      const auto point = triangulate(rig, left_corner.position, right[r].position,
+                                     measured_covariance(left_corner, options), measured_covariance(right[r], options));
       if (!point || point->point.z() < options.nearest || point->point.z() > options.farthest) continue;
       pairs.push_back({l, static_cast<int>(r), *point, unlikeness(left_corner, right[r])});
     }

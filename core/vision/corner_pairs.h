@@ -21,8 +21,11 @@ struct CornerPair {
   int left = 0;  // indices into the corners
   int right = 0;
   StereoPoint point;
-  double likeness = 0;  // 0 alike to 1 unlike: edge directions and contrast of the two corners
+  double unlikeness = 0;  // 0 alike to 1 unlike: edge directions and contrast of the two corners
 };
+
+/// How sure a corner is as a measurement (px^2): as seen in the image, and what the cameras' calibration leaves.
+Eigen::Matrix2d measured_covariance(const Corner& corner, const PairOptions& options = {});
 
 /// All pairs of the left corners (those of `lefts`, or all where it is empty) with right corners. Ordered by left
 /// corner, then by epipolar distance.

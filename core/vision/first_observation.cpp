@@ -28,7 +28,7 @@ struct Choice {
 };
 
 double pair_score(const CornerPair& pair, const PairOptions& options) {
-  return std::pow(pair.point.epipolar_distance / options.epipolar_threshold, 2) + 2 * pair.likeness;
+  return std::pow(pair.point.epipolar_distance / options.epipolar_threshold, 2) + 2 * pair.unlikeness;
 }
 
 /// Depth-first over the markers. `score` only grows, and what the markers that are left add at least is known, so that
@@ -167,8 +167,10 @@ FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, c
         pointed.size(), 1e3 * options.most_spread));
   for (std::size_t m = 0; m < pointed.size(); ++m) {
     const CornerPair& pair = candidates[m][static_cast<std::size_t>(best.pairs[m])];
-    result.markers.push_back({left[static_cast<std::size_t>(pair.left)].position,
-                              right[static_cast<std::size_t>(pair.right)].position, pair.point,
+    const Corner &seen = left[static_cast<std::size_t>(pair.left)],
+                 &partner = right[static_cast<std::size_t>(pair.right)];
+    result.markers.push_back({seen.position, partner.position, measured_covariance(seen, options.pairs),
+                              measured_covariance(partner, options.pairs), pair.point,
                               static_cast<int>(candidates[m].size()) - 1});
   }
   if (result.markers.size() >= 2)

@@ -20,7 +20,8 @@ struct LabelOptions {
 };
 
 struct LabelledMarker {
-  Vector2 left, right;  // px, the corners
+  Vector2 left, right;                                // px, the corners
+  Eigen::Matrix2d left_covariance, right_covariance;  // px^2, PairOptions::corner_floor included
   StereoPoint point;
   int other_candidates = 0;  // right corners that would do as well by the epipolar line alone
 };

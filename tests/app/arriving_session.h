@@ -26,8 +26,8 @@ struct ArrivingSession {
   }
   const Observation& one(std::int64_t id) { return all.observations[static_cast<std::size_t>(id)]; }
   void bring(std::int64_t id, bool left = true, bool right = true) {
-    if (left) std::filesystem::copy_file(sample / one(id).left_image, home / one(id).left_image);
-    if (right) std::filesystem::copy_file(sample / one(id).right_image, home / one(id).right_image);
+    if (left) std::filesystem::copy_file(sample / one(id).images[0], home / one(id).images[0]);
+    if (right) std::filesystem::copy_file(sample / one(id).images[1], home / one(id).images[1]);
   }
   /// The table's first line, and an observation's; `first` stands in a column before the joints.
   std::string header(const std::string& first = {}) {

@@ -28,19 +28,19 @@ CameraT<T> cast_camera(const Camera& c) {
 
 /// Predicted - measured of one marker in both images, px.
 struct SightingCost {
-  const StereoRig& rig;
+  const Rig& rig;
   const Sighting& sighting;
   Rigid tcp_side;    // root_from_tcp; sensor_from_tcp with a known mount
   Rigid mount_side;  // root_from_sensor at the start, from which `mount` is the small motion
 
   template <class T>
   bool of_point(const Vector3T<T>& x, T* residual) const {
-    const Vector3T<T> in_right = cast<T>(rig.right_from_left) * x;
-    const Eigen::Matrix<T, 2, 1> left = project<T>(cast_camera<T>(rig.left), x);
-    const Eigen::Matrix<T, 2, 1> right = project<T>(cast_camera<T>(rig.right), in_right);
+    const Vector3T<T> in_right = cast<T>(rig.at(1).camera_from_first) * x;
+    const Eigen::Matrix<T, 2, 1> left = project<T>(cast_camera<T>(rig.at(0).camera), x);
+    const Eigen::Matrix<T, 2, 1> right = project<T>(cast_camera<T>(rig.at(1).camera), in_right);
     for (int i = 0; i < 2; ++i) {
-      residual[i] = left[i] - (*sighting.left)[i];
-      residual[2 + i] = right[i] - (*sighting.right)[i];
+      residual[i] = left[i] - sighting.in_cameras[0].pixel[i];
+      residual[2 + i] = right[i] - sighting.in_cameras[1].pixel[i];
     }
     return true;
   }

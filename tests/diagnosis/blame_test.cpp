@@ -26,7 +26,8 @@ const ObservationBlame& of(const std::vector<ObservationBlame>& list, std::int64
 }
 
 Sighting& seen_by_both(Observation& o) {
-  return *std::find_if(o.sightings.begin(), o.sightings.end(), [](const Sighting& s) { return s.left && s.right; });
+  return *std::find_if(o.sightings.begin(), o.sightings.end(),
+                       [](const Sighting& s) { return seen_by(s, 0) && seen_by(s, 1); });
 }
 
 TEST(Blame, NobodyIsToBlameForNoise) {
@@ -44,15 +45,15 @@ TEST(Blame, AWrongCornerIsTheCamerasAndSaysWhereItBelongs) {
   const Fit right = fit(session);
   Sighting& s = seen_by_both(session.observations[7]);
   const int marker = s.marker;
-  *s.right += Vector2(1, 9);
+  seen_by(s, 1)->pixel += Vector2(1, 9);
   const ObservationBlame b = of(blame_observations(session, right), session.observations[7].id);
   EXPECT_EQ(b.blame.letter, 'C');
   EXPECT_GT(b.blame.cameras, b.blame.robot);
   EXPECT_EQ(b.change.kind, SingleChange::Kind::corner);
   EXPECT_EQ(b.change.marker, marker);
-  EXPECT_EQ(b.change.camera, SeenBy::right);
+  EXPECT_EQ(b.change.camera, 1);
   EXPECT_LT((b.change.shift + Vector2(1, 9)).norm(), 1.5);
-  const std::string text = change_text(b.change, true);
+  const std::string text = change_text(b.change, right.problem.rig_or_null());
   EXPECT_NE(text.find("right image"), std::string::npos) << text;
   EXPECT_NE(text.find("px further up"), std::string::npos) << text;
 }
@@ -67,8 +68,8 @@ TEST(Blame, AMarkerThatMovedIsTheBodysAndSaysByHowMuch) {
   const Vector3 offset = 0.008 * (markers[other] - markers[static_cast<std::size_t>(s.marker)]).normalized();
   const Vector3 x = sensor_from_tcp_at(o, estimate(right).mount_from_sensor) *
                     (estimate(right).markers_in_tcp[static_cast<std::size_t>(s.marker)] + offset);
-  s.left = project(session.stereo->left, x);
-  s.right = project(session.stereo->right, Vector3(session.stereo->right_from_left * x));
+  see(s, 0, project(session.rig->at(0).camera, x));
+  see(s, 1, project(session.rig->at(1).camera, Vector3(session.rig->at(1).camera_from_first * x)));
   const ObservationBlame b =
       of(blame_observations(session, right), session.observations[static_cast<std::size_t>(o.index)].id);
   EXPECT_EQ(b.blame.letter, 'B');
@@ -113,9 +114,9 @@ TEST(SmallestVisible, IsTheErrorThatTheTestSeesFourTimesInFive) {
       for (int k = 0; k < 90; ++k) {
         ProblemObservation off = o;
         const Vector2 error = 0.01 * Vector2(std::cos(k * EIGEN_PI / 90), std::sin(k * EIGEN_PI / 90));
-        std::optional<Vector2>& corner = left ? off.sightings[i].left : off.sightings[i].right;
+        CameraPoint* const corner = seen_by(off.sightings[i], left ? 0 : 1);
         if (!corner) continue;
-        *corner += error;
+        corner->pixel += error;
         const ResidualParts p = residual_parts(f.problem, off, estimate(f));
         least = std::min(least, (p.cameras + p.body) * std::pow(visible / (0.01 * 0.2), 2));
       }

@@ -6,27 +6,10 @@
 #include <random>
 
 #include "diagnosis/improvement.h"
-#include "fixtures/arms.h"
+#include "simulated_stand.h"
 
 namespace handsight {
 namespace {
-
-Session like_stand() {
-  Session s = fixture::stand_session();
-  s.robot.joints[1].stiffness = s.robot.joints[2].stiffness = 12000;
-  return s;
-}
-
-Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t seed, int observations = 60,
-                  const Session& like = like_stand()) {
-  SimulationOptions o;
-  o.effects = effects;
-  o.seed = seed;
-  o.observations = observations;
-  o.noise = like.is_tracker() ? 2e-4 : 0.2;
-  o.declare_noise = false;
-  return simulate_session(like, o).session;
-}
 
 DiagnosisOptions quick() {
   DiagnosisOptions o;
@@ -62,6 +45,41 @@ TEST(Diagnosis, NamesWhatIsHiddenAndWhere) {
     }
     EXPECT_FALSE(best.explanation.empty());
     EXPECT_TRUE(best.plausible);
+  }
+}
+
+/// A torso on springs with a coupled joint, and an arm: everything of the catalogue shows.
+Session torso_on_springs() {
+  Session s = fixture::stand_session(4);
+  s.robot = fixture::coupled_torso();
+  for (Joint& joint : s.robot.joints) joint.stiffness = 4000;
+  s.tcp = "hand";
+  s.mount.link = "base";
+  s.mount.mount_from_sensor = fixture::look_at({1.5, -0.6, 1.2}, {0.2, 0.1, 0.9});
+  s.joints = {"t1", "t2", "arm_1", "arm_2"};
+  s.observations[0].position = Eigen::VectorXd::Zero(4);
+  return s;
+}
+
+TEST(Diagnosis, EveryEffectOfTheCatalogueComesFirst) {
+  const Session like = torso_on_springs();
+  for (const Effect& e : catalogue()) {
+    if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rig_diagnosis_test.cpp
+    const std::vector<int> places = effect_places(e, chain_of(like));
+    ASSERT_FALSE(places.empty()) << e.id;
+    EffectTerm hidden = term_of(e, places[std::min<std::size_t>(1, places.size() - 1)]);
+    double sign = 2;
+    for (std::size_t p = 0; p < e.parameters.size(); ++p) {
+      const EffectParameter& parameter = e.parameters[p];
+      hidden.values[p] = !parameter.is_choice        ? sign * plausible_size(parameter, chain_of(like))
+                         : parameter.choices.empty() ? 37
+                                                     : parameter.choices.front();
+      sign = -sign;
+    }
+    const Diagnosis d = diagnose(simulated({hidden}, 31, 90, like), quick());
+    ASSERT_FALSE(d.candidates.empty());
+    EXPECT_EQ(d.candidates.front().id, e.id) << d.reason;
+    EXPECT_GT(d.candidates.front().ln_bayes_factor, 20) << e.id << " hardly shows";
   }
 }
 
@@ -134,12 +152,12 @@ TEST(Snooping, FindsWrongPointsAndNoOthers) {
   int displaced = 0;
   for (Observation& o : session.observations)
     if (o.id % 6 == 1) {
-      *o.sightings[o.id % 3].left += Vector2(7, -6);
+      seen_by(o.sightings[o.id % 3], 0)->pixel += Vector2(7, -6);
       ++displaced;
     }
   const CleanFit clean = clean_fit(session, {});
   int right = 0;
-  for (const WrongPoint& w : clean.wrong) right += w.id % 6 == 1 && w.marker == w.id % 3 && w.camera == SeenBy::left;
+  for (const WrongPoint& w : clean.wrong) right += w.id % 6 == 1 && w.marker == w.id % 3 && w.camera == 0;
   EXPECT_GE(right, displaced - 1);
   EXPECT_LE(static_cast<int>(clean.wrong.size()), right + 1);
   EXPECT_NEAR(clean.fit.noise_estimate->sigma, 0.2, 0.02);

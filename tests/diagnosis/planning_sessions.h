@@ -38,14 +38,14 @@ inline Session measured(const SimulatedSession& s, Session session, const std::v
     o.position = pose;
     int marker = 0;
     for (const Vector3& x : true_markers(s, chain, pose)) {
-      Sighting sighting{marker++, {}, {}, {}, MarkedBy::import};
-      if (session.stereo) {
+      Sighting sighting{.marker = marker++};
+      if (session.rig) {
         const auto noisy = [&](const Vector2& p) {
           const double u = random.gaussian(), v = random.gaussian();
           return Vector2(p + s.noise * Vector2(u, v));
         };
-        sighting.left = noisy(project(session.stereo->left, x));
-        sighting.right = noisy(project(session.stereo->right, session.stereo->right_from_left * x));
+        see(sighting, 0, noisy(project(session.rig->at(0).camera, x)));
+        see(sighting, 1, noisy(project(session.rig->at(1).camera, session.rig->at(1).camera_from_first * x)));
       } else {
         sighting.point = x + s.noise * random.gaussian3();
       }

@@ -53,8 +53,8 @@ TEST(Planning, PosesAreWithinLimitsVisibleAndApart) {
     const Circumstances c = circumstances_at(chain, pose.position);
     const Rigid left_from_tcp = sensor_from_tcp(observed_ends(c, {}).ends, s.mount_from_sensor);
     for (const Vector3& x : true_markers(s, chain, pose.position)) {
-      EXPECT_TRUE(is_visible(chain.stereo->left, x, 20));
-      EXPECT_TRUE(is_visible(chain.stereo->right, chain.stereo->right_from_left * x, 20));
+      EXPECT_TRUE(is_visible(chain.rig->at(0).camera, x, 20));
+      EXPECT_TRUE(is_visible(chain.rig->at(1).camera, chain.rig->at(1).camera_from_first * x, 20));
       EXPECT_LT(std::acos(-(left_from_tcp.rotation * s.normal_in_tcp).dot(x.normalized())), 1.3);
     }
   }

@@ -38,8 +38,9 @@ Session as_if(const Session& session, const Fit& fit, const std::vector<EffectTe
     const Rigid sensor_from_tcp = sensor_from_tcp_at(o, estimate(fit).mount_from_sensor);
     for (Sighting& s : changed.observations[static_cast<std::size_t>(o.index)].sightings) {
       const Vector3 x = sensor_from_tcp * marker_at(o, estimate(fit), s.marker);
-      if (s.left) s.left = project(session.stereo->left, x);
-      if (s.right) s.right = project(session.stereo->right, Vector3(session.stereo->right_from_left * x));
+      if (seen_by(s, 0)) see(s, 0, project(session.rig->at(0).camera, x));
+      if (seen_by(s, 1))
+        see(s, 1, project(session.rig->at(1).camera, Vector3(session.rig->at(1).camera_from_first * x)));
     }
   }
   return changed;

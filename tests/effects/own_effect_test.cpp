@@ -99,7 +99,8 @@ TEST(OwnEffect, IsAbsentWhereItsNumbersAreZeroAndAddsInThem) {
     const auto numbers = [&](const std::vector<EffectTerm>& terms) {
       const Sites s = moved_sites(here, terms);
       Eigen::VectorXd all(6 * 4 + 16 + 9);
-      all << s.hand, s.drift, s.body, s.rig, s.left_camera, s.right_camera, s.markers[0], s.markers[1], s.markers[2];
+      all << s.hand, s.drift, s.body, s.cameras[1].motion, s.cameras[0].numbers, s.cameras[1].numbers, s.markers[0],
+          s.markers[1], s.markers[2];
       double joints = 0;
       for (const JointChange& j : s.robot.joints)
         joints += j.angle + 3 * j.compliance + j.frame.sum() + 7 * j.after.sum();

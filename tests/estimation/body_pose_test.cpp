@@ -11,22 +11,19 @@ namespace {
 const std::vector<Vector3> body = {{0, 0, 0}, {0.06, 0, 0}, {0.02, 0.05, 0.01}, {0.05, 0.04, -0.01}};
 const Rigid truth{rotation_from_rpy({2.9, 0.2, 0.4}), {0.05, -0.04, 0.9}};
 
-std::vector<Sighting> sightings(const StereoRig& rig, double noise, Random& random, int count = 4) {
+std::vector<Sighting> sightings(const Rig& rig, double noise, Random& random, int count = 4) {
   std::vector<Sighting> all;
   for (int m = 0; m < count; ++m) {
     const Vector3 x = truth * body[static_cast<std::size_t>(m)];
     const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian(), d = random.gaussian();
-    all.push_back({m,
-                   project(rig.left, x) + noise * Vector2(a, b),
-                   project(rig.right, Vector3(rig.right_from_left * x)) + noise * Vector2(c, d),
-                   {},
-                   MarkedBy::import});
+    all.push_back(seen_at(m, project(rig.at(0).camera, x) + noise * Vector2(a, b),
+                          project(rig.at(1).camera, Vector3(rig.at(1).camera_from_first * x)) + noise * Vector2(c, d)));
   }
   return all;
 }
 
 TEST(BodyPose, IsExactWithoutNoiseFromAFarGuess) {
-  const StereoRig rig = *fixture::stand_session().stereo;
+  const Rig rig = *fixture::stand_session().rig;
   Random random(1);
   const auto seen = sightings(rig, 0, random);
   const auto start = body_pose_from_points(&rig, seen, body);
@@ -40,7 +37,7 @@ TEST(BodyPose, IsExactWithoutNoiseFromAFarGuess) {
 }
 
 TEST(BodyPose, CovarianceIsThatOfManyDraws) {
-  const StereoRig rig = *fixture::stand_session().stereo;
+  const Rig rig = *fixture::stand_session().rig;
   Random random(2);
   const double noise = 0.3;
   double sum = 0;
@@ -55,17 +52,17 @@ TEST(BodyPose, CovarianceIsThatOfManyDraws) {
 }
 
 TEST(BodyPose, OneCameraIsEnoughWithAGuess) {
-  const StereoRig rig = *fixture::stand_session().stereo;
+  const Rig rig = *fixture::stand_session().rig;
   Random random(3);
   auto seen = sightings(rig, 0, random);
-  for (Sighting& s : seen) s.right.reset();
+  for (Sighting& s : seen) forget(s, 1);
   const auto pose = estimate_body_pose(&rig, seen, body, small_motion<double>(Vector6::Constant(0.01)) * truth);
   ASSERT_TRUE(pose);
   EXPECT_LT(small_motion_between(truth, pose->sensor_from_body).norm(), 1e-7);
 }
 
 TEST(BodyPose, NeedsThreeMarkersOffALine) {
-  const StereoRig rig = *fixture::stand_session().stereo;
+  const Rig rig = *fixture::stand_session().rig;
   Random random(4);
   EXPECT_FALSE(estimate_body_pose(&rig, sightings(rig, 0.2, random, 2), body, truth));
   const std::vector<Vector3> line = {{0, 0, 0}, {0.03, 0, 0}, {0.06, 0, 0}};
@@ -73,7 +70,7 @@ TEST(BodyPose, NeedsThreeMarkersOffALine) {
   for (int m = 0; m < 3; ++m) {
     const Vector3 x = truth * line[static_cast<std::size_t>(m)];
     on_line.push_back(
-        {m, project(rig.left, x), project(rig.right, Vector3(rig.right_from_left * x)), {}, MarkedBy::import});
+        seen_at(m, project(rig.at(0).camera, x), project(rig.at(1).camera, Vector3(rig.at(1).camera_from_first * x))));
   }
   EXPECT_FALSE(estimate_body_pose(&rig, on_line, line, truth));
 }

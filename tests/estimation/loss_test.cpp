@@ -27,7 +27,7 @@ SimulatedSession with_wrong_corners(std::uint64_t seed) {
   options.seed = seed;
   options.observations = 40;
   SimulatedSession s = simulate_session(fixture::stand_session(), options);
-  for (const std::size_t k : {3, 11, 20, 31}) s.session.observations[k].sightings[1].left->x() += 25;
+  for (const std::size_t k : {3, 11, 20, 31}) seen_by(s.session.observations[k].sightings[1], 0)->pixel.x() += 25;
   return s;
 }
 
@@ -38,8 +38,8 @@ SimulatedSession with_wrong_poses(std::uint64_t seed) {
   SimulatedSession s = simulate_session(fixture::stand_session(), options);
   for (const std::size_t k : {3, 11, 20, 31})
     for (Sighting& sighting : s.session.observations[k].sightings) {
-      sighting.left->y() += 25;
-      sighting.right->y() += 25;
+      seen_by(sighting, 0)->pixel.y() += 25;
+      seen_by(sighting, 1)->pixel.y() += 25;
     }
   return s;
 }

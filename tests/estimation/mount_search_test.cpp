@@ -26,14 +26,14 @@ Session without_mount(const char* name) {
 
 void label(Session& s, std::size_t index, const std::vector<Vector2>& left, const std::vector<Vector2>& right) {
   for (std::size_t m = 0; m < left.size(); ++m)
-    s.observations[index].sightings.push_back({static_cast<int>(m), left[m], right[m], {}, MarkedBy::hand});
+    s.observations[index].sightings.push_back(seen_at(static_cast<int>(m), left[m], right[m], MarkedBy::hand));
 }
 
 /// As `label` would: the pointed corners with their partners.
 void label_first_of(Session& s, const std::vector<Vector2>& pointed) {
   const Observation& o = s.observations.front();
-  const FirstLabels labels = label_first(*s.stereo, detect_corners(read_image(folder(s) / o.left_image)),
-                                         detect_corners(read_image(folder(s) / o.right_image)), pointed);
+  const FirstLabels labels = label_first(stereo_of(*s.rig), detect_corners(read_image(folder(s) / o.images[0])),
+                                         detect_corners(read_image(folder(s) / o.images[1])), pointed);
   ASSERT_EQ(labels.refusal, "");
   std::vector<Vector2> left, right;
   for (const LabelledMarker& m : labels.markers) left.push_back(m.left), right.push_back(m.right);
@@ -53,8 +53,8 @@ Played play(const Session& s) {
   Played played;
   for (const Observation& o : s.observations) {
     ImagePair images;
-    const bool has_images = !o.left_image.empty();
-    if (has_images) images = {read_image(folder(s) / o.left_image), read_image(folder(s) / o.right_image)};
+    const bool has_images = !o.images[0].empty();
+    if (has_images) images = {read_image(folder(s) / o.images[0]), read_image(folder(s) / o.images[1])};
     const OnlineStep step = online.add(o, has_images ? &images : nullptr);
     for (const OnlineStep& revised : online.take_revised()) played.steps[revised.id] = revised;
     played.steps[step.id] = step;
@@ -106,7 +106,7 @@ std::vector<Corner> corners_of(const Observation& o, bool left, const Camera& ca
     return c;
   };
   std::vector<Corner> corners;
-  for (const Sighting& s : o.sightings) corners.push_back(corner(left ? *s.left : *s.right));
+  for (const Sighting& s : o.sightings) corners.push_back(corner(seen_by(s, left ? 0 : 1)->pixel));
   std::uniform_real_distribution<double> u(0, camera.width - 1), v(0, camera.height - 1);
   for (int i = 0; i < others; ++i) corners.push_back(corner({u(random), v(random)}));
   return corners;
@@ -129,23 +129,19 @@ Cluttered cluttered(std::uint64_t seed, int observations, int others, double sag
   c.known.in_body.resize(3);
   c.known.sigma.assign(3, 1e-3);
   for (const Sighting& marker : s.observations[0].sightings)
-    c.known.in_body[static_cast<std::size_t>(marker.marker)] =
-        triangulate(*s.stereo, *marker.left, *marker.right)->point;
+    c.known.in_body[static_cast<std::size_t>(marker.marker)] = triangulate_unweighed(*s.rig, marker)->point;
   for (std::size_t i = 0; i < s.observations.size(); ++i) {
     MountWitness w{c.problem.observations[i], {}, i == 0};
     w.posture.sightings.clear();
-    const auto left = corners_of(s.observations[i], true, s.stereo->left, i == 0 ? 0 : others, random);
-    const auto right = corners_of(s.observations[i], false, s.stereo->right, i == 0 ? 0 : others, random);
+    const auto left = corners_of(s.observations[i], true, s.rig->at(0).camera, i == 0 ? 0 : others, random);
+    const auto right = corners_of(s.observations[i], false, s.rig->at(1).camera, i == 0 ? 0 : others, random);
     c.right_answers.push_back(-1);
-    for (const BodyCandidate& body : body_candidates(*s.stereo, left, right, c.known)) {
+    for (const BodyCandidate& body : body_candidates(stereo_of(*s.rig), left, right, c.known)) {
       SeenBody seen{{}, body.sensor_from_body, body.sigma, body.turn_sigma};
       bool is_true = body.markers.size() == 3;
       for (const MatchedMarker& m : body.markers) {
-        seen.sightings.push_back({m.marker,
-                                  left[static_cast<std::size_t>(m.left)].position,
-                                  right[static_cast<std::size_t>(m.right)].position,
-                                  {},
-                                  MarkedBy::tracker});
+        seen.sightings.push_back(seen_at(m.marker, left[static_cast<std::size_t>(m.left)].position,
+                                         right[static_cast<std::size_t>(m.right)].position, MarkedBy::tracker));
         is_true = is_true && m.left == m.marker && m.right == m.marker;
       }
       if (is_true) c.right_answers.back() = static_cast<int>(w.bodies.size());

@@ -34,8 +34,9 @@ Session repeated(const Session& session, const Fit& truth, int poses, int times,
       const Vector3 x = sensor_from_tcp_at(p, estimate(truth).mount_from_sensor) *
                         estimate(truth).markers_in_tcp[static_cast<std::size_t>(s.marker)];
       const auto off = [&] { return Vector2(noise * normal(random), noise * normal(random)); };
-      if (s.left) s.left = project(out.stereo->left, x) + off();
-      if (s.right) s.right = project(out.stereo->right, Vector3(out.stereo->right_from_left * x)) + off();
+      if (seen_by(s, 0)) see(s, 0, project(out.rig->at(0).camera, x) + off());
+      if (seen_by(s, 1))
+        see(s, 1, project(out.rig->at(1).camera, Vector3(out.rig->at(1).camera_from_first * x)) + off());
     }
   }
   return out;

@@ -54,11 +54,8 @@ TEST(EffectiveMass, FindsAWeightThatHangsOnTheHand) {
   const double force = 2 * 9.81;
   const double sag = arm.squaredNorm() * force / 5000;
   const Vector3 measured = inverse(sensor) * Vector3(commanded + sag * tangent);
-  o.sightings = {{0,
-                  project(like.stereo->left, measured),
-                  project(like.stereo->right, Vector3(like.stereo->right_from_left * measured)),
-                  {},
-                  MarkedBy::import}};
+  o.sightings = {seen_at(0, project(like.rig->at(0).camera, measured),
+                         project(like.rig->at(1).camera, Vector3(like.rig->at(1).camera_from_first * measured)))};
   like.observations = {o};
   const OneMarkerResult r = effective_masses(like, {.marker_in_tcp = marker});
   ASSERT_EQ(r.observations.size(), 1u);

@@ -97,7 +97,7 @@ TEST(Online, TwoDegreesCountAsNew) {
 
 TEST(Online, AWrongLabelIsRejectedWithTheMarkerThatIsWrong) {
   SimulatedSession s = simulated(fixture::stand_session(4), 25, 30);
-  s.session.observations[20].sightings[2].left->x() += 30;
+  seen_by(s.session.observations[20].sightings[2], 0)->pixel.x() += 30;
   const Outcome r = calibrate(s.session);
   EXPECT_FALSE(r.steps[20].accepted);
   EXPECT_NE(r.steps[20].reason.find("marker"), std::string::npos) << r.steps[20].reason;

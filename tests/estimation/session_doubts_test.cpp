@@ -29,14 +29,14 @@ TEST(SessionDoubts, ThereAreNoneOfTheSampleSessions) {
 
 TEST(SessionDoubts, SwappedWidthAndHeightAreNamed) {
   Session s = made();
-  for (Camera* camera : {&s.stereo->left, &s.stereo->right}) std::swap(camera->width, camera->height);
+  for (Camera* camera : {&s.rig->at(0).camera, &s.rig->at(1).camera}) std::swap(camera->width, camera->height);
   const std::string doubt = only_doubt(s);
   EXPECT_NE(doubt.find("swapped"), std::string::npos) << doubt;
 }
 
 TEST(SessionDoubts, APointFarOutsideIsNoSwap) {
   Session s = made();
-  s.observations[3].sightings[1].left = Vector2(5000, 100);
+  see(s.observations[3].sightings[1], 0, Vector2(5000, 100));
   const std::string doubt = only_doubt(s);
   EXPECT_EQ(doubt.find("swapped"), std::string::npos) << doubt;
   EXPECT_NE(doubt.find("observation 3"), std::string::npos) << doubt;

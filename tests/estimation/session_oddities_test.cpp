@@ -28,9 +28,9 @@ TEST(SessionOddities, DegreesAreSuspected) {
 
 TEST(SessionOddities, CamerasThatSeeNothingAreTold) {
   Session s = good_session();
-  s.stereo->left.fx = 1;
-  s.stereo->right.cx = -5;
-  s.stereo->right_from_left.translation *= 1000;
+  s.rig->at(0).camera.fx = 1;
+  s.rig->at(1).camera.cx = -5;
+  s.rig->at(1).camera_from_first.translation *= 1000;
   const auto said = session_oddities(s);
   EXPECT_THAT(said, Contains(HasSubstr("left camera sees 180 degrees")));
   EXPECT_THAT(said, Contains(HasSubstr("left camera's fx 1 and fy")));
@@ -42,8 +42,8 @@ TEST(SessionOddities, CopiesAreTold) {
   Session s = good_session();
   for (Observation& o : s.observations) {
     o.position = s.observations.front().position;
-    o.left_image = o.right_image = "a.png";
-    for (Sighting& sighting : o.sightings) sighting.right = sighting.left;
+    o.images[0] = o.images[1] = "a.png";
+    for (Sighting& sighting : o.sightings) see(sighting, 1, seen_by(sighting, 0)->pixel);
   }
   const auto said = session_oddities(s);
   EXPECT_THAT(said, Contains(HasSubstr("the left point is the right one")));

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "estimation/start.h"
 #include "fixtures/arms.h"
 
@@ -55,7 +58,7 @@ std::vector<Case> cases() {
 TEST(TrustRegion, AgreesWithTheNormalEquations) {
   for (Case& c : cases()) {
     Problem problem = make_problem(c.session, chain_of(c.session), {}, c.estimated);
-    if (problem.effect_count() > 0) problem.noise = c.session.stereo ? 0.2 : 2e-4;
+    if (problem.effect_count() > 0) problem.noise = c.session.rig ? 0.2 : 2e-4;
     const Unknowns start = *start_values(problem, c.session.mount);
     c.options.most_iterations = 300;
     const Solution ours = solve(problem, start, c.options);
@@ -116,6 +119,51 @@ TEST(Solve, NeverTakesAStepThatRaisesTheCost) {
     EXPECT_LE(s.normal.cost, at_start);
     EXPECT_TRUE(s.normal.in_front || !s.converged) << "behind a camera is no answer";
   }
+}
+
+/// The middle of the sandwich is how much the rows differ: where it is what noise of sigma makes of them, the sandwich
+/// is the plain covariance; where half of the observations are twice as noisy, it is what a simulation of that finds.
+TEST(SandwichCovariance, IsThatOfWhatTheRowsReallyScatter) {
+  SimulationOptions o;
+  o.observations = 30;
+  o.noise = 1e-9;
+  const SimulatedSession exact = simulate_session(fixture::tracker_session(3), o);
+  const Problem problem = make_problem(exact.session, chain_of(exact.session));
+  const Unknowns truth = solve(problem, *start_values(problem, exact.session.mount)).unknowns;
+  const Solution at_truth = solve(problem, truth);
+  const double sigma = 3e-4;
+  EXPECT_LT((sandwich_covariance(at_truth, sigma * sigma * at_truth.normal.information) -
+             sigma * sigma * unit_covariance(at_truth))
+                .norm(),
+            1e-9 * sigma * sigma * unit_covariance(at_truth).norm());
+
+  const auto scale_of = [](const ProblemObservation& observation) { return observation.index % 2 ? 2.0 : 1.0; };
+  Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(problem.columns(), problem.columns());
+  for (const ProblemObservation& observation : problem.observations) {
+    NormalEquations one(problem.columns());
+    add_observation(problem, observation, truth, one);
+    complete(one);
+    middle += std::pow(sigma * scale_of(observation), 2) * one.information;
+  }
+  const Eigen::MatrixXd predicted = sandwich_covariance(at_truth, middle);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  constexpr int draws = 2000;
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(9);
+  for (int draw = 0; draw < draws; ++draw) {
+    Problem noisy = problem;
+    for (ProblemObservation& observation : noisy.observations)
+      for (Sighting& s : observation.sightings)
+        *s.point += sigma * scale_of(observation) * Vector3(normal(random), normal(random), normal(random));
+    const Solution answer = solve(noisy, truth);
+    for (int m = 0; m < 3; ++m)
+      variance.segment<3>(3 * m) += (answer.unknowns.markers_in_tcp[static_cast<std::size_t>(m)] -
+                                     truth.markers_in_tcp[static_cast<std::size_t>(m)])
+                                        .cwiseAbs2() /
+                                    draws;
+  }
+  for (int i = 0; i < 9; ++i)  // a variance of 2000 draws is known to 3 %
+    EXPECT_NEAR(variance[i] / predicted(i, i), 1, 0.13) << i;
 }
 
 }  // namespace

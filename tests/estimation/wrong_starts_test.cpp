@@ -63,11 +63,11 @@ TEST(WidenedPriors, LetARigThatIsFarOffBeFound) {
   options.observations = 60;
   Session session = simulate_session(fixture::stand_session(), options).session;
   const Rigid moved = small_motion<double>((Vector6() << 0.04, 0, -0.02, 0.02, -0.03, 0.01).finished());
-  const Rigid truth = session.stereo->right_from_left;
-  session.stereo->right_from_left = moved * truth;
+  const Rigid truth = session.rig->at(1).camera_from_first;
+  session.rig->at(1).camera_from_first = moved * truth;
   const Fit f = fit(session, {.estimated = {{"stereo_rig", -1, std::vector<double>(6, 0.0)}}});
   EXPECT_TRUE(f.converged());
-  const Rigid found = f.problem.rig->right_from_left;
+  const Rigid found = f.problem.rig->at(1).camera_from_first;
   const Vector6 off = small_motion_between(truth, found);
   for (std::size_t p = 0; p < 6; ++p) {
     const double sigma = f.effects[0].sigmas[p];

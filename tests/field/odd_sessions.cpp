@@ -92,8 +92,8 @@ void keep_only(Session& s, const std::function<void(std::size_t observation, std
 
 void one_camera(Session& s, const std::function<bool(std::size_t observation)>& is_left) {
   keep_only(s, [&](std::size_t k, std::vector<Sighting>& seen) {
-    for (Sighting& sighting : seen) (is_left(k) ? sighting.right : sighting.left).reset();
-    std::erase_if(seen, [](const Sighting& x) { return !x.left && !x.right && !x.point; });
+    for (Sighting& sighting : seen) forget(sighting, is_left(k) ? 1 : 0);
+    std::erase_if(seen, [](const Sighting& x) { return x.in_cameras.empty() && !x.point; });
   });
 }
 
@@ -162,7 +162,7 @@ std::vector<Oddity> odd_things() {
     int count = 0;
     for (Observation& o : s.observations)
       for (Sighting& x : o.sightings)
-        if (++count % 3 == 0 && x.left) x.left = Vector2(anywhere(random), anywhere(random));
+        if (++count % 3 == 0 && seen_by(x, 0)) see(x, 0, Vector2(anywhere(random), anywhere(random)));
   });
   return all;
 }
@@ -218,18 +218,18 @@ void see(Session& s, const Plan& plan, double size, std::mt19937& random) {
   s.mount.mount_from_sensor = look_at(middle + 3 * spread * Vector3(0.8, 0.5, 0.3), middle);
   const Camera camera{.width = 1024, .height = 768, .fx = 900, .fy = 900, .cx = 512, .cy = 384};
   const StereoRig rig{camera, camera, {Matrix3::Identity(), Vector3(-0.4 * spread, 0, 0)}};
-  if (!plan.tracker) s.stereo = rig;
+  if (!plan.tracker) s.rig = rig_of(rig);
   std::normal_distribution<double> normal(0, plan.exact ? 0 : 1);
   const auto noise = [&](double sigma) { return sigma * normal(random); };
   for (std::size_t k = 0; k < s.observations.size(); ++k)
     for (int m = 0; m < plan.markers; ++m) {
       const Vector3 x = inverse(s.mount.mount_from_sensor) * (root_from_tcp[k] * markers[static_cast<std::size_t>(m)]);
-      Sighting sighting{m, {}, {}, {}, MarkedBy::import};
+      Sighting sighting{.marker = m};
       if (plan.tracker) {
         sighting.point = x + 1e-4 * size * Vector3(noise(1), noise(1), noise(1));
       } else {
-        sighting.left = project(rig.left, x) + Vector2(noise(0.2), noise(0.2));
-        sighting.right = project(rig.right, Vector3(rig.right_from_left * x)) + Vector2(noise(0.2), noise(0.2));
+        see(sighting, 0, project(rig.left, x) + Vector2(noise(0.2), noise(0.2)));
+        see(sighting, 1, project(rig.right, Vector3(rig.right_from_left * x)) + Vector2(noise(0.2), noise(0.2)));
       }
       s.observations[k].sightings.push_back(sighting);
     }

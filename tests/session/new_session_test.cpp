@@ -29,7 +29,7 @@ class NewSessionTest : public testing::Test {
     s.tcp = "right_hand";
     s.mount = "head_tcp";
     const Session like = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps");
-    s.rig = *like.stereo;
+    s.rig = stereo_of(*like.rig);
     s.joints = like.joints;
     for (int i = 0; i < 2; ++i) s.positions.push_back(like.observations[static_cast<std::size_t>(i)].position);
     touch("a/l7.png");
@@ -75,9 +75,9 @@ TEST_F(NewSessionTest, IsWrittenWholeWithItsImagesAndRobot) {
   EXPECT_EQ(made.title, "Made");
   EXPECT_EQ(made.robot_file, "justin.urdf");
   ASSERT_EQ(made.observations.size(), 2U);
-  EXPECT_EQ(made.observations[0].left_image, "images/left/l7.png") << "twins of two folders are kept apart";
-  EXPECT_TRUE(std::filesystem::exists(folder.path / "made" / made.observations[0].right_image));
-  EXPECT_TRUE(made.observations[1].left_image.empty());
+  EXPECT_EQ(made.observations[0].images[0], "images/left/l7.png") << "twins of two folders are kept apart";
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "made" / made.observations[0].images[1]));
+  EXPECT_TRUE(made.observations[1].images[0].empty());
   EXPECT_TRUE(made.mount.estimate);
   EXPECT_FALSE(made.mount.known);
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(),

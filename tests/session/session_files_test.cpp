@@ -150,9 +150,10 @@ TEST(SessionFiles, SharedSessionsAreRead) {
   if (!std::filesystem::exists(shared / "examples")) GTEST_SKIP() << "no shared examples on this machine";
   const Session hidden = read_session(shared / "examples/nothing_hidden");
   EXPECT_EQ(hidden.observations.at(7).decision, Decision::excluded);
-  EXPECT_TRUE(
-      std::ranges::any_of(hidden.observations.at(5).sightings, [](const Sighting& s) { return s.left && !s.right; }));
-  for (const Sighting& sighting : hidden.observations.at(5).sightings) EXPECT_TRUE(sighting.left || sighting.right);
+  EXPECT_TRUE(std::ranges::any_of(hidden.observations.at(5).sightings,
+                                  [](const Sighting& s) { return seen_by(s, 0) && !seen_by(s, 1); }));
+  for (const Sighting& sighting : hidden.observations.at(5).sightings)
+    EXPECT_TRUE(seen_by(sighting, 0) || seen_by(sighting, 1));
   EXPECT_THAT(hidden.notes, IsEmpty());
   EXPECT_THAT(read_session(shared / "examples/sagging/session.xml").notes, IsEmpty());
   if (!std::filesystem::exists(shared / "real/justin_right_even")) GTEST_SKIP() << "no real sets on this machine";

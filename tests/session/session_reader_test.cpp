@@ -36,15 +36,15 @@ TEST(SessionReader, EverythingOfAStereoSession) {
   EXPECT_EQ(session.mount.mount_from_sensor.rotation, rotation_from_rpy({0.1, 0.2, 0.3}));
   EXPECT_FALSE(session.mount.estimate);
   EXPECT_TRUE(session.mount.known);
-  ASSERT_TRUE(session.stereo);
+  ASSERT_TRUE(session.rig);
   EXPECT_FALSE(session.is_tracker());
-  EXPECT_EQ(session.stereo->right_from_left.translation, Vector3(-0.2, 0, 0));
-  const Camera& left = session.stereo->left;
+  EXPECT_EQ(session.rig->at(1).camera_from_first.translation, Vector3(-0.2, 0, 0));
+  const Camera& left = session.rig->at(0).camera;
   EXPECT_EQ(left.width, 640);
   EXPECT_EQ(left.height, 480);
   EXPECT_THAT((std::vector{left.fx, left.fy, left.skew, left.cx, left.cy, left.k1, left.k2, left.p1, left.p2, left.k3}),
               ElementsAre(500, 501, 0.5, 320, 240, -0.1, 0.2, 0.01, 0.02, 0.3));
-  const Camera& right = session.stereo->right;
+  const Camera& right = session.rig->at(1).camera;
   EXPECT_THAT((std::vector{right.fx, right.skew, right.k1, right.k2, right.p1, right.p2, right.k3}),
               ElementsAre(510, 0, 0, 0, 0, 0, 0));
   EXPECT_EQ(session.sigma_pixel, 0.2);
@@ -63,14 +63,14 @@ TEST(SessionReader, EverythingOfAnObservation) {
   EXPECT_THAT(first.position, ElementsAre(0.1, -0.2));
   EXPECT_THAT(first.velocity, ElementsAre(1, 2));
   EXPECT_THAT(first.torque, ElementsAre(3, 4));
-  EXPECT_EQ(first.left_image, "images/7_left.png");
-  EXPECT_EQ(first.right_image, "images/7_right.png");
+  EXPECT_EQ(first.images[0], "images/7_left.png");
+  EXPECT_EQ(first.images[1], "images/7_right.png");
   ASSERT_EQ(first.sightings.size(), 2u);
   EXPECT_EQ(first.sightings[0].marker, 0) << "in order of marker";
-  EXPECT_EQ(first.sightings[0].left.value(), Vector2(10, 20));
-  EXPECT_FALSE(first.sightings[0].right);
+  EXPECT_EQ(seen_by(first.sightings[0], 0)->pixel, Vector2(10, 20));
+  EXPECT_FALSE(seen_by(first.sightings[0], 1));
   EXPECT_EQ(first.sightings[0].by, MarkedBy::import);
-  EXPECT_EQ(first.sightings[1].right.value(), Vector2(110, 210));
+  EXPECT_EQ(seen_by(first.sightings[1], 1)->pixel, Vector2(110, 210));
   EXPECT_EQ(first.sightings[1].by, MarkedBy::hand);
   EXPECT_EQ(first.decision, Decision::rejected);
   EXPECT_EQ(first.reason, "too far");

@@ -16,8 +16,11 @@ using testing::Not;
 
 void expect_same(const Sighting& a, const Sighting& b) {
   EXPECT_EQ(a.marker, b.marker);
-  EXPECT_EQ(a.left, b.left);
-  EXPECT_EQ(a.right, b.right);
+  ASSERT_EQ(a.in_cameras.size(), b.in_cameras.size());
+  for (std::size_t i = 0; i < a.in_cameras.size(); ++i) {
+    EXPECT_EQ(a.in_cameras[i].camera, b.in_cameras[i].camera);
+    EXPECT_EQ(a.in_cameras[i].pixel, b.in_cameras[i].pixel);
+  }
   EXPECT_EQ(a.point, b.point);
   EXPECT_EQ(a.by, b.by);
 }
@@ -28,8 +31,8 @@ void expect_same(const Observation& a, const Observation& b) {
   EXPECT_EQ(a.position, b.position);
   EXPECT_TRUE(a.velocity.size() == b.velocity.size() && a.velocity == b.velocity);
   EXPECT_TRUE(a.torque.size() == b.torque.size() && a.torque == b.torque);
-  EXPECT_EQ(a.left_image, b.left_image);
-  EXPECT_EQ(a.right_image, b.right_image);
+  EXPECT_EQ(a.images[0], b.images[0]);
+  EXPECT_EQ(a.images[1], b.images[1]);
   EXPECT_EQ(a.decision, b.decision);
   EXPECT_EQ(a.reason, b.reason);
   ASSERT_EQ(a.sightings.size(), b.sightings.size());
@@ -56,10 +59,10 @@ void expect_same(const Session& a, const Session& b) {
   EXPECT_EQ(a.mount.mount_from_sensor.translation, b.mount.mount_from_sensor.translation);
   EXPECT_TRUE(a.mount.mount_from_sensor.rotation.isApprox(b.mount.mount_from_sensor.rotation, 1e-15));
   ASSERT_EQ(a.is_tracker(), b.is_tracker());
-  if (a.stereo) {
-    expect_same(a.stereo->left, b.stereo->left);
-    expect_same(a.stereo->right, b.stereo->right);
-    EXPECT_EQ(a.stereo->right_from_left.translation, b.stereo->right_from_left.translation);
+  if (a.rig) {
+    expect_same(a.rig->at(0).camera, b.rig->at(0).camera);
+    expect_same(a.rig->at(1).camera, b.rig->at(1).camera);
+    EXPECT_EQ(a.rig->at(1).camera_from_first.translation, b.rig->at(1).camera_from_first.translation);
   }
   EXPECT_EQ(a.sigma_pixel, b.sigma_pixel);
   EXPECT_EQ(a.sigma_point, b.sigma_point);
@@ -98,12 +101,12 @@ TEST(SessionWriter, AnUnchangedSessionStaysAsItWas) {
 TEST(SessionWriter, MarkersAndDecisionsAreBroughtUpToDate) {
   Session session = parse_session(small_session, "session.xml");
   Observation& first = session.observations[0];
-  first.sightings[0].right = Vector2(1.0 / 3, 2);  // a camera more
-  first.sightings[1].left.reset();                 // and one less
+  see(first.sightings[0], 1, Vector2(1.0 / 3, 2));  // a camera more
+  forget(first.sightings[1], 0);                    // and one less
   first.sightings[1].by = MarkedBy::tracker;
   first.decision = Decision::none;
   first.reason.clear();
-  session.observations[1].sightings = {{1, Vector2(5, 6), Vector2(7, 8), {}, MarkedBy::hand}};
+  session.observations[1].sightings = {seen_at(1, Vector2(5, 6), Vector2(7, 8), MarkedBy::hand)};
   session.observations[1].decision = Decision::accepted;
   session.observations[2].sightings.clear();
   const Session back = reread(session);
@@ -115,7 +118,7 @@ TEST(SessionWriter, MarkersAndDecisionsAreBroughtUpToDate) {
 
 TEST(SessionWriter, MarkersStandBeforeTheDecision) {
   Session session = parse_session(small_session, "session.xml");
-  session.observations[0].sightings = {{1, Vector2(5, 6), {}, {}, MarkedBy::hand}};
+  session.observations[0].sightings = {seen_at(1, Vector2(5, 6), {}, MarkedBy::hand)};
   const std::string text = session_text(session);
   EXPECT_LT(text.find("index=\"1\""), text.find("<decision"));
   expect_same(session, reread(session));
@@ -134,7 +137,7 @@ TEST(SessionWriter, WhatIsNotUnderstoodIsKept) {
   text = changed(text, "<marker index=\"2\"", "<marker index=\"2\" confidence=\"0.9\" point=\"far\"");
   text = changed(text, "<velocity>", "<temperature>21.50</temperature><velocity>");
   Session session = parse_session(text, "session.xml");
-  session.observations[0].sightings[1].left = Vector2(1, 2);
+  see(session.observations[0].sightings[1], 0, Vector2(1, 2));
   const std::string saved = session_text(session);
   for (const char* kept : {"<!-- a remark -->", "<weather sky=\"blue\">dry</weather>", "unit=\"m\"",
                            "confidence=\"0.9\"", "point=\"far\"", "<temperature>21.50</temperature>", "left=\"1 2\""})

@@ -14,9 +14,10 @@ namespace {
 double pixel_error(const SimulatedSession& s, std::size_t k, const Sighting& sighting) {
   const Vector3 x = inverse(s.root_from_sensor[k]) *
                     (s.root_from_tcp[k] * s.markers_in_tcp[static_cast<std::size_t>(sighting.marker)]);
-  return std::max(
-      (*sighting.left - project(s.session.stereo->left, x)).norm(),
-      (*sighting.right - project(s.session.stereo->right, Vector3(s.session.stereo->right_from_left * x))).norm());
+  return std::max((seen_by(sighting, 0)->pixel - project(s.session.rig->at(0).camera, x)).norm(),
+                  (seen_by(sighting, 1)->pixel -
+                   project(s.session.rig->at(1).camera, Vector3(s.session.rig->at(1).camera_from_first * x)))
+                      .norm());
 }
 
 TEST(Simulate, OneSeedOneSession) {
@@ -37,7 +38,8 @@ TEST(Simulate, OneMoreObservationChangesNothingBeforeIt) {
   const SimulatedSession eleven = simulate_session(fixture::stand_session(), options);
   for (std::size_t k = 0; k < 10; ++k) {
     EXPECT_EQ(ten.session.observations[k].position, eleven.session.observations[k].position);
-    EXPECT_EQ(*ten.session.observations[k].sightings[0].left, *eleven.session.observations[k].sightings[0].left);
+    EXPECT_EQ(seen_by(ten.session.observations[k].sightings[0], 0)->pixel,
+              seen_by(eleven.session.observations[k].sightings[0], 0)->pixel);
   }
 }
 
@@ -52,10 +54,10 @@ TEST(Simulate, EveryMarkerIsSeenByBothCamerasWithinTheNoise) {
     const Observation& o = s.session.observations[k];
     ASSERT_EQ(o.sightings.size(), 3u);
     for (const Sighting& sighting : o.sightings) {
-      ASSERT_TRUE(sighting.left && sighting.right);
+      ASSERT_TRUE(seen_by(sighting, 0) && seen_by(sighting, 1));
       const Vector3 x = inverse(s.root_from_sensor[k]) *
                         (s.root_from_tcp[k] * s.markers_in_tcp[static_cast<std::size_t>(sighting.marker)]);
-      squares += (*sighting.left - project(s.session.stereo->left, x)).squaredNorm();
+      squares += (seen_by(sighting, 0)->pixel - project(s.session.rig->at(0).camera, x)).squaredNorm();
       count += 2;
     }
   }
@@ -92,8 +94,8 @@ TEST(Simulate, DisturbancesTouchOnlyTheirObservation) {
   for (std::size_t k = 0; k < 8; ++k) {
     const Observation &before = clean.session.observations[k], &after = s.session.observations[k];
     EXPECT_EQ(before.position != after.position, k == 2);
-    EXPECT_EQ((*before.sightings[1].left - *after.sightings[1].left).norm() > 1, k == 4);
-    EXPECT_EQ((*before.sightings[0].right - *after.sightings[0].right).norm() > 1, k == 6);
+    EXPECT_EQ((seen_by(before.sightings[1], 0)->pixel - seen_by(after.sightings[1], 0)->pixel).norm() > 1, k == 4);
+    EXPECT_EQ((seen_by(before.sightings[0], 1)->pixel - seen_by(after.sightings[0], 1)->pixel).norm() > 1, k == 6);
   }
   EXPECT_NEAR((s.markers[4][1] - s.markers_in_tcp[1]).norm(), 0.012, 1e-12);
 }
@@ -168,8 +170,10 @@ TEST(Simulate, WrongCornersAreThatShareAndOfThatSize) {
     for (std::size_t m = 0; m < 3; ++m) {
       const Sighting &before = clean.session.observations[k].sightings[m],
                      &after = s.session.observations[k].sightings[m];
-      changed += (*before.left != *after.left) + (*before.right != *after.right);
-      squares += (*before.left - *after.left).squaredNorm() + (*before.right - *after.right).squaredNorm();
+      changed += (seen_by(before, 0)->pixel != seen_by(after, 0)->pixel) +
+                 (seen_by(before, 1)->pixel != seen_by(after, 1)->pixel);
+      squares += (seen_by(before, 0)->pixel - seen_by(after, 0)->pixel).squaredNorm() +
+                 (seen_by(before, 1)->pixel - seen_by(after, 1)->pixel).squaredNorm();
     }
   EXPECT_EQ(changed, s.wrong_corners.size());
   EXPECT_NEAR(static_cast<double>(changed), 120, 42);  // of 1200 points, 4 sigma
@@ -186,7 +190,8 @@ TEST(Simulate, UnseenMarkersAreThatShareAndTheOthersStay) {
   for (std::size_t k = 0; k < 200; ++k)
     for (const Sighting& sighting : s.session.observations[k].sightings) {
       ++seen;
-      EXPECT_EQ(*sighting.left, *all.session.observations[k].sightings[static_cast<std::size_t>(sighting.marker)].left);
+      EXPECT_EQ(seen_by(sighting, 0)->pixel,
+                seen_by(all.session.observations[k].sightings[static_cast<std::size_t>(sighting.marker)], 0)->pixel);
     }
   EXPECT_NEAR(static_cast<double>(seen), 480, 40);  // of 600 markers, 4 sigma
 }

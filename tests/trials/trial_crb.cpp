@@ -43,9 +43,10 @@ Eigen::VectorXd predicted_pixels(const Geometry& g, const std::vector<Vector3>& 
     const Rigid sensor_from_tcp = inverse(o.root_from_mount * g.truth.mount_from_sensor) * o.root_from_tcp;
     for (const Sighting& s : o.sightings) {
       const Vector3 x = sensor_from_tcp * markers[static_cast<std::size_t>(s.marker)];
-      const Vector2 left = project(g.problem.rig->left, x);
-      const Vector2 right = project(g.problem.rig->right, g.problem.rig->right_from_left * x);
-      pixels.insert(pixels.end(), {left.x(), left.y(), right.x(), right.y()});
+      for (const RigCamera& c : g.problem.rig->cameras) {
+        const Vector2 pixel = project(c.camera, c.camera_from_first * x);
+        pixels.insert(pixels.end(), {pixel.x(), pixel.y()});
+      }
     }
   }
   return Eigen::Map<Eigen::VectorXd>(pixels.data(), static_cast<Eigen::Index>(pixels.size()));
@@ -75,8 +76,8 @@ Session with_noise(const Session& exact, Random& random) {
   Session session = exact;
   for (Observation& o : session.observations)
     for (Sighting& s : o.sightings)
-      for (auto* pixel : {&s.left, &s.right})
-        for (double& coordinate : **pixel) coordinate += noise * random.gaussian();
+      for (CameraPoint& seen : s.in_cameras)
+        for (double& coordinate : seen.pixel) coordinate += noise * random.gaussian();
   return session;
 }
 

@@ -27,11 +27,11 @@ void move_images(const SimulatedSession& s, Session& session, Motion&& motion) {
     const Rigid after = inverse(s.root_from_sensor[i] * sensor) * s.root_from_tcp[i] * tool;
     for (Sighting& g : session.observations[i].sightings) {
       const Vector3 x = s.markers[i][static_cast<std::size_t>(g.marker)];
-      const StereoRig& rig = *s.true_rig;
-      if (g.left) *g.left += project(rig.left, after * x) - project(rig.left, before * x);
-      if (g.right)
-        *g.right += project(rig.right, rig.right_from_left * (after * x)) -
-                    project(rig.right, rig.right_from_left * (before * x));
+      for (CameraPoint& seen : g.in_cameras) {
+        const RigCamera& c = s.true_rig->at(seen.camera);
+        seen.pixel += project(c.camera, c.camera_from_first * (after * x)) -
+                      project(c.camera, c.camera_from_first * (before * x));
+      }
     }
   }
 }
@@ -120,7 +120,8 @@ int outside_trials(const Arguments& a) {
       }
     }
     fmt::print(
-        "outside {:<9}: {} seen ({} too small): unexplained without a name {}, right family first {}, right variable {}\n",
+        "outside {:<9}: {} seen ({} too small): unexplained without a name {}, right family first {}, right variable "
+        "{}\n",
         kind, trials, adequate, unexplained, family, right);
   }
   return 0;

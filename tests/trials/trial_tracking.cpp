@@ -47,14 +47,14 @@ Truth read_truth(const std::filesystem::path& file, const Robot& robot) {
   return truth;
 }
 
-/// px, from where the marker truly is; the larger of the two images.
+/// px, from where the marker truly is; the largest of all images.
 double corner_error(const Session& session, const Rigid& left_from_tcp, const Vector3& marker, const Sighting& s) {
   const Vector3 x = left_from_tcp * marker;
   double worst = 0;
-  if (s.left) worst = (*s.left - project(session.stereo->left, x)).norm();
-  if (s.right)
-    worst = std::max(worst,
-                     (*s.right - project(session.stereo->right, Vector3(session.stereo->right_from_left * x))).norm());
+  for (const CameraPoint& seen : s.in_cameras) {
+    const RigCamera& c = session.rig->at(seen.camera);
+    worst = std::max(worst, (seen.pixel - project(c.camera, Vector3(c.camera_from_first * x))).norm());
+  }
   return worst;
 }
 
@@ -67,23 +67,23 @@ int run(const std::filesystem::path& path) {
     return sensor_from_tcp(observed_ends(c, moved_sites(c, truth.effects)).ends, truth.mount_from_sensor);
   };
   auto images_of = [&](const Observation& o) {
-    return ImagePair{read_image(folder(session) / o.left_image), read_image(folder(session) / o.right_image)};
+    return ImagePair{read_image(folder(session) / o.images[0]), read_image(folder(session) / o.images[1])};
   };
 
   Observation& first = session.observations[0];
   const ImagePair first_images = images_of(first);
   std::vector<Vector2> pointed;
   for (const Vector3& m : truth.markers_in_tcp)
-    pointed.push_back(project(session.stereo->left, left_from_tcp(first) * m) + Vector2(2, -1));
-  const FirstLabels labels =
-      label_first(*session.stereo, detect_corners(first_images.left), detect_corners(first_images.right), pointed);
+    pointed.push_back(project(session.rig->at(0).camera, left_from_tcp(first) * m) + Vector2(2, -1));
+  const FirstLabels labels = label_first(stereo_of(*session.rig), detect_corners(first_images.left),
+                                         detect_corners(first_images.right), pointed);
   if (!labels.refusal.empty()) {
     fmt::print("first observation: {}\n", labels.refusal);
     return 1;
   }
   for (std::size_t m = 0; m < labels.markers.size(); ++m)
     first.sightings.push_back(
-        {static_cast<int>(m), labels.markers[m].left, labels.markers[m].right, {}, MarkedBy::hand});
+        seen_at(static_cast<int>(m), labels.markers[m].left, labels.markers[m].right, MarkedBy::hand));
 
   OnlineCalibration online(session);
   int taken = 0, wrong = 0, with_images = 0, missed = 0, bad_taken = 0, by_one_camera = 0;
@@ -91,7 +91,7 @@ int run(const std::filesystem::path& path) {
   int corners = 0;
   for (std::size_t k = 0; k < session.observations.size(); ++k) {
     const Observation& o = session.observations[k];
-    const bool has_images = k > 0 && !o.left_image.empty();
+    const bool has_images = k > 0 && !o.images[0].empty();
     const auto images = has_images ? std::optional(images_of(o)) : std::nullopt;
     const OnlineStep step = online.add(o, images ? &*images : nullptr);
     const bool bad = truth.disturbed.count(o.id) > 0;
@@ -107,7 +107,7 @@ int run(const std::filesystem::path& path) {
       const double error =
           corner_error(session, left_from_tcp(o), truth.markers_in_tcp[static_cast<std::size_t>(s.marker)], s);
       wrong += error > 1.5 ? 1 : 0;
-      by_one_camera += s.left && s.right ? 0 : 1;
+      by_one_camera += s.in_cameras.size() > 1 ? 0 : 1;
       squares += error * error;
       ++corners;
     }

@@ -178,7 +178,7 @@ void plots(const SampleData& data) {
 
 void pictures_and_scene(const SampleData& data) {
   int with_image = 0;
-  while (data.session.observations[static_cast<std::size_t>(with_image)].left_image.empty()) ++with_image;
+  while (data.session.observations[static_cast<std::size_t>(with_image)].images[0].empty()) ++with_image;
   ImageView view;
   data.show_in(view, with_image);
   view.set_magnification(5);

@@ -76,14 +76,15 @@ std::vector<MapPoint> SampleData::map_points() const {
     const Rigid sensor_from_tcp = sensor_from_tcp_at(o, estimate(fit).mount_from_sensor);
     for (const Sighting& s : o.sightings) {
       const Vector3 x = sensor_from_tcp * estimate(fit).markers_in_tcp[static_cast<std::size_t>(s.marker)];
-      const auto add = [&](ImageSide side, const std::optional<Vector2>& seen, const Vector2& predicted) {
+      const auto add = [&](ImageSide side, const CameraPoint* seen, const Vector2& predicted) {
         if (!seen) return;
-        const Vector2 residual = *seen - predicted;
-        points.push_back({session.observations[static_cast<std::size_t>(o.index)].id, s.marker, side, *seen, residual,
-                          residual.norm() / std::sqrt(2.0) / noise});
+        const Vector2 residual = seen->pixel - predicted;
+        points.push_back({session.observations[static_cast<std::size_t>(o.index)].id, s.marker, side, seen->pixel,
+                          residual, residual.norm() / std::sqrt(2.0) / noise});
       };
-      add(ImageSide::left, s.left, project(session.stereo->left, x));
-      add(ImageSide::right, s.right, project(session.stereo->right, Vector3(session.stereo->right_from_left * x)));
+      add(ImageSide::left, seen_by(s, 0), project(session.rig->at(0).camera, x));
+      add(ImageSide::right, seen_by(s, 1),
+          project(session.rig->at(1).camera, Vector3(session.rig->at(1).camera_from_first * x)));
     }
   }
   return points;
@@ -135,25 +136,26 @@ Rigid SampleData::root_from_tcp(int observation) const {
 std::vector<SceneCamera> SampleData::cameras(int observation) const {
   const Rigid left = posture(observation)[static_cast<std::size_t>(find_link(session.robot, session.mount.link))] *
                      session.mount.mount_from_sensor;
-  return {{"left", left, session.stereo->left},
-          {"right", left * inverse(session.stereo->right_from_left), session.stereo->right}};
+  return {{"left", left, session.rig->at(0).camera},
+          {"right", left * inverse(session.rig->at(1).camera_from_first), session.rig->at(1).camera}};
 }
 
 void SampleData::show_in(ImageView& view, int observation) const {
   const Observation& o = session.observations[static_cast<std::size_t>(observation)];
-  view.set_title(QString("Left, %1").arg(QString::fromStdString(o.left_image)));
-  if (!o.left_image.empty()) view.set_image(QImage(QString::fromStdString((folder(session) / o.left_image).string())));
-  if (view.image().isNull()) view.set_frame_size(session.stereo->left.width, session.stereo->left.height);
+  view.set_title(QString("Left, %1").arg(QString::fromStdString(o.images[0])));
+  if (!o.images[0].empty()) view.set_image(QImage(QString::fromStdString((folder(session) / o.images[0]).string())));
+  if (view.image().isNull()) view.set_frame_size(session.rig->at(0).camera.width, session.rig->at(0).camera.height);
   const Rigid left_from_tcp = inverse(cameras(observation)[0].root_from_camera) * root_from_tcp(observation);
   std::vector<ImageMark> marks;
   std::vector<ImageArrow> arrows;
   for (int m = 0; m < session.marker_count; ++m) {
     const Vector3 in_tcp = estimate(fit).markers_in_tcp[static_cast<std::size_t>(m)];
-    const Vector2 predicted = project(session.stereo->left, Vector3(left_from_tcp * in_tcp));
+    const Vector2 predicted = project(session.rig->at(0).camera, Vector3(left_from_tcp * in_tcp));
     for (const Sighting& s : o.sightings) {
-      if (s.marker != m || !s.left) continue;
-      const Vector2 residual = *s.left - predicted;
-      marks.push_back({m, *s.left, MarkRole::measured, residual.norm() / std::sqrt(2.0) / noise, 2, {}});
+      const CameraPoint* const left = seen_by(s, 0);
+      if (s.marker != m || !left) continue;
+      const Vector2 residual = left->pixel - predicted;
+      marks.push_back({m, left->pixel, MarkRole::measured, residual.norm() / std::sqrt(2.0) / noise, 2, {}});
       arrows.push_back({predicted, residual, residual.norm() / std::sqrt(2.0) / noise, 2});
     }
     marks.push_back({m, predicted, MarkRole::predicted, {}, 2, {}});
@@ -166,10 +168,10 @@ void SampleData::show_in(ImageView& view, int observation) const {
         left_from_tcp * Rigid{Matrix3::Identity(), is_estimate ? Vector3(0.01, -0.02, 0) : Vector3(0, 0, 0)};
     ImageAxes a;
     a.is_estimate = is_estimate;
-    a.origin = project(session.stereo->left, shifted.translation);
+    a.origin = project(session.rig->at(0).camera, shifted.translation);
     for (int i = 0; i < 3; ++i)
       a.tips[static_cast<std::size_t>(i)] =
-          project(session.stereo->left, Vector3(shifted * Vector3(0.08 * Vector3::Unit(i))));
+          project(session.rig->at(0).camera, Vector3(shifted * Vector3(0.08 * Vector3::Unit(i))));
     axes.push_back(a);
   }
   view.set_axes(axes);

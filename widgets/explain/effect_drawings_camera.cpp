@@ -29,6 +29,16 @@ void stereo_rig(const DrawingKit& kit) {
   kit.text(Ink::help, {72, 91}, QStringLiteral("R"), 11);
 }
 
+/// One of several cameras squints.
+void rig(const DrawingKit& kit) {
+  kit.shape(Ink::model, {{4, 30}, {10, 26}, {48, 74}, {86, 26}, {92, 30}, {50, 84}, {46, 84}});
+  kit.camera(Ink::model, {16, 26}, 60, 26);
+  kit.camera(Ink::model, {48, 68}, 90, 50);
+  kit.camera(Ink::model, {80, 26}, 120, 26);
+  kit.camera(Ink::effect, {78, 22}, 150, 44);
+  kit.turn(Ink::effect, {80, 26}, 26, 118, 26);
+}
+
 /// Rays through the lens onto the sensor: another focal length, another middle.
 void camera_intrinsics(const DrawingKit& kit) {
   QPainterPath lens;
@@ -109,6 +119,7 @@ void mount_drift(const DrawingKit& kit) {
 std::map<std::string, DrawEffect> camera_drawings() {
   return {{"camera_mount", camera_mount},
           {"stereo_rig", stereo_rig},
+          {"rig", rig},
           {"camera_intrinsics", camera_intrinsics},
           {"lens_distortion", lens_distortion},
           {"time_lag", time_lag},

@@ -173,8 +173,11 @@ TEST_F(DocumentTest, SavingWorksWithTheStateFoldersDiskFull) {
 
 TEST(Edits, ReadBackBitForBit) {
   ObservationState a, b;
-  a.sightings.push_back({2, Vector2(1.0 / 3, 2e-300), std::nullopt, std::nullopt, MarkedBy::hand});
-  b.sightings.push_back({0, std::nullopt, Vector2(-0.1, 7), Vector3(0.1, 0.2, 0.3), MarkedBy::tracker});
+  a.sightings.push_back(seen_at(2, Vector2(1.0 / 3, 2e-300), std::nullopt, MarkedBy::hand));
+  Sighting& both = b.sightings.emplace_back();
+  both.point = Vector3(0.1, 0.2, 0.3);
+  both.by = MarkedBy::tracker;
+  see(both, 1, Vector2(-0.1, 7));
   b.decision = Decision::rejected;
   b.reason = "\"quoted\"\n and \xc3\xa4";
   const Edit edit{.sentence = "d\xc3\xa9placé",
@@ -217,18 +220,18 @@ TEST(ImageSourceTest, GreyIsTheEnginesOwn) {
   const Observation& o = session.observations[3];
   const ShownImage shown = source.image(session, o, true);
   ASSERT_FALSE(shown.image.isNull()) << shown.refusal.toStdString();
-  EXPECT_EQ(grey_image(shown.image).pixels, read_image(folder(session) / o.left_image).pixels);
+  EXPECT_EQ(grey_image(shown.image).pixels, read_image(folder(session) / o.images[0]).pixels);
   const QImage colours = shown.image.convertToFormat(QImage::Format_RGB32);
-  EXPECT_EQ(grey_image(colours).pixels, read_image(folder(session) / o.left_image).pixels);
+  EXPECT_EQ(grey_image(colours).pixels, read_image(folder(session) / o.images[0]).pixels);
 }
 
 TEST(ImageSourceTest, RefusesInASentence) {
   Session session = read_session(sample("first_steps"));
   Observation o = session.observations[0];
-  session.stereo->left.width = 1280;
+  session.rig->at(0).camera.width = 1280;
   ImageSource source;
   EXPECT_TRUE(source.image(session, o, true).refusal.contains("640 x 480, the camera says 1280 x 480"));
-  o.right_image = "images/none.png";
+  o.images[1] = "images/none.png";
   EXPECT_TRUE(source.image(session, o, false).refusal.contains("is not there"));
 }
 

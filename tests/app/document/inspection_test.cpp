@@ -19,7 +19,7 @@ std::filesystem::path sample(const char* name) {
 }
 
 ImagePair images_of(const Session& session, const Observation& o) {
-  return {read_image(folder(session) / o.left_image), read_image(folder(session) / o.right_image)};
+  return {read_image(folder(session) / o.images[0]), read_image(folder(session) / o.images[1])};
 }
 
 /// Labelled by three clicks and played, as the window does it.
@@ -33,7 +33,7 @@ Session played(const char* name, const std::vector<Vector2>& clicks) {
   s.observations[0].sightings = labeller.sightings();
   OnlineCalibration online(s);
   for (Observation& o : s.observations) {
-    const bool has_images = !o.left_image.empty();
+    const bool has_images = !o.images[0].empty();
     const ImagePair images = has_images ? images_of(s, o) : ImagePair{};
     keep_step(online.add(o, has_images ? &images : nullptr), o);
   }
@@ -81,7 +81,7 @@ TEST(InspectionTest, AWrongCornerIsNamedWithWhereItShouldBe) {
   Session s = played("first_steps", {{421, 338}, {408, 411}, {473, 378}});
   Observation& o = s.observations[4];
   const int marker = o.sightings[1].marker;
-  *o.sightings[1].right += Vector2(0, 4);
+  seen_by(o.sightings[1], 1)->pixel += Vector2(0, 4);
   o.decision = Decision::excluded;  // so that it cannot bend the fit
   const ModelVersionPointer version = make_version(s, {}, 1, "");
   const InspectionRow& row = version->inspection->rows[4];

@@ -13,8 +13,8 @@ class LabellerTest : public testing::Test {
  protected:
   LabellerTest() {
     const Observation& o = session.observations[0];
-    corners = {detect_corners(read_image(folder(session) / o.left_image)),
-               detect_corners(read_image(folder(session) / o.right_image))};
+    corners = {detect_corners(read_image(folder(session) / o.images[0])),
+               detect_corners(read_image(folder(session) / o.images[1]))};
     labeller.start(session, o, corners);
   }
   void place_three() {
@@ -29,13 +29,13 @@ class LabellerTest : public testing::Test {
 TEST_F(LabellerTest, ThreeClicksGiveTheLabelsOfTheCommandLine) {
   place_three();
   ASSERT_TRUE(labeller.will_do()) << labeller.refusal().toStdString();
-  const FirstLabels cli = label_first(*session.stereo, corners.left, corners.right,
+  const FirstLabels cli = label_first(stereo_of(*session.rig), corners.left, corners.right,
                                       {Vector2(421, 338), Vector2(408, 411), Vector2(473, 378)});
   const auto sightings = labeller.sightings();
   ASSERT_EQ(sightings.size(), 3U);
   for (std::size_t m = 0; m < 3; ++m) {
-    EXPECT_EQ(*sightings[m].left, cli.markers[m].left);
-    EXPECT_EQ(*sightings[m].right, cli.markers[m].right);
+    EXPECT_EQ(seen_by(sightings[m], 0)->pixel, cli.markers[m].left);
+    EXPECT_EQ(seen_by(sightings[m], 1)->pixel, cli.markers[m].right);
     EXPECT_EQ(sightings[m].by, MarkedBy::hand);
   }
   EXPECT_GT(*labeller.side_sigma(0, 1), 0);
@@ -108,7 +108,7 @@ TEST_F(LabellerTest, StartsWithTheLabelsThatAreThere) {
   Labeller again;
   again.start(session, o, corners);
   EXPECT_TRUE(again.will_do());
-  EXPECT_EQ(*again.sightings()[1].right, *o.sightings[1].right);
+  EXPECT_EQ(seen_by(again.sightings()[1], 1)->pixel, seen_by(o.sightings[1], 1)->pixel);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST_F(Live, APairWithItsAnglesComesInAtTheSecondLook) {
   task.stamps = first.stamps;
   const LiveLook second = look_for_pairs(task);
   ASSERT_EQ(second.pairs.size(), 1U);
-  EXPECT_EQ(second.pairs[0].left, one(8).left_image);
+  EXPECT_EQ(second.pairs[0].left, one(8).images[0]);
   EXPECT_EQ(second.pairs[0].position, one(8).position);
   EXPECT_FALSE(second.pairs[0].time);
   task.settles_in = std::chrono::hours(1);
@@ -50,13 +50,13 @@ TEST_F(Live, APairWithItsAnglesComesInAtTheSecondLook) {
 TEST_F(Live, WhatIsHalfWrittenWaits) {
   table(header("number") + line(8, "8"));
   bring(8);
-  const std::string whole = read_file(home / one(8).right_image);
-  std::ofstream(home / one(8).right_image, std::ios::binary) << whole.substr(0, whole.size() / 2);
+  const std::string whole = read_file(home / one(8).images[1]);
+  std::ofstream(home / one(8).images[1], std::ios::binary) << whole.substr(0, whole.size() / 2);
   LiveLook look = look_twice();
   EXPECT_TRUE(look.pairs.empty()) << "it has stopped growing, but it is no image yet";
   ASSERT_EQ(look.remarks.size(), 1);
-  EXPECT_TRUE(look.remarks[0].contains(QString::fromStdString(fs::path(one(8).right_image).filename().string())));
-  std::ofstream(home / one(8).right_image, std::ios::binary) << whole;
+  EXPECT_TRUE(look.remarks[0].contains(QString::fromStdString(fs::path(one(8).images[1]).filename().string())));
+  std::ofstream(home / one(8).images[1], std::ios::binary) << whole;
   look = look_twice();
   EXPECT_EQ(look.pairs.size(), 1U);
   EXPECT_TRUE(look.remarks.isEmpty());
@@ -87,11 +87,12 @@ TEST_F(Live, AnImageWithoutAPartnerIsNamedAndHoldsUpNoOther) {
 TEST_F(Live, AWrongSizeIsNamedWithBothSizes) {
   table(header("number") + line(8, "8"));
   bring(8);
-  session.stereo->left.width += 160;
+  session.rig->at(0).camera.width += 160;
   const LiveLook look = look_twice();
   EXPECT_TRUE(look.pairs.empty());
   ASSERT_EQ(look.remarks.size(), 1);
-  EXPECT_TRUE(look.remarks[0].contains(QString::number(session.stereo->left.width))) << look.remarks[0].toStdString();
+  EXPECT_TRUE(look.remarks[0].contains(QString::number(session.rig->at(0).camera.width)))
+      << look.remarks[0].toStdString();
 }
 
 TEST_F(Live, WithoutNumbersLinesAreCountedOnlyWhereTheyAgreeWithTheSession) {
@@ -115,8 +116,8 @@ TEST_F(Live, WithoutNumbersLinesAreCountedOnlyWhereTheyAgreeWithTheSession) {
 TEST_F(Live, ImagesOfAnotherFolderAreBroughtIntoTheSession) {
   const fs::path outside = folder.path / "camera";
   fs::create_directories(outside);
-  fs::copy_file(sample / one(8).left_image, outside / fs::path(one(8).left_image).filename());
-  fs::copy_file(sample / one(8).right_image, outside / fs::path(one(8).right_image).filename());
+  fs::copy_file(sample / one(8).images[0], outside / fs::path(one(8).images[0]).filename());
+  fs::copy_file(sample / one(8).images[1], outside / fs::path(one(8).images[1]).filename());
   replace_file(outside / "log.csv", header("time,number") + line(8, "77.5,8"));
   LiveTask task = this->task();
   task.sources = {outside, outside, outside / "log.csv"};
@@ -124,7 +125,7 @@ TEST_F(Live, ImagesOfAnotherFolderAreBroughtIntoTheSession) {
   const LiveLook look = look_for_pairs(task);
   ASSERT_EQ(look.pairs.size(), 1U) << look.remarks.join(' ').toStdString();
   EXPECT_EQ(look.pairs[0].time, 77.5);
-  EXPECT_EQ(read_file(home / look.pairs[0].left), read_file(sample / one(8).left_image));
+  EXPECT_EQ(read_file(home / look.pairs[0].left), read_file(sample / one(8).images[0]));
 }
 
 TEST_F(Live, ArrivalsAreActionsThatOutliveAKillAndAreSaved) {
@@ -154,7 +155,7 @@ TEST_F(Live, ArrivalsAreActionsThatOutliveAKillAndAreSaved) {
   document.open(home);
   ASSERT_EQ(document.session().observations.size(), 10U) << "what arrived is there again";
   EXPECT_EQ(document.find(9)->position, one(9).position);
-  EXPECT_EQ(document.find(9)->right_image, one(9).right_image);
+  EXPECT_EQ(document.find(9)->images[1], one(9).images[1]);
   document.save();
   EXPECT_EQ(read_session(home).observations.size(), 10U);
   document.undo_all();

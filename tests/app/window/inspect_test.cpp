@@ -75,7 +75,7 @@ TEST_F(InspectTest, ADragIsWrittenDownAndFittedOnce) {
   desk.window.bench().selection.select_observation(id);
   QTest::qWait(50);  // the sentence of this observation has another height
   auto* view = desk.find<widgets::ImageView>("inspect_left");
-  const Vector2 before = *observations[index].sightings[0].left;
+  const Vector2 before = seen_by(observations[index].sightings[0], 0)->pixel;
   const QPoint from = view->to_screen(before).toPoint();
   const int revisions = static_cast<int>(desk.document().undo_stack().count());
   const std::uintmax_t written = journal_size();
@@ -86,7 +86,7 @@ TEST_F(InspectTest, ADragIsWrittenDownAndFittedOnce) {
     QTest::mouseMove(top, a + QPoint(4 * i, 2 * i));
     QTest::qWait(5);
     EXPECT_EQ(journal_size(), written) << "nothing is written while it is dragged";
-    EXPECT_EQ(*desk.document().find(id)->sightings[0].left, before);
+    EXPECT_EQ(seen_by(desk.document().find(id)->sightings[0], 0)->pixel, before);
   }
   for (const auto& mark : view->marks())
     if (mark.marker == observations[index].sightings[0].marker && mark.role == widgets::MarkRole::measured)
@@ -94,7 +94,7 @@ TEST_F(InspectTest, ADragIsWrittenDownAndFittedOnce) {
   QTest::mouseRelease(top, Qt::LeftButton, Qt::AltModifier, a + QPoint(24, 12));
   QTest::qWait(5);
   EXPECT_EQ(desk.document().undo_stack().count(), revisions + 1);
-  EXPECT_GT((*desk.document().find(id)->sightings[0].left - before).norm(), 1);
+  EXPECT_GT((seen_by(desk.document().find(id)->sightings[0], 0)->pixel - before).norm(), 1);
 }
 
 TEST_F(InspectTest, KeysOnAMarkerDoWhatTheMenuSays) {
@@ -105,11 +105,11 @@ TEST_F(InspectTest, KeysOnAMarkerDoWhatTheMenuSays) {
   const std::int64_t id = observations[index].id;
   desk.window.bench().selection.select_observation(id);
   auto* view = desk.find<widgets::ImageView>("inspect_left");
-  const Vector2 first = *observations[index].sightings[0].left;
+  const Vector2 first = seen_by(observations[index].sightings[0], 0)->pixel;
   desk.click(view, view->to_screen(first).toPoint());
   ASSERT_EQ(desk.window.bench().selection.current().marker, 0);
   desk.key(Qt::Key_2);
-  EXPECT_EQ(*desk.document().find(id)->sightings[2].left, first) << "2 makes it marker 2";
+  EXPECT_EQ(seen_by(desk.document().find(id)->sightings[2], 0)->pixel, first) << "2 makes it marker 2";
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   desk.click(view, view->to_screen(first).toPoint());
   desk.key(Qt::Key_Delete);

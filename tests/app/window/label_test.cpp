@@ -61,9 +61,9 @@ TEST_F(Label, WhatIsHalfDoneOutlivesOtherActionsAndTheWindow) {
 TEST_F(Label, CornersAreSoughtAgainAfterAnObservationWithoutImages) {
   open("hundred_poses");
   const auto& observations = desk.document().session().observations;
-  ASSERT_FALSE(observations[0].left_image.empty());
+  ASSERT_FALSE(observations[0].images[0].empty());
   const auto without =
-      std::find_if(observations.begin(), observations.end(), [](const Observation& o) { return o.left_image.empty(); });
+      std::find_if(observations.begin(), observations.end(), [](const Observation& o) { return o.images[0].empty(); });
   ASSERT_NE(without, observations.end());
   const int other = static_cast<int>(without - observations.begin());
   choose(other);
@@ -82,8 +82,8 @@ TEST_F(Label, ACorrectionMadeInInspectIsWhatLabelShows) {
   // As Inspect moves a marker of the observation that Label shows.
   const Observation& o = desk.document().session().observations[0];
   app::ObservationState after = app::state_of(o);
-  after.sightings[1].left = *after.sightings[1].left + Vector2(3, 0);
-  const Vector2 moved = *after.sightings[1].left;
+  seen_by(after.sightings[1], 0)->pixel += Vector2(3, 0);
+  const Vector2 moved = seen_by(after.sightings[1], 0)->pixel;
   desk.document().perform(desk.document().edit_of("moved marker 1 of observation 0", {{0, after}}));
   desk.key(Qt::Key_1, Qt::ControlModifier);
   const auto& marks = label.left()->marks();

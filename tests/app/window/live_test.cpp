@@ -82,7 +82,8 @@ TEST_F(LiveWindow, WhatArrivesIsTakenTrackedAndFitted) {
     EXPECT_EQ(a.decision, b.decision) << i;
     EXPECT_EQ(a.reason, b.reason) << i;
     ASSERT_EQ(a.sightings.size(), b.sightings.size()) << i;
-    for (std::size_t k = 0; k < a.sightings.size(); ++k) EXPECT_EQ(*a.sightings[k].left, *b.sightings[k].left) << i;
+    for (std::size_t k = 0; k < a.sightings.size(); ++k)
+      EXPECT_EQ(seen_by(a.sightings[k], 0)->pixel, seen_by(b.sightings[k], 0)->pixel) << i;
   }
 }
 
@@ -106,15 +107,15 @@ TEST_F(LiveWindow, WhatIsNotWholeIsNamedAndTakenWhenItIs) {
   begin_to_watch();
   const std::int64_t id = first_count;
   measure(id);
-  const std::string left = read_file(sample / one(id).left_image);
-  std::ofstream(home / one(id).left_image, std::ios::binary) << left.substr(0, left.size() / 3);
-  const QString name = QString::fromStdString(fs::path(one(id).left_image).filename().string());
+  const std::string left = read_file(sample / one(id).images[0]);
+  std::ofstream(home / one(id).images[0], std::ios::binary) << left.substr(0, left.size() / 3);
+  const QString name = QString::fromStdString(fs::path(one(id).images[0]).filename().string());
   ASSERT_TRUE(desk.wait([&] { return said().contains(name); })) << said().toStdString();
   EXPECT_TRUE(said().contains("waits for its right image")) << said().toStdString();
-  fs::copy_file(sample / one(id).right_image, home / one(id).right_image);
+  fs::copy_file(sample / one(id).images[1], home / one(id).images[1]);
   ASSERT_TRUE(desk.wait([&] { return said().contains("is cut off after"); })) << said().toStdString();
   EXPECT_EQ(count(), static_cast<std::size_t>(first_count));
-  std::ofstream(home / one(id).left_image, std::ios::binary) << left;
+  std::ofstream(home / one(id).images[0], std::ios::binary) << left;
   ASSERT_TRUE(desk.wait([&] { return is_decided(id); })) << said().toStdString();
   EXPECT_FALSE(said().contains(name)) << said().toStdString();
   EXPECT_TRUE(

@@ -111,7 +111,7 @@ TEST_F(Units, ACornerInMmIsAcrossItsLineOfSight) {
   EXPECT_TRUE(crumb(desk, "crumb_2").endsWith("px"));
   desk.press_button("unit_mm");
   const double px = (*m.left - *m.predicted_left).norm();
-  const double mm = 1e3 * px * m.predicted_in_sensor.z() / bench.document.session().stereo->left.fx;
+  const double mm = 1e3 * px * m.predicted_in_sensor.z() / bench.document.session().rig->at(0).camera.fx;
   const QString told = crumb(desk, "crumb_2");
   EXPECT_NEAR(told.section("  ", 1).section(QChar(0x00A0), 0, 0).toDouble(), mm, 0.06 * mm) << told.toStdString();
   EXPECT_TRUE(told.endsWith("mm"));
@@ -202,7 +202,7 @@ TEST_F(Units, AUThatIsTypedIsALetter) {
 
 TEST_F(Units, ATrackerHasNoPxAndItsErrorIsHeldAgainstTheNoiseOfAPosition) {
   Session like = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/thesis_simulation");
-  like.stereo.reset();
+  like.rig.reset();
   like.sigma_pixel.reset();
   SimulationOptions options;
   options.observations = 40;

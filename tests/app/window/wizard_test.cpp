@@ -25,8 +25,8 @@ class WizardTest : public testing::Test {
     for (const std::string& joint : like.joints) table += (table.empty() ? "" : ",") + joint;
     table += '\n';
     for (const Observation& o : like.observations) {
-      std::filesystem::copy_file(sample / o.left_image, folder.path / "left" / fmt::format("img{:02}.png", o.id));
-      std::filesystem::copy_file(sample / o.right_image, folder.path / "right" / fmt::format("img{:02}.png", o.id));
+      std::filesystem::copy_file(sample / o.images[0], folder.path / "left" / fmt::format("img{:02}.png", o.id));
+      std::filesystem::copy_file(sample / o.images[1], folder.path / "right" / fmt::format("img{:02}.png", o.id));
       std::string line;
       for (const double q : o.position) line += (line.empty() ? "" : ",") + format_number(q);
       table += line + '\n';
@@ -45,11 +45,11 @@ class WizardTest : public testing::Test {
     cv::FileStorage file((folder.path / "stereo.yml").string(), cv::FileStorage::WRITE);
     cv::Mat r(3, 3, CV_64F), t(3, 1, CV_64F);
     for (int i = 0; i < 3; ++i) {
-      t.at<double>(i) = like.stereo->right_from_left.translation[i];
-      for (int j = 0; j < 3; ++j) r.at<double>(i, j) = like.stereo->right_from_left.rotation(i, j);
+      t.at<double>(i) = like.rig->at(1).camera_from_first.translation[i];
+      for (int j = 0; j < 3; ++j) r.at<double>(i, j) = like.rig->at(1).camera_from_first.rotation(i, j);
     }
-    file << "M1" << matrix(like.stereo->left) << "D1" << distortion(like.stereo->left) << "M2"
-         << matrix(like.stereo->right) << "D2" << distortion(like.stereo->right) << "R" << r << "T" << t;
+    file << "M1" << matrix(like.rig->at(0).camera) << "D1" << distortion(like.rig->at(0).camera) << "M2"
+         << matrix(like.rig->at(1).camera) << "D2" << distortion(like.rig->at(1).camera) << "R" << r << "T" << t;
   }
   QString text(const char* name) { return QString::fromStdString((folder.path / name).string()); }
   TemporaryFolder folder;
@@ -88,7 +88,7 @@ TEST_F(WizardTest, MakesASessionThatCanBeLabelledAndPlayed) {
   ASSERT_TRUE(desk.document().is_open());
   EXPECT_EQ(desk.document().session().title, "My own");
   EXPECT_EQ(desk.document().session().observations.size(), 12U);
-  EXPECT_NEAR(desk.document().session().stereo->left.fx, like.stereo->left.fx, 1e-9);
+  EXPECT_NEAR(desk.document().session().rig->at(0).camera.fx, like.rig->at(0).camera.fx, 1e-9);
 
   LabelPage label{desk};
   ASSERT_TRUE(label.corners_are_found());
@@ -118,7 +118,7 @@ TEST_F(WizardTest, MakesASessionThatCanBeLabelledAndPlayed) {
   replace_file(folder.path / "angles.csv", table + line);
   ASSERT_TRUE(desk.wait([&] { return desk.document().session().observations.size() == 13; }))
       << desk.find<QLabel>("live_text")->text().toStdString();
-  EXPECT_TRUE(std::filesystem::exists(folder.path / "made" / desk.document().session().observations[12].left_image));
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "made" / desk.document().session().observations[12].images[0]));
 }
 
 }  // namespace

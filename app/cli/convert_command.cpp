@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "command.h"
+#include "limits.h"
+#include "outputs.h"
+#include "ways/convert.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string out, robot;
+  ConvertOptions convert;
+  Output output;
+};
+
+int run(const Options& o) {
+  ConvertOptions options = o.convert;
+  options.out = o.out;
+  options.robot = o.robot;
+  note_input(o.robot);
+  std::vector<std::filesystem::path> files;
+  for (const std::string& file : o.files) {
+    files.emplace_back(file);
+    note_input(file);
+  }
+  o.output.require_places();
+  const Conversion made = convert(files, options);
+  for (const std::string& note : made.notes) Output::note(note);
+  for (const std::string& file : made.took) o.output.line(file);
+  const Session& s = made.session;
+  o.output.line(fmt::format("{}: {} observations, {} joints, {}", o.out, s.observations.size(), s.joints.size(),
+                            s.rig ? "two cameras" : fmt::format("{} points of a tracker", s.marker_count)));
+  o.output.line(fmt::format("Next: handsight-cli check {0}, then {1} {0}", o.out,
+                            s.rig ? "label the first observation with handsight-cli label" : "handsight-cli fit"));
+  o.output.json({{"out", o.out},
+                 {"observations", s.observations.size()},
+                 {"joints", s.joints},
+                 {"took", made.took},
+                 {"notes", made.notes}});
+  return done;
+}
+
+}  // namespace
+
+Command add_convert(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("convert", "Makes a session of what you have: each file is known by its content");
+  command
+      ->add_option(
+          "WHAT", o->files,
+          "Image folders, joint tables, calibrations of OpenCV, ROS or Kalibr, easy_handeye samples, tables of "
+          "poses or points, ROS 2 bags, a URDF")
+      ->required();
+  command->add_option("--out", o->out, "Folder to make; it must not hold a session already")->required();
+  command->add_option("--robot", o->robot, "URDF");
+  command->add_option("--tcp", o->convert.tcp, "The link that is the hand");
+  command->add_option("--mount", o->convert.mount, "The link that carries the sensor; the root link where it stands");
+  command->add_option("--title", o->convert.title, "Title of the session");
+  command->add_option("--markers", o->convert.markers, "How many markers the images show")->check(CLI::Range(1, 64));
+  command->add_flag("--degrees", o->convert.degrees, "Joint tables are in degrees");
+  command->add_flag("--eye-on-base", o->convert.eye_on_base,
+                    "Poses without a robot: the camera stands, the target moves");
+  command->add_option("--target-frame", o->convert.target_frame, "The target's frame in /tf of a bag");
+  command->add_option("--lag", o->convert.pairing.lag, "s: how much later the sensor's times are than the joints'")
+      ->check(within(-100, 100));
+  command->add_flag("--estimate-lag", o->convert.estimate_lag, "Find the lag from movements that both show");
+  command->add_option("--still", o->convert.pairing.still_for, "s for which the robot must stand; 0: it may move")
+      ->check(within(0, 60));
+  add_json_option(*command, o->output);
+  return {command, [o] { return run(*o); }};
+}
+
+}  // namespace handsight::cli

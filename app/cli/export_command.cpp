@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "base/error.h"
+#include "command.h"
+#include "outputs.h"
+#include "predict_source.h"
+#include "ways/exported.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  SourceOptions source;
+  std::string kind, file;
+};
+
+int run(const Options& o) {
+  const CalibratedRobot robot = predict_source(o.source);
+  require_output(o.file, "--out");
+  for (const std::string& note : robot.notes) Output::note(note);
+  const ExportedFile file = exported_file(robot, o.kind);
+  for (const std::string& note : file.notes) Output::note(note);
+  if (o.file == "-") {
+    std::cout << file.text;
+    return done;
+  }
+  write_output(o.file, file.text, "--out");
+  Output{}.line("Written: " + o.file);
+  return done;
+}
+
+}  // namespace
+
+Command add_export(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("export", "Takes a calibration to the robot: URDF, YAML, ROS 2, OpenCV, C++, Python, CSV");
+  add_source_options(*command, options->source);
+  command
+      ->add_option("--as", options->kind,
+                   "urdf, yaml, static_tf (a ROS 2 launch file), opencv, cpp or python (the corrected hand pose in one "
+                   "file), csv")
+      ->required()
+      ->check(CLI::IsMember(std::vector<std::string>(export_kinds.begin(), export_kinds.end())));
+  command->add_option("--out", options->file, "The file to write; - is standard output")->required();
+  return {command, [options] { return run(*options); }};
+}
+
+}  // namespace handsight::cli

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake --install, and with cpack two Debian packages: handsight-cli (no Qt, no VTK) and handsight, the window, which
+# needs the first.
+include(GNUInstallDirs)
+
+set(codec_folder ${CMAKE_INSTALL_LIBDIR}/handsight)  # what programs load when it is first needed
+file(RELATIVE_PATH codec_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/handsight)
+set_target_properties(handsight-cli PROPERTIES INSTALL_RPATH "$ORIGIN/${codec_from_bin}")
+install(TARGETS handsight-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT cli)
+install(TARGETS handsight_image_codec LIBRARY DESTINATION ${codec_folder} COMPONENT cli)
+
+# Manual page and completions, from the command line's own description.
+set(described ${CMAKE_BINARY_DIR}/described)
+set(described_files)
+foreach(what man bash zsh fish)
+  add_custom_command(OUTPUT ${described}/${what}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${described}
+    COMMAND handsight-cli describe ${what} > ${described}/${what}
+    DEPENDS handsight-cli VERBATIM)
+  list(APPEND described_files ${described}/${what})
+endforeach()
+add_custom_target(describe ALL DEPENDS ${described_files})
+install(FILES ${described}/man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME handsight-cli.1 COMPONENT cli)
+install(FILES ${described}/bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME handsight-cli
+  COMPONENT cli)
+install(FILES ${described}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _handsight-cli COMPONENT cli)
+install(FILES ${described}/fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d RENAME handsight-cli.fish
+  COMPONENT cli)
+
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli
+  FILES_MATCHING PATTERN "*.md" PATTERN pictures EXCLUDE)
+install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli)
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSES/Apache-2.0.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME copyright COMPONENT cli)
+install(FILES ${CMAKE_SOURCE_DIR}/resources/justin.urdf DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/robots COMPONENT cli)
+
+if(HANDSIGHT_HAS_WINDOW)
+  set_target_properties(handsight PROPERTIES INSTALL_RPATH "$ORIGIN/${codec_from_bin}")
+  install(TARGETS handsight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT window)
+  install(FILES ${CMAKE_SOURCE_DIR}/resources/handsight.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT window)
+  install(FILES ${CMAKE_SOURCE_DIR}/resources/handsight.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps
+    COMPONENT window)
+  install(FILES ${CMAKE_SOURCE_DIR}/resources/handsight-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
+    RENAME handsight.xml COMPONENT window)
+  install(FILES ${CMAKE_SOURCE_DIR}/resources/handsight.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT window)
+  install(FILES ${CMAKE_SOURCE_DIR}/LICENSES/GPL-3.0-or-later.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
+    COMPONENT window)
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/sample_sessions/ DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/sample_sessions
+    COMPONENT window PATTERN "*.sh" EXCLUDE)
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME handsight)
+set(CPACK_PACKAGE_CONTACT "The Handsight developers <handsight@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Robot hand-eye calibration that says why the hand is elsewhere")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL cli)
+if(HANDSIGHT_HAS_WINDOW)
+  list(APPEND CPACK_COMPONENTS_ALL window)
+endif()
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_CLI_PACKAGE_NAME handsight-cli)
+set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME handsight)
+set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "handsight-cli (= ${PROJECT_VERSION}), libqt6svg6")
+set(CPACK_COMPONENT_CLI_DESCRIPTION "Command line of Handsight: fit, diagnose, correct, export. No display needed.")
+set(CPACK_COMPONENT_WINDOW_DESCRIPTION "Window of Handsight: label, calibrate, inspect, explain and export.")
+include(CPack)

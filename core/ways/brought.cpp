@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/brought.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "session/new_session.h"
+#include "session/stereo_calibration.h"
+#include "ways/ros_bag.h"
+
+namespace handsight {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view first_line(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+    if (!line.empty() && line.front() != '#' && line != "---") return line;
+  }
+  return {};
+}
+
+/// "name: value", "name:" or "- value": no table begins so.
+bool looks_like_yaml(std::string_view text) {
+  const std::string_view line = first_line(text);
+  return line.starts_with("- ") || line.starts_with("[") || line.ends_with(":") ||
+         (line.find(": ") != std::string_view::npos && line.find_first_of(",;\t") == std::string_view::npos) ||
+         (line.find(": ") != std::string_view::npos && line.find('[') != std::string_view::npos);
+}
+
+std::vector<std::string> names_of(const Robot* robot) {
+  return robot ? joint_names(*robot) : std::vector<std::string>();
+}
+
+[[noreturn]] void refuse_kind(const fs::path& path, const std::string& looks_like) {
+  throw InputError(fmt::format(
+      "{}: {}; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, "
+      "ROS or Kalibr, samples of easy_handeye, or a ROS 2 bag in sqlite3.",
+      shown_path(path), looks_like));
+}
+
+FileKind xml_kind(const fs::path& path, const std::string& text) {
+  if (text.find("<robot") != std::string::npos) return FileKind::robot;
+  if (text.find("<opencv_storage") != std::string::npos) return FileKind::storage;
+  if (text.find("<handsight_session") != std::string::npos) refuse_kind(path, "is a session already, use it as it is");
+  if (text.find("<sdf") != std::string::npos) refuse_kind(path, "is an SDF of Gazebo; name the URDF of the robot");
+  if (text.find("<mujoco") != std::string::npos) refuse_kind(path, "is a MuJoCo model; name the URDF of the robot");
+  refuse_kind(path, "is XML of a kind that is not known");
+}
+
+FileKind yaml_kind(const fs::path& path, const std::string& text) {
+  const YAML::Node yaml = parse_yaml(text, shown_path(path.filename()));
+  if (is_camchain(yaml)) return FileKind::camchain;
+  if (is_camera_info(yaml)) return FileKind::camera_info;
+  if (is_hand_eye_samples(yaml)) return FileKind::samples;
+  if (is_pose_list(yaml)) return FileKind::poses;
+  refuse_kind(path, "is YAML of a kind that is not known");
+}
+
+FileKind table_kind(const fs::path& path, const Table& table, const Robot* robot) {
+  const int joints = robot ? joint_columns(table, *robot) : 0;
+  if (joints >= 2) return FileKind::joints;
+  if (is_pose_table(table)) return FileKind::poses;
+  if (joints >= 1) return FileKind::joints;
+  if (robot && !table.has_header) {
+    std::size_t moving = 0;
+    for (const Joint& j : robot->joints) moving += j.moves() && !j.is_mimic();
+    if (table.width() == moving || table.width() == moving + 1) return FileKind::joints;
+  }
+  if (is_point_table(table)) return FileKind::points;
+  refuse_kind(path, "is a table whose columns are neither joints of the robot nor places (x y z); write a header");
+}
+
+}  // namespace
+
+bool has_images(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    std::string ending = entry.path().extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const char* known : {".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff"})
+      if (ending == known) return true;
+  }
+  return false;
+}
+
+FileKind file_kind(const fs::path& path, const Robot* robot) {
+  std::error_code error;
+  if (!fs::exists(path, error))
+    throw InputError(fmt::format("{}: is not there; name a file or folder.", shown_path(path)));
+  if (fs::is_directory(path)) {
+    if (is_bag(path)) return FileKind::bag;
+    if (fs::exists(path / "session.xml")) refuse_kind(path, "holds a session already, use it as it is");
+    if (has_images(path)) return FileKind::images;
+    refuse_kind(path, "is a folder without images and without a bag");
+  }
+  if (is_bag(path)) return FileKind::bag;
+  const std::string text = read_file(path);
+  if (text.starts_with("\x89MCAP"))
+    throw InputError(
+        fmt::format("{}: is a bag in MCAP, which cannot be read here; write it as sqlite3 with `ros2 bag "
+                    "convert -i BAG -o options.yaml` (storage_id: sqlite3).",
+                    shown_path(path)));
+  if (text.starts_with("#ROSBAG"))
+    throw InputError(
+        fmt::format("{}: is a bag of ROS 1; convert it with `rosbags-convert`, storage sqlite3.", shown_path(path)));
+  const std::string_view begin = first_line(text);
+  if (begin.starts_with("<")) return xml_kind(path, text);
+  if (begin.starts_with("%YAML") || text.find("!!opencv-matrix") != std::string::npos || begin.starts_with("{"))
+    return FileKind::storage;
+  if (text.find('\0') != std::string::npos) refuse_kind(path, "is no text");
+  if (looks_like_yaml(text)) return yaml_kind(path, text);
+  if (const auto table = parse_table(text, shown_path(path.filename()), names_of(robot)))
+    return table_kind(path, *table, robot);
+  refuse_kind(path, "is a text of a kind that is not known");
+}
+
+const char* kind_text(FileKind kind) {
+  switch (kind) {
+    case FileKind::robot:
+      return "the robot's URDF";
+    case FileKind::images:
+      return "a folder of images";
+    case FileKind::joints:
+      return "a table of joint readings";
+    case FileKind::poses:
+      return "a table of poses";
+    case FileKind::points:
+      return "a table of points";
+    case FileKind::samples:
+      return "samples of easy_handeye";
+    case FileKind::storage:
+      return "a calibration of OpenCV";
+    case FileKind::camera_info:
+      return "a camera_info of ROS";
+    case FileKind::camchain:
+      return "a camchain of Kalibr";
+    case FileKind::bag:
+      return "a ROS 2 bag";
+  }
+  return "";
+}
+
+Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degrees) {
+  Brought b;
+  std::vector<fs::path> storages;
+  for (const fs::path& path : files) {
+    const FileKind kind = file_kind(path, robot);
+    const std::string file = shown_path(path.filename().empty() ? path.parent_path().filename() : path.filename());
+    b.took.push_back(file + ": " + kind_text(kind));
+    const auto once = [&](bool is_new) {
+      if (!is_new)
+        throw InputError(
+            fmt::format("{} is {}, and another file is one too; name one of them.", file, kind_text(kind)));
+    };
+    if (kind == FileKind::robot) {
+      throw InputError(file + ": is a second robot; name one URDF, with --robot or among the files.");
+    } else if (kind == FileKind::images) {
+      b.image_folders.push_back(path);
+    } else if (kind == FileKind::storage) {
+      storages.push_back(path);
+    } else if (kind == FileKind::bag) {
+      once(b.bag.empty());
+      b.bag = path;
+    } else if (kind == FileKind::camchain) {
+      once(!b.rig);
+      b.rig = read_camchain(parse_yaml(read_file(path), file), file, b.notes);
+    } else if (kind == FileKind::camera_info) {
+      b.cameras.push_back(read_camera_info(parse_yaml(read_file(path), file), file));
+    } else if (kind == FileKind::samples) {
+      once(!b.samples);
+      b.samples = read_hand_eye_samples(parse_yaml(read_file(path), file), file, b.notes);
+    } else {
+      const std::string text = read_file(path);
+      if (looks_like_yaml(text)) {
+        b.poses.push_back({file, read_pose_list(parse_yaml(text, file), file)});
+        continue;
+      }
+      Table table = *parse_table(text, file, names_of(robot));
+      b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
+      if (kind == FileKind::joints) {
+        once(!b.joints);
+        b.joints = read_joint_table(std::move(table), *robot, degrees, b.notes);
+      } else if (kind == FileKind::poses) {
+        b.poses.push_back({file, read_pose_table(std::move(table), b.notes)});
+      } else {
+        once(!b.points);
+        b.points = read_point_table(std::move(table), b.notes);
+      }
+    }
+  }
+  if (!storages.empty()) b.rig = read_stereo_calibration(storages, &b.notes);
+  return b;
+}
+
+}  // namespace handsight

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that a user brings, each recognised by its content.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ways/bag_contents.h"
+#include "ways/camera_files.h"
+#include "ways/pose_files.h"
+
+namespace handsight {
+
+enum class FileKind {
+  robot,        // URDF
+  images,       // a folder of them
+  joints,       // a table of joint readings
+  poses,        // a table or list of poses
+  points,       // a table of points
+  samples,      // of easy_handeye
+  storage,      // of OpenCV
+  camera_info,  // of ROS
+  camchain,     // of Kalibr
+  bag,          // of ROS 2
+};
+
+/// What a file or folder is, without the robot: a table of joints is one whose columns name no place. InputError where
+/// it is nothing that a session is made from: the sentence says what it looks like and what to do.
+FileKind file_kind(const std::filesystem::path& path, const Robot* robot);
+
+/// "a table of joint readings".
+const char* kind_text(FileKind kind);
+
+/// Is there an image in the folder?
+bool has_images(const std::filesystem::path& folder);
+
+struct NamedPoses {
+  std::string file;
+  PoseSeries series;
+};
+
+/// Everything that was brought.
+struct Brought {
+  std::optional<JointSeries> joints;
+  std::vector<NamedPoses> poses;
+  std::optional<PointSeries> points;
+  std::optional<HandEyeSamples> samples;
+  std::optional<StereoRig> rig;
+  std::vector<RosCamera> cameras;
+  std::vector<std::filesystem::path> image_folders;
+  std::filesystem::path bag;
+  std::vector<std::string> took, notes;  // what each was taken for; what else is to be said
+};
+
+/// Reads all files; `robot` null: none was named. InputError where one is wrong, or two say the same.
+Brought bring(const std::vector<std::filesystem::path>& files, const Robot* robot, bool degrees);
+
+}  // namespace handsight

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/calibrated_robot.h"
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "base/text.h"
+
+namespace handsight {
+namespace {
+
+/// The rig as the model's effects move it; what drifts is the mount, never the rig.
+std::optional<Rig> moved_cameras(const Chain& chain, const PredictionModel& model) {
+  if (!chain.rig) return std::nullopt;
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
+  return moved_rig(*chain.rig, moved_sites(circumstances_at(chain, zero), model.effects));
+}
+
+}  // namespace
+
+CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& told,
+                                 const FitOptions& options, const std::string& software) {
+  CalibratedRobot robot;
+  robot.chain = chain_of(session);
+  robot.joint_names = session.joints;
+  robot.tcp = session.tcp;
+  robot.mount = session.mount.link;
+  robot.model = prediction_model(fit);
+  robot.times = times_of(session);
+  for (const Observation& o : session.observations)
+    if (is_used(o)) robot.positions.push_back(o.position);
+  robot.calibration = calibration_of(session, fit, told, options, software);
+  robot.rig = moved_cameras(robot.chain, robot.model);
+  if (robot.model.scatter.observations < 3)
+    robot.notes.push_back(
+        "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "
+        "sigma leaves it out.");
+  return robot;
+}
+
+CalibratedRobot calibrated_robot(const Calibration& c, Robot urdf, const std::string& robot_file,
+                                 const std::string& file) {
+  if (c.tcp.empty() || c.joints.empty())
+    throw InputError(fmt::format(
+        "{}: has no <robot> with the tcp link or no <joints> with their order; predict from its session.", file));
+  Session session;
+  session.file = file;
+  session.robot_file = robot_file;
+  session.robot = std::move(urdf);
+  session.tcp = c.tcp;
+  session.mount.link = c.mount;
+  session.gravity = c.gravity.value_or(session.gravity);
+  session.joints = c.joints;
+  CalibratedRobot robot;
+  robot.joint_names = c.joints;
+  robot.tcp = c.tcp;
+  robot.mount = c.mount;
+  robot.model = prediction_model(c, session.robot);
+  session.marker_count = std::max(static_cast<int>(c.markers.size()), markers_of(robot.model.effects));
+  robot.chain = chain_of(session);
+  robot.times = c.times;
+  robot.calibration = c;
+  robot.notes = c.notes;
+  if (!c.effects.empty() && !c.model_covariance)
+    robot.notes.push_back(
+        "The file does not say how the errors of TCP->Body and of the effects go together (<model_covariance>): sigma "
+        "takes them as independent and is too large.");
+  return robot;
+}
+
+bool is_calibration_file(const std::filesystem::path& path) {
+  return !std::filesystem::is_directory(path) && read_file(path).find("<handsight_calibration") != std::string::npos;
+}
+
+}  // namespace handsight

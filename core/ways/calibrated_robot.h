@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot with what was found out about it: what predictions, corrections and exports are made from.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "estimation/export.h"
+#include "estimation/prediction.h"
+
+namespace handsight {
+
+struct CalibratedRobot {
+  Chain chain;
+  std::vector<std::string> joint_names;  // the order of a position
+  std::string tcp, mount;                // links
+  PredictionModel model;
+  std::vector<double> times;               // s, of the session's observations; empty: not known
+  std::vector<Eigen::VectorXd> positions;  // of the session's used observations; empty: only a calibration is known
+  Calibration calibration;                 // the same in numbers, with their sigmas
+  std::optional<Rig> rig;                  // with the effects on rig and cameras; absent: a tracker, or not known
+  std::string urdf_text, urdf_file;        // the robot as written; the text is empty where it was not kept
+  std::vector<std::string> notes;          // a sentence each
+};
+
+/// The session's fit with what a file of it would say. `software`: name and version.
+CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& told,
+                                 const FitOptions& options, const std::string& software);
+
+/// From an exported calibration and the robot; `robot_file` and `file` are what sentences call them. InputError where
+/// the file does not say what a prediction needs, or does not fit the robot.
+CalibratedRobot calibrated_robot(const Calibration& calibration, Robot robot, const std::string& robot_file,
+                                 const std::string& file);
+
+/// Is this the text of an exported calibration, not of a session?
+bool is_calibration_file(const std::filesystem::path& path);
+
+}  // namespace handsight

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/cdr.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "base/error.h"
+#include "base/text.h"
+
+namespace handsight::ros {
+namespace {
+
+/// Numbers stand at multiples of their size, counted from behind the encapsulation.
+class Reader {
+ public:
+  Reader(std::string_view bytes, const std::string& what) : what_(what) {
+    if (bytes.size() < 4 || bytes[0] != 0 || (bytes[1] != 0 && bytes[1] != 1)) fail("it is not plain CDR");
+    swap_ = (bytes[1] == 1) != (std::endian::native == std::endian::little);
+    bytes_ = bytes.substr(4);
+  }
+
+  template <class T>
+  T number() {
+    at_ = (at_ + sizeof(T) - 1) / sizeof(T) * sizeof(T);
+    need(sizeof(T));
+    char raw[sizeof(T)];
+    std::memcpy(raw, bytes_.data() + at_, sizeof(T));
+    if (swap_) std::reverse(raw, raw + sizeof(T));
+    at_ += sizeof(T);
+    T value;
+    std::memcpy(&value, raw, sizeof(T));
+    return value;
+  }
+
+  std::string_view bytes(std::size_t count) {
+    need(count);
+    const std::string_view view = bytes_.substr(at_, count);
+    at_ += count;
+    return view;
+  }
+
+  /// Its length counts the zero at its end.
+  std::string text() {
+    const auto length = number<std::uint32_t>();
+    std::string text(bytes(length));
+    if (!text.empty() && text.back() == '\0') text.pop_back();
+    return text;
+  }
+
+  std::uint32_t count(std::size_t least_size) {
+    const auto n = number<std::uint32_t>();
+    if (n > (bytes_.size() - std::min(at_, bytes_.size())) / least_size) fail("a list is longer than the message");
+    return n;
+  }
+
+  std::vector<double> numbers() {
+    std::vector<double> all(count(sizeof(double)));
+    for (double& x : all) x = number<double>();
+    return all;
+  }
+
+  void numbers(double* into, std::size_t how_many) {
+    for (std::size_t i = 0; i < how_many; ++i) into[i] = number<double>();
+  }
+
+  Header header() {
+    Header h;
+    const auto seconds = number<std::int32_t>();
+    h.stamp = seconds + 1e-9 * number<std::uint32_t>();
+    h.frame = text();
+    return h;
+  }
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw InputError(
+        fmt::format("{}: {}; the bag is damaged, or the message is of another type than it says.", what_, why));
+  }
+
+ private:
+  void need(std::size_t count) const {
+    if (at_ > bytes_.size() || bytes_.size() - at_ < count) fail("the message ends too early");
+  }
+
+  std::string_view bytes_;
+  const std::string& what_;
+  std::size_t at_ = 0;
+  bool swap_ = false;
+};
+
+}  // namespace
+
+JointState read_joint_state(std::string_view bytes, const std::string& what) {
+  Reader in(bytes, what);
+  JointState s;
+  s.header = in.header();
+  s.names.resize(in.count(4));
+  for (std::string& name : s.names) name = in.text();
+  s.position = in.numbers();
+  s.velocity = in.numbers();
+  s.effort = in.numbers();
+  return s;
+}
+
+Image read_image(std::string_view bytes, const std::string& what) {
+  Reader in(bytes, what);
+  Image image;
+  image.header = in.header();
+  image.height = in.number<std::uint32_t>();
+  image.width = in.number<std::uint32_t>();
+  image.encoding = in.text();
+  image.is_bigendian = in.number<std::uint8_t>() != 0;
+  image.step = in.number<std::uint32_t>();
+  image.data = in.bytes(in.number<std::uint32_t>());
+  if (static_cast<std::uint64_t>(image.step) * image.height > image.data.size()) in.fail("the image ends too early");
+  return image;
+}
+
+CompressedImage read_compressed_image(std::string_view bytes, const std::string& what) {
+  Reader in(bytes, what);
+  CompressedImage image;
+  image.header = in.header();
+  image.format = in.text();
+  image.data = in.bytes(in.number<std::uint32_t>());
+  return image;
+}
+
+CameraInfo read_camera_info(std::string_view bytes, const std::string& what) {
+  Reader in(bytes, what);
+  CameraInfo c;
+  c.header = in.header();
+  c.height = in.number<std::uint32_t>();
+  c.width = in.number<std::uint32_t>();
+  c.model = in.text();
+  c.d = in.numbers();
+  in.numbers(c.k, 9);
+  in.numbers(c.r, 9);
+  in.numbers(c.p, 12);
+  return c;
+}
+
+std::vector<Transform> read_transforms(std::string_view bytes, const std::string& what) {
+  Reader in(bytes, what);
+  std::vector<Transform> all(in.count(70));
+  for (Transform& t : all) {
+    t.header = in.header();
+    t.child = in.text();
+    double n[7];
+    in.numbers(n, 7);
+    const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
+    if (!(std::abs(q.norm() - 1) < 1e-2) || !std::isfinite(n[0] + n[1] + n[2]))
+      in.fail(fmt::format("the transform of {} holds no unit quaternion", in_quotes(t.child)));
+    t.parent_from_child = {q.normalized().toRotationMatrix(), Vector3(n[0], n[1], n[2])};
+  }
+  return all;
+}
+
+std::string read_string(std::string_view bytes, const std::string& what) { return Reader(bytes, what).text(); }
+
+}  // namespace handsight::ros

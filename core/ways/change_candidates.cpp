@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/change_candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace handsight {
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+
+struct Kind {
+  const char *group, *effect;
+  bool of_cameras;
+};
+constexpr Kind kinds[] = {{"camera_mount", "camera_mount", false},
+                          {"stereo_rig", "stereo_rig", true},
+                          {"lens", "camera_intrinsics", true},
+                          {"lens", "lens_distortion", true},
+                          {"body_slip", "body_slip", false},
+                          {"marker_slip", "marker_slip", false},
+                          {"joint_offset", "joint_offset", false},
+                          {"payload", "payload", false},
+                          {"joint_elasticity", "joint_elasticity", false}};
+
+/// A length and its sigma along it, of three numbers.
+std::string size_text(const std::vector<double>& v, const Eigen::VectorXd& sigma, std::size_t first, double unit,
+                      const char* name) {
+  const auto i = static_cast<Eigen::Index>(first);
+  const Vector3 x(v[first], v[first + 1], v[first + 2]), s(sigma[i], sigma[i + 1], sigma[i + 2]);
+  const double length = x.norm(), along = length > 0 ? x.cwiseProduct(s).norm() / length : s.norm();
+  return fmt::format("{:.3g} +- {:.2g} {}", length * unit, along * unit, name);
+}
+
+}  // namespace
+
+std::vector<ChangeUnit> change_units(const Problem& problem) {
+  std::vector<ChangeUnit> units;
+  const Chain& chain = problem.source->chain;
+  for (const Kind& kind : kinds) {
+    if (kind.of_cameras && !problem.rig) continue;
+    // The cameras of a rig may have effects of their own in place of the catalogue's.
+    const OwnEffects& own_effects = problem.source->own_effects;
+    const auto found = std::find_if(own_effects.begin(), own_effects.end(),
+                                    [&](const auto& e) { return e->id == kind.effect && !e->definition; });
+    const std::shared_ptr<const Effect> own = found == own_effects.end() ? nullptr : *found;
+    const Effect& effect = own ? *own : *find_effect(kind.effect);
+    for (const int place : effect_places(effect, chain)) {
+      if (effect.scope == EffectScope::marker && !problem.marker_is_seen[static_cast<std::size_t>(place)]) continue;
+      EffectTerm term = term_of(effect, place, own);  // a slip of order 0 is there from the first observation on
+      units.push_back({kind.group, {term}, place_name(effect, place, chain.robot)});
+    }
+  }
+  return units;
+}
+
+std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms, const Eigen::VectorXd& sigma,
+                        bool is_tracker) {
+  const std::vector<double>& v = terms.front().values;
+  const std::string& id = unit.group;
+  const char* const device = is_tracker ? "tracker" : "camera";
+  if (id == "camera_mount")
+    return fmt::format("The {} turned by {} and moved by {} on its mount", device,
+                       size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));
+  if (id == "stereo_rig")
+    return fmt::format("The cameras turned against each other by {} and moved by {}",
+                       size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));
+  if (id == "body_slip")
+    return fmt::format("The marker body slipped on the hand by {} and turned by {}", size_text(v, sigma, 0, 1e3, "mm"),
+                       size_text(v, sigma, 3, degrees, "degrees"));
+  if (id == "marker_slip")
+    return fmt::format("Of the markers {} alone slipped, by {}", unit.where, size_text(v, sigma, 0, 1e3, "mm"));
+  if (id == "joint_offset")
+    return fmt::format("Joint {} lost its zero: it stands {:.3g} +- {:.2g} degrees further than it reads", unit.where,
+                       v[0] * degrees, sigma[0] * degrees);
+  if (id == "payload") return fmt::format("The hand carries {:.3g} +- {:.2g} kg more than it did", v[0], sigma[0]);
+  if (id == "joint_elasticity")
+    return fmt::format("Joint {} gives way by {:.3g} +- {:.2g} rad/(N m) more than it did", unit.where, v[0], sigma[0]);
+  return std::string("The cameras' lenses are not what they were (") +
+         (terms.front().id == "lens_distortion" ? "distortion" : "focal lengths or centres") + ")";
+}
+
+}  // namespace handsight

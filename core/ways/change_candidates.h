@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What may change between two sessions of one robot. Internal to comparison.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "estimation/problem.h"
+
+namespace handsight {
+
+/// One alternative: terms that change together.
+struct ChangeUnit {
+  std::string group;  // what people call it: "lens" for intrinsics and distortion alike
+  std::vector<EffectTerm> terms;
+  std::string where;
+};
+
+/// All that the second side's measurements can show.
+std::vector<ChangeUnit> change_units(const Problem& problem);
+
+/// "The camera mount turned by 0.12 +- 0.01 degrees and moved by 1.3 mm".
+std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& values, const Eigen::VectorXd& sigma,
+                        bool is_tracker);
+
+}  // namespace handsight

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/number_files.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/text.h"
+
+namespace handsight {
+namespace {
+
+std::string number(double x) { return format_number(x); }
+std::string number(const std::optional<double>& x) { return x ? format_number(*x) : ""; }
+
+template <class Derived>
+std::string joined(const Eigen::DenseBase<Derived>& v, const std::string& between = ", ") {
+  std::string text;
+  for (Eigen::Index i = 0; i < v.size(); ++i) text += (i ? between : "") + number(v(i));
+  return text;
+}
+
+/// Row by row.
+std::string rows(const Eigen::MatrixXd& m) {
+  const Eigen::MatrixXd by_columns = m.transpose();
+  return joined(by_columns.reshaped());
+}
+
+/// In double quotes, as YAML and JSON read them.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += std::string("\\") + c;
+    else if (c == '\n')
+      out += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+/// A field of a CSV.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r;#") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  return out + "\"";
+}
+
+std::string yaml_motion(const Rigid& m) {
+  return fmt::format("  xyz: [{}]\n  quaternion_xyzw: [{}]\n  matrix: [{}]\n", joined(m.translation),
+                     joined(quaternion_of(m.rotation)), rows(matrix_from_rigid(m)));
+}
+
+std::string yaml_effects(const Calibration& c) {
+  if (c.effects.empty()) return "effects: []\n";
+  std::string text = "effects:\n";
+  for (const CalibrationEffect& e : c.effects) {
+    text += fmt::format("  - id: {}\n    parameters:\n", quoted(e.id));
+    for (const CalibrationParameter& p : e.parameters)
+      text += fmt::format("      - {{of: {}, name: {}, value: {}, sigma: {}, unit: {}}}\n", quoted(p.of),
+                          quoted(p.name), number(p.value), p.sigma ? number(*p.sigma) : "null", quoted(p.unit));
+  }
+  return text;
+}
+
+std::string sensor_name(const CalibratedRobot& r) { return r.rig ? r.rig->at(0).name + "_camera" : "sensor"; }
+
+/// Where the sensor sits after the session, the effects on its mount in it.
+std::optional<Rigid> mount_after(const CalibratedRobot& r) {
+  if (!r.model.mount_from_sensor) return std::nullopt;
+  const Circumstances c =
+      circumstances_at(r.chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(r.chain.joints.size())));
+  return *r.model.mount_from_sensor * observed_ends(c, moved_sites(c, r.model.effects)).mount_motion;
+}
+
+std::string opencv_matrix(const std::string& name, const Eigen::MatrixXd& m) {
+  return fmt::format("{}: !!opencv-matrix\n   rows: {}\n   cols: {}\n   dt: d\n   data: [ {} ]\n", name, m.rows(),
+                     m.cols(), rows(m));
+}
+
+std::string opencv_camera(const Camera& c, const std::string& index) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(3, 3), distortion(1, 5);
+  matrix(0, 0) = c.fx;
+  matrix(0, 1) = c.skew;
+  matrix(0, 2) = c.cx;
+  matrix(1, 1) = c.fy;
+  matrix(1, 2) = c.cy;
+  distortion << c.k1, c.k2, c.p1, c.p2, c.k3;
+  return opencv_matrix("M" + index, matrix) + opencv_matrix("D" + index, distortion);
+}
+
+std::string python_string(const std::string& text) { return quoted(shortened(text, 500)); }
+
+std::string transform_node(const std::string& parent, const std::string& child, const Rigid& m) {
+  const Eigen::Vector4d q = quaternion_of(m.rotation);
+  const Vector3& t = m.translation;
+  return fmt::format(
+      "        Node(package=\"tf2_ros\", executable=\"static_transform_publisher\", name={},\n"
+      "             arguments=[\"--x\", \"{}\", \"--y\", \"{}\", \"--z\", \"{}\",\n"
+      "                        \"--qx\", \"{}\", \"--qy\", \"{}\", \"--qz\", \"{}\", \"--qw\", \"{}\",\n"
+      "                        \"--frame-id\", {}, \"--child-frame-id\", {}]),\n",
+      python_string("handsight_" + child), number(t.x()), number(t.y()), number(t.z()), number(q.x()), number(q.y()),
+      number(q.z()), number(q.w()), python_string(parent), python_string(child));
+}
+
+}  // namespace
+
+Eigen::Vector4d quaternion_of(const Matrix3& rotation) {
+  const Eigen::Vector4d q = Eigen::Quaterniond(rotation).normalized().coeffs();
+  return q.w() < 0 ? Eigen::Vector4d(-q) : q;
+}
+
+std::string yaml_file(const CalibratedRobot& r) {
+  const Calibration& c = r.calibration;
+  std::string text = fmt::format(
+      "# A calibration by Handsight. Units: m, rad, s, kg, N m, px.\nsession: {}\ncreated: {}\nsoftware: {}\n",
+      quoted(c.session), quoted(c.created), quoted(c.software));
+  text += fmt::format("tcp: {}\nmount: {}\ngravity: [{}]\njoints: [", quoted(r.tcp), quoted(r.mount),
+                      joined(r.chain.gravity));
+  for (std::size_t i = 0; i < r.joint_names.size(); ++i) text += (i ? ", " : "") + quoted(r.joint_names[i]);
+  text += "]\ntcp_from_body:\n" + yaml_motion(c.tcp_from_body.motion);
+  text += fmt::format("  covariance: [{}]  # of xi in exp(xi) tcp_from_body: x y z rx ry rz, row by row\n",
+                      rows(c.tcp_from_body.covariance));
+  if (r.model.mount_from_sensor) text += "mount_from_sensor:\n" + yaml_motion(*r.model.mount_from_sensor);
+  text += "markers:  # in the body frame\n";
+  for (std::size_t m = 0; m < c.markers.size(); ++m)
+    if (std::count(c.unseen_markers.begin(), c.unseen_markers.end(), static_cast<int>(m)) == 0)
+      text += fmt::format("  - {{index: {}, xyz: [{}]}}\n", m, joined(c.markers[m]));
+  text += yaml_effects(c);
+  if (c.definitions.empty()) return text;
+  text += "effect_definitions:  # by formulas, as effects.xml writes them\n";
+  for (const EffectDefinition& d : c.definitions) text += "  - " + quoted(effect_definition_text(d)) + "\n";
+  return text;
+}
+
+std::string csv_file(const CalibratedRobot& r) {
+  const Calibration& c = r.calibration;
+  std::string text = "quantity,of,name,value,sigma,unit\n";
+  const auto line = [&](const std::string& quantity, const std::string& of, const std::string& name,
+                        const std::string& value, const std::string& sigma, const std::string& unit) {
+    text += fmt::format("{},{},{},{},{},{}\n", quantity, field(of), field(name), field(value), sigma, unit);
+  };
+  const auto motion = [&](const std::string& quantity, const std::string& of, const Rigid& m, const Vector6& sigma) {
+    const Eigen::Vector4d q = quaternion_of(m.rotation);
+    for (int i = 0; i < 3; ++i)
+      line(quantity, of, std::string(1, "xyz"[i]), number(m.translation[i]), number(sigma[i]), "m");
+    for (int i = 0; i < 4; ++i) line(quantity, of, std::string("q") + "xyzw"[i], number(q[i]), "", "1");
+    for (int i = 0; i < 3; ++i)  // of the small rotation about the TCP's axes, whose value is 0
+      line(quantity, of, std::string("r") + "xyz"[i], "0", number(sigma[i + 3]), "rad");
+  };
+  motion("tcp_from_body", r.tcp, c.tcp_from_body.motion, c.tcp_from_body.covariance.diagonal().cwiseMax(0).cwiseSqrt());
+  if (r.model.mount_from_sensor)
+    motion("mount_from_sensor", r.mount, *r.model.mount_from_sensor,
+           c.mount_from_sensor ? Vector6(c.mount_from_sensor->covariance.diagonal().cwiseMax(0).cwiseSqrt())
+                               : Vector6(Vector6::Zero()));
+  for (std::size_t m = 0; m < c.markers.size(); ++m)
+    for (int i = 0; i < 3; ++i)
+      line("marker", std::to_string(m), std::string(1, "xyz"[i]), number(c.markers[m][i]), "", "m");
+  for (const CalibrationEffect& e : c.effects)
+    for (const CalibrationParameter& p : e.parameters)
+      line(e.id, p.of, p.name, number(p.value), number(p.sigma), p.unit);
+  for (const EffectDefinition& d : c.definitions) line("definition", d.id, "xml", effect_definition_text(d), "", "");
+  return text;
+}
+
+std::string opencv_file(const CalibratedRobot& r) {
+  std::string text = "%YAML:1.0\n---\n";
+  text += opencv_matrix("tcp_from_body", matrix_from_rigid(r.model.tcp_from_body));
+  text += opencv_matrix("tcp_from_body_covariance", r.calibration.tcp_from_body.covariance);
+  if (const auto mount = mount_after(r)) text += opencv_matrix("mount_from_sensor", matrix_from_rigid(*mount));
+  if (!r.rig) return text;
+  text += fmt::format("image_width: {}\nimage_height: {}\n", r.rig->at(0).camera.width, r.rig->at(0).camera.height);
+  for (int c = 0; c < r.rig->count(); ++c) {
+    const RigCamera& camera = r.rig->at(c);
+    const std::string number = std::to_string(c + 1), motion = is_pair(*r.rig) ? "" : number;
+    text += opencv_camera(camera.camera, number);
+    if (c == 0) continue;
+    text += opencv_matrix("R" + motion, camera.camera_from_first.rotation) +
+            opencv_matrix("T" + motion, camera.camera_from_first.translation);
+  }
+  return text;
+}
+
+std::string static_tf_file(const CalibratedRobot& r) {
+  std::string text = fmt::format(
+      "# Static transforms of a calibration by Handsight, for ros2 launch. They hold what is the same in all poses;\n"
+      "# effects that bend or turn the arm are not in them ({} in the model).\n"
+      "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+      "def generate_launch_description():\n    return LaunchDescription([\n",
+      r.model.effects.size());
+  text += transform_node(r.tcp, "handsight_body", r.model.tcp_from_body);
+  if (const auto mount = mount_after(r)) text += transform_node(r.mount, "handsight_" + sensor_name(r), *mount);
+  return text + "    ])\n";
+}
+
+}  // namespace handsight

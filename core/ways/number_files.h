@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A calibration's numbers as YAML, CSV, OpenCV's storage and a launch file of ROS 2.
+#pragma once
+
+#include <string>
+
+#include "ways/calibrated_robot.h"
+
+namespace handsight {
+
+/// Everything that the calibration says; of formulas the XML of their definitions.
+std::string yaml_file(const CalibratedRobot& robot);
+
+/// The same as a table: quantity, of, name, value, sigma, unit.
+std::string csv_file(const CalibratedRobot& robot);
+
+/// cv::FileStorage: tcp_from_body, its covariance, mount_from_sensor and the cameras, where they are known.
+std::string opencv_file(const CalibratedRobot& robot);
+
+/// A launch file of ROS 2 with static transforms: TCP link to body, mount link to sensor where that is known.
+std::string static_tf_file(const CalibratedRobot& robot);
+
+/// x y z w of a rotation, w >= 0.
+Eigen::Vector4d quaternion_of(const Matrix3& rotation);
+
+}  // namespace handsight

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Poses, points and joint readings from tables and from easy_handeye.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/robot.h"
+#include "ways/series.h"
+#include "ways/table.h"
+#include "ways/yaml_text.h"
+
+namespace handsight {
+
+/// Pairs of poses that easy_handeye (1 and 2) has sampled.
+struct HandEyeSamples {
+  std::vector<Rigid> base_from_effector, camera_from_target;
+  bool eye_in_hand = true;
+  bool kind_is_known = true;  // false: the file does not say where the camera is
+};
+bool is_hand_eye_samples(const YAML::Node& yaml);
+HandEyeSamples read_hand_eye_samples(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes);
+
+/// A list of {position, orientation} (also translation, rotation; xyz, quaternion), as ROS and people write poses.
+bool is_pose_list(const YAML::Node& yaml);
+PoseSeries read_pose_list(const YAML::Node& yaml, const std::string& file);
+
+/// Has the table columns x y z and a quaternion (or roll pitch yaw), or without a header 7 or 8 columns whose last four
+/// are unit quaternions (TUM: time x y z qx qy qz qw)?
+bool is_pose_table(const Table& table);
+PoseSeries read_pose_table(Table table, std::vector<std::string>& notes);
+
+/// Triples of columns x y z (m1_x m1_y m1_z ...), or a line a point: x y z with marker and time or observation.
+bool is_point_table(const Table& table);
+PointSeries read_point_table(Table table, std::vector<std::string>& notes);
+
+/// How many of the columns name a joint of the robot that moves by itself ("a1", "a1_position", "position_a1").
+int joint_columns(const Table& table, const Robot& robot);
+
+/// Joint readings. Without a header the columns are the robot's moving joints in their order, with a column of time
+/// before them where there is one more. Degrees where the header says so or `degrees`; InputError where numbers can
+/// only be degrees and nobody said so. Sentences in `notes`: what was taken for what, columns that would fit the limits
+/// of other joints better.
+JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std::vector<std::string>& notes);
+
+}  // namespace handsight

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/python_file.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "ways/cpp_file.h"
+#include "ways/python_engine.h"
+
+namespace handsight {
+namespace {
+
+std::string number(double x) { return format_number(x); }
+
+std::string listed(const Vector3& v) {
+  return fmt::format("[{}, {}, {}]", number(v.x()), number(v.y()), number(v.z()));
+}
+
+std::string listed(const Rigid& m) {
+  const auto row = [&](int i) { return listed(Vector3(m.rotation.row(i).transpose())); };
+  return fmt::format("([{}, {}, {}], {})", row(0), row(1), row(2), listed(m.translation));
+}
+
+std::string quoted(const std::string& name) {
+  std::string text;
+  for (const char c : shortened(name, 500)) text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  return "\"" + text + "\"";
+}
+
+std::string joint_row(const ProgramJoint& joint) {
+  std::string mimics;
+  for (const Mimic& m : joint.mimics)
+    mimics += fmt::format("({}, {}, {}),", m.joint, number(m.multiplier), number(m.offset));
+  const char* const kind = joint.kind == JointKind::fixed ? "f" : joint.kind == JointKind::prismatic ? "s" : "t";
+  return fmt::format(
+      "    # {}\n    _Joint({}, \"{}\", {}, {},\n           {}, {},\n           {}, {}, {}, {}, {}, [{}]),\n",
+      printable(shortened(joint.name, 100)), joint.parent, kind, joint.input, listed(joint.parent_from_joint),
+      listed(joint.axis), listed(joint.joint_from_child), number(joint.stiffness), number(joint.mass),
+      listed(joint.moment), number(joint.lower), number(joint.upper), mimics);
+}
+
+std::string tables(const HandProgram& p) {
+  std::string names, rows, order;
+  for (const std::string& name : p.inputs) names += (names.empty() ? "" : ", ") + quoted(name);
+  for (const ProgramJoint& joint : p.joints) rows += joint_row(joint);
+  for (const int j : p.value_order) order += (order.empty() ? "" : ", ") + std::to_string(j);
+  const auto truth = [](bool b) { return b ? "True" : "False"; };
+  return fmt::format(
+      "\nJOINT_NAMES = [{}]  # the order of a position\n\n_JOINTS = [\n{}]\n_VALUE_ORDER = [{}]\n_TCP_JOINT = "
+      "{}\n_CHILD_FROM_TCP = {}\n_CENTER_IN_TCP = {}\n_TCP_FROM_BODY = {}\n_GRAVITY = {}\n_ROOT_MOMENT = "
+      "{}\n_NOMINAL_IS_ELASTIC, _IS_ELASTIC, _READS_TORQUE = {}, {}, {}\n",
+      names, rows, order, p.tcp, listed(p.child_from_tcp), listed(p.center_in_tcp), listed(p.tcp_from_body),
+      listed(p.gravity), listed(p.root_moment), truth(p.nominal_is_elastic), truth(p.is_elastic),
+      truth(p.reads_torque));
+}
+
+std::string effects(const HandProgram& p) {
+  std::string text =
+      "\n\ndef _add_effects(q, torque, velocity, approach, share, seconds, order, joint, whole):\n"
+      "    \"\"\"What the effects add, each as it was found.\"\"\"\n";
+  std::string of;
+  for (const ProgramMove& m : p.moves) {
+    if (m.of != of) text += "    # " + printable(shortened(of = m.of, 200)) + "\n";
+    text += "    " + m.target + " += " + python_text(m.amount) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string python_file(const HandProgram& p) {
+  return "#!/usr/bin/env python3\n" + program_comment(p, "#") + python_types + tables(p) + effects(p) + python_engine +
+         python_correction;
+}
+
+}  // namespace handsight

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/session_parts.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "robot/urdf.h"
+#include "session/session_xml.h"
+
+namespace handsight {
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("{}: the folder cannot be made ({}).", shown_path(folder), error.message()));
+}
+
+std::string title_of(const ConvertOptions& o) { return o.title.empty() ? o.out.filename().string() : o.title; }
+
+/// Seconds since the first observation.
+double time_of(const SessionParts& parts, std::size_t i) {
+  return parts.times.empty() ? static_cast<double>(i) : parts.times[i] - parts.times.front();
+}
+
+/// Nothing half made stays where the session cannot be read back.
+Session read_back(const fs::path& file) {
+  try {
+    return read_session(file);
+  } catch (const InputError&) {
+    std::error_code error;
+    fs::remove(file, error);
+    throw;
+  }
+}
+
+void require_link(const Robot& robot, const std::string& name, const char* option) {
+  if (find_link(robot, name) >= 0) return;
+  throw InputError(fmt::format("{} {}: the robot has no such link; it has: {}.", option, in_quotes(name),
+                               shortened(fmt::format("{}", fmt::join(link_names(robot), " ")), 300)));
+}
+
+}  // namespace
+
+std::vector<std::vector<std::optional<Vector3>>> points_of_poses(const PoseSeries& series) {
+  std::vector<std::vector<std::optional<Vector3>>> all;
+  for (const Rigid& pose : series.poses) {
+    auto& points = all.emplace_back();
+    for (const Vector3& p : virtual_points()) points.push_back(pose * p);
+  }
+  return all;
+}
+
+Session write_tracker_session(const SessionParts& parts, const ConvertOptions& o) {
+  Session s;
+  s.robot = parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
+  require_link(s.robot, parts.tcp, "--tcp");
+  require_link(s.robot, parts.mount, "--mount");
+  s.file = o.out / "session.xml";
+  s.title = title_of(o);
+  s.robot_file = "robot.urdf";
+  s.tcp = parts.tcp;
+  s.mount = {parts.mount, Rigid{}, true, false};
+  s.joints = parts.joints.names;
+  for (std::size_t i = 0; i < parts.points.size(); ++i) {
+    Observation& observation = s.observations.emplace_back();
+    observation.id = static_cast<std::int64_t>(i);
+    observation.time = time_of(parts, i);
+    observation.position = parts.joints.positions[i];
+    for (std::size_t m = 0; m < parts.points[i].size(); ++m)
+      if (parts.points[i][m])
+        observation.sightings.push_back({.marker = static_cast<int>(m), .point = parts.points[i][m]});
+    s.marker_count = std::max(s.marker_count, static_cast<int>(parts.points[i].size()));
+  }
+  make_folder(o.out);
+  replace_file(o.out / "robot.urdf", parts.urdf_text);
+  replace_file(s.file, session_text(s));
+  return read_back(s.file);
+}
+
+Session write_stereo_session(const SessionParts& parts, const StereoRig& rig, const std::vector<ImageFiles>& images,
+                             const ConvertOptions& o, std::vector<std::string>& notes) {
+  const Robot robot = parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
+  require_link(robot, parts.tcp, "--tcp");
+  require_link(robot, parts.mount, "--mount");
+  make_folder(o.out);
+  replace_file(o.out / "robot.urdf", parts.urdf_text);
+  NewSession made;
+  made.folder = o.out;
+  made.title = title_of(o);
+  made.urdf = o.out / "robot.urdf";
+  made.tcp = parts.tcp;
+  made.mount = parts.mount;
+  made.rig = rig;
+  made.marker_count = o.markers;
+  made.joints = parts.joints.names;
+  made.positions = parts.joints.positions;
+  made.images = images;
+  Session s = make_session(made, &notes);
+  if (!parts.times.empty()) {
+    for (std::size_t i = 0; i < s.observations.size(); ++i) s.observations[i].time = time_of(parts, i);
+    s.source.reset();  // times are written anew
+    replace_file(s.file, session_text(s));
+    s = read_back(s.file);
+  }
+  return s;
+}
+
+}  // namespace handsight

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A table of numbers as people and programs write them: CSV with commas, semicolons, tabs or spaces.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handsight {
+
+struct TableColumn {
+  std::string name;  // as written, without its unit; empty where there is no header
+  std::string unit;  // of "shoulder [deg]", "x(mm)", "q1_deg"; lower case; empty where none is named
+};
+
+struct Table {
+  std::string file;  // as sentences call it
+  std::vector<TableColumn> columns;
+  std::vector<std::vector<double>> rows;  // NaN: an empty cell, or "nan"
+  std::vector<int> lines;                 // of the rows
+  bool has_header = false;
+  std::vector<std::string> notes;  // decimal commas, what else was understood; a sentence each
+
+  std::size_t width() const { return columns.size(); }
+};
+
+/// InputError with the line where a cell is no number, or rows differ in length. Nothing where the text is no table at
+/// all: no row of two numbers or more.
+/// A first line of these names is a header, even where they are numbers ("1", "2": servos are often called so).
+std::optional<Table> parse_table(std::string_view text, const std::string& file,
+                                 const std::vector<std::string>& names = {});
+
+/// The column of that name, upper or lower case; nothing where there is none. InputError where there are two.
+std::optional<std::size_t> find_column(const Table& table, const std::string& name);
+
+/// The first of these that is there.
+std::optional<std::size_t> find_column(const Table& table, std::initializer_list<const char*> names);
+
+/// The column's times in s, by its unit or size (ms, us, ns), begin at their own zero where they are epochs; empty
+/// where the table has none. A sentence in `notes` where the unit was guessed.
+std::vector<double> times_of(const Table& table, std::vector<std::string>& notes);
+
+/// Sorts rows by time where they are not; says so. Rows of the same time are refused with a sentence.
+void sort_by_time(Table& table, std::vector<double>& times, std::vector<std::string>& notes);
+
+/// InputError where a cell of these columns is empty.
+void require_full(const Table& table, const std::vector<std::size_t>& columns);
+
+}  // namespace handsight

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The calibrated robot as a URDF that any reader opens.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ways/calibrated_robot.h"
+
+namespace handsight {
+
+struct UrdfFile {
+  std::string text;
+  std::string hand_link;               // whose frame is the hand's, where a URDF can say it: the tcp link or a new one
+  std::string body_link, sensor_link;  // new links; the sensor's is empty where its mount is not known
+  std::vector<std::string> not_said;   // what a URDF cannot say, a sentence each; a comment in the text holds them too
+};
+
+/// The robot as it was written, with origins moved by joint offsets, geometry and every effect that is the same in all
+/// poses after the session (a slip that has come stays), multipliers of joints that follow others, and links for the
+/// marker body and the sensor. InputError where CalibratedRobot::urdf_text is empty.
+UrdfFile urdf_file(const CalibratedRobot& robot);
+
+}  // namespace handsight

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long an exported C++ file takes for a hand pose: written, compiled by c++ -O2 and run.
+#include <benchmark/benchmark.h>
+
+#include "fixtures/trial_sessions.h"
+#include "ways/exported.h"
+#include "ways/ways_fixtures.h"
+
+namespace handsight {
+namespace {
+
+/// Microseconds a pose, by the program itself.
+double microseconds(int robot, bool with_effects) {
+  std::mt19937_64 random(5);
+  const Session session = trials::robot_session(robot);
+  const CalibratedRobot calibrated = fixture::robot_with(
+      session, with_effects ? fixture::everything_wrong(chain_of(session), random) : std::vector<EffectTerm>{}, random);
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "hand.cpp") << exported_file(calibrated, "cpp").text;
+  std::ofstream(folder.path / "main.cpp") << R"cpp(
+#include <chrono>
+#include <cstdio>
+#include "hand.cpp"
+    int main() {
+      using namespace handsight_hand;
+      double q[joint_count], sum = 0;
+      Motion hand;
+      const auto start = std::chrono::steady_clock::now();
+      for (int i = 0; i < 20000; ++i) {
+        for (int j = 0; j < joint_count; ++j) q[j] = 0.4 + 0.5 * std::sin(0.1 * i + j);
+        hand_pose(q, hand);
+        sum += hand.shift[0];
+      }
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      std::printf("%.6f %.3f\n", 1e6 * seconds / 20000, sum);
+    }
+  )cpp";
+  const std::string said = fixture::compiled(folder.path / "main.cpp", folder.path / "main", "");
+  if (!said.empty()) return -1;
+  const auto answer = fixture::answers(folder.path, "'" + (folder.path / "main").string() + "'", {});
+  return answer.empty() ? -1 : answer[0].numbers[0];
+}
+
+void exported_pose(benchmark::State& state) {
+  for (auto _ : state) {
+    const double us = microseconds(static_cast<int>(state.range(0)), state.range(1) != 0);
+    state.SetIterationTime(1e-6 * us);
+  }
+}
+/// Robot (0 Justin, 1 six axes, 2 seven), and whether every effect of the catalogue is in the model.
+BENCHMARK(exported_pose)
+    ->ArgsProduct({{0, 1, 2}, {0, 1}})
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond)
+    ->Iterations(3);
+
+}  // namespace
+}  // namespace handsight
+
+BENCHMARK_MAIN();

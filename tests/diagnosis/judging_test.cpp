@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/judging.h"
+
+#include <gtest/gtest.h>
+
+#include "simulated_stand.h"
+
+namespace handsight {
+namespace {
+
+DiagnosisCandidate named(const std::string& id, double ln_bayes_factor) {
+  DiagnosisCandidate c;
+  c.id = id;
+  c.where = {"a2"};
+  c.terms = {term_of(*find_effect(id), 1)};
+  c.sigmas = {std::vector<double>(c.terms[0].values.size(), 1.0)};
+  c.ln_bayes_factor = ln_bayes_factor;
+  return c;
+}
+
+DiagnosisCandidate curve_of_angle(double ln_bayes_factor) {
+  DiagnosisCandidate c;
+  c.ln_bayes_factor = ln_bayes_factor;
+  c.unnamed.emplace();
+  c.unnamed->localiser.variable =
+      std::make_shared<Variable>(Variable{VariableKind::angle, 1, "angle of a2", "rad", {}});
+  return c;
+}
+
+class Judge : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { session_ = new Session(simulated({}, 2, 20)); }
+  static void TearDownTestSuite() { delete session_; }
+
+  /// What is said of these candidates where noise alone reaches 4.
+  Diagnosis judged(std::vector<DiagnosisCandidate> candidates, bool knows_noise = true) const {
+    Diagnosis d;
+    d.threshold = 4;
+    d.noise = 0.2;
+    d.lack_of_fit_p = 0.5;
+    d.model.session = *session_;
+    d.report.held_out.rms_pixel = 0.3;
+    d.candidates = std::move(candidates);
+    judge(*session_, knows_noise, {}, d);
+    EXPECT_GE(d.reason.size(), 20u);
+    return d;
+  }
+
+  static Session* session_;
+};
+Session* Judge::session_ = nullptr;
+
+TEST_F(Judge, NamesWhatPassesAlone) {
+  const Diagnosis d = judged({named("joint_scale", 30), named("backlash", 26)});
+  EXPECT_EQ(d.verdict, Verdict::missing_effect);
+  EXPECT_NE(d.reason.find("Joint scale"), std::string::npos) << d.reason;
+}
+
+TEST_F(Judge, IsAmbiguousWithinOddsOfTwenty) {
+  EXPECT_EQ(judged({named("joint_scale", 30), named("backlash", 27.1)}).verdict, Verdict::ambiguous);
+  EXPECT_EQ(judged({named("joint_scale", 30), named("backlash", 26.9)}).verdict, Verdict::missing_effect);
+}
+
+TEST_F(Judge, AnUnnamedCurveOnTopIsUnexplainedAndItsVariableNamed) {
+  const Diagnosis d = judged({curve_of_angle(31), named("joint_scale", 30)});
+  EXPECT_EQ(d.verdict, Verdict::unexplained);
+  EXPECT_NE(d.reason.find("angle of a2"), std::string::npos) << d.reason;
+  EXPECT_EQ(judged({named("joint_scale", 30), curve_of_angle(29.9)}).verdict, Verdict::missing_effect)
+      << "a curve below a name is no rival of it";
+}
+
+TEST_F(Judge, NothingThatPassesIsAdequateOnlyWhereTheNoiseIsKnown) {
+  EXPECT_EQ(judged({named("joint_scale", 3.9), curve_of_angle(3.9)}).verdict, Verdict::adequate);
+  EXPECT_EQ(judged({named("joint_scale", 3.9)}, false).verdict, Verdict::unexplained);
+  EXPECT_EQ(judged({}).verdict, Verdict::adequate);
+}
+
+}  // namespace
+}  // namespace handsight

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/slips.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "diagnosis/improvement.h"
+#include "simulated_stand.h"
+
+namespace handsight {
+namespace {
+
+std::vector<EffectTerm> slip(double size) { return {{"mount_slip", -1, {size, 0, -size, 0, 0, 0, 31}}}; }
+
+DiagnosisCandidate slip_found(const Diagnosis& d) {
+  for (const DiagnosisCandidate& c : d.candidates)
+    if (c.id == "mount_slip") return c;
+  return {};
+}
+
+TEST(Slips, AreTakenWhereTheyHappened) {
+  const Session session = simulated(slip(1e-3), 7);
+  const Diagnosis d = diagnosed(session, {});
+  const DiagnosisCandidate candidate = slip_found(d);
+  ASSERT_TRUE(candidate.refitted);
+  EXPECT_NEAR(*slip_order(candidate.terms), 31, 1);
+  const ModelChange change = add_candidate(session, {}, d, candidate);
+  ASSERT_TRUE(change.model) << (change.refused.empty() ? "" : change.refused[0].reason);
+  EXPECT_EQ(change.steps[0].added, "mount_slip");
+}
+
+TEST(Slips, AreNotBelievedOnThinEvidence) {
+  const Session session = simulated(slip(1e-3), 7);
+  const Diagnosis d = diagnosed(session, {});
+  DiagnosisCandidate candidate = slip_found(d);
+  candidate.ln_bayes_factor = d.threshold + ln_odds_against_slip - 0.1;
+  const ModelChange change = add_candidate(session, {}, d, candidate);
+  EXPECT_FALSE(change.model);
+  ASSERT_EQ(change.refused.size(), 1u);
+  EXPECT_NE(change.refused[0].reason.find("rare"), std::string::npos) << change.refused[0].reason;
+}
+
+TEST(Slips, OneSideOfWhichGainsNothingIsNotConfirmed) {
+  // The residuals of a few observations at one end of the session are not those of a jump.
+  Session session = simulated({}, 8);
+  for (Observation& o : session.observations)
+    if (o.id >= 58)
+      for (Eigen::Index j = 0; j < o.position.size(); ++j) o.position[j] += 4e-4;
+  const CleanFit plain{session, fit(session, {}), {}};
+  FitOptions options;
+  options.estimated = {{"mount_slip", -1, {0, 0, 0, 0, 0, 0, 30}}};
+  const Fit with = fit(session, options);
+  EXPECT_FALSE(slip_is_confirmed(session, plain.fit, {}, with, options, 30));
+}
+
+}  // namespace
+}  // namespace handsight

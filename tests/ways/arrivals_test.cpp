@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// What arrives in a folder: whole lines and images alone, each once, whoever starts again.
+#include "ways/arrivals.h"
+
+#include <gmock/gmock.h>
+
+#include <thread>
+
+#include "ways/ways_fixtures.h"
+
+namespace handsight {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class ArrivalsInAFolder : public testing::Test {
+ protected:
+  void append(const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder.path / name).parent_path());
+    std::ofstream(folder.path / name, std::ios::app | std::ios::binary) << text;
+  }
+  Session tracker() {
+    Session s = fixture::tracker_session(1);
+    s.file = folder.path / "session.xml";
+    s.observations.clear();
+    return s;
+  }
+  Session cameras() {
+    Session s = fixture::stand_session(3);
+    s.file = folder.path / "session.xml";
+    s.observations.clear();
+    return s;
+  }
+  static constexpr char header[] = "number,time,a1,a2,a3,a4,a5,a6\n";
+  TemporaryFolder folder;
+};
+
+TEST_F(ArrivalsInAFolder, PosesAndPointsMeetByTheirNumbersWhoeverComesFirst) {
+  Arrivals arrivals(tracker());
+  EXPECT_THAT(arrivals.look().arrived, IsEmpty());
+  append("joints.csv", header);
+  append("joints.csv", "7,1.5,0.1,0.2,0.3,0.4,0.5,0.6\n");
+  EXPECT_THAT(arrivals.look().arrived, IsEmpty()) << "what was measured is not there yet";
+  append("points.csv", "number,m0_x,m0_y,m0_z\n8,4,5,6\n7,1,2,3\n");
+  const Arrivals::Look first = arrivals.look();
+  ASSERT_THAT(first.arrived, SizeIs(1));
+  EXPECT_EQ(first.arrived[0].time, 1.5);
+  EXPECT_EQ(first.arrived[0].position[4], 0.5);
+  EXPECT_EQ(*first.arrived[0].sightings[0].point, Vector3(1, 2, 3));
+  append("joints.csv", "8,2.5,0,0,0,0,0,0\n");
+  ASSERT_THAT(arrivals.look().arrived, SizeIs(1));
+  EXPECT_THAT(arrivals.look().arrived, IsEmpty()) << "each comes once";
+}
+
+TEST_F(ArrivalsInAFolder, HalfALineWaitsAndABrokenOneIsSetAside) {
+  Arrivals arrivals(tracker());
+  append("points.csv", "number,m0_x,m0_y,m0_z\n1,1,2,3\n2,1,2,3\n3,1,2,3\n");
+  append("joints.csv", std::string(header) + "1,1,0.1,0.2,0.3,0.4,0.");
+  EXPECT_THAT(arrivals.look().arrived, IsEmpty());
+  append("joints.csv", "5,0.6\n");
+  const Arrivals::Look whole = arrivals.look();
+  ASSERT_THAT(whole.arrived, SizeIs(1));
+  EXPECT_EQ(whole.arrived[0].position[4], 0.5);
+  append("joints.csv", "2,2,0.1,0.2\n3,3,0.1,nan,0,0,0,0\n");
+  const Arrivals::Look broken = arrivals.look();
+  EXPECT_THAT(broken.arrived, IsEmpty());
+  EXPECT_THAT(broken.remarks, ElementsAre(HasSubstr("4 columns"), HasSubstr("finite number")));
+  append("joints.csv", "3,3,0.1,0.2,0,0,0,0\n");
+  EXPECT_THAT(arrivals.look().arrived, SizeIs(1)) << "said again, and right";
+}
+
+TEST_F(ArrivalsInAFolder, EitherSideMayStartAgain) {
+  append("joints.csv", std::string(header) + "1,1,0,0,0,0,0,0\n2,2,0,0,0,0,0,0\n");
+  append("points.csv", "number,m0_x,m0_y,m0_z\n1,1,2,3\n2,1,2,3\n");
+  Session session = tracker();
+  {
+    Arrivals arrivals(session);
+    session.observations = arrivals.look().arrived;
+    ASSERT_THAT(session.observations, SizeIs(2));
+  }
+  Arrivals again(session);  // the reader was started again with what it had saved
+  EXPECT_THAT(again.look().arrived, IsEmpty());
+  std::ofstream(folder.path / "joints.csv") << header << "1,3,0,0,0,0,0,1\n";  // the writer was
+  std::ofstream(folder.path / "points.csv") << "number,m0_x,m0_y,m0_z\n1,1,2,3\n";
+  EXPECT_THAT(again.look().arrived, SizeIs(1));
+}
+
+TEST_F(ArrivalsInAFolder, ImagesAreTakenWhole) {
+  const std::string image = "P5\n8 6\n255\n" + std::string(48, 'x');
+  Arrivals arrivals(cameras());
+  append("joints.csv", std::string(header) + "12,1,0,0,0,0,0,0\n");
+  append("images/cam_012_left.pgm", image);
+  EXPECT_THAT(arrivals.look().arrived, IsEmpty());
+  append("images/cam_012_right.pgm", image.substr(0, 30));
+  EXPECT_THAT(arrivals.look().arrived, IsEmpty());
+  append("images/cam_012_right.pgm", image.substr(30));
+  const Arrivals::Look look = arrivals.look();
+  ASSERT_THAT(look.arrived, SizeIs(1));
+  EXPECT_EQ(look.arrived[0].images[0], "images/cam_012_left.pgm");
+  EXPECT_EQ(look.arrived[0].images[1], "images/cam_012_right.pgm");
+}
+
+TEST_F(ArrivalsInAFolder, AnImageThatStaysHalfIsSetAsideWithASentence) {
+  const std::string image = "P5\n8 6\n255\n" + std::string(48, 'x');
+  Arrivals arrivals(cameras());
+  append("joints.csv", std::string(header) + "1,1,0,0,0,0,0,0\n2,2,0,0,0,0,0,0\n");
+  append("images/001_left.pgm", image);
+  append("images/001_right.pgm", "P5\n8 6\n255\nxx");
+  append("images/002_left.pgm", image);
+  append("images/002_right.pgm", image);
+  EXPECT_THAT(arrivals.look().arrived, SizeIs(1)) << "one that is broken holds up no other";
+  std::this_thread::sleep_for(std::chrono::milliseconds(2100));
+  EXPECT_THAT(arrivals.look().remarks, ElementsAre(HasSubstr("001_right.pgm is set aside")));
+  EXPECT_THAT(arrivals.look().remarks, IsEmpty()) << "said once";
+}
+
+}  // namespace
+}  // namespace handsight
