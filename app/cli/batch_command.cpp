@@ -92,14 +92,14 @@ class Runner {
  public:
   explicit Runner(const Options& o) : o_(o), lines_(o.sessions.size()) {}
 
-  const std::vector<std::string>& run() {
+  std::vector<std::string> run() {
     Progress progress("sessions", o_.sessions.size());
     while (done_ < o_.sessions.size()) {
       while (static_cast<int>(jobs_.size()) < o_.jobs && next_ < o_.sessions.size()) start();
       read_some();
       progress.at(done_);
     }
-    return lines_;
+    return std::move(lines_);
   }
 
  private:
@@ -158,7 +158,8 @@ int run(const Options& o) {
   std::cout.flush();
   std::string table = header;
   std::size_t failed = 0;
-  for (const std::string& line : Runner(o).run()) {
+  const std::vector<std::string> lines = Runner(o).run();
+  for (const std::string& line : lines) {
     table += line;
     failed += line.find(",failed,") != std::string::npos;
   }

@@ -86,6 +86,8 @@ Command add_plan(CLI::App& app);
 Command add_effective_mass(CLI::App& app);
 Command add_simulate(CLI::App& app);
 Command add_effects(CLI::App& app);
+Command add_target(CLI::App& app);
+Command add_cameras(CLI::App& app);
 
 /// InputError where the session has not two cameras, whose images `command` needs.
 void require_pair(const Session& session, const char* command);

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.h"
 #include "diagnosis_output.h"
+#include "outputs.h"
+#include "proof_output.h"
 
 namespace handsight::cli {
 namespace {
 
 struct Options {
-  std::string session;
+  std::string session, proof_file;
   std::vector<std::string> effects;
   Output output;
 };
 
 int run(const Options& o) {
   const Session session = open_session(o.session, o.output);
+  require_output(o.proof_file, "--proof");
   DiagnosisOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
   Progress progress("diagnose", 100);
@@ -21,8 +24,19 @@ int run(const Options& o) {
     return true;
   };
   const Diagnosis d = diagnose(session, options);
+  const bool in_full = !o.output.json_file.empty() || !o.proof_file.empty();
+  const Proofs proofs = proofs_of(session, d, in_full);
   print_diagnosis(o.output, session, d);
-  o.output.json(diagnosis_json(session, d));
+  print_proof(o.output, d, proofs);
+  if (!o.proof_file.empty()) {
+    write_output(o.proof_file, proof_csv(d, proofs), "--proof");
+    o.output.line("Written: " + o.proof_file);
+  }
+  if (!o.output.json_file.empty()) {
+    Json result = diagnosis_json(session, d);
+    add_proof(proofs, result);
+    o.output.json(result);
+  }
   return d.verdict == Verdict::unexplained || d.verdict == Verdict::too_few_observations ? answer_is_no : done;
 }
 
@@ -36,6 +50,8 @@ Command add_diagnose(CLI::App& app) {
   command->add_option(
       "--effects", options->effects,
       "Effects already in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
+  command->add_option("--proof", options->proof_file,
+                      "Writes the proof plots of all candidates that count as a CSV: what each observation says of it");
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};
 }

@@ -26,7 +26,7 @@ int run(int argc, char** argv) {
       cli::add_fit(app),     cli::add_diagnose(app),       cli::add_improve(app),  cli::add_predict(app),
       cli::add_convert(app), cli::add_export(app),         cli::add_correct(app),  cli::add_compare(app),
       cli::add_batch(app),   cli::add_effective_mass(app), cli::add_simulate(app), cli::add_effects(app),
-      cli::add_plan(app)};
+      cli::add_plan(app),    cli::add_target(app),         cli::add_cameras(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -235,7 +235,12 @@ void ExplainWorkspace::refresh_verdict() {
   const ModelVersionPointer model = bench_.document.shown_model();
   widgets::SessionVerdict v;
   if (!model || !model->fit) {
-    v.sentence = model ? model->refusal : tr("Waits for a fit: label three markers, then play.");
+    const auto& observations = bench_.document.session().observations;
+    const bool has_labels = std::any_of(observations.begin(), observations.end(), is_used);
+    v.sentence = model                       ? model->refusal
+                 : bench_.refit.is_pending() ? tr("The model is being fitted.")
+                 : has_labels                ? tr("Waits for a fit: play.")
+                                             : tr("Waits for a fit: label three markers, then play.");
   } else {
     const bool is_present = model == bench_.document.model();
     v = session_verdict(*model, is_present ? bench_.diagnosing.diagnosis().get() : nullptr,

@@ -190,7 +190,9 @@ void MissingPane::refresh_cards() {
   if (!model || !model->fit) {
     const auto& observations = bench_.document.session().observations;
     const auto used = std::count_if(observations.begin(), observations.end(), is_used);
-    cards_->set_empty_text(tr("Waits for a fit of at least 8 observations; %1 so far.").arg(used));
+    cards_->set_empty_text(bench_.refit.is_pending()
+                               ? tr("Comes with the fit of %1 observations.").arg(used)
+                               : tr("Waits for a fit of at least 8 observations; %1 so far.").arg(used));
     if (!bench_.refit.is_pending()) cards_->set_cards({}, widgets::CardOrder::fresh);
     return;
   }

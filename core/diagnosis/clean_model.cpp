@@ -8,7 +8,8 @@
 namespace handsight {
 namespace {
 
-constexpr std::size_t fewest_wrong = 4;
+constexpr std::size_t fewest_wrong = 4;          // beyond twice what chance makes
+constexpr std::size_t most_observations = 4000;  // for which candidates are looked at all together
 constexpr std::size_t most_tried = 3;
 constexpr double clearly = 10;  // ln of a Bayes factor
 
@@ -48,7 +49,9 @@ std::optional<CleanFit> with_an_explanation(const Session& session, const FitOpt
 
 CleanFit clean_of_images(const Session& session, const FitOptions& options) {
   CleanFit clean = clean_fit(session, options);
-  if (clean.wrong.size() < fewest_wrong || clean.fit.solution.stopped) return clean;
+  const auto by_chance = static_cast<std::size_t>(2 * wrong_by_chance * static_cast<double>(point_count(session)));
+  if (clean.wrong.size() < fewest_wrong + by_chance || clean.fit.solution.stopped) return clean;
+  if (clean.fit.problem.observations.size() > most_observations) return clean;
   auto explained = with_an_explanation(session, options, clean);
   if (!explained) return clean;
   clean.session = std::move(explained->session);

@@ -9,6 +9,7 @@
 #include "diagnosis/clean_model.h"
 #include "diagnosis/curves.h"
 #include "diagnosis/explanation.h"
+#include "diagnosis/finding.h"
 #include "diagnosis/judging.h"
 #include "diagnosis/lack_of_fit.h"
 #include "diagnosis/refitting.h"
@@ -49,6 +50,7 @@ class Work {
     if (stopped_ || !goes_on(0.95)) return stopped();
     tell_apart();
     judge(session_, weighing_.knowledge.known, fits_, d_);
+    d_.blame = blame_by_finding(d_.blame, d_);
     for (DiagnosisCandidate& c : d_.candidates) {
       if (c.ln_bayes_factor >= d_.threshold && !c.unnamed) c.check = predicted_check(d_, c);
       c.explanation = explain(c, d_, session_);

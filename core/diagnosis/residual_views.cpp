@@ -5,6 +5,7 @@
 #include <random>
 
 #include "diagnosis/candidates.h"
+#include "diagnosis/observation_rows.h"
 #include "estimation/fit_report.h"
 
 namespace handsight {
@@ -27,18 +28,6 @@ void add_corners(const Sighting& s, int place, const SightingColumn& error, std:
     corners.push_back({place, s.marker, seen.camera, error.segment<2>(row)});
     row += 2;
   }
-}
-
-/// How the rows of one sighting follow from all columns of the problem.
-Eigen::MatrixXd by_columns(const Problem& p, const ProblemObservation& o, const Sighting& s, const Vector3& x,
-                           const SightingResidual& r, const Matrix3& sensor_from_tcp,
-                           const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion) {
-  Eigen::MatrixXd j = Eigen::MatrixXd::Zero(r.rows, p.columns());
-  j.middleCols(3 * s.marker, 3) = r.by_point * sensor_from_tcp;
-  j.rightCols(motion.cols()) += by_motion(r.by_point, x) * motion;
-  if (p.effect_count() > 0)
-    j.rightCols(p.effect_count()) += direct_by_effects(p, o, s, r, x, sensor_from_tcp).leftCols(p.effect_count());
-  return j;
 }
 
 /// Changes of all corners by steps of the problem's columns (columns x steps): (2 corners) x steps.

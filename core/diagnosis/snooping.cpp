@@ -14,7 +14,6 @@
 namespace handsight {
 namespace {
 
-constexpr double least_likely = 1e-5;  // of a point that is dropped, were it right
 constexpr double most_dropped = 0.15;  // share of all points
 
 /// One observation: rows parted by the body's six motions, and how joint errors move them.
@@ -100,7 +99,7 @@ double joint_scatter(const std::vector<Parted>& all, double noise) {
   return high;
 }
 
-/// The least likely point of an observation, if it is less likely than `least_likely`.
+/// The least likely point of an observation, if it is less likely than `wrong_by_chance`.
 std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, double noise, double scatter,
                                       ChiSquared& likely) {
   // V^-1 = (1 - Q diag(m) Q^T) / noise^2 with m = g / (1 + g).
@@ -152,11 +151,13 @@ std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
   // they are right, and are none the worse for it.
   const double noise = std::max(robust_noise(all), declared_noise(session).value_or(0));
   const double scatter = joint_scatter(all, noise);
-  ChiSquared likely(least_likely);
+  ChiSquared likely(wrong_by_chance);
   for (const Parted& p : all)
     if (const auto w = worst_point(session, p, noise, scatter, likely)) wrong.push_back(*w);
   return wrong;
 }
+
+}  // namespace
 
 std::size_t point_count(const Session& session) {
   std::size_t count = 0;
@@ -164,8 +165,6 @@ std::size_t point_count(const Session& session) {
     for (const Sighting& s : o.sightings) count += s.in_cameras.size() + (s.point ? 1 : 0);
   return count;
 }
-
-}  // namespace
 
 namespace {
 

@@ -19,6 +19,11 @@ struct WrongPoint {
   double distance = 0;  // px or m: how far it is from where the rest of the observation puts it
 };
 
+inline constexpr double wrong_by_chance = 1e-5;  // share of right points that are called wrong
+
+/// Measured points of a session: a camera's view of a marker, or a tracker's point.
+std::size_t point_count(const Session& session);
+
 /// A fit without the points that are wrong with p < 1e-5 each, whatever the robot does; a point is only tested where
 /// the observation has more coordinates than a body has motions.
 struct CleanFit {

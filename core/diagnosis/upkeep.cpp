@@ -2,6 +2,7 @@
 #include "diagnosis/upkeep.h"
 
 #include <algorithm>
+#include <set>
 
 #include "diagnosis/curves.h"
 #include "diagnosis/exchange.h"
@@ -133,10 +134,12 @@ class Upkeep {
       if (last == terms().size() && !with_last && !is_curve(terms()[first])) return;
       const std::string removed = terms()[first].id;
       const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
-      if (exchange && !change_.stopped &&
+      // A name that has gone does not come back for the one that came: they would take turns for ever.
+      if (exchange && !change_.stopped && !gone_.contains(exchange->id) &&
           take(diagnosed_from(session_, options_, exchange->options.estimated, exchange->options.start), removed)) {
         ImprovementStep& step = change_.steps.back();
         step.exchanged.push_back(exchange->id);
+        gone_.insert(removed);
         continue;  // the next group has moved here; the new name stands last
       }
       first = last;
@@ -198,6 +201,7 @@ class Upkeep {
   const ImprovementOptions& options_;
   double most_;
   ModelChange& change_;
+  std::set<std::string> gone_;  // names that were exchanged for others
 };
 
 }  // namespace

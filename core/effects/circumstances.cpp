@@ -2,7 +2,8 @@
 #include "effects/circumstances.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "session/by_time.h"
 
 namespace handsight {
 namespace {
@@ -21,23 +22,21 @@ double sign(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }
 }  // namespace
 
 std::vector<Circumstances> circumstances_of(const Session& session, const Chain& chain) {
-  std::vector<std::size_t> order(session.observations.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const Observation &first = session.observations[a], &second = session.observations[b];
-    return std::pair(first.time, first.id) < std::pair(second.time, second.id);
-  });
+  const std::vector<int> order = by_time(session);
+  const auto at = [&](int index) -> const Observation& {
+    return session.observations[static_cast<std::size_t>(index)];
+  };
   std::vector<Circumstances> all(order.size());
   const Circumstances* before = nullptr;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const Observation& o = session.observations[order[k]];
-    Circumstances& c = all[order[k]];
+    const Observation& o = at(order[k]);
+    Circumstances& c = all[static_cast<std::size_t>(order[k])];
     c.chain = &chain;
     c.sensor = per_robot_joint(chain, o.position, true);
     c.velocity = per_robot_joint(chain, o.velocity, false);
     c.approach.resize(c.sensor.size());
-    const double start = o.whole ? o.whole->start : session.observations[order.front()].time;
-    const double end = o.whole ? o.whole->end : session.observations[order.back()].time;
+    const double start = o.whole ? o.whole->start : at(order.front()).time;
+    const double end = o.whole ? o.whole->end : at(order.back()).time;
     c.elapsed = o.time - start;
     c.duration = end - start;
     c.order = o.whole ? o.whole->order : static_cast<int>(k);

@@ -141,7 +141,7 @@ void place_cameras(Problem& problem) {
   UnitSites unit(problem, c);
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const Sites& d = unit.of(problem.columns_of_effects[static_cast<std::size_t>(i)]);
-    if (std::all_of(d.cameras.begin(), d.cameras.end(), [](const CameraChange& c) { return c.is_zero(); })) continue;
+    if (std::all_of(d.cameras.begin(), d.cameras.end(), [](const CameraChange& one) { return one.is_zero(); })) continue;
     if (problem.cameras_by_effect.cols() == 0)
       problem.cameras_by_effect.setZero(rig_number_count(chain.rig->count()), problem.effect_count());
     set_numbers(sites, d, chain.rig->count(), problem.cameras_by_effect.col(i));

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "effects/own_effect.h"
+#include "session/by_time.h"
 
 namespace handsight {
 namespace {
@@ -41,14 +41,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   problem.source = source;
 
   const double usual = usual_sigma(session);
-  std::vector<int> order(session.observations.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    const Observation& first = session.observations[static_cast<std::size_t>(a)];
-    const Observation& second = session.observations[static_cast<std::size_t>(b)];
-    return std::pair(first.time, first.id) < std::pair(second.time, second.id);
-  });
-  for (const int index : order) {
+  for (const int index : by_time(session)) {
     const Observation& observation = session.observations[static_cast<std::size_t>(index)];
     if (!is_used(observation)) continue;
     ProblemObservation& o = problem.observations.emplace_back();

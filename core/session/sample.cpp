@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/sample.h"
 
-#include <algorithm>
-#include <numeric>
+#include "session/by_time.h"
 
 namespace handsight {
 namespace {
-
-std::vector<int> by_time(const Session& session) {
-  std::vector<int> order(session.observations.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    const Observation& first = session.observations[static_cast<std::size_t>(a)];
-    const Observation& second = session.observations[static_cast<std::size_t>(b)];
-    return std::pair(first.time, first.id) < std::pair(second.time, second.id);
-  });
-  return order;
-}
 
 /// All but the observations: copies of a long session are made without them.
 Session without_observations(const Session& s) {

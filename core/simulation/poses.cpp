@@ -59,8 +59,8 @@ double PoseSampler::violation(const Eigen::VectorXd& position) const {
     const Vector3 x = first_from_tcp * marker;
     const Vector3 normal = first_from_tcp.rotation * body_.normal_in_tcp;
     LeastTwo least;
-    for (const RigCamera& c : chain_.rig->cameras)
-      least.add(unseen(c.camera, c.camera_from_first * x, c.camera_from_first.rotation * normal));
+    for (const RigCamera& one : chain_.rig->cameras)
+      least.add(unseen(one.camera, one.camera_from_first * x, one.camera_from_first.rotation * normal));
     total += least.sum();
   }
   return total;

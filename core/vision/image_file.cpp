@@ -139,13 +139,14 @@ void check_image_size(const Image& image, const Camera& camera, const std::strin
   require_size({image.width, image.height}, camera, name);
 }
 
-void write_png(const Image& image, const std::filesystem::path& file) {
+std::string encoded_png(const Image& image) {
   const cv::Mat grey(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
   const std::vector<std::uint8_t> bytes = image_codec().encode_png(grey);
   if (bytes.empty())
-    throw InputError(fmt::format("{}: the image of {} x {} could not be encoded as PNG.", shown_path(file), image.width,
-                                 image.height));
-  replace_file(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    throw InputError(fmt::format("The image of {} x {} could not be encoded as PNG.", image.width, image.height));
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
+
+void write_png(const Image& image, const std::filesystem::path& file) { replace_file(file, encoded_png(image)); }
 
 }  // namespace handsight

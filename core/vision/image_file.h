@@ -25,6 +25,9 @@ bool is_cut_off(const std::string& bytes);
 /// InputError where the image has another size than the camera; `name` is what the sentence calls it.
 void check_image_size(const Image& image, const Camera& camera, const std::string& name);
 
+/// The bytes of a PNG with strong compression. InputError where the image has a size that PNG has not.
+std::string encoded_png(const Image& image);
+
 /// Writes a PNG with strong compression, whole or not at all. InputError where it cannot be written.
 void write_png(const Image& image, const std::filesystem::path& file);
 

@@ -209,6 +209,11 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   sides.start = estimate(clean_a.fit);
   c.numbers = numbers_of(a, clean_a.fit, clean_b.fit);
   judge(sides, c);
+  if (!c.model_fits)
+    c.notes.push_back(
+        "The model misses what both sessions measured: what it lacks in both may be told as a change. Improve it first "
+        "and "
+        "name its effects with --effects.");
   std::vector<Eigen::VectorXd> poses = used_positions(a);
   for (const Eigen::VectorXd& q : used_positions(b)) poses.push_back(q);
   measure_hand(chain_of(a), poses, terms_of(clean_a.fit), clean_a.fit.tcp_from_body, c);

@@ -124,6 +124,40 @@ TEST_F(Diagnose, ATrackerSessionIsInMetres) {
   EXPECT_NEAR(d["candidates"].at(0)["held_out_rms_m"].get<double>(), reachable, 0.02 * reachable);
 }
 
+/// Springs in three joints of an arm: each is shown against its own torque, and the slope is its compliance.
+TEST_F(Diagnose, EachNamedSpringIsProvedAgainstItsOwnTorque) {
+  const auto csv = folder.path / "proof.csv";
+  const Json d = run(sample_session("hidden_3"), {"--proof", csv.string()}).json();
+  EXPECT_TRUE(d["proof"].empty()) << "no effect is in the model yet";
+  const Json& best = d["candidates"].at(0);
+  ASSERT_EQ(best["id"], "joint_elasticity");
+  const HiddenTruth truth = hidden_truth(sample_session("hidden_3"));
+  Names shown;
+  for (const Json& plot : best["proof"]) {
+    shown.insert(plot["of"].get<std::string>());
+    EXPECT_EQ(plot["against"], "gravity torque at " + plot["of"].get<std::string>());
+    EXPECT_EQ(plot["numbers"].size(), 1U);
+    const Json& number = plot["numbers"].at(0);
+    EXPECT_NEAR(number["slope"].get<double>(), number["value"].get<double>(), 0.2 * number["sigma"].get<double>());
+    double xy = 0, xx = 0;
+    for (const Json& p : plot["points"]) {
+      const double weight = std::pow(p["sigma"].get<double>(), -2);
+      xy += weight * p["x"].get<double>() * p["y"].get<double>();
+      xx += weight * std::pow(p["x"].get<double>(), 2);
+      EXPECT_NEAR(p["left"].get<double>(), p["y"].get<double>() - p["curve"].get<double>(), 1e-12);
+    }
+    EXPECT_NEAR(xy / xx, number["slope"].get<double>(), 1e-3 * number["slope"].get<double>());
+    EXPECT_EQ(plot["points_in_all"], 80);
+    EXPECT_NE(plot["text"].get<std::string>().find("gives way by"), std::string::npos);
+  }
+  EXPECT_EQ(shown, (Names{"right_arm_1", "right_arm_2", "right_arm_4"}));
+  const std::string text = read_text(csv);
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "candidate,of,quantity,unit,against,against_unit,observation,x,y,sigma,curve,left");
+  EXPECT_NE(text.find("joint_elasticity,right_arm_4,angle of right_arm_4,rad,gravity torque at right_arm_4,N m,"),
+            std::string::npos);
+}
+
 TEST_F(Diagnose, Hidden1) { expect_named("hidden_1", "encoder_eccentricity"); }
 TEST_F(Diagnose, Hidden3) { expect_named("hidden_3", "joint_elasticity"); }
 TEST_F(Diagnose, Hidden4) { expect_named("hidden_4", "stereo_rig"); }

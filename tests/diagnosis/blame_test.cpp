@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "diagnosis/finding.h"
 #include "estimation/fit.h"
 #include "fixtures/arms.h"
 
@@ -101,6 +102,23 @@ TEST(Blame, OfAWholeSessionIsTheRobotsWhereAnEffectIsMissing) {
   EXPECT_EQ(whole.letter, 'R');
   EXPECT_GT(whole.robot, 0.8);
   EXPECT_NEAR(whole.robot + whole.body + whole.cameras, 1, 1e-12);
+}
+
+/// A wrong lens bends both images of a marker alike: residuals alone blame the robot, what is found does not.
+TEST(Blame, OfASessionFollowsWhatTheDiagnosisFound) {
+  SimulationOptions o;
+  o.observations = 60;
+  o.effects = {{"lens_distortion", -1, {0.03, 0, 0, 0, 0.03, 0, 0, 0}}};
+  o.noise = 0.2;
+  const Session session = simulate_session(fixture::stand_session(), o).session;
+  std::vector<ResidualParts> parts;
+  for (const ObservationBlame& b : blame_observations(session, fit(session))) parts.push_back(b.parts);
+  EXPECT_EQ(blame_of(parts, 0.2).letter, 'R') << "as far as residuals alone say";
+  const Diagnosis d = diagnose(session);
+  ASSERT_EQ(d.candidates.front().id, "lens_distortion");
+  EXPECT_EQ(d.blame.letter, 'C');
+  EXPECT_GT(d.blame.cameras, 0.8);
+  EXPECT_NEAR(d.blame.robot + d.blame.body + d.blame.cameras, 1, 1e-12);
 }
 
 TEST(SmallestVisible, IsTheErrorThatTheTestSeesFourTimesInFive) {

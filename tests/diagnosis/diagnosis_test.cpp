@@ -48,21 +48,8 @@ TEST(Diagnosis, NamesWhatIsHiddenAndWhere) {
   }
 }
 
-/// A torso on springs with a coupled joint, and an arm: everything of the catalogue shows.
-Session torso_on_springs() {
-  Session s = fixture::stand_session(4);
-  s.robot = fixture::coupled_torso();
-  for (Joint& joint : s.robot.joints) joint.stiffness = 4000;
-  s.tcp = "hand";
-  s.mount.link = "base";
-  s.mount.mount_from_sensor = fixture::look_at({1.5, -0.6, 1.2}, {0.2, 0.1, 0.9});
-  s.joints = {"t1", "t2", "arm_1", "arm_2"};
-  s.observations[0].position = Eigen::VectorXd::Zero(4);
-  return s;
-}
-
 TEST(Diagnosis, EveryEffectOfTheCatalogueComesFirst) {
-  const Session like = torso_on_springs();
+  const Session like = fixture::torso_session(4);
   for (const Effect& e : catalogue()) {
     if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rig_diagnosis_test.cpp
     const std::vector<int> places = effect_places(e, chain_of(like));

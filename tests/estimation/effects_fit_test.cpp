@@ -13,19 +13,6 @@
 namespace handsight {
 namespace {
 
-/// The coupled torso with soft springs before cameras on a stand; a mount that is estimated.
-Session torso_session(int markers = 3) {
-  Session session = fixture::stand_session(markers);
-  session.robot = fixture::coupled_torso();
-  for (Joint& joint : session.robot.joints) joint.stiffness = 4000;
-  session.tcp = "hand";
-  session.mount.link = "base";
-  session.mount.mount_from_sensor = fixture::look_at({1.5, -0.6, 1.2}, {0.2, 0.1, 0.9});
-  session.joints = {"t1", "t2", "arm_1", "arm_2"};
-  session.observations[0].position = Eigen::VectorXd::Zero(4);
-  return session;
-}
-
 std::vector<EffectTerm> every_effect(const Chain& chain, double size, std::mt19937_64& random) {
   std::normal_distribution<double> normal(0, size);
   std::vector<EffectTerm> terms;
@@ -80,7 +67,7 @@ TEST(EffectColumns, AreTheSlopesOfTheCostOverTheWholeCatalogue) {
   options.observations = 12;
   std::mt19937_64 random(5);
   for (const bool tracker : {false, true}) {
-    Session like = torso_session();
+    Session like = fixture::torso_session();
     if (tracker) like.rig.reset();
     Session session = simulate_session(like, options).session;
     session.mount.estimate = true;
@@ -122,7 +109,7 @@ Recovery recover(const Session& like, const std::vector<EffectTerm>& truth, std:
 }
 
 TEST(EffectFit, RecoversEveryEffectOfTheCatalogue) {
-  const Session like = torso_session();
+  const Session like = fixture::torso_session();
   const Chain chain = chain_of(like);
   for (const Effect& e : catalogue()) {
     if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rigs_test.cpp
@@ -152,7 +139,7 @@ TEST(EffectFit, RecoversEveryEffectOfTheCatalogue) {
 TEST(EffectFit, AnEffectThatIsNotThereStaysWithinItsSigma) {
   SimulationOptions options;
   options.observations = 40;
-  const Session session = simulate_session(torso_session(), options).session;
+  const Session session = simulate_session(fixture::torso_session(), options).session;
   std::vector<EffectTerm> terms;
   for (int j = 0; j < 5; ++j) terms.push_back({"joint_elasticity", j, {0}});
   const Fit f = fit(session, {.estimated = terms});
@@ -166,7 +153,7 @@ TEST(EffectFit, TheHeldOutErrorFallsToTheNoiseOnceTheEffectIsFitted) {
   SimulationOptions options;
   options.observations = 40;
   options.effects = {{"joint_elasticity", 1, {3e-4}}, {"joint_elasticity", 0, {2e-4}}};
-  const Session session = simulate_session(torso_session(), options).session;
+  const Session session = simulate_session(fixture::torso_session(), options).session;
   const FitOptions without;
   FitOptions with;
   with.estimated = {{"joint_elasticity", 0, {0}}, {"joint_elasticity", 1, {0}}};
@@ -179,7 +166,7 @@ TEST(EffectFit, SingleNumbersCanBeHeld) {
   SimulationOptions options;
   options.observations = 40;
   options.effects = {{"encoder_eccentricity", 1, {1.5e-3, -2e-3}}};
-  const Session session = simulate_session(torso_session(), options).session;
+  const Session session = simulate_session(fixture::torso_session(), options).session;
   const auto fitted = [&](std::vector<char> held, double cosine) {
     return fit(session, {.estimated = {{"encoder_eccentricity", 1, {0, cosine}, std::move(held)}}});
   };
@@ -203,7 +190,7 @@ TEST(EffectFit, StopsWhereItsCallbackSaysSo) {
   SimulationOptions options;
   options.observations = 20;
   options.effects = {{"joint_elasticity", 1, {1e-3}}};
-  const Session session = simulate_session(torso_session(), options).session;
+  const Session session = simulate_session(fixture::torso_session(), options).session;
   FitOptions with;
   with.estimated = {{"joint_elasticity", 1, {0}}};
   int calls = 0;
@@ -220,7 +207,7 @@ TEST(EffectFit, StopsWhereItsCallbackSaysSo) {
 TEST(EffectFit, CountsAsUnknownsWhatTheMeasurementsKnow) {
   SimulationOptions options;
   options.observations = 40;
-  const Session session = simulate_session(torso_session(), options).session;
+  const Session session = simulate_session(fixture::torso_session(), options).session;
   const Fit f = fit(session, {.estimated = effect_terms("link_elasticity", chain_of(session))});
   double known_by_priors = 0;
   for (const FittedEffect& e : f.effects)

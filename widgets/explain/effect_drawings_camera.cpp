@@ -31,12 +31,10 @@ void stereo_rig(const DrawingKit& kit) {
 
 /// One of several cameras squints.
 void rig(const DrawingKit& kit) {
-  kit.shape(Ink::model, {{4, 30}, {10, 26}, {48, 74}, {86, 26}, {92, 30}, {50, 84}, {46, 84}});
-  kit.camera(Ink::model, {16, 26}, 60, 26);
-  kit.camera(Ink::model, {48, 68}, 90, 50);
-  kit.camera(Ink::model, {80, 26}, 120, 26);
-  kit.camera(Ink::effect, {78, 22}, 150, 44);
-  kit.turn(Ink::effect, {80, 26}, 26, 118, 26);
+  kit.shape(Ink::model, {{8, 78}, {88, 78}, {88, 84}, {8, 84}});
+  for (const double x : {20.0, 46.0, 72.0}) kit.camera(Ink::model, {x, 66}, 90, 42);
+  kit.camera(Ink::effect, {71, 62}, 116, 40);
+  kit.turn(Ink::effect, {72, 66}, 34, 88, 22);
 }
 
 /// Rays through the lens onto the sensor: another focal length, another middle.

@@ -89,8 +89,9 @@ TEST_F(InspectTest, ADragIsWrittenDownAndFittedOnce) {
     EXPECT_EQ(seen_by(desk.document().find(id)->sightings[0], 0)->pixel, before);
   }
   for (const auto& mark : view->marks())
-    if (mark.marker == observations[index].sightings[0].marker && mark.role == widgets::MarkRole::measured)
+    if (mark.marker == observations[index].sightings[0].marker && mark.role == widgets::MarkRole::measured) {
       EXPECT_GT((mark.position - before).norm(), 1) << "but the mark moves along";
+    }
   QTest::mouseRelease(top, Qt::LeftButton, Qt::AltModifier, a + QPoint(24, 12));
   QTest::qWait(5);
   EXPECT_EQ(desk.document().undo_stack().count(), revisions + 1);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <memory>
+
+#include "base/text.h"
+#include "command.h"
+#include "limits.h"
+#include "outputs.h"
+#include "target_option.h"
+#include "targets/sheet.h"
+
+namespace handsight::cli {
+namespace {
+
+struct Options {
+  TargetOptions target;
+  std::string out;
+  double dots_per_inch = 300;
+};
+
+std::string ending_of(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+std::string file_of(const Sheet& sheet, const Options& o) {
+  const std::string ending = ending_of(o.out);
+  if (ending == ".pdf") return pdf_text(sheet);
+  if (ending == ".svg") return svg_text(sheet);
+  if (ending == ".png") return png_bytes(sheet, o.dots_per_inch);
+  throw InputError(fmt::format("--out {}: expected a name that ends in .pdf, .svg or .png.", in_quotes(o.out)));
+}
+
+int run(const Options& o) {
+  const Target target = target_from(o.target);
+  require_output(o.out, "--out");
+  const Sheet sheet = sheet_of(target);
+  write_output(o.out, file_of(sheet, o), "--out");
+  const Output out;
+  out.line(fmt::format("{}: {}", o.out, description_of(target)));
+  out.line(fmt::format("{} sheet of {:.0f} x {:.0f} mm; print it at 100 % and check its ruler.",
+                       sheet.paper == "own size" ? "A" : sheet.paper, 1e3 * sheet.width, 1e3 * sheet.height));
+  if (looks_the_same_turned(target))
+    Output::note(
+        "A board with this number of columns and rows looks the same after half a turn; one column more or less tells "
+        "its ends apart.");
+  return done;
+}
+
+}  // namespace
+
+Command add_target(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("target", "A board or tags to print: PDF, SVG or PNG, true to scale");
+  add_target_options(*command, options->target, false);
+  command->add_option("--out", options->out, "The file: .pdf, .svg or .png")->required();
+  command->add_option("--dpi", options->dots_per_inch, "Dots per inch of a PNG")->check(within(20, 2400));
+  return {command, [options] { return run(*options); }};
+}
+
+}  // namespace handsight::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Targets on the command line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "targets/target.h"
+
+namespace handsight::cli {
+
+/// What was given: a kind and its numbers as options of their own, or all of it after --target.
+struct TargetOptions {
+  std::string kind, columns, rows, square, marker, tag, spacing, size, dictionary, ids, layout, border, first_id;
+  std::vector<std::string> whole;  // "charuco columns=8 rows=6 ...", or <target kind="..." .../>
+};
+
+/// --kind --columns --rows ... ; with `whole_too` also --target.
+void add_target_options(CLI::App& app, TargetOptions& options, bool whole_too);
+
+/// InputError where it is none.
+Target target_from(const TargetOptions& options);
+
+}  // namespace handsight::cli

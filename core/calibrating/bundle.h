@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cameras, their placement and the poses of a target, all at once from where its points were seen.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "camera/lens.h"
+#include "targets/target_detection.h"
+
+namespace handsight {
+
+/// The points of one image. Images of the same frame were taken at once.
+struct BoardImage {
+  int camera = 0, frame = 0;
+  std::vector<TargetPixel> points;
+};
+
+/// What the images were taken of and with.
+struct BoardImages {
+  std::vector<Vector3> points;  // m, of the target, by number
+  int camera_count = 0, frame_count = 0;
+  std::vector<BoardImage> images;
+};
+
+/// Cameras and where the first has the others: X_c = from_first[c] X_first; from_first[0] is the identity.
+struct CameraRig {
+  std::vector<Lens> lenses;
+  std::vector<Rigid> from_first;
+};
+
+struct BundleOptions {
+  double loss_pixel = 0;  // px: residuals (of a point) beyond it count linearly (Huber); 0: all count squared
+  int most_steps = 100;
+};
+
+struct BundleResult {
+  CameraRig rig;
+  std::vector<std::optional<Rigid>> first_from_target;  // by frame; nothing where no camera saw it
+  double rms_pixel = 0;                                 // root of the mean squared length of a point's residual
+  int points = 0;
+  bool converged = false;
+  /// Of the numbers of camera c, and of the small motion in exp(v) from_first[c]; nothing where the images do not
+  /// determine them. From the scatter of the residuals.
+  std::vector<std::optional<Eigen::MatrixXd>> lens_covariances;
+  std::vector<std::optional<Matrix6>> placement_covariances;
+};
+
+/// The residual of one point: image index, number, px.
+struct BundleResidual {
+  std::size_t image = 0;
+  int number = 0;
+  Vector2 pixel, residual;
+};
+std::vector<BundleResidual> bundle_residuals(const BoardImages& images, const CameraRig& rig,
+                                             const std::vector<std::optional<Rigid>>& first_from_target);
+
+/// The least squares from a start; Levenberg-Marquardt of Ceres with our derivatives. Poses of frames without a start
+/// are left out.
+BundleResult adjust_bundle(const BoardImages& images, const CameraRig& start,
+                           const std::vector<std::optional<Rigid>>& first_from_target, const BundleOptions& options,
+                           bool with_covariances);
+
+/// The pose of the target in one frame with the rig held: best over both of a plane's poses. Nothing where fewer than
+/// four points can be lifted.
+std::optional<Rigid> pose_of_frame(const BoardImages& images, const CameraRig& rig, int frame);
+
+/// A rig from nothing but the images. InputError with a sentence where they do not suffice: no image of a camera with
+/// enough points, or a camera that shares no frame with the others. `names`: of the cameras.
+BundleResult start_bundle(const BoardImages& images, const LensModel& model,
+                          const std::vector<std::pair<int, int>>& sizes, const std::vector<std::string>& names);
+
+}  // namespace handsight

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Intrinsics and placement of cameras from images of a target: which lens model, how sure, and where it does not fit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibrating/bundle.h"
+
+namespace handsight {
+
+struct CalibrationOptions {
+  std::string model =
+      "best";  // a lens model's name, or "best": the least held-out error; brown unless another is 3 % better
+};
+
+/// Root of the mean squared length of a point's residual, px, of frames that the cameras' numbers were not fitted to:
+/// each frame's pose is then fitted to all its images with the cameras held.
+struct HeldOut {
+  double rms_pixel = 0;
+  std::vector<std::optional<double>> frames;  // by frame; nothing where it has no pose
+};
+
+struct TriedModel {
+  std::string name;
+  double rms_pixel = 0, held_out_rms_pixel = 0;
+  std::string failure;  // why it has none; empty: it has
+};
+
+/// Residuals over one camera's image, in 8 x 6 equal cells, row by row.
+struct ResidualCell {
+  int points = 0;
+  Vector2 mean = Vector2::Zero();  // px
+  double rms_pixel = 0;
+};
+struct CameraReport {
+  double rms_pixel = 0;
+  int images = 0, points = 0;
+  std::vector<ResidualCell> cells;
+  static constexpr int columns = 8, rows = 6;
+};
+
+struct CameraCalibration {
+  BundleResult bundle;
+  HeldOut held_out;
+  std::vector<TriedModel> tried;
+  std::vector<CameraReport> cameras;
+  std::vector<std::string> warnings;  // sentences: where the images do not suffice
+};
+
+/// `sizes` (px) and `names` of the cameras. InputError where the images do not suffice at all.
+CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector<std::pair<int, int>>& sizes,
+                                    const std::vector<std::string>& names, const CalibrationOptions& options = {});
+
+/// The error of one frame as HeldOut says it, by any rig; nothing where it has no pose.
+std::optional<double> frame_rms(const BoardImages& images, const CameraRig& rig, int frame);
+
+/// Robust least squares from a solution: beyond four sigmas of their scatter residuals count linearly.
+BundleResult adjust_robustly(const BoardImages& images, const BundleResult& start, bool with_covariances);
+
+/// The rig as OpenCV's FileStorage (YAML): M1 D1 (and M2 D2 ...), R T of X_2 = R X_1 + T (R_3 T_3 ...), image_width,
+/// image_height, camera names and models; one camera alone also as camera_matrix and distortion_coefficients.
+std::string rig_yaml(const CameraRig& rig, const std::vector<std::string>& names);
+
+}  // namespace handsight

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "calibrating/camera_images.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "base/error.h"
+#include "base/text.h"
+
+namespace handsight {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_cameras = 8;
+
+bool is_image(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::array<std::string_view, 8> endings{".png", ".jpg", ".jpeg", ".tif", ".tiff", ".pgm", ".bmp", ".ppm"};
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+struct Listed {
+  std::vector<fs::path> images;
+  int others = 0;
+};
+
+void list_folder(const fs::path& folder, Listed& listed, std::vector<fs::path>& folders) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.is_directory(error))
+      folders.push_back(entry.path());
+    else if (is_image(entry.path()))
+      listed.images.push_back(entry.path());
+    else
+      ++listed.others;
+  }
+  if (error) throw InputError(fmt::format("{}: the folder cannot be read: {}.", shown_path(folder), error.message()));
+}
+
+/// A name as text between runs of digits, and the runs.
+struct Parts {
+  std::vector<std::string> texts, numbers;
+};
+
+Parts parts_of(const std::string& stem) {
+  Parts parts{{""}, {}};
+  bool in_number = false;
+  for (const char c : stem) {
+    const bool is_digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+    if (is_digit && !in_number) parts.numbers.emplace_back();
+    if (!is_digit && in_number) parts.texts.emplace_back();
+    in_number = is_digit;
+    (is_digit ? parts.numbers.back() : parts.texts.back()) += c;
+  }
+  if (in_number) parts.texts.emplace_back();
+  return parts;
+}
+
+std::string trimmed(std::string text) {
+  const auto is_separator = [](char c) { return c == '_' || c == '-' || c == '.' || c == ' '; };
+  while (!text.empty() && is_separator(text.back())) text.pop_back();
+  while (!text.empty() && is_separator(text.front())) text.erase(text.begin());
+  return text;
+}
+
+/// The index of the run of digits that takes most values; equal: the last. -1: no name has digits.
+int moment_of(const std::vector<fs::path>& files) {
+  std::map<std::size_t, std::set<std::string>> values;
+  for (const fs::path& file : files) {
+    const Parts parts = parts_of(file.stem().string());
+    for (std::size_t i = 0; i < parts.numbers.size(); ++i) values[i].insert(parts.numbers[i]);
+  }
+  int best = -1;
+  std::size_t most = 0;
+  for (const auto& [i, set] : values)
+    if (set.size() >= most) most = set.size(), best = static_cast<int>(i);
+  return best;
+}
+
+std::string without_zeros(const std::string& digits) {
+  const auto first = digits.find_first_not_of('0');
+  return first == std::string::npos ? "0" : digits.substr(first);
+}
+
+/// Camera and moment of one file.
+std::pair<std::string, std::string> place_of(const fs::path& file, int moment) {
+  const Parts parts = parts_of(file.stem().string());
+  if (moment < 0 || static_cast<std::size_t>(moment) >= parts.numbers.size()) return {"camera", file.stem().string()};
+  std::string rest;
+  for (std::size_t i = 0; i < parts.texts.size(); ++i) {
+    rest += parts.texts[i];
+    if (i < parts.numbers.size() && static_cast<int>(i) != moment) rest += parts.numbers[i];
+  }
+  rest = trimmed(rest);
+  return {rest.empty() ? "camera" : rest, without_zeros(parts.numbers[static_cast<std::size_t>(moment)])};
+}
+
+using ByCamera = std::map<std::string, std::map<std::string, fs::path>>;
+
+void add(ByCamera& cameras, const std::string& camera, const std::string& moment, const fs::path& file) {
+  const auto [at, is_new] = cameras[camera].emplace(moment, file);
+  if (!is_new)
+    throw InputError(
+        fmt::format("{} and {}: both are moment {} of camera {} by their names; name files so that only the number "
+                    "of the moment changes, or give each camera a folder.",
+                    shown_path(at->second), shown_path(file), shortened(moment), shortened(camera)));
+}
+
+void add_folder(ByCamera& cameras, const std::string& name, const std::vector<fs::path>& files) {
+  const int moment = moment_of(files);
+  for (const fs::path& file : files) {
+    const Parts parts = parts_of(file.stem().string());
+    const bool has = moment >= 0 && static_cast<std::size_t>(moment) < parts.numbers.size();
+    add(cameras, name, has ? without_zeros(parts.numbers[static_cast<std::size_t>(moment)]) : file.stem().string(),
+        file);
+  }
+}
+
+/// Numbers by size, then texts.
+bool before(const std::string& a, const std::string& b) {
+  const auto is_number = [](const std::string& s) {
+    return !s.empty() && std::all_of(s.begin(), s.end(), [](unsigned char c) { return std::isdigit(c); });
+  };
+  if (is_number(a) && is_number(b)) return a.size() != b.size() ? a.size() < b.size() : a < b;
+  return a < b;
+}
+
+bool camera_before(const std::string& a, const std::string& b) {
+  const auto rank = [](const std::string& name) {
+    return name.find("left") != std::string::npos ? 0 : name.find("right") != std::string::npos ? 2 : 1;
+  };
+  return rank(a) != rank(b) ? rank(a) < rank(b) : a < b;
+}
+
+GroupedImages grouped(const ByCamera& cameras) {
+  GroupedImages result;
+  std::set<std::string> frames;
+  for (const auto& [name, files] : cameras) {
+    CameraImages camera{name, {}, {}};
+    for (const auto& [key, file] : files) camera.keys.push_back(key), frames.insert(key);
+    std::sort(camera.keys.begin(), camera.keys.end(), before);
+    for (const std::string& key : camera.keys) camera.files.push_back(files.at(key));
+    result.cameras.push_back(std::move(camera));
+  }
+  std::sort(result.cameras.begin(), result.cameras.end(),
+            [](const auto& a, const auto& b) { return camera_before(a.name, b.name); });
+  result.frames.assign(frames.begin(), frames.end());
+  std::sort(result.frames.begin(), result.frames.end(), before);
+  return result;
+}
+
+void note(GroupedImages& result, int others) {
+  for (const CameraImages& camera : result.cameras)
+    result.notes.push_back(fmt::format("camera {}: {} images, {} to {}", camera.name, camera.files.size(),
+                                       camera.files.front().filename().string(),
+                                       camera.files.back().filename().string()));
+  for (const CameraImages& camera : result.cameras) {
+    const std::size_t missing = result.frames.size() - camera.files.size();
+    if (missing > 0)
+      result.notes.push_back(
+          fmt::format("camera {} has no image of {} of the {} moments", camera.name, missing, result.frames.size()));
+  }
+  if (others > 0)
+    result.notes.push_back(fmt::format("{} files are no images by their names and were left out", others));
+}
+
+}  // namespace
+
+GroupedImages group_images(const std::vector<fs::path>& paths) {
+  ByCamera cameras;
+  std::vector<fs::path> loose, folders;
+  Listed listed;
+  std::error_code error;
+  for (const fs::path& path : paths) {
+    if (!fs::exists(path, error))
+      throw InputError(fmt::format("{}: there is no such image or folder.", shown_path(path)));
+    if (fs::is_directory(path, error))
+      folders.push_back(path);
+    else
+      loose.push_back(path);
+  }
+  const bool folder_is_camera = folders.size() > 1;
+  std::vector<fs::path> inner;
+  for (const fs::path& folder : folders) {
+    Listed here;
+    list_folder(folder, here, inner);
+    listed.others += here.others;
+    if (folder_is_camera && !here.images.empty())
+      add_folder(cameras, fs::path(folder / "").parent_path().filename().string(), here.images);
+    else
+      loose.insert(loose.end(), here.images.begin(), here.images.end());
+  }
+  if (!folder_is_camera && loose.empty())
+    for (const fs::path& folder : inner) {
+      Listed here;
+      std::vector<fs::path> deeper;
+      list_folder(folder, here, deeper);
+      listed.others += here.others;
+      if (!here.images.empty()) add_folder(cameras, folder.filename().string(), here.images);
+    }
+  const int moment = moment_of(loose);
+  for (const fs::path& file : loose) {
+    const auto [camera, key] = place_of(file, moment);
+    add(cameras, camera, key, file);
+  }
+  if (cameras.empty())
+    throw InputError("No images were found; expected folders or files of PNG, JPEG, TIFF, PGM or BMP.");
+  if (cameras.size() > most_cameras)
+    throw InputError(fmt::format("The names of the images speak of {} cameras ({}, {}, ...); expected at most {}.",
+                                 cameras.size(), shortened(cameras.begin()->first),
+                                 shortened(std::next(cameras.begin())->first), most_cameras));
+  GroupedImages result = grouped(cameras);
+  note(result, listed.others);
+  return result;
+}
+
+}  // namespace handsight

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "diagnosis/proof.h"
+
+namespace handsight {
+namespace {
+
+/// A unit with a prefix under which the size is between 1 and 1000: "urad", factor 1e6.
+std::pair<std::string, double> readable_unit(const std::string& unit, double size) {
+  const bool takes_prefix = unit.starts_with("rad") || unit == "m" || unit.starts_with("m/") || unit == "s";
+  if (!takes_prefix || !(size > 0) || size >= 1) return {unit, 1};
+  if (size >= 1e-3) return {"m" + unit, 1e3};
+  return {"u" + unit, 1e6};
+}
+
+/// To the place of sigma's second digit.
+std::string with_sigma(double value, double sigma, double factor) {
+  value *= factor, sigma *= factor;
+  if (!(sigma > 0)) return fmt::format("{:.3g}", value);
+  const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 9);
+  return fmt::format("{:.{}f} +- {:.{}f}", value, places, sigma, places);
+}
+
+/// Two digits and more: 12 N m, 0.57 mrad.
+std::string rounded(double value, const std::string& unit) {
+  const auto [name, factor] = readable_unit(unit, std::abs(value));
+  const double shown = value * factor;
+  const int places = shown == 0 ? 0 : std::clamp(1 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), 0, 4);
+  return fmt::format("{:.{}f} {}", shown, places, name);
+}
+
+std::string number_text(const ProofNumber& n) {
+  const auto [unit, factor] = readable_unit(n.unit, std::abs(n.value));
+  return fmt::format("{} {}", with_sigma(n.value, n.sigma, factor), unit);
+}
+
+std::string at_most(const ProofPlot& plot) {
+  const std::string hand = plot.hand_m > 0 ? fmt::format(", {:.2g} mm at the hand", 1e3 * plot.hand_m) : std::string();
+  return rounded(plot.largest, plot.unit) + hand;
+}
+
+bool is_level(const ProofPlot& plot) {
+  for (const ProofPoint& p : plot.points)
+    if (p.share.size() != 1 || p.share[0] != plot.points.front().share[0]) return false;
+  return true;
+}
+
+/// A unit of the number is one of the quantity per one of what it follows: a spring.
+bool is_per_load(const ProofPlot& plot) {
+  return plot.numbers.size() == 1 && plot.numbers.front().unit.find('/') != std::string::npos &&
+         plot.numbers.front().unit.ends_with(plot.against_unit + ")");
+}
+
+std::string capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+}  // namespace
+
+std::string proof_text(const ProofPlot& plot) {
+  const ProofNumber& first = plot.numbers.front();
+  if (is_per_load(plot)) {
+    const bool bends = plot.quantity.starts_with("bend");
+    const auto [unit, factor] = readable_unit(plot.unit, std::abs(first.value));
+    return fmt::format("{} {} by {} {} for each {}: {} at most here, so {}.", plot.of,
+                       bends ? "bends across its axis" : "gives way", with_sigma(first.value, first.sigma, factor),
+                       unit, plot.against_unit, rounded(plot.largest_x, plot.against_unit), at_most(plot));
+  }
+  if (is_level(plot)) {
+    const std::string of = plot.of.empty() || plot.quantity.find(plot.of) != std::string::npos ? "" : " of " + plot.of;
+    return fmt::format("{}{}: {} in every pose{}.", capital(plot.quantity), of, number_text(first),
+                       plot.hand_m > 0 ? fmt::format(", {:.2g} mm at the hand at most", 1e3 * plot.hand_m) : "");
+  }
+  std::string numbers;
+  for (const ProofNumber& n : plot.numbers)
+    numbers +=
+        (numbers.empty() ? "" : ", ") + (plot.numbers.size() > 1 ? n.name + " " + number_text(n) : number_text(n));
+  return fmt::format("{} against {}: {}; {} at most here.", capital(plot.quantity), plot.against, numbers,
+                     at_most(plot));
+}
+
+std::string proof_csv_head() {
+  return "candidate,of,quantity,unit,against,against_unit,observation,x,y,sigma,curve,left\n";
+}
+
+std::string proof_csv_lines(const std::string& candidate, const ProofPlot& plot) {
+  const auto field = [](const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+  };
+  const std::string start = fmt::format("{},{},{},{},{},{},", field(candidate), field(plot.of), field(plot.quantity),
+                                        field(plot.unit), field(plot.against), field(plot.against_unit));
+  std::string lines;
+  for (const ProofPoint& p : plot.points)
+    lines += fmt::format("{}{},{},{},{},{},{}\n", start, p.id, p.x, p.y, p.sigma, p.curve, p.y - p.curve);
+  return lines;
+}
+
+}  // namespace handsight

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "targets/target.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "base/bounds.h"
+#include "base/error.h"
+#include "targets/dictionary.h"
+
+namespace handsight {
+namespace {
+
+constexpr std::array<std::string_view, 4> kind_names{"chessboard", "charuco", "aprilgrid", "tags"};
+constexpr int most_points = 4096;
+constexpr Bounds sizes{1e-5, 100};  // m
+
+std::vector<TargetPoint> lattice(int columns, int rows, double square, double first) {
+  std::vector<TargetPoint> points;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      points.push_back({Vector3(first + column * square, first + row * square, 0), 0});
+  return points;
+}
+
+std::vector<TargetPoint> tag_points(const Target& target) {
+  std::vector<TargetPoint> points;
+  for (const PlacedTag& tag : placed_tags(target))
+    for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      points.push_back(
+          {Vector3(tag.top_left.x() + right * target.tag, tag.top_left.y() + down * target.tag, 0), tag.piece});
+  return points;
+}
+
+std::vector<PlacedTag> charuco_tags(const Target& target) {
+  std::vector<PlacedTag> tags;
+  const double margin = 0.5 * (target.square - target.tag);
+  const int first_white = target.old_layout && target.rows % 2 == 0 ? 0 : 1;  // column of the first row's first white
+  for (int row = 0; row < target.rows; ++row)
+    for (int column = (row + first_white) % 2; column < target.columns; column += 2)
+      tags.push_back({target.first_id + static_cast<int>(tags.size()),
+                      Vector2(column * target.square + margin, row * target.square + margin), 0});
+  return tags;
+}
+
+std::vector<PlacedTag> grid_tags(const Target& target) {
+  std::vector<PlacedTag> tags;
+  const double step = target.tag * (1 + target.spacing);
+  for (int up = 0; up < target.rows; ++up)
+    for (int column = 0; column < target.columns; ++column)
+      tags.push_back(
+          {target.first_id + static_cast<int>(tags.size()), Vector2(column * step, (target.rows - 1 - up) * step), 0});
+  return tags;
+}
+
+void require(bool holds, std::string_view where, const std::string& sentence) {
+  if (!holds) throw InputError(fmt::format("{}: {}", where, sentence));
+}
+
+void check_size(double size, const char* name, std::string_view where) {
+  require(
+      sizes.hold(size), where,
+      fmt::format("{} is {:g}; expected a length in m from {:g} to {:g}.", name, size, sizes.lowest, sizes.highest));
+}
+
+void check_ids(const Target& target, std::string_view where) {
+  const Dictionary* dictionary = find_dictionary(target.dictionary);
+  require(dictionary != nullptr, where,
+          fmt::format("the dictionary \"{}\" is not known; expected one of OpenCV's, such as DICT_5X5_100 or "
+                      "DICT_APRILTAG_36h11, or AprilTag's tag36h11.",
+                      target.dictionary.substr(0, 60)));
+  const int count = static_cast<int>(dictionary->codes.size());
+  std::set<int> seen;
+  for (const PlacedTag& tag : placed_tags(target)) {
+    require(tag.id >= 0 && tag.id < count, where,
+            fmt::format("the tag {} is not in {}, which has 0 to {}.", tag.id, dictionary->name, count - 1));
+    require(seen.insert(tag.id).second, where, fmt::format("the tag {} is named twice; every id once.", tag.id));
+  }
+}
+
+void check_counts(const Target& target, std::string_view where) {
+  const int least = target.kind == TargetKind::aprilgrid ? 1 : 2;
+  require(
+      target.columns >= least && target.columns <= most_points && target.rows >= least && target.rows <= most_points,
+      where,
+      fmt::format("it has {} columns and {} rows; expected {} to {} of each.", target.columns, target.rows, least,
+                  most_points));
+  require(target.kind != TargetKind::chessboard || target.columns * target.rows >= 6, where,
+          "a chessboard needs at least 6 inner corners, for example columns=\"3\" rows=\"2\".");
+}
+
+std::string tags_text(const Target& target) {
+  std::string list;
+  for (std::size_t i = 0; i < target.ids.size() && i < 12; ++i)
+    list += fmt::format("{}{}", i ? " " : "", target.ids[i]);
+  if (target.ids.size() > 12) list += fmt::format(" ... ({} tags)", target.ids.size());
+  return list;
+}
+
+}  // namespace
+
+std::string_view name_of(TargetKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
+std::optional<TargetKind> target_kind(std::string_view name) {
+  for (std::size_t i = 0; i < kind_names.size(); ++i)
+    if (kind_names[i] == name) return static_cast<TargetKind>(i);
+  return std::nullopt;
+}
+
+std::vector<PlacedTag> placed_tags(const Target& target) {
+  if (target.kind == TargetKind::charuco) return charuco_tags(target);
+  if (target.kind == TargetKind::aprilgrid) return grid_tags(target);
+  std::vector<PlacedTag> tags;
+  if (target.kind == TargetKind::tags)
+    for (const int id : target.ids)
+      tags.push_back({id, Vector2::Constant(-0.5 * target.tag), static_cast<int>(tags.size())});
+  return tags;
+}
+
+std::vector<TargetPoint> target_points(const Target& target) {
+  if (target.kind == TargetKind::chessboard) return lattice(target.columns, target.rows, target.square, 0);
+  if (target.kind == TargetKind::charuco)
+    return lattice(target.columns - 1, target.rows - 1, target.square, target.square);
+  return tag_points(target);
+}
+
+int point_count(const Target& target) {
+  switch (target.kind) {
+    case TargetKind::chessboard:
+      return target.columns * target.rows;
+    case TargetKind::charuco:
+      return (target.columns - 1) * (target.rows - 1);
+    case TargetKind::aprilgrid:
+      return 4 * target.columns * target.rows;
+    case TargetKind::tags:
+      break;
+  }
+  return 4 * static_cast<int>(target.ids.size());
+}
+
+bool looks_the_same_turned(const Target& target) {
+  return target.kind == TargetKind::chessboard && (target.columns + target.rows) % 2 == 0;
+}
+
+void check_target(const Target& target, std::string_view where) {
+  if (target.kind != TargetKind::tags) check_counts(target, where);
+  require(target.kind != TargetKind::tags || !target.ids.empty(), where,
+          "tags need the numbers that are used, for example ids=\"3 7 9\".");
+  require(point_count(target) <= most_points, where,
+          fmt::format("it has {} points; expected at most {}.", point_count(target), most_points));
+  const bool has_squares = target.kind == TargetKind::chessboard || target.kind == TargetKind::charuco;
+  if (has_squares) check_size(target.square, "square", where);
+  if (target.sigma)
+    require(*target.sigma >= 0 && *target.sigma <= 1, where,
+            fmt::format("sigma is {:g}; expected 0 to 1 m, or \"free\".", *target.sigma));
+  if (target.kind == TargetKind::chessboard) return;
+  check_size(target.tag,
+             target.kind == TargetKind::charuco ? "marker"
+             : target.kind == TargetKind::tags  ? "size"
+                                                : "tag",
+             where);
+  require(target.kind != TargetKind::charuco || target.tag < target.square, where,
+          fmt::format("its markers of {:g} m do not fit into its squares of {:g} m.", target.tag, target.square));
+  require(
+      target.kind != TargetKind::aprilgrid || (target.spacing >= 0.02 && target.spacing <= 10), where,
+      fmt::format("spacing is {:g}; expected the gap between two tags over a tag's side, 0.02 to 10.", target.spacing));
+  require(target.border >= 1 && target.border <= 4, where,
+          fmt::format("border is {}; expected 1 to 4 modules.", target.border));
+  check_ids(target, where);
+}
+
+std::string description_of(const Target& t) {
+  const auto mm = [](double metres) { return fmt::format("{:g} mm", 1e3 * metres); };
+  switch (t.kind) {
+    case TargetKind::chessboard:
+      return fmt::format("chessboard of {} x {} inner corners, squares of {}", t.columns, t.rows, mm(t.square));
+    case TargetKind::charuco:
+      return fmt::format("ChArUco board of {} x {} squares of {}, tags of {} from {}{}", t.columns, t.rows,
+                         mm(t.square), mm(t.tag), t.dictionary, t.old_layout ? ", old layout" : "");
+    case TargetKind::aprilgrid:
+      return fmt::format("grid of {} x {} tags of {} from {}, gaps of {}", t.columns, t.rows, mm(t.tag), t.dictionary,
+                         mm(t.tag * t.spacing));
+    case TargetKind::tags:
+      break;
+  }
+  return fmt::format("tags {} of {} from {}", tags_text(t), mm(t.tag), t.dictionary);
+}
+
+}  // namespace handsight

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flat targets whose points name themselves: chessboards, ChArUco boards, grids of AprilTags, and single tags.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/rigid.h"
+
+namespace handsight {
+
+enum class TargetKind { chessboard, charuco, aprilgrid, tags };
+
+/// "chessboard", "charuco", "aprilgrid", "tags".
+std::string_view name_of(TargetKind kind);
+std::optional<TargetKind> target_kind(std::string_view name);
+
+/// What is printed on the target. The target's frame: x to the right, y down and z into the sheet, as it is printed, so
+/// that a camera that looks straight at an upright sheet has the same axes. Its origin: the first inner corner of a
+/// chessboard; of a ChArUco board the outer corner of its first square; of a grid the top left corner of its top left
+/// tag; of each single tag its centre.
+struct Target {
+  TargetKind kind = TargetKind::chessboard;
+  int columns = 0, rows = 0;  // inner corners of a chessboard, squares of a ChArUco board, tags of a grid
+  double square = 0;          // m, side of a square of a chessboard or a ChArUco board
+  double tag = 0;             // m, side of a tag's black square, its border included
+  double spacing = 0;         // of a grid: gap between two tags / side of a tag
+  std::string dictionary;  // OpenCV's name (DICT_5X5_100), or AprilTag's (tag36h11), whose tags stand upside down there
+  int border = 1;          // modules: width of a tag's black border; Kalibr's grids have 2
+  bool old_layout = false;  // ChArUco: as OpenCV before 4.6: with an even number of rows the first square is white
+  int first_id = 0;         // of the tags of a ChArUco board or a grid, which have consecutive ids
+  std::vector<int> ids;     // of single tags
+  /// m, how exactly the print is known, one coordinate; 0: it is as described; nothing: it is to be estimated.
+  std::optional<double> sigma = 0;
+};
+
+/// A point that can be seen. `piece`: points of one piece form a rigid body whose shape is known; boards are one piece,
+/// each single tag is one of its own, and `position` (m) is in its frame.
+struct TargetPoint {
+  Vector3 position = Vector3::Zero();
+  int piece = 0;
+};
+
+/// The points by number: chessboard and ChArUco inner corners row by row from the first square; of grids and tags four
+/// a tag, clockwise from its top left corner as the sheet stands; tag k of `placed_tags` has the points 4 k to 4 k + 3.
+std::vector<TargetPoint> target_points(const Target& target);
+int point_count(const Target& target);
+
+/// A tag on the target: `top_left` (m) in the frame of its piece. A grid's tags follow their ids, which begin at the
+/// bottom left, run to the right and then up, as Kalibr prints them; ChArUco's row by row from the first square.
+struct PlacedTag {
+  int id = 0;
+  Vector2 top_left = Vector2::Zero();
+  int piece = 0;
+};
+std::vector<PlacedTag> placed_tags(const Target& target);
+
+/// Where a chessboard of an odd and an odd, or an even and an even number of corners looks the same after half a turn.
+bool looks_the_same_turned(const Target& target);
+
+/// InputError with one sentence that begins with `where` unless the target can be: numbers of rows and columns, sizes
+/// in m, at most 4096 points, a dictionary that is known and has the ids.
+void check_target(const Target& target, std::string_view where);
+
+/// "ChArUco board of 8 x 11 squares of 15 mm, tags of 11 mm from DICT_5X5_100": for people.
+std::string description_of(const Target& target);
+
+}  // namespace handsight

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "targets/target_xml.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/text.h"
+
+namespace handsight {
+namespace {
+
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+/// What a kind of target cannot be described without.
+const std::vector<std::string_view>& needed_words(TargetKind kind) {
+  static const std::array<std::vector<std::string_view>, 4> all{{
+      {"columns", "rows", "square"},
+      {"columns", "rows", "square", "marker", "dictionary"},
+      {"columns", "rows", "tag", "spacing"},
+      {"dictionary", "size", "ids"},
+  }};
+  return all[static_cast<std::size_t>(kind)];
+}
+
+const std::string* find(const Words& words, std::string_view name) {
+  const auto found = std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.first == name; });
+  return found == words.end() ? nullptr : &found->second;
+}
+
+[[noreturn]] void refuse_word(std::string_view where, std::string_view name, const std::string& text,
+                              std::string_view expected) {
+  throw InputError(fmt::format("{}: {} is {}; expected {}.", where, name, in_quotes(text), expected));
+}
+
+void take_integer(const Words& words, std::string_view where, std::string_view name, int& into) {
+  const std::string* text = find(words, name);
+  if (!text) return;
+  const auto number = parse_integer(*text);
+  if (!number || *number < -2147483647 || *number > 2147483647) refuse_word(where, name, *text, "an integer");
+  into = static_cast<int>(*number);
+}
+
+void take_number(const Words& words, std::string_view where, std::string_view name, double& into) {
+  const std::string* text = find(words, name);
+  if (!text) return;
+  const auto number = parse_number(*text);
+  if (!number) refuse_word(where, name, *text, "one finite number");
+  into = *number;
+}
+
+std::vector<int> ids_from(const std::string& text, std::string_view where) {
+  std::vector<int> ids;
+  for (const std::string_view word : split_words(text)) {
+    const auto id = parse_integer(word);
+    if (!id || *id < 0 || *id > 1000000)
+      refuse_word(where, "ids", std::string(word), "numbers of tags, for example \"3 7 9\"");
+    ids.push_back(static_cast<int>(*id));
+  }
+  return ids;
+}
+
+void take_sigma(const Words& words, std::string_view where, Target& target) {
+  const std::string* text = find(words, "sigma");
+  if (!text) return;
+  if (*text == "free") {
+    target.sigma.reset();
+    return;
+  }
+  const auto number = parse_number(*text);
+  if (!number) refuse_word(where, "sigma", *text, "a length in m, or \"free\"");
+  target.sigma = *number;
+}
+
+void take_layout(const Words& words, std::string_view where, Target& target) {
+  const std::string* text = find(words, "layout");
+  if (!text) return;
+  if (*text != "old" && *text != "new") refuse_word(where, "layout", *text, "\"old\" (OpenCV before 4.6) or \"new\"");
+  target.old_layout = *text == "old";
+}
+
+TargetKind kind_from(const Words& words, std::string_view where) {
+  constexpr std::string_view kinds = "chessboard, charuco, aprilgrid or tags";
+  const std::string* text = find(words, "kind");
+  if (!text) throw InputError(fmt::format("{}: it has no kind; expected {}.", where, kinds));
+  const auto kind = target_kind(*text);
+  if (!kind) refuse_word(where, "kind", *text, kinds);
+  return *kind;
+}
+
+void require_words(const Words& words, TargetKind kind, std::string_view where) {
+  const auto& needed = needed_words(kind);
+  for (const std::string_view name : needed)
+    if (!find(words, name))
+      throw InputError(fmt::format("{}: a target of kind {} needs {}, which is missing; expected {}.", where,
+                                   name_of(kind), name, fmt::join(needed, ", ")));
+}
+
+}  // namespace
+
+Target target_from_words(const Words& words, std::string_view where) {
+  Target target;
+  target.kind = kind_from(words, where);
+  require_words(words, target.kind, where);
+  if (target.kind == TargetKind::aprilgrid) target.dictionary = "tag36h11", target.border = 2;
+  take_integer(words, where, "columns", target.columns);
+  take_integer(words, where, "rows", target.rows);
+  take_integer(words, where, "border", target.border);
+  take_integer(words, where, "first_id", target.first_id);
+  take_number(words, where, "square", target.square);
+  take_number(words, where, "spacing", target.spacing);
+  for (const char* name : {"marker", "tag", "size"})
+    if (const auto& needed = needed_words(target.kind); std::find(needed.begin(), needed.end(), name) != needed.end())
+      take_number(words, where, name, target.tag);
+  if (const std::string* name = find(words, "dictionary")) target.dictionary = *name;
+  if (const std::string* ids = find(words, "ids")) target.ids = ids_from(*ids, where);
+  take_layout(words, where, target);
+  take_sigma(words, where, target);
+  check_target(target, where);
+  return target;
+}
+
+Target read_target(const XmlNode& node) {
+  Words words;
+  for (const auto* a = node.element->FirstAttribute(); a; a = a->Next())
+    words.emplace_back(a->Name(), required_text(node, a->Name()));
+  return target_from_words(words, fmt::format("{}, line {}: <{}>", node.file, node.line(), node.tag()));
+}
+
+Words target_words(const Target& target) {
+  Words words{{"kind", std::string(name_of(target.kind))}};
+  const auto add = [&](const char* name, std::string text) { words.emplace_back(name, std::move(text)); };
+  if (target.kind != TargetKind::tags) {
+    add("columns", std::to_string(target.columns));
+    add("rows", std::to_string(target.rows));
+  }
+  const bool has_squares = target.kind == TargetKind::chessboard || target.kind == TargetKind::charuco;
+  if (has_squares) add("square", format_number(target.square));
+  if (target.kind == TargetKind::charuco) add("marker", format_number(target.tag));
+  if (target.kind == TargetKind::aprilgrid)
+    add("tag", format_number(target.tag)), add("spacing", format_number(target.spacing));
+  if (target.kind != TargetKind::chessboard) add("dictionary", target.dictionary);
+  if (target.kind == TargetKind::tags)
+    add("size", format_number(target.tag)), add("ids", fmt::format("{}", fmt::join(target.ids, " ")));
+  if (target.kind != TargetKind::chessboard && target.border != (target.kind == TargetKind::aprilgrid ? 2 : 1))
+    add("border", std::to_string(target.border));
+  if (target.old_layout) add("layout", "old");
+  if (target.first_id != 0) add("first_id", std::to_string(target.first_id));
+  if (!target.sigma)
+    add("sigma", "free");
+  else if (*target.sigma != 0)
+    add("sigma", format_number(*target.sigma));
+  return words;
+}
+
+void write_target(tinyxml2::XMLElement& element, const Target& target) {
+  for (const auto& [name, text] : target_words(target)) element.SetAttribute(name.c_str(), text.c_str());
+}
+
+}  // namespace handsight
