@@ -23,6 +23,8 @@ constexpr double kMostBend = 0.01;    // 1/px
 constexpr double kFewCorners = 4;     // that the usual bend counts as
 constexpr double kFewPixels = 400;    // that white noise counts as
 constexpr double kMeasured = 0.85;    // of the variance, that rendered boards of all kinds show
+constexpr double kPlain = 30;         // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
+                                      // do not make: below it the position is better off without them
 constexpr double kLeastFactor = 0.7, kMostFactor = 12;
 constexpr std::array<std::array<int, 2>, kNeighbours> kSteps{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
 
@@ -111,7 +113,7 @@ Vector usual_information(double variance, double added, double bend) {
 
 }  // namespace
 
-std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit) {
+std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bool with_neighbours) {
   const CornerModel& model = fit.model;
   const int reach = static_cast<int>(fit.radius) + 1;
   const Eigen::Vector2i centre = pixel_of(model.position);
@@ -155,6 +157,7 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit) {
   system.variance = std::max(variance, kLeastNoise * kLeastNoise);
   for (int i = 0; i < kOddUnknowns; ++i)
     system.seen[i] = step(i), system.seen_variance[i] = system.variance * inverse(i, i);
+  if (!with_neighbours) return system;
   Grid by_u{}, by_v{};
   spread(patch.odd[0], patch.count, by_u), spread(patch.odd[1], patch.count, by_v);
   for (int k = 0; k < kNeighbours; ++k) {
@@ -172,22 +175,29 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit) {
 Habits habits_of(std::span<const OddSystem> systems) {
   Habits habits;
   double bends = kFewCorners * kBendSigma * kBendSigma, corners = kFewCorners, pixels = kFewPixels;
+  int looked_at = 0;
   for (const OddSystem& system : systems) {
     for (int i = 6; i < 8; ++i) {
       const double own = system.seen_variance[i], trust = 1 / (1 + own / 1e-6);
       bends += 0.5 * trust * (system.seen[i] * system.seen[i] - own), corners += 0.5 * trust;
     }
-    pixels += system.weights;
-    for (int k = 0; k < kNeighbours; ++k) habits.correlation[k] += system.weights * system.products[k];
+    if (system.influence[0] == 0) continue;
+    pixels += system.weights, ++looked_at;
+    for (int k = 0; k < kNeighbours; ++k) {
+      habits.correlation[k] += system.weights * system.products[k];
+      habits.influence[k] += system.influence[k];
+    }
   }
+  for (float& influence : habits.influence) influence /= static_cast<float>(std::max(looked_at, 1));
   habits.bend = std::clamp(std::sqrt(std::max(bends, 0.0) / corners), 0.3 * kBendSigma, kMostBend);
   for (double& correlation : habits.correlation) correlation /= pixels;
   return habits;
 }
 
 double correlation_factor(const OddSystem& system, const Habits& habits) {
+  const auto& influence = system.influence[0] != 0 ? system.influence : habits.influence;
   double factor = 1;
-  for (int k = 0; k < kNeighbours; ++k) factor += 2 * habits.correlation[k] * system.influence[k];
+  for (int k = 0; k < kNeighbours; ++k) factor += 2 * habits.correlation[k] * influence[k];
   return std::clamp(factor, kLeastFactor, kMostFactor);
 }
 
@@ -205,6 +215,9 @@ std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits)
   if (!invert<kOddUnknowns>(inverse)) return std::nullopt;
   const Vector step = inverse * side;
   LastStep last;
+  double chi2 = 0;
+  for (int i = 4; i < kOddUnknowns; ++i) chi2 += system.seen[i] * system.seen[i] / system.seen_variance[i];
+  last.is_needed = chi2 > kPlain;
   last.move = step.head<2>(), last.covariance = kMeasured * variance * inverse.topLeftCorner<2, 2>();
   if (!(last.covariance(0, 0) > 0 && last.covariance.determinant() > 0)) return std::nullopt;
   return last;

@@ -29,17 +29,19 @@ struct OddSystem {
   std::array<float, kNeighbours> products{};   // of neighbouring residuals, mean over the variance
 };
 
-/// Nothing where the fit's disc leaves the image.
-std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit);
+/// Nothing where the fit's disc leaves the image. Without neighbours half the time, and OddSystem::influence stays 0.
+std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bool with_neighbours = true);
 
 /// What the corners of one image have in common.
 struct Habits {
   double bend = 3e-4;                             // 1/px, sigma of the edges' bends
   std::array<double, kNeighbours> correlation{};  // of the noise of neighbouring pixels
+  std::array<float, kNeighbours> influence{};     // the mean of OddSystem::influence, for those that have none
 };
 Habits habits_of(std::span<const OddSystem> systems);
 
 struct LastStep {
+  bool is_needed = false;  // the unknowns that few corners need are plainly there: otherwise the move is chance
   Eigen::Vector2d move = Eigen::Vector2d::Zero();  // px
   Eigen::Matrix2d covariance;                      // px^2
 };

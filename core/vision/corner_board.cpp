@@ -25,7 +25,10 @@ Lattice::Node Lattice::node_of(const Suspect& s) {
 
 bool Lattice::are_of_one_board(const Node& a, const Node& b) {
   const double one = std::abs(a.half_contrast), other = std::abs(b.half_contrast);
-  if (one > kAlike * other || other > kAlike * one) return false;
+  return one < kAlike * other && other < kAlike * one && edges_go_on(a, b);
+}
+
+bool Lattice::edges_go_on(const Node& a, const Node& b) {
   const auto parallel = [&](int i, int j) { return std::abs(cross(a.along[i], b.along[j])) < kParallel; };
   if (!(parallel(0, 0) && parallel(1, 1)) && !(parallel(0, 1) && parallel(1, 0))) return false;
   const Eigen::Vector2d between = a.along[0] + a.along[1];  // in a sector of both
@@ -68,6 +71,8 @@ bool Lattice::has_near(const Eigen::Vector2d& position, double distance) const {
 bool Lattice::suits(int number, const Suspect& suspect) const {
   return are_of_one_board(nodes_[number], node_of(suspect));
 }
+
+bool Lattice::may_suit(int number, const Suspect& seen) const { return edges_go_on(nodes_[number], node_of(seen)); }
 
 std::array<int, 4> Lattice::neighbours(int number) const {
   const Node& here = nodes_[number];

@@ -32,6 +32,8 @@ class Lattice {
   std::vector<Foretold> foretold_by(int number) const;
   /// Whether a suspect may be a neighbour of this corner, wherever it is.
   bool suits(int number, const Suspect& suspect) const;
+  /// The same of what circles show of it, whose contrast glare and blur change: by edges and colours alone.
+  bool may_suit(int number, const Suspect& seen) const;
   /// Whether a corner is within `distance` px.
   bool has_near(const Eigen::Vector2d& position, double distance) const;
 
@@ -43,6 +45,7 @@ class Lattice {
   };
   static Node node_of(const Suspect& suspect);
   static bool are_of_one_board(const Node& a, const Node& b);
+  static bool edges_go_on(const Node& a, const Node& b);
   template <class Act>
   void each_near(const Eigen::Vector2d& position, double reach, const Act& act) const;
 

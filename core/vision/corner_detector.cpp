@@ -7,7 +7,6 @@
 
 #include "vision/corner_accuracy.h"
 #include "vision/corner_level.h"
-#include "vision/corner_mosaic.h"
 #include "vision/corner_noise.h"
 #include "vision/corner_patch.h"
 #include "vision/corner_pyramid.h"
@@ -21,6 +20,7 @@ constexpr int kCoarsePlaces = 1000;  // where a coarser image's noise is measure
 constexpr double kSame = 2;          // px: nearer ones are the same
 constexpr double kSharp = 2.4;       // px, of blur: what is less is fitted in this image, what is more in a coarser one
 constexpr double kMostLastMove = 0.5;  // px
+constexpr std::size_t kNoiseCorners = 24;  // that tell how alike neighbouring pixels' noise is
 
 // A corner, and the image that it was fitted in at last.
 struct Placed {
@@ -48,28 +48,16 @@ Placed refined(const std::vector<Level>& levels, const Found& found) {
   return {found, level};
 }
 
-// The same for a demosaiced image, of which what is smoothed is fitted.
-std::optional<OddSystem> smoothed_system(const Image& image, Found& found) {
-  if (has_shadow(found.fit.model)) return std::nullopt;
-  const auto part = smoothed_part(image, pixel_of(found.fit.model.position), static_cast<int>(found.fit.radius) + 2);
-  if (!part) return std::nullopt;
-  CornerFit fit = found.fit;
-  fit.model.position -= part->origin.cast<double>();
-  const auto again = fit_again(part->image, fit, M_SQRT1_2);
-  const auto system = again ? odd_system(part->image, *again) : std::nullopt;
-  if (system) found.corner.position = again->model.position + part->origin.cast<double>();
-  return system;
-}
-
 // The last step of all that were fitted in one image; what they have in common tells more of each.
 void take_last_steps(const Level& level, int number, std::vector<Placed>& corners) {
-  const bool is_mosaic = number == 0 && mosaic_ratio(level.sight.image) > kLeastMosaicRatio;
   std::vector<OddSystem> systems;
   std::vector<Placed*> owners;
+  const auto here = static_cast<std::size_t>(
+      std::count_if(corners.begin(), corners.end(), [&](const Placed& placed) { return placed.level == number; }));
+  const std::size_t every = here / kNoiseCorners + 1;
   for (Placed& placed : corners) {
     if (placed.level != number) continue;
-    const auto smoothed = is_mosaic ? smoothed_system(level.sight.image, placed.found) : std::nullopt;
-    const auto system = smoothed ? smoothed : odd_system(level.sight.image, placed.found.fit);
+    const auto system = odd_system(level.sight.image, placed.found.fit, systems.size() % every == 0);
     if (system) systems.push_back(*system), owners.push_back(&placed);
   }
   const Habits habits = habits_of(systems);
@@ -81,7 +69,7 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
     }
     const auto last = last_step(systems[i], habits);
     if (!last || last->move.norm() > kMostLastMove) continue;
-    corner.position += last->move;
+    if (last->is_needed) corner.position += last->move;
     corner.covariance = last->covariance * owners[i]->found.doubt;
   }
 }

@@ -81,7 +81,12 @@ double reach_of(const Foretold& foretold) { return std::clamp(0.25 * foretold.sp
 
 // What stands where it was foretold, if it is a corner of the same board.
 bool take_if_there(Lattice& lattice, const Foretold& foretold, Level& level) {
-  const auto found = foretold_look(level.sight, foretold.position, reach_of(foretold));
+  const auto suits = [&](const CrossStructure& cross, const Eigen::Vector2d& position) {
+    Suspect seen;
+    seen.position = position, seen.edges = cross.edges, seen.half_contrast = cross.half_contrast;
+    return lattice.may_suit(foretold.witness, seen);
+  };
+  const auto found = foretold_look(level.sight, foretold.position, reach_of(foretold), suits);
   if (!found || !lattice.suits(foretold.witness, found->suspect)) return false;
   if (lattice.has_near(found->suspect.position, kSame)) return true;
   lattice.add(found->suspect), level.found.push_back(*found);

@@ -40,12 +40,13 @@ bool symmetry_suits(double depth, const CrossStructure& cross) {
 
 // What noise does not explain of the circles: that they are no four sectors, and that opposite points differ. Measured:
 // of what a fit shows to be none two in five are seen here already, of 1000 corners one is taken for none.
-bool sectors_suit(const CrossStructure& cross, double noise) {
+constexpr double kMostMisfit = 0.108, kMostOffCentre = 0.3;  // where circles may be read off the corner
+bool sectors_suit(const CrossStructure& cross, double noise, double most = kMostMisfit) {
   const double relative = noise / std::abs(cross.half_contrast);
   const auto beyond = [&](double sign, double share) {  // `share` of the noise is in the sign
     return std::sqrt(std::max(sign * sign - share * share * relative * relative, 0.0));
   };
-  return beyond(sector_misfit(cross), 0.35) + 0.47 * beyond(cross.asymmetry, 0.45) < 0.108;
+  return beyond(sector_misfit(cross), 0.35) + 0.47 * beyond(cross.asymmetry, 0.45) < most;
 }
 
 // The covariance tells what noise does to a fit whose model is right. Where a shadow's edge near the corner was not
@@ -139,7 +140,8 @@ Look quick_look(const Sight& sight, const Candidate& candidate) {
 std::optional<Found> long_look(const Sight& sight, const Candidate& candidate) {
   const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast, Lighting::shadowed);
   if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
-  const auto found = centred_look(sight, candidate.position);
+  const bool may_be_centred = sectors_suit(*cross, sight.noise, kMostOffCentre);
+  const auto found = may_be_centred ? centred_look(sight, candidate.position) : std::nullopt;
   if (found || cross->asymmetry < kLeastOfShadow) return found;
   return corner_in_shadow(sight, candidate.position, *cross);
 }
@@ -157,11 +159,16 @@ std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start,
   return cross ? corner_in_light(sight, symmetric->position, *cross) : std::nullopt;
 }
 
-std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach) {
-  const auto found = sure_look(sight, start, reach);
-  if (found) return found;
+std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
+                                   const SuitsBoard& suits) {
+  const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, reach, 3);
+  if (symmetric) {
+    const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);
+    if (cross && suits(*cross, symmetric->position))
+      if (auto found = corner_in_light(sight, symmetric->position, *cross)) return found;
+  }
   const auto cross = cross_structure(sight.image, start, sight.options.min_contrast, Lighting::shadowed);
-  return cross ? corner_in_shadow(sight, start, *cross) : std::nullopt;
+  return cross && suits(*cross, start) ? corner_in_shadow(sight, start, *cross) : std::nullopt;
 }
 
 std::optional<Found> known_look(const Sight& sight, const CornerModel& known) {

@@ -2,10 +2,12 @@
 // One candidate looked at: quickly, or long, or where a board foretells a corner.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "vision/corner_detector.h"
 #include "vision/corner_likelihood.h"
+#include "vision/corner_structure.h"
 
 namespace handsight {
 
@@ -43,8 +45,12 @@ std::optional<Found> shadow_look(const Sight& sight, const Candidate& candidate)
 /// Where a corner must be within `reach` px, if at all: centred by its symmetry, then fitted, whatever cheap tests say.
 std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start, double reach, int steps = 3);
 
-/// The same, and beside a shadow where there is none in even light.
-std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach);
+/// Whether what the circles show at a place goes on the board that foretold it.
+using SuitsBoard = std::function<bool(const CrossStructure&, const Eigen::Vector2d& position)>;
+
+/// The same where the board's colours and edges go on there, and beside a shadow where there is none in even light.
+std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
+                                   const SuitsBoard& suits);
 
 /// A fit from numbers that are known well, as from a coarser image; nothing where what comes out is another corner.
 std::optional<Found> known_look(const Sight& sight, const CornerModel& known);

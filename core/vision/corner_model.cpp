@@ -241,17 +241,6 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
   return is_determined(fit) ? std::optional(fit) : std::nullopt;
 }
 
-std::optional<CornerFit> fit_again(const Image& image, const CornerFit& fit, double blur) {
-  CornerFit again = fit;
-  again.model.blur = std::hypot(fit.model.blur, blur);
-  Progress at;
-  at.image_noise = fit.noise;
-  if (!fit_disc(image, fit.radius, 4, kPrecision, kFirstLook, at, again.model)) return std::nullopt;
-  if ((again.model.position - fit.model.position).norm() > 0.5) return std::nullopt;
-  again.noise = std::max(at.promise, kLeastNoise);
-  return again;
-}
-
 std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vector2d& start,
                                            const CrossStructure& cross, const CornerModel& first, Guess guess,
                                            double image_noise) {

@@ -60,10 +60,6 @@ struct CornerFit {
 std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                     double image_noise);
 
-/// The same corner fitted again on the same disc, in an image that is blurred more (`blur`: px, sigma, of that alone).
-/// Nothing where it runs away.
-std::optional<CornerFit> fit_again(const Image& image, const CornerFit& fit, double blur);
-
 /// Where a first model is from: of a fit, or of the circles alone, where most are no corners.
 enum class Guess { fitted, from_circles };
 
