@@ -33,7 +33,7 @@ endif()
 # use Eigen (handsight_headers), and once with GoogleTest beside them (handsight_test_headers). A source still includes what it uses.
 option(HANDSIGHT_PRECOMPILED "Precompile the headers of Eigen, the standard library and GoogleTest" ON)
 set(handsight_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional> <random> <set> <span>
-  <string> <string_view> <vector> <boost/container/small_vector.hpp> <fmt/format.h> <Eigen/Dense>)
+  <string> <string_view> <vector> <fmt/format.h> <Eigen/Dense>)
 
 # handsight_precompile(NAME HEADERS ... LINK LIBRARY ...): a set of precompiled headers that targets share.
 function(handsight_precompile name)

@@ -3,8 +3,8 @@
 # needs the first.
 include(GNUInstallDirs)
 
-set(codec_folder ${CMAKE_INSTALL_LIBDIR}/handsight)  # what programs load when it is first needed
-file(RELATIVE_PATH codec_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/handsight)
+set(codec_folder ${CMAKE_INSTALL_LIBEXECDIR}/handsight)  # what programs load when it is first needed
+file(RELATIVE_PATH codec_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/handsight)
 set_target_properties(handsight-cli PROPERTIES INSTALL_RPATH "$ORIGIN/${codec_from_bin}")
 install(TARGETS handsight-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT cli)
 install(TARGETS handsight_image_codec LIBRARY DESTINATION ${codec_folder} COMPONENT cli)
@@ -19,8 +19,24 @@ foreach(what man bash zsh fish)
     DEPENDS handsight-cli VERBATIM)
   list(APPEND described_files ${described}/${what})
 endforeach()
-add_custom_target(describe ALL DEPENDS ${described_files})
-install(FILES ${described}/man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME handsight-cli.1 COMPONENT cli)
+# As Debian wants them: compressed, the same bytes from every build.
+find_program(HANDSIGHT_GZIP gzip REQUIRED)
+function(compressed source name)
+  add_custom_command(OUTPUT ${described}/${name} COMMAND ${CMAKE_COMMAND} -E make_directory ${described}
+    COMMAND ${HANDSIGHT_GZIP} -9nc ${source} > ${described}/${name} DEPENDS ${source} VERBATIM)
+endfunction()
+compressed(${described}/man handsight-cli.1.gz)
+compressed(${CMAKE_SOURCE_DIR}/CHANGELOG.md NEWS.gz)
+# Debian's own is of its form; what has changed for users is in NEWS.
+foreach(package handsight handsight-cli)
+  file(CONFIGURE OUTPUT ${described}/${package}.changelog CONTENT
+    "${package} (@PROJECT_VERSION@) unstable; urgency=medium\n\n  * Built from source; see NEWS.gz.\n\n -- The Handsight developers <maintainers@handsight.invalid>  Sat, 01 Jan 2000 00:00:00 +0000\n" @ONLY)
+  compressed(${described}/${package}.changelog ${package}.changelog.gz)
+endforeach()
+compressed(${CMAKE_SOURCE_DIR}/resources/handsight.1 handsight.1.gz)
+add_custom_target(describe ALL DEPENDS ${described_files} ${described}/handsight-cli.1.gz ${described}/NEWS.gz
+  ${described}/handsight.1.gz ${described}/handsight.changelog.gz ${described}/handsight-cli.changelog.gz)
+install(FILES ${described}/handsight-cli.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT cli)
 install(FILES ${described}/bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME handsight-cli
   COMPONENT cli)
 install(FILES ${described}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _handsight-cli COMPONENT cli)
@@ -29,8 +45,10 @@ install(FILES ${described}/fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli
   FILES_MATCHING PATTERN "*.md" PATTERN pictures EXCLUDE)
-install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli)
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSES/Apache-2.0.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME copyright COMPONENT cli)
+install(FILES ${CMAKE_SOURCE_DIR}/README.md ${described}/NEWS.gz DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli)
+install(FILES ${described}/handsight-cli.changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME changelog.gz COMPONENT cli)
+install(FILES ${CMAKE_SOURCE_DIR}/resources/debian/copyright_cli DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME copyright
+  COMPONENT cli)
 install(FILES ${CMAKE_SOURCE_DIR}/resources/justin.urdf DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/robots COMPONENT cli)
 
 if(HANDSIGHT_HAS_WINDOW)
@@ -42,15 +60,17 @@ if(HANDSIGHT_HAS_WINDOW)
   install(FILES ${CMAKE_SOURCE_DIR}/resources/handsight-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
     RENAME handsight.xml COMPONENT window)
   install(FILES ${CMAKE_SOURCE_DIR}/resources/handsight.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT window)
-  install(FILES ${CMAKE_SOURCE_DIR}/LICENSES/GPL-3.0-or-later.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
+  install(FILES ${CMAKE_SOURCE_DIR}/resources/debian/copyright_window DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
     COMPONENT window)
+  install(FILES ${described}/handsight.changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME changelog.gz COMPONENT window)
+  install(FILES ${described}/handsight.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT window)
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/sample_sessions/ DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/sample_sessions
     COMPONENT window PATTERN "*.sh" EXCLUDE)
 endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME handsight)
-set(CPACK_PACKAGE_CONTACT "The Handsight developers <handsight@localhost>")
+set(CPACK_PACKAGE_CONTACT "The Handsight developers <maintainers@handsight.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Robot hand-eye calibration that says why the hand is elsewhere")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -63,6 +83,8 @@ endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS  # whatever the umask
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME handsight-cli)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME handsight)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "handsight-cli (= ${PROJECT_VERSION}), libqt6svg6")

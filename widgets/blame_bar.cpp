@@ -24,9 +24,10 @@ struct Part {
 
 std::array<Part, 3> parts_of(const Blame& blame) {
   const Colors& c = colors();
-  return {Part{QStringLiteral("C"), QStringLiteral("cameras"), blame.cameras, c.blame_cameras},
-          Part{QStringLiteral("B"), QStringLiteral("body"), blame.body, c.blame_body},
-          Part{QStringLiteral("R"), QStringLiteral("robot"), blame.robot, c.blame_robot}};
+  return {Part{QStringLiteral("C"), blame.of_tracker ? QObject::tr("tracker") : QObject::tr("cameras"), blame.cameras,
+               c.blame_cameras},
+          Part{QStringLiteral("B"), QObject::tr("body"), blame.body, c.blame_body},
+          Part{QStringLiteral("R"), QObject::tr("robot"), blame.robot, c.blame_robot}};
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ BlameBar::BlameBar(QWidget* parent) : QWidget(parent) {
 void BlameBar::set_blame(std::optional<Blame> blame) {
   blame_ = blame;
   if (blame)
-    setAccessibleDescription(QStringLiteral("Cameras %1 %, body %2 %, robot %3 %")
+    setAccessibleDescription(QObject::tr("Cameras %1 %, body %2 %, robot %3 %")
                                  .arg(std::lround(100 * blame->cameras))
                                  .arg(std::lround(100 * blame->body))
                                  .arg(std::lround(100 * blame->robot)));
@@ -91,7 +92,7 @@ void BlameBar::paintEvent(QPaintEvent*) {
   } else {
     painter.setPen(c.ink3);
     painter.drawText(QRectF(0, bar.bottom() + 2, width(), kLegendHeight), Qt::AlignVCenter,
-                     QStringLiteral("Whose fault: not known yet"));
+                     QObject::tr("Whose fault: not known yet"));
   }
   painter.setFont(text_font(TextRole::body));
   painter.setPen(c.ink1);
@@ -102,8 +103,8 @@ void BlameBar::paintEvent(QPaintEvent*) {
 bool BlameBar::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                     QStringLiteral("How much of this residual the cameras (C), the marker body (B) and the robot (R) "
-                                    "can answer for."),
+                     QObject::tr("How much of this residual the cameras (C), the marker body (B) and the robot (R) "
+                                 "can answer for."),
                      this);
   return true;
 }

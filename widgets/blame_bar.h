@@ -10,6 +10,7 @@ namespace handsight::widgets {
 /// Shares of the squared residual, 0 to 1, together at most 1.
 struct Blame {
   double cameras = 0, body = 0, robot = 0;
+  bool of_tracker = false;  // a tracker measures in place of cameras
 };
 
 /// A bar in three colours with the letters and per cents, and a sentence below.

@@ -2,6 +2,7 @@
 #include <qcustomplot.h>
 
 #include <QGridLayout>
+#include <QObject>
 
 #include "widgets/convergence_plot.h"
 
@@ -36,14 +37,13 @@ std::vector<Sample> samples_of(const std::vector<ConvergencePoint>& points, std:
 ConvergenceBoard::ConvergenceBoard(QWidget* parent) : QWidget(parent) {
   const std::array<QString, 3> lengths = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
   const std::array<QString, 3> angles = {QStringLiteral("rx"), QStringLiteral("ry"), QStringLiteral("rz")};
-  const QString mm = QStringLiteral("mm"), deg = QStringLiteral("deg");
-  plots_ = {new ConvergencePlot(QStringLiteral("position"), mm, lengths, this),
-            new ConvergencePlot(QStringLiteral("rotation"), deg, angles, this),
-            new ConvergencePlot(QStringLiteral("position"), mm, lengths, this),
-            new ConvergencePlot(QStringLiteral("rotation"), deg, angles, this)};
-  const std::array<QString, 4> titles = {QStringLiteral("TCP→Body, position"), QStringLiteral("TCP→Body, rotation"),
-                                         QStringLiteral("TCP→TCPest, position"),
-                                         QStringLiteral("TCP→TCPest, rotation")};
+  const QString mm = QStringLiteral("mm"), deg = QObject::tr("deg");
+  plots_ = {new ConvergencePlot(QObject::tr("position"), mm, lengths, this),
+            new ConvergencePlot(QObject::tr("rotation"), deg, angles, this),
+            new ConvergencePlot(QObject::tr("position"), mm, lengths, this),
+            new ConvergencePlot(QObject::tr("rotation"), deg, angles, this)};
+  const std::array<QString, 4> titles = {QObject::tr("TCP→Body, position"), QObject::tr("TCP→Body, rotation"),
+                                         QObject::tr("TCP→TCPest, position"), QObject::tr("TCP→TCPest, rotation")};
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(1);

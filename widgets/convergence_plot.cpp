@@ -3,6 +3,7 @@
 
 #include <qcustomplot.h>
 
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 
@@ -85,7 +86,7 @@ void ConvergencePlot::restyle() {
     curves_->label[i]->setFont(number_font(TextRole::small));
   }
   curves_->selected->setPen(QPen(colors().accent, 1.5));
-  plot_->xAxis->setLabel(QStringLiteral("observations"));
+  plot_->xAxis->setLabel(QObject::tr("observations"));
   fill();
 }
 
@@ -131,7 +132,7 @@ int ConvergencePlot::settled_at(int curve) const {
 void ConvergencePlot::name_y_axis() {
   constexpr int long_enough = 170;
   const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
-  plot_->yAxis->setLabel(has_bands && height() >= long_enough ? QStringLiteral("%1 from last").arg(unit_) : unit_);
+  plot_->yAxis->setLabel(has_bands && height() >= long_enough ? QObject::tr("%1 from last").arg(unit_) : unit_);
 }
 
 void ConvergencePlot::resizeEvent(QResizeEvent* event) {
@@ -228,7 +229,7 @@ QString ConvergencePlot::text_at(const QPointF& position) {
     const auto sigma = sample->sigma[i] > 0 ? std::optional(sample->sigma[i] * factor) : std::nullopt;
     parts += names_[i] + QLatin1Char(' ') + with_sigma_text(sample->value[i] * factor, sigma);
   }
-  return QStringLiteral("after %1 (obs %2): %3 %4")
+  return QObject::tr("after %1 (obs %2): %3 %4")
       .arg(sample->count)
       .arg(sample->observation)
       .arg(parts.join(QStringLiteral(", ")), unit_);
@@ -240,11 +241,11 @@ void ConvergencePlot::clicked_at(const QPointF& position, Qt::KeyboardModifiers)
 
 std::vector<PlotColumn> ConvergencePlot::columns() const {
   std::vector<PlotColumn> all(8);
-  all[0].name = QStringLiteral("observations");
-  all[1].name = QStringLiteral("observation id");
+  all[0].name = QObject::tr("observations");
+  all[1].name = QObject::tr("observation id");
   for (std::size_t i = 0; i < 3; ++i) {
     all[2 + i].name = QStringLiteral("%1 (%2)").arg(names_[i], unit_);
-    all[5 + i].name = QStringLiteral("sigma of %1 (%2)").arg(names_[i], unit_);
+    all[5 + i].name = QObject::tr("sigma of %1 (%2)").arg(names_[i], unit_);
   }
   for (const Sample& sample : samples_) {
     all[0].values.push_back(sample.count);

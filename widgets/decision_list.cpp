@@ -52,7 +52,7 @@ class DecisionModel : public QAbstractListModel {
     return -1;
   }
   static QString what(const DecisionEntry& entry) {
-    return entry.state == CellState::used ? QStringLiteral("taken") : state_name(entry.state);
+    return entry.state == CellState::used ? QObject::tr("taken") : state_name(entry.state);
   }
 
   std::vector<DecisionEntry> entries;
@@ -110,7 +110,7 @@ class DecisionDelegate : public QStyledItemDelegate {
 }  // namespace
 
 DecisionList::DecisionList(QWidget* parent)
-    : QListView(parent), decisions_(new DecisionModel(this)), empty_text_(QStringLiteral("No decisions yet.")) {
+    : QListView(parent), decisions_(new DecisionModel(this)), empty_text_(QObject::tr("No decisions yet.")) {
   setModel(decisions_);
   setItemDelegate(new DecisionDelegate(decisions_, this));
   setUniformItemSizes(true);
@@ -118,7 +118,7 @@ DecisionList::DecisionList(QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  setAccessibleName(QStringLiteral("Decisions"));
+  setAccessibleName(QObject::tr("Decisions"));
   setMinimumWidth(160);
 }
 

@@ -3,6 +3,7 @@
 
 #include <qcustomplot.h>
 
+#include <QObject>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +41,8 @@ HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::m
   bars_->threshold_text = new QCPItemText(plot_);
   bars_->threshold_text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
   bars_->threshold_text->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
-  bars_->threshold_text->setPadding(QMargins(4, 0, 0, 0));
+  bars_->threshold_text->setPadding(QMargins(4, 0, 4, 0));
+  connect(plot_, &QCustomPlot::afterLayout, this, &HistogramPlot::place_threshold_text);
   const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
   for (double decade = 0.001; decade < 2000; decade *= 10)
     for (const double size : {decade, 3 * decade}) ticker->addTick(std::log10(size), short_text(size, 1));
@@ -59,7 +61,7 @@ void HistogramPlot::restyle() {
   bars_->selected->setPen(QPen(c.accent, 1.6));
   bars_->threshold_text->setColor(c.ink1);
   bars_->threshold_text->setFont(text_font(TextRole::small));
-  plot_->yAxis->setLabel(QStringLiteral("observations"));
+  plot_->yAxis->setLabel(QObject::tr("observations"));
   fill();
 }
 
@@ -94,12 +96,12 @@ double HistogramPlot::smallest() const { return 0.05 * typical_noise(cells_, uni
 
 QString HistogramPlot::axis_name() const {
   if (unit_ == SizeUnit::sigma)
-    return noise_ ? QStringLiteral("rms / noise (1 = %1 %2)").arg(short_text(noise_), noise_unit_)
-                  : QStringLiteral("rms / noise");
-  const QString name = unit_ == SizeUnit::pixel ? QStringLiteral("rms of a coordinate (px)")
-                                                : QStringLiteral("rms of the markers' distances (mm)");
+    return noise_ ? QObject::tr("rms / noise (1 = %1 %2)").arg(short_text(noise_), noise_unit_)
+                  : QObject::tr("rms / noise");
+  const QString name = unit_ == SizeUnit::pixel ? QObject::tr("rms of a coordinate (px)")
+                                                : QObject::tr("rms of the markers' distances (mm)");
   const auto noise = noise_ ? typical_noise(cells_, unit_) : std::nullopt;
-  return noise ? name + QStringLiteral(", noise ") + short_text(noise) : name;
+  return noise ? name + QObject::tr(", noise ") + short_text(noise) : name;
 }
 
 void HistogramPlot::set_selected(ObservationId id) {
@@ -131,7 +133,16 @@ void HistogramPlot::place_threshold() {
   bars_->threshold->point2->setCoords(x, 1);
   bars_->threshold_text->position->setCoords(x, 0.02);
   const auto used = std::count_if(cells_.begin(), cells_.end(), [this](const auto& c) { return counts_in(c, unit_); });
-  bars_->threshold_text->setText(QStringLiteral("%1 of %2 beyond").arg(beyond_threshold().size()).arg(used));
+  bars_->threshold_text->setText(QObject::tr("%1 of %2 beyond").arg(beyond_threshold().size()).arg(used));
+  place_threshold_text();
+}
+
+/// On the side of the line that has room for it.
+void HistogramPlot::place_threshold_text() {
+  if (!threshold_) return;
+  const double wide = QFontMetricsF(bars_->threshold_text->font()).horizontalAdvance(bars_->threshold_text->text()) + 8;
+  const bool is_right = plot_->xAxis->coordToPixel(std::log10(*threshold_)) + wide <= plot_->axisRect()->right();
+  bars_->threshold_text->setPositionAlignment((is_right ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop);
 }
 
 void HistogramPlot::fill() {
@@ -194,13 +205,13 @@ QString HistogramPlot::text_at(const QPointF& position) {
   if (!plot_->axisRect()->rect().contains(position.toPoint())) return {};
   const int bin = bin_at(position.x());
   const auto ids = ids_in(bin);
-  const QString unit = unit_ == SizeUnit::sigma ? QStringLiteral("times the noise") : unit_name(unit_);
-  QString text = QStringLiteral("%1 to %2 %4: %3 observations")
+  const QString unit = unit_ == SizeUnit::sigma ? QObject::tr("times the noise") : unit_name(unit_);
+  QString text = QObject::tr("%1 to %2 %4: %3 observations")
                      .arg(short_text(std::pow(10, bin * kBin)), short_text(std::pow(10, (bin + 1) * kBin)))
                      .arg(ids.size())
                      .arg(unit);
   const auto out = std::count_if(cells_.begin(), cells_.end(), [this](const auto& c) { return !counts_in(c, unit_); });
-  if (out > 0) text += QStringLiteral("; %1 not shown, without a residual or not used").arg(out);
+  if (out > 0) text += QObject::tr("; %1 not shown, without a residual or not used").arg(out);
   return text;
 }
 
@@ -240,7 +251,7 @@ bool HistogramPlot::eventFilter(QObject* watched, QEvent* event) {
 }
 
 std::vector<PlotColumn> HistogramPlot::columns() const {
-  PlotColumn id{QStringLiteral("observation id"), {}}, value{QStringLiteral("rms (%1)").arg(unit_name(unit_)), {}};
+  PlotColumn id{QObject::tr("observation id"), {}}, value{QObject::tr("rms (%1)").arg(unit_name(unit_)), {}};
   for (const ObservationCell& cell : cells_) {
     if (!counts_in(cell, unit_)) continue;
     id.values.push_back(static_cast<double>(cell.id));

@@ -45,6 +45,7 @@ class HistogramPlot : public PlotWidget {
  private:
   struct Bars;
   void fill();
+  void place_threshold_text();
   void place_threshold();
   void place_selected();
   double smallest() const;  // sizes below it are counted there

@@ -2,6 +2,7 @@
 #include "widgets/image_view.h"
 
 #include <QMouseEvent>
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +19,7 @@ constexpr double kHeader = 20;
 
 }  // namespace
 
-ImageView::ImageView(QWidget* parent) : QWidget(parent), empty_text_(QStringLiteral("No image.")) {
+ImageView::ImageView(QWidget* parent) : QWidget(parent), empty_text_(QObject::tr("No image.")) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAttribute(Qt::WA_OpaquePaintEvent);

@@ -123,9 +123,9 @@ void ImageView::hover(const QPointF& position) {
   QString text = QStringLiteral("%1, %2 px").arg(fixed_text(px.x(), 1), fixed_text(px.y(), 1));
   if (mark >= 0) {
     const QString& own = marks_[static_cast<std::size_t>(mark)].text;
-    text = own.isEmpty() ? QStringLiteral("marker %1 at %2").arg(marker).arg(text) : own;
+    text = own.isEmpty() ? QObject::tr("marker %1 at %2").arg(marker).arg(text) : own;
   } else if (candidate >= 0) {
-    text = QStringLiteral("corner at %1: %2").arg(text, candidates_[static_cast<std::size_t>(candidate)].label);
+    text = QObject::tr("corner at %1: %2").arg(text, candidates_[static_cast<std::size_t>(candidate)].label);
   }
   emit read_out(text);
 }
@@ -179,19 +179,18 @@ void ImageView::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   if (is_labelling_ && mark >= 0) {
     const int number = marks_[static_cast<std::size_t>(mark)].marker;
-    menu.addAction(QStringLiteral("Remove marker %1").arg(number), this,
-                   [this, number] { emit marker_removed(number); });
-    QMenu* renumber = menu.addMenu(QStringLiteral("Renumber to"));
+    menu.addAction(QObject::tr("Remove marker %1").arg(number), this, [this, number] { emit marker_removed(number); });
+    QMenu* renumber = menu.addMenu(QObject::tr("Renumber to"));
     for (int to = 0; to < 10; ++to)
       if (to != number)
         renumber->addAction(QString::number(to), this, [this, number, to] { emit marker_renumbered(number, to); });
     menu.addSeparator();
   }
-  menu.addAction(QStringLiteral("Fit the image"), this, [this] {
+  menu.addAction(QObject::tr("Fit the image"), this, [this] {
     fit();
     emit viewport_changed(viewport_);
   });
-  menu.addAction(QStringLiteral("True size"), this, [this] { change_viewport({viewport_.center, 1}); });
+  menu.addAction(QObject::tr("True size"), this, [this] { change_viewport({viewport_.center, 1}); });
   menu.exec(event->globalPos());
 }
 

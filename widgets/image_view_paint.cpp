@@ -198,7 +198,7 @@ void ImageView::paint_title(QPainter& painter) const {
   }
   if (!arrows_.empty() && magnification_ != 1 && !frame_size().isEmpty()) {
     painter.setFont(text_font(TextRole::small));
-    const QString text = QStringLiteral("arrows %1 ×").arg(times_text(magnification_));
+    const QString text = QObject::tr("arrows %1 ×").arg(times_text(magnification_));
     draw_plate(painter, QPointF(6, height() - 12.0), text, c.ink1, c.panel);
   }
 }

@@ -74,7 +74,7 @@ QImage half_turn_difference(const QImage& image, const Vector2& center, int radi
   return difference;
 }
 
-Loupe::Loupe(QWidget* parent) : QWidget(parent), hints_(QStringLiteral("arrows 0.1 px, Shift 1, Alt free")) {}
+Loupe::Loupe(QWidget* parent) : QWidget(parent), hints_(QObject::tr("arrows 0.1 px, Shift 1, Alt free")) {}
 
 void Loupe::set_title(const QString& title) {
   title_ = title;
@@ -118,7 +118,7 @@ void Loupe::paintEvent(QPaintEvent*) {
   const QRectF body(0, 20, width(), height() - 40.0);
   if (!center_ || image_.isNull()) {
     painter.fillRect(body, c.sunken);
-    draw_sentence(painter, body, QStringLiteral("Move the pointer over the image."));
+    draw_sentence(painter, body, QObject::tr("Move the pointer over the image."));
     return;
   }
   painter.setPen(c.ink2);
@@ -146,7 +146,7 @@ void Loupe::paintEvent(QPaintEvent*) {
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(difference);
   painter.setFont(text_font(TextRole::small));
-  const QString name = QStringLiteral("half-turn");
+  const QString name = QObject::tr("half-turn");
   const double wide = QFontMetricsF(painter.font()).horizontalAdvance(name);
   draw_plate(painter, {difference.right() - wide - 6, difference.top() - 9}, name, c.ink2, c.panel);
 }

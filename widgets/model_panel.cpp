@@ -30,8 +30,8 @@ class HoldButton : public QToolButton {
     setCheckable(true);
     setChecked(is_held);
     setFixedSize(kHoldWidth, 24);
-    setToolTip(is_held ? QStringLiteral("Held: the fit leaves it where it is. Press to estimate it again")
-                       : QStringLiteral("Hold this number: the fit leaves it where it is, and it can be typed"));
+    setToolTip(is_held ? ModelPanel::tr("Held: the fit leaves it where it is. Press to estimate it again")
+                       : ModelPanel::tr("Hold this number: the fit leaves it where it is, and it can be typed"));
   }
   static constexpr int kHoldWidth = 24;
 
@@ -139,7 +139,7 @@ class ParameterRow : public QWidget {
   }
   QString plausible() const {
     if (!parameter_.plausible) return {};
-    return QStringLiteral(", plausible within about ± ") + with_unit_text(parameter_.plausible, parameter_.unit);
+    return ModelPanel::tr(", plausible within about ± %1").arg(with_unit_text(parameter_.plausible, parameter_.unit));
   }
 
   ModelParameter parameter_;
@@ -150,7 +150,7 @@ class ParameterRow : public QWidget {
 
 }  // namespace
 
-ModelPanel::ModelPanel(QWidget* parent) : QFrame(parent), empty_text_(QStringLiteral("No model yet.")) {
+ModelPanel::ModelPanel(QWidget* parent) : QFrame(parent), empty_text_(tr("No model yet.")) {
   setFrameShape(QFrame::NoFrame);
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
@@ -159,14 +159,14 @@ ModelPanel::ModelPanel(QWidget* parent) : QFrame(parent), empty_text_(QStringLit
   layout->setSpacing(4);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(0, 0, 4, 0);
-  title_ = new QLabel(QStringLiteral("Model"), this);
+  title_ = new QLabel(tr("Model"), this);
   title_->setFont(text_font(TextRole::title));
   headline_ = new QLabel(this);
   headline_->setFont(number_font(TextRole::body));
   fold_ = new QToolButton(this);
   fold_->setAutoRaise(true);
   fold_->setFixedSize(28, 28);
-  fold_->setAccessibleName(QStringLiteral("Fold the model panel"));
+  fold_->setAccessibleName(tr("Fold the model panel"));
   head->addWidget(title_);
   head->addStretch(1);
   head->addWidget(headline_);
@@ -224,7 +224,7 @@ void ModelPanel::set_folded(bool folded) {
   scroll_->setVisible(!folded);
   static_cast<QVBoxLayout*>(layout())->setStretch(2, folded ? 1 : 0);
   fold_->setArrowType(folded ? Qt::LeftArrow : Qt::RightArrow);
-  fold_->setToolTip(folded ? QStringLiteral("Show the model (M)") : QStringLiteral("Fold the model away (M)"));
+  fold_->setToolTip(folded ? tr("Show the model (M)") : tr("Fold the model away (M)"));
 }
 
 void ModelPanel::set_selected_joint(const QString& joint) {
@@ -233,7 +233,7 @@ void ModelPanel::set_selected_joint(const QString& joint) {
   rebuild();
 }
 
-void ModelPanel::refresh_texts() { headline_->setText(is_busy_ ? QStringLiteral("fitting ...") : headline_text_); }
+void ModelPanel::refresh_texts() { headline_->setText(is_busy_ ? tr("fitting ...") : headline_text_); }
 
 QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
   const Colors& c = colors();
@@ -338,7 +338,9 @@ void ModelPanel::rebuild() {
     }
     delete item;
   }
-  for (const ModelEffect& effect : effects_) list_->addWidget(make_effect(effect));
+  for (const ModelEffect& effect : effects_)
+    if (effect.is_in_model || effect.group.isEmpty()) list_->addWidget(make_effect(effect));
+  add_groups();
   if (effects_.empty()) {
     auto* empty = new QLabel(empty_text_, content_);
     empty->setWordWrap(true);
@@ -358,6 +360,45 @@ void ModelPanel::rebuild() {
         field->setCursorPosition(cursor);
         return;
       }
+}
+
+bool ModelPanel::is_group_folded(const QString& group) const {
+  const auto choice = group_choices_.find(group);
+  if (choice != group_choices_.end()) return *choice;
+  return std::all_of(effects_.begin(), effects_.end(),
+                     [&](const ModelEffect& e) { return e.group != group || e.is_in_model || e.is_out_of_sight; });
+}
+
+/// Under each heading what is not in the model.
+void ModelPanel::add_groups() {
+  QStringList groups;
+  for (const ModelEffect& e : effects_)
+    if (!e.is_in_model && !e.group.isEmpty() && !groups.contains(e.group)) groups << e.group;
+  for (const QString& group : groups) {
+    const bool folded = is_group_folded(group);
+    auto* head = new QToolButton(content_);
+    head->setObjectName(QStringLiteral("group_") + group);
+    head->setAutoRaise(true);
+    head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    head->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+    head->setMinimumHeight(kRowHeight);
+    QFont font = text_font(TextRole::body);
+    font.setWeight(QFont::DemiBold);
+    head->setFont(font);
+    const auto count = std::count_if(effects_.begin(), effects_.end(),
+                                     [&](const ModelEffect& e) { return !e.is_in_model && e.group == group; });
+    head->setText(folded ? tr("%1 (%2)").arg(group).arg(count) : group);
+    head->setAccessibleName(folded ? tr("Show %1").arg(group) : tr("Fold %1 away").arg(group));
+    connect(head, &QToolButton::clicked, this, [this, group, folded] {
+      group_choices_[group] = !folded;
+      rebuild();
+    });
+    head->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a long name must not widen the list
+    list_->addWidget(head);
+    if (folded) continue;
+    for (const ModelEffect& e : effects_)
+      if (!e.is_in_model && e.group == group) list_->addWidget(make_effect(e));
+  }
 }
 
 bool ModelPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QHash>
 #include <optional>
 #include <vector>
 
@@ -29,18 +30,21 @@ struct ModelEffect {
   QString title;  // "TCP->Body", "Camera mount", "Joint elasticity"
   QString help;   // tool tip: cause, where it shows
   bool is_in_model = false;
-  bool is_permanent = false;  // no check box: always part of the model
-  bool can_change = true;     // false: the check box is disabled, `note` says why
-  bool is_candidate = false;  // being tried: purple
-  bool can_hold = false;      // offers to hold all its numbers, or to estimate them again
-  bool is_held = false;       // all its numbers are held
-  QString note;               // a sentence: "implausible ...", "cannot be seen on these poses"
+  bool is_permanent = false;     // no check box: always part of the model
+  bool can_change = true;        // false: the check box is disabled, `note` says why
+  bool is_candidate = false;     // being tried: purple
+  bool can_hold = false;         // offers to hold all its numbers, or to estimate them again
+  bool is_held = false;          // all its numbers are held
+  QString group;                 // "Joints": the heading under which it stands while it is not in the model
+  bool is_out_of_sight = false;  // a group of nothing else begins folded
+  QString note;                  // a sentence: "implausible ...", "cannot be seen on these poses"
   bool note_is_warning = false;
   std::vector<ModelParameter> parameters;
 };
 
-/// 288 px wide, folds to 36. Parameters show as name, value and sigma in the unit, and a bar: the value between minus
-/// and plus three plausible deviations with its own sigma as a whisker.
+/// 288 px wide, folds to 36. What is in the model stands on top, the others below in groups that fold. Parameters show
+/// as name, value and sigma in the unit, and a bar: the value between minus and plus three plausible deviations with
+/// its own sigma as a whisker.
 class ModelPanel : public QFrame {
   Q_OBJECT
  public:
@@ -72,6 +76,8 @@ class ModelPanel : public QFrame {
   void refresh_texts();
   QWidget* make_effect(const ModelEffect& effect);
   void add_parameter(const ModelEffect& effect, int index, QWidget* box);
+  void add_groups();
+  bool is_group_folded(const QString& group) const;
 
   std::vector<ModelEffect> effects_;
   QString headline_text_, empty_text_, selected_joint_;
@@ -81,6 +87,7 @@ class ModelPanel : public QFrame {
   QScrollArea* scroll_;
   QWidget* content_;
   QVBoxLayout* list_ = nullptr;
+  QHash<QString, bool> group_choices_;  // folded or unfolded by the user
 };
 
 }  // namespace handsight::widgets

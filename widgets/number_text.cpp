@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/number_text.h"
 
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 
@@ -90,8 +91,8 @@ QString duration_text(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0) return kUnknown;
   const auto whole = static_cast<long long>(std::ceil(seconds));
   if (whole < 60) return QStringLiteral("%1 s").arg(whole);
-  if (whole < 3600) return QStringLiteral("%1 min %2 s").arg(whole / 60).arg(whole % 60);
-  return QStringLiteral("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
+  if (whole < 3600) return QObject::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+  return QObject::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
 }
 
 }  // namespace handsight::widgets

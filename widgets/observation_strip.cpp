@@ -19,11 +19,11 @@ constexpr double kMargin = 8, kTop = 4, kCellsHeight = 48, kWidest = 24;
 }  // namespace
 
 ObservationStrip::ObservationStrip(QWidget* parent)
-    : QWidget(parent), empty_text_(QStringLiteral("No observations yet.")) {
+    : QWidget(parent), empty_text_(QObject::tr("No observations yet.")) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(QStringLiteral("Observation strip"));
+  setAccessibleName(QObject::tr("Observation strip"));
 }
 
 QSize ObservationStrip::sizeHint() const { return {1152, 72}; }
@@ -51,6 +51,7 @@ void ObservationStrip::set_selected(ObservationId id) {
   selected_ = id;
   const int index = index_of(id);
   if (index >= 0) show_index(index);
+  setAccessibleDescription(index >= 0 ? cell_text(cells_[static_cast<std::size_t>(index)]) : QString());
   update();
 }
 

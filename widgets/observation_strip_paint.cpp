@@ -125,12 +125,12 @@ void ObservationStrip::paint_scale(QPainter& painter) const {
   painter.setFont(text_font(TextRole::small));
   const QFontMetricsF metrics(painter.font());
   // The legend, from the right: swatch and name of every step.
-  const QString unit = QStringLiteral("of the noise");
+  const QString unit = QObject::tr("of the noise");
   double x = row.right() - metrics.horizontalAdvance(unit);
   painter.setPen(c.ink2);
   painter.drawText(QRectF(x, row.top(), row.right() - x + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, unit);
-  const QStringList names = {QStringLiteral("noise"), QStringLiteral("< 3"), QStringLiteral("< 5"),
-                             QStringLiteral("< 10"), QStringLiteral("10 times or more")};
+  const QStringList names = {QObject::tr("noise"), QStringLiteral("< 3"), QStringLiteral("< 5"), QStringLiteral("< 10"),
+                             QObject::tr("10 times or more")};
   for (int i = static_cast<int>(names.size()) - 1; i >= 0; --i) {
     const double wide = metrics.horizontalAdvance(names[i]);
     x -= wide + kGap;

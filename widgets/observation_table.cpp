@@ -37,7 +37,7 @@ void set_up_view(QTableView& view) {
   view.setContextMenuPolicy(Qt::CustomContextMenu);
   view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   view.setTabKeyNavigation(false);
-  view.setAccessibleName(QStringLiteral("Observations"));
+  view.setAccessibleName(QObject::tr("Observations"));
   view.verticalHeader()->hide();
   view.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   view.verticalHeader()->setDefaultSectionSize(kRowHeight);
@@ -94,7 +94,8 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   }
   filter_buttons_->button(0)->setChecked(true);
   text_ = new QLineEdit(this);
-  text_->setPlaceholderText(QStringLiteral("Filter"));
+  text_->setAccessibleName(tr("Filter"));
+  text_->setPlaceholderText(QObject::tr("Filter"));
   text_->setClearButtonEnabled(true);
   text_->setFixedHeight(kControlHeight);
   text_->setMinimumWidth(60);
@@ -112,7 +113,7 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   auto* foot = new QHBoxLayout;
   summary_ = new QLabel(this);
   summary_->setFont(text_font(TextRole::small));
-  resort_ = new QPushButton(QStringLiteral("Order changed: sort again"), this);
+  resort_ = new QPushButton(QObject::tr("Order changed: sort again"), this);
   resort_->setFont(text_font(TextRole::small));
   resort_->hide();
   foot->addWidget(summary_, 1);
@@ -140,7 +141,7 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
     text_->clear();
     set_filter(RowFilter::all);
   });
-  set_empty_text(QStringLiteral("No observations yet."));
+  set_empty_text(QObject::tr("No observations yet."));
 }
 
 void ObservationTable::set_units(SizeUnit first, std::optional<SizeUnit> second) {
@@ -284,10 +285,9 @@ void ObservationTable::show_menu(const QPoint& position) {
     });
   };
   QMenu menu(this);
-  menu.addAction(QStringLiteral("Exclude"), this, [this] { ask_for_change(true); })->setEnabled(has(CellState::used));
-  menu.addAction(QStringLiteral("Include"), this, [this] { ask_for_change(false); })
-      ->setEnabled(has(CellState::excluded));
-  menu.addAction(QStringLiteral("Relabel"), this, [this, id = ids.front()] { emit relabel_requested(id); })
+  menu.addAction(QObject::tr("Exclude"), this, [this] { ask_for_change(true); })->setEnabled(has(CellState::used));
+  menu.addAction(QObject::tr("Include"), this, [this] { ask_for_change(false); })->setEnabled(has(CellState::excluded));
+  menu.addAction(QObject::tr("Relabel"), this, [this, id = ids.front()] { emit relabel_requested(id); })
       ->setEnabled(ids.size() == 1);
   menu.exec(view_->viewport()->mapToGlobal(position));
 }
@@ -295,18 +295,18 @@ void ObservationTable::show_menu(const QPoint& position) {
 void ObservationTable::update_summary() {
   const int shown_rows = filter_->rowCount(), all = model_->rowCount();
   const std::size_t chosen = selected_many().size();
-  QString text = shown_rows == all ? QStringLiteral("%1 observations").arg(all)
-                                   : QStringLiteral("%1 of %2 observations").arg(shown_rows).arg(all);
-  if (chosen > 1) text += QStringLiteral(", %1 chosen").arg(chosen);
+  QString text = shown_rows == all ? QObject::tr("%1 observations").arg(all)
+                                   : QObject::tr("%1 of %2 observations").arg(shown_rows).arg(all);
+  if (chosen > 1) text += QObject::tr(", %1 chosen").arg(chosen);
   summary_->setText(text);
   const bool is_empty = shown_rows == 0;
   const bool is_filtered = all > 0;
   view_->setVisible(!is_empty);
   empty_->setVisible(is_empty);
-  const QString nothing_odd = QStringLiteral("No observation stands out of the noise.");
-  const QString nothing_found = QStringLiteral("No observation is like that.");
+  const QString nothing_odd = QObject::tr("No observation stands out of the noise.");
+  const QString nothing_found = QObject::tr("No observation is like that.");
   empty_->setText(!is_filtered ? empty_text_ : filter_->kind() == RowFilter::odd ? nothing_odd : nothing_found);
-  const QString action = is_filtered ? QStringLiteral("Show all") : empty_action_text_;
+  const QString action = is_filtered ? QObject::tr("Show all") : empty_action_text_;
   empty_action_->setText(action);
   empty_action_->setVisible(is_empty && !action.isEmpty());
   summary_->setVisible(!is_empty);

@@ -54,7 +54,7 @@ QString shown(const ObservationRow& row, TableColumn column, const Units& units)
     case TableColumn::worst:
       return row.worst.isEmpty() ? QStringLiteral("-") : row.worst;
     case TableColumn::state:
-      return row.state == CellState::used && row.is_odd ? QStringLiteral("odd") : state_name(row.state);
+      return row.state == CellState::used && row.is_odd ? QObject::tr("odd") : state_name(row.state);
     case TableColumn::reason:
     case TableColumn::count:
       return row.reason;

@@ -65,21 +65,21 @@ void draw_focus(QPainter& painter, const QRectF& area) {
 QString state_name(CellState state) {
   switch (state) {
     case CellState::waiting:
-      return QStringLiteral("waiting");
+      return QObject::tr("waiting");
     case CellState::used:
-      return QStringLiteral("used");
+      return QObject::tr("used");
     case CellState::rejected:
-      return QStringLiteral("rejected");
+      return QObject::tr("rejected");
     case CellState::excluded:
-      return QStringLiteral("excluded");
+      return QObject::tr("excluded");
   }
   return {};
 }
 
 QString cell_text(const ObservationCell& cell) {
-  QString text = QStringLiteral("obs %1").arg(cell.id);
+  QString text = QObject::tr("obs %1").arg(cell.id);
   if (const ShownSize size = told_size(cell); size.value) text += QStringLiteral(": ") + size_text(size);
-  if (cell.predicted) text += QStringLiteral(", predicted %1 σ").arg(short_text(cell.predicted));
+  if (cell.predicted) text += QObject::tr(", predicted %1 σ").arg(short_text(cell.predicted));
   if (cell.state != CellState::used) text += QStringLiteral(", ") + state_name(cell.state);
   if (!cell.note.isEmpty()) text += QStringLiteral(": ") + cell.note;
   return text;

@@ -19,7 +19,7 @@
 namespace handsight::widgets {
 
 PlotWidget::PlotWidget(QWidget* parent)
-    : QWidget(parent), plot_(new QCustomPlot(this)), empty_text_(QStringLiteral("Nothing to plot yet.")) {
+    : QWidget(parent), plot_(new QCustomPlot(this)), empty_text_(QObject::tr("Nothing to plot yet.")) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -33,6 +33,7 @@ PlotWidget::PlotWidget(QWidget* parent)
   plot_->axisRect()->setMinimumMargins(QMargins(8, 4, 10, 6));
   plot_->installEventFilter(this);
   connect(plot_, &QCustomPlot::afterReplot, this, [this] { is_drawn_ = true; });
+  connect(plot_, &QCustomPlot::afterLayout, this, &PlotWidget::shorten_title);
   connect(plot_, &QCustomPlot::customContextMenuRequested, this, &PlotWidget::show_menu);
   connect(plot_, &QCustomPlot::mouseDoubleClick, this, [this] { fit(); });
   connect(plot_->selectionRect(), &QCPSelectionRect::accepted, this, [this](const QRect& rect) {
@@ -63,6 +64,11 @@ void PlotWidget::set_title(const QString& title) {
   setAccessibleName(title);
   title_element_->setText(title);
   replot();
+}
+
+void PlotWidget::shorten_title() {
+  const double room = plot_->width() - 16;
+  title_element_->setText(QFontMetricsF(title_element_->font()).elidedText(title_, Qt::ElideMiddle, room));
 }
 
 void PlotWidget::set_empty_text(const QString& sentence) {
@@ -186,40 +192,40 @@ QString PlotWidget::save(const QString& path) const {
   } else if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)) {
     content = csv().toUtf8();
   } else {
-    return QStringLiteral("%1 must end in .png, .svg or .csv.").arg(path);
+    return QObject::tr("%1 must end in .png, .svg or .csv.").arg(path);
   }
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.commit())
-    return QStringLiteral("%1 cannot be written: %2. Choose another folder.").arg(path, file.errorString());
+    return QObject::tr("%1 cannot be written: %2. Choose another folder.").arg(path, file.errorString());
   return {};
 }
 
 void PlotWidget::save_as(const QString& ending) {
-  QString name = title_.isEmpty() ? QStringLiteral("plot") : title_.toLower();
+  QString name = title_.isEmpty() ? QObject::tr("plot") : title_.toLower();
   name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral("_"));
-  const QString path = QFileDialog::getSaveFileName(this, QStringLiteral("Save the plot"), name + ending,
+  const QString path = QFileDialog::getSaveFileName(this, QObject::tr("Save the plot"), name + ending,
                                                     ending.toUpper().mid(1) + QStringLiteral(" (*") + ending + ')');
   if (path.isEmpty()) return;
   const QString whole = path.endsWith(ending, Qt::CaseInsensitive) ? path : path + ending;
   const QString reason = save(whole);
-  emit message(reason.isEmpty() ? QStringLiteral("Saved %1.").arg(whole) : reason);
+  emit message(reason.isEmpty() ? QObject::tr("Saved %1.").arg(whole) : reason);
 }
 
 void PlotWidget::show_menu(const QPoint& position) {
   QMenu menu(this);
-  menu.addAction(QStringLiteral("Fit"), this, [this] { fit(); });
+  menu.addAction(QObject::tr("Fit"), this, [this] { fit(); });
   menu.addSeparator();
-  menu.addAction(QStringLiteral("Copy the picture"), this, [this] {
+  menu.addAction(QObject::tr("Copy the picture"), this, [this] {
     QApplication::clipboard()->setImage(picture());
-    emit message(QStringLiteral("The plot's picture is on the clipboard."));
+    emit message(QObject::tr("The plot's picture is on the clipboard."));
   });
-  menu.addAction(QStringLiteral("Copy the numbers as CSV"), this, [this] {
+  menu.addAction(QObject::tr("Copy the numbers as CSV"), this, [this] {
     QApplication::clipboard()->setText(csv());
-    emit message(QStringLiteral("The plot's numbers are on the clipboard."));
+    emit message(QObject::tr("The plot's numbers are on the clipboard."));
   });
   menu.addSeparator();
   for (const char* ending : {".png", ".svg", ".csv"})
-    menu.addAction(QStringLiteral("Save as %1 ...").arg(QString::fromLatin1(ending).mid(1).toUpper()), this,
+    menu.addAction(QObject::tr("Save as %1 ...").arg(QString::fromLatin1(ending).mid(1).toUpper()), this,
                    [this, ending] { save_as(QString::fromLatin1(ending)); });
   menu.exec(plot_->mapToGlobal(position));
 }
@@ -294,7 +300,7 @@ void PlotWidget::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_F && !event->modifiers()) return fit();
   if (event->matches(QKeySequence::Copy)) {
     QApplication::clipboard()->setImage(picture());
-    emit message(QStringLiteral("The plot's picture is on the clipboard."));
+    emit message(QObject::tr("The plot's picture is on the clipboard."));
     return;
   }
   const double factor = event->key() == Qt::Key_Plus ? 0.8 : event->key() == Qt::Key_Minus ? 1.25 : 0;

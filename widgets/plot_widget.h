@@ -54,6 +54,7 @@ class PlotWidget : public QWidget {
   void allow_brush() { has_brush_ = true; }
   void set_brush_always(bool always) { brushes_always_ = always; }
   void style_axes();
+  void shorten_title();
   /// Draws everything anew, later and once; not before it is shown.
   void replot();
   /// What only marks (what is selected or hovered) draws on: replot_marks() leaves all below as it is.

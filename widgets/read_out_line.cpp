@@ -92,7 +92,7 @@ void ReadOutLine::show_right() {
     message_.clear();
     action_->hide();
   }
-  const QString text = is_message ? message_ : pointer_.isEmpty() ? QString() : QStringLiteral("Pointer: ") + pointer_;
+  const QString text = is_message ? message_ : pointer_.isEmpty() ? QString() : QObject::tr("Pointer: ") + pointer_;
   right_->setText(text);
   right_->setToolTip(text);
 }
@@ -106,10 +106,10 @@ void ReadOutLine::rebuild() {
     delete item;
   }
   if (crumbs_.isEmpty()) {
-    layout->addWidget(quiet_label(QStringLiteral("Nothing selected"), left_));
+    layout->addWidget(quiet_label(QObject::tr("Nothing selected"), left_));
     return;
   }
-  layout->addWidget(quiet_label(QStringLiteral("Selected:"), left_));
+  layout->addWidget(quiet_label(QObject::tr("Selected:"), left_));
   for (int i = 0; i < crumbs_.size(); ++i) {
     if (i > 0) layout->addWidget(quiet_label(QStringLiteral("›"), left_));
     QToolButton* crumb = text_button(crumbs_[i], left_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/residual_map.h"
 
+#include <QObject>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -175,12 +176,12 @@ QString ResidualMap::text_at(const QPointF& position) {
   }
   if (!point) return {};
   const QString text =
-      QStringLiteral("obs %1, marker %2, %3: %4 %6 right, %5 %6 down")
+      QObject::tr("obs %1, marker %2, %3: %4 %6 right, %5 %6 down")
           .arg(point->observation)
           .arg(point->marker)
-          .arg(point->side == ImageSide::left ? QStringLiteral("left") : QStringLiteral("right"),
+          .arg(point->side == ImageSide::left ? QObject::tr("left") : QObject::tr("right"),
                fixed_text(point->residual.x(), 2), fixed_text(point->residual.y(), 2), unit_name(unit_));
-  return unit_ == SizeUnit::millimetre ? text + QStringLiteral(", across the line of sight") : text;
+  return unit_ == SizeUnit::millimetre ? text + QObject::tr(", across the line of sight") : text;
 }
 
 void ResidualMap::clicked_at(const QPointF& position, Qt::KeyboardModifiers) {
@@ -195,13 +196,13 @@ void ResidualMap::brushed(const QRectF& in_plot) {
 }
 
 std::vector<PlotColumn> ResidualMap::columns() const {
-  std::vector<PlotColumn> all = {{QStringLiteral("observation id"), {}},
-                                 {QStringLiteral("marker"), {}},
-                                 {QStringLiteral("right image"), {}},
+  std::vector<PlotColumn> all = {{QObject::tr("observation id"), {}},
+                                 {QObject::tr("marker"), {}},
+                                 {QObject::tr("right image"), {}},
                                  {QStringLiteral("u (px)"), {}},
                                  {QStringLiteral("v (px)"), {}},
-                                 {QStringLiteral("residual u (%1)").arg(unit_name(unit_)), {}},
-                                 {QStringLiteral("residual v (%1)").arg(unit_name(unit_)), {}}};
+                                 {QObject::tr("residual u (%1)").arg(unit_name(unit_)), {}},
+                                 {QObject::tr("residual v (%1)").arg(unit_name(unit_)), {}}};
   for (const MapPoint& point : points_) {
     if (!is_shown(point)) continue;
     const std::array<double, 7> values = {static_cast<double>(point.observation),

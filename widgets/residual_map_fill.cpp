@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -145,9 +146,8 @@ void ResidualMap::fill() {
   layers_->bar->end->setCoords(right, bottom);
   layers_->bar_text->position->setCoords(right, bottom - 2);
   const QString length = size_text({shown, unit_}, 1);
-  layers_->bar_text->setText(unit_ == SizeUnit::pixel
-                                 ? QStringLiteral("%1, drawn %2 ×").arg(length, short_text(times, 1))
-                             : unit_ == SizeUnit::millimetre ? QStringLiteral("%1 across the line of sight").arg(length)
+  layers_->bar_text->setText(unit_ == SizeUnit::pixel ? QObject::tr("%1, drawn %2 ×").arg(length, short_text(times, 1))
+                             : unit_ == SizeUnit::millimetre ? QObject::tr("%1 across the line of sight").arg(length)
                                                              : length);
 }
 

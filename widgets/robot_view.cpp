@@ -32,8 +32,8 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  setAccessibleName(QStringLiteral("Robot in 3D"));
-  parts_->empty_text = QStringLiteral("No robot yet.");
+  setAccessibleName(QObject::tr("Robot in 3D"));
+  parts_->empty_text = QObject::tr("No robot yet.");
   parts_->gl.window()->AddRenderer(parts_->renderer);
   vtkNew<vtkLightKit> lights;
   lights->SetKeyLightWarmth(0.5);
@@ -51,6 +51,7 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   for (const auto& [name, view] : views) {
     auto* button = new QToolButton(parts_->buttons);
     button->setText(QString::fromLatin1(name));
+    button->setToolTip(tr("Looks from there (F, 1 to 6, 0)"));
     button->setAutoRaise(true);
     button->setFont(text_font(TextRole::small));
     button->setFixedHeight(kRowHeight);
@@ -202,7 +203,7 @@ void RobotView::draw(const QSize& size) {
   Parts& p = *parts_;
   if (!p.is_stale && p.picture.size() == size) return;
   if (!p.gl.make_ready()) {
-    p.empty_text = QStringLiteral("The 3D view needs OpenGL 3.2, which this display does not offer.");
+    p.empty_text = QObject::tr("The 3D view needs OpenGL 3.2, which this display does not offer.");
     return;
   }
   p.aspect = size.height() > 0 ? static_cast<double>(size.width()) / size.height() : 1;

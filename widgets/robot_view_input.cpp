@@ -22,7 +22,7 @@ void RobotView::pick(const QPointF& position, bool take) {
   }
   if (id != kNoObservation) {
     const SceneArrow* arrow = p.arrow_of(id);
-    emit read_out(QStringLiteral("obs %1: %2 mm").arg(id).arg(short_text(1000 * arrow->residual.norm())));
+    emit read_out(QObject::tr("obs %1: %2 mm").arg(id).arg(short_text(1000 * arrow->residual.norm())));
     if (take) emit observation_selected(id);
     return;
   }
@@ -41,8 +41,8 @@ void RobotView::pick(const QPointF& position, bool take) {
   const QString joint = at->parent_joint < 0
                             ? QString()
                             : QString::fromStdString(p.robot.joints[static_cast<std::size_t>(at->parent_joint)].name);
-  emit read_out(joint.isEmpty() ? QStringLiteral("link %1").arg(name)
-                                : QStringLiteral("link %1, moved by %2").arg(name, joint));
+  emit read_out(joint.isEmpty() ? QObject::tr("link %1").arg(name)
+                                : QObject::tr("link %1, moved by %2").arg(name, joint));
   if (take && !joint.isEmpty()) emit joint_selected(joint);
 }
 
@@ -71,7 +71,10 @@ void RobotView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void RobotView::mouseReleaseEvent(QMouseEvent* event) {
-  if (!parts_->has_moved && event->button() == Qt::LeftButton) pick(event->position(), true);
+  if (!parts_->has_moved && event->button() == Qt::LeftButton) {
+    const auto face = face_at(parts_->cube(size()), event->position());
+    face ? look(*face) : pick(event->position(), true);
+  }
   parts_->button = Qt::NoButton;
   if (!parts_->has_moved && event->button() == Qt::RightButton) show_menu(event->globalPosition().toPoint());
 }
@@ -145,11 +148,11 @@ void RobotView::contextMenuEvent(QContextMenuEvent* event) {
 
 void RobotView::show_menu(const QPoint& position) {
   QMenu menu(this);
-  menu.addAction(QStringLiteral("See all"), this, [this] { look(StandardView::all); });
-  menu.addAction(QStringLiteral("See the TCP"), this, [this] { look(StandardView::tcp); });
-  menu.addAction(QStringLiteral("As the left camera sees it"), this, [this] { look(StandardView::camera); });
+  menu.addAction(QObject::tr("See all"), this, [this] { look(StandardView::all); });
+  menu.addAction(QObject::tr("See the TCP"), this, [this] { look(StandardView::tcp); });
+  menu.addAction(QObject::tr("As the left camera sees it"), this, [this] { look(StandardView::camera); });
   menu.addSeparator();
-  menu.addAction(QStringLiteral("Copy the picture"), this, [this] { QApplication::clipboard()->setImage(picture()); });
+  menu.addAction(QObject::tr("Copy the picture"), this, [this] { QApplication::clipboard()->setImage(picture()); });
   menu.exec(position);
 }
 

@@ -61,9 +61,8 @@ void RobotView::paint_labels(QPainter& painter) {
     if (p.tcp) plate(*p.tcp * tip, letters[i], QPointF(4, -7));
     if (p.tcp_est) plate(*p.tcp_est * tip, letters[i] + QStringLiteral("′"), QPointF(4, 9));
   }
-  for (const SceneCamera& camera : p.cameras)
-    plate(camera.root_from_camera.translation, camera.name,
-          QPointF(8, camera.name == QStringLiteral("right") ? 10 : -10));
+  for (std::size_t i = 0; i < p.cameras.size(); ++i)
+    plate(p.cameras[i].root_from_camera.translation, p.cameras[i].name, QPointF(8, i == 1 ? 10 : -10));
   for (const SceneMarker& marker : p.markers)
     if (marker.role == SceneMarkerRole::measured) plate(marker.in_root, QString::number(marker.marker), QPointF(9, -9));
 
@@ -80,12 +79,14 @@ void RobotView::paint_labels(QPainter& painter) {
     painter.drawText(QRectF(tip - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
                      letters[static_cast<std::size_t>(axis)]);
   }
+  const std::vector<CubeFace> cube = p.cube(size());
+  paint_cube(painter, cube);
   QStringList legend;
-  if (p.tcp) legend += p.tcp_est ? QStringLiteral("x y z TCP, x′ y′ z′ TCPest") : QStringLiteral("x y z TCP");
-  if (p.bent) legend += QStringLiteral("ghost %1 ×").arg(times_text(p.ghost_times));
-  if (!p.arrows.empty()) legend += QStringLiteral("arrows %1 ×").arg(times_text(p.arrow_times));
+  if (p.tcp) legend += p.tcp_est ? QObject::tr("x y z TCP, x′ y′ z′ TCPest") : QObject::tr("x y z TCP");
+  if (p.bent) legend += QObject::tr("ghost %1 ×").arg(times_text(p.ghost_times));
+  if (!p.arrows.empty()) legend += QObject::tr("arrows %1 ×").arg(times_text(p.arrow_times));
   // Right of the triad; where there is too little room for one line, a line each.
-  constexpr double least_left = 64;
+  const double least_left = cube.empty() ? 64 : 122;
   const QFontMetricsF metrics(painter.font());
   const QString together = legend.join(QStringLiteral("   "));
   if (metrics.horizontalAdvance(together) + 12 + least_left <= width() && !together.isEmpty()) legend = {together};

@@ -21,6 +21,14 @@ double distance_to_segment(const QPointF& p, const QPointF& a, const QPointF& b)
   return std::hypot(d.x(), d.y());
 }
 
+/// A little darker than the ground, in the dark theme too.
+QColor shadow_color() {
+  const QColor ground = colors().panel, ink = ground.lightness() > 127 ? colors().ink1 : QColor(Qt::black);
+  const double share = ground.lightness() > 127 ? 0.13 : 0.4;
+  const auto mix = [share](int a, int b) { return static_cast<int>(std::lround((1 - share) * a + share * b)); };
+  return {mix(ground.red(), ink.red()), mix(ground.green(), ink.green()), mix(ground.blue(), ink.blue())};
+}
+
 }  // namespace
 
 const SceneArrow* RobotView::Parts::arrow_of(ObservationId id) const {
@@ -46,12 +54,15 @@ void RobotView::Parts::make_ready() {
 void RobotView::Parts::make_robot() {
   remove_from(*renderer, links);
   remove_from(*renderer, ghost);
+  remove_from(*renderer, shadow);
   std::vector<QString> notes = std::move(links.notes);
   links = make_robot_actors(robot, mesh_folder);
   ghost = make_ghost_actors(links, colors().candidate);
+  shadow = make_shadow_actors(links, shadow_color());
   links.notes = std::move(notes);
   add_to(*renderer, links);
   add_to(*renderer, ghost);
+  add_to(*renderer, shadow);
   robot_changed = false;
   posture_changed = ghost_changed = theme_changed = true;
 }
@@ -60,6 +71,7 @@ void RobotView::Parts::set_colors() {
   const QColor ground = colors().panel;
   renderer->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
   for (const LinkActor& part : ghost.parts) set_color(*part.actor, colors().candidate, 0.32);
+  for (const LinkActor& part : shadow.parts) set_color(*part.actor, shadow_color());
   const int selected_index = find_joint(robot, selected_joint.toStdString());
   const int tinted = selected_index < 0 ? -1 : robot.joints[static_cast<std::size_t>(selected_index)].child_link;
   for (const LinkActor& part : links.parts) set_color(*part.actor, part.link == tinted ? colors().accent : part.color);
@@ -79,6 +91,8 @@ void RobotView::Parts::place_robot() {
       if (part.actor->GetVisibility()) lowest = std::min(lowest, part.actor->GetBounds()[4]);
     floor.clear(*renderer);
     if (has_robot()) show_floor(*renderer, floor, lowest);
+    set_visible(shadow, !posture.empty());
+    place_shadow(shadow, posture, lowest);
   }
   posture_changed = ghost_changed = false;
 }
@@ -108,14 +122,22 @@ void RobotView::Parts::make_arrows() {
 
 std::pair<Vector3, Vector3> RobotView::Parts::extent() const {
   Vector3 low(1e300, 1e300, 1e300), high = -low;
+  const auto hold = [&](const Vector3& x) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  };
+  for (const SceneArrow& arrow : arrows) hold(arrow.from);
+  for (const SceneCamera& camera : cameras) hold(camera.root_from_camera.translation);
+  if (tcp) hold(tcp->translation);
+  const bool has_focus = low.x() <= high.x();
+  constexpr double reach = 0.35;  // m: links this near belong to it
+  const Vector3 from = low - Vector3::Constant(reach), to = high + Vector3::Constant(reach);
   for (const LinkActor& part : links.parts) {
     const double* bounds = part.actor->GetBounds();
+    const Vector3 middle(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
+    if (has_focus && ((middle - from).minCoeff() < 0 || (to - middle).minCoeff() < 0)) continue;
     low = low.cwiseMin(Vector3(bounds[0], bounds[2], bounds[4]));
     high = high.cwiseMax(Vector3(bounds[1], bounds[3], bounds[5]));
-  }
-  for (const SceneArrow& arrow : arrows) {
-    low = low.cwiseMin(arrow.from);
-    high = high.cwiseMax(arrow.from);
   }
   if (low.x() > high.x()) return {Vector3(-0.5, -0.5, 0), Vector3(0.5, 0.5, 1)};
   return {low, high};
@@ -158,6 +180,12 @@ void RobotView::Parts::look(StandardView view) {
   orbit.distance = 0.7;
   orbit.target = camera.translation + 0.9 * along;
   orbit.turn(0, 0);
+}
+
+std::vector<CubeFace> RobotView::Parts::cube(const QSizeF& size) const {
+  constexpr double wide_enough = 340;
+  if (size.width() < wide_enough || !has_robot()) return {};
+  return cube_faces(orbit, {84, size.height() - 34}, 34);
 }
 
 std::optional<QPointF> RobotView::Parts::to_screen(const Vector3& in_root, const QSizeF& size) const {

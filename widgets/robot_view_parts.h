@@ -13,6 +13,7 @@
 #include "widgets/scene/marks.h"
 #include "widgets/scene/orbit.h"
 #include "widgets/scene/robot_actors.h"
+#include "widgets/scene/view_cube.h"
 
 class QToolButton;
 
@@ -39,7 +40,7 @@ struct RobotView::Parts {
   ObservationId selected = kNoObservation, hovered = kNoObservation;
   QString selected_joint, empty_text;
 
-  RobotActors links, ghost;
+  RobotActors links, ghost, shadow;
   ActorGroup floor, camera_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
   // What has to be made anew before the next picture: actors may only go while the context is current.
   bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, arrows_changed = true,
@@ -60,9 +61,12 @@ struct RobotView::Parts {
   void set_colors();
   bool has_robot() const { return !robot.links.empty(); }
   const SceneArrow* arrow_of(ObservationId id) const;
-  /// The corners of the box round robot and arrows, m, root frame.
+  /// The corners of the box round what the session is about (hand, arrows, cameras and the links between them), else
+  /// round the robot; m, root frame.
   std::pair<Vector3, Vector3> extent() const;
   void look(StandardView view);
+  /// The cube in the corner as it is painted now; empty where the view is too narrow for it.
+  std::vector<CubeFace> cube(const QSizeF& size) const;
   std::optional<QPointF> to_screen(const Vector3& in_root, const QSizeF& size) const;
   /// The observation whose arrow is under a position; kNoObservation where there is none.
   ObservationId arrow_at(const QPointF& position, const QSizeF& size) const;

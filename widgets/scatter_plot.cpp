@@ -3,6 +3,7 @@
 
 #include <qcustomplot.h>
 
+#include <QObject>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +17,10 @@ namespace {
 struct Line {
   QVector<double> x, y, low, high;
 };
+
+QString axis_label(const QString& quantity, const QString& unit) {
+  return unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit);
+}
 
 Line line_of(const std::vector<TrendPoint>& points) {
   Line line;
@@ -33,6 +38,7 @@ Line line_of(const std::vector<TrendPoint>& points) {
 struct ScatterPlot::Layers {
   QCPItemRect* noise = nullptr;
   QCPGraph *low = nullptr, *high = nullptr, *trend = nullptr, *candidate = nullptr;
+  QCPGraph *candidate_low = nullptr, *candidate_high = nullptr, *bars = nullptr, *weak = nullptr;
   std::array<QCPGraph*, 6> points{};
   QCPGraph *plain = nullptr, *highlighted = nullptr, *hovered = nullptr, *selected = nullptr;
 };
@@ -51,6 +57,11 @@ ScatterPlot::ScatterPlot(QWidget* parent) : PlotWidget(parent), layers_(std::mak
     graph->setLineStyle(QCPGraph::lsNone);
     return graph;
   };
+  layers_->candidate_low = plot_->addGraph();
+  layers_->candidate_high = plot_->addGraph();
+  layers_->candidate_high->setChannelFillGraph(layers_->candidate_low);
+  layers_->bars = plot_->addGraph();
+  layers_->weak = scatter();
   layers_->plain = scatter();
   for (QCPGraph*& graph : layers_->points) graph = scatter();
   layers_->trend = plot_->addGraph();
@@ -60,6 +71,7 @@ ScatterPlot::ScatterPlot(QWidget* parent) : PlotWidget(parent), layers_(std::mak
   layers_->selected = scatter();
   style_axes();
   ScatterPlot::restyle();
+  connect(plot_, &QCustomPlot::afterLayout, this, &ScatterPlot::shorten_label);
 }
 
 void ScatterPlot::restyle() {
@@ -72,6 +84,9 @@ void ScatterPlot::restyle() {
   };
   for (std::size_t i = 0; i < 6; ++i) layers_->points[i]->setScatterStyle(disc(c.residual[i]));
   layers_->plain->setScatterStyle(disc(c.ink3));
+  layers_->weak->setScatterStyle(
+      QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(c.control_edge, 1), QBrush(c.panel), 5));
+  layers_->bars->setPen(QPen(c.control_edge, 1));
   layers_->highlighted->setScatterStyle(ring_style(c.ink1, 1));
   layers_->hovered->setScatterStyle(ring_style(c.ink2, 1.5));
   layers_->selected->setScatterStyle(ring_style(c.accent, 2));
@@ -82,6 +97,9 @@ void ScatterPlot::restyle() {
   layers_->high->setBrush(band);
   layers_->trend->setPen(QPen(c.ink1, 2));
   layers_->candidate->setPen(QPen(c.candidate, 2, Qt::DashLine));
+  layers_->candidate_low->setPen(Qt::NoPen);
+  layers_->candidate_high->setPen(Qt::NoPen);
+  layers_->candidate_high->setBrush(QBrush(c.hairline, Qt::BDiagPattern));
   layers_->noise->setPen(Qt::NoPen);
   layers_->noise->setBrush(QBrush(c.hairline, Qt::BDiagPattern));
   fill();
@@ -90,12 +108,16 @@ void ScatterPlot::restyle() {
 void ScatterPlot::set_axes(const QString& x_quantity, const QString& x_unit, const QString& y_quantity,
                            const QString& y_unit) {
   x_quantity_ = x_quantity, x_unit_ = x_unit, y_quantity_ = y_quantity, y_unit_ = y_unit;
-  const auto label = [](const QString& quantity, const QString& unit) {
-    return unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit);
-  };
-  plot_->xAxis->setLabel(label(x_quantity, x_unit));
-  plot_->yAxis->setLabel(label(y_quantity, y_unit));
+  plot_->xAxis->setLabel(axis_label(x_quantity, x_unit));
+  plot_->yAxis->setLabel(axis_label(y_quantity, y_unit));
   replot();
+}
+
+/// In a low plot the unit alone: the title says the rest.
+void ScatterPlot::shorten_label() {
+  const QString whole = axis_label(y_quantity_, y_unit_);
+  const double length = QFontMetricsF(plot_->yAxis->labelFont()).horizontalAdvance(whole);
+  plot_->yAxis->setLabel(length <= plot_->axisRect()->height() || y_unit_.isEmpty() ? whole : y_unit_);
 }
 
 void ScatterPlot::set_points(std::vector<ScatterPoint> points) {
@@ -126,6 +148,8 @@ void ScatterPlot::set_noise_band(std::optional<double> sigma) {
 
 void ScatterPlot::set_selected(ObservationId id) {
   selected_ = id;
+  const auto found = std::find_if(points_.begin(), points_.end(), [&](const auto& p) { return p.observation == id; });
+  setAccessibleDescription(found == points_.end() ? QString() : point_text(*found));
   ring();
   replot();
 }
@@ -159,10 +183,30 @@ void ScatterPlot::ring() {
        [this](ObservationId id) { return std::binary_search(highlighted_.begin(), highlighted_.end(), id); });
 }
 
+/// Where there are so many that they would be a carpet, points alone say more.
+void ScatterPlot::fill_bars() {
+  constexpr std::size_t most = 300;
+  std::vector<ScatterPoint> sorted = points_;
+  std::erase_if(sorted, [](const ScatterPoint& p) { return !(p.bar > 0); });
+  if (sorted.size() > most) sorted.clear();
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const ScatterPoint& a, const ScatterPoint& b) { return a.x < b.x; });
+  QVector<double> x, y;
+  for (const ScatterPoint& point : sorted) {
+    x << point.x << point.x << point.x;
+    y << point.y - point.bar << point.y + point.bar << qQNaN();  // what is no number parts the lines
+  }
+  layers_->bars->setData(x, y, true);
+}
+
 void ScatterPlot::fill() {
   std::array<QVector<double>, 6> x, y;
-  QVector<double> plain_x, plain_y;
+  QVector<double> plain_x, plain_y, weak_x, weak_y;
   for (const ScatterPoint& point : points_) {
+    if (point.is_weak) {
+      weak_x += point.x, weak_y += point.y;
+      continue;
+    }
     if (!point.rms_over_sigma) {
       plain_x += point.x, plain_y += point.y;
       continue;
@@ -173,11 +217,15 @@ void ScatterPlot::fill() {
   }
   for (std::size_t i = 0; i < 6; ++i) layers_->points[i]->setData(x[i], y[i]);
   layers_->plain->setData(plain_x, plain_y);
+  layers_->weak->setData(weak_x, weak_y);
+  fill_bars();
   const Line trend = line_of(trend_), candidate = line_of(candidate_);
   layers_->trend->setData(trend.x, trend.y);
   layers_->low->setData(trend.x, trend.low);
   layers_->high->setData(trend.x, trend.high);
   layers_->candidate->setData(candidate.x, candidate.y);
+  layers_->candidate_low->setData(candidate.x, candidate.low);
+  layers_->candidate_high->setData(candidate.x, candidate.high);
   layers_->noise->setVisible(noise_.has_value());
   layers_->noise->topLeft->setCoords(0, noise_.value_or(0));
   layers_->noise->bottomRight->setCoords(1, -noise_.value_or(0));
@@ -193,6 +241,11 @@ ScatterPlot::Extent ScatterPlot::extent() const {
     e.right = std::max(e.right, point.x);
     e.low = std::min(e.low, point.y);
     e.high = std::max(e.high, point.y);
+  }
+  for (const TrendPoint& point : candidate_) {
+    if (!(point.low < point.high)) continue;    // what a band goes round is to be seen whole,
+    e.low = std::min({e.low, point.low, 0.0});  // and so is the level line on which it comes to lie
+    e.high = std::max({e.high, point.high, 0.0});
   }
   return e;
 }
@@ -238,9 +291,13 @@ QString ScatterPlot::text_at(const QPointF& position) {
     emit observation_hovered(id);
   }
   if (!point) return {};
-  return QStringLiteral("obs %1: %2 %3 %4, %5 %6 %7")
-      .arg(point->observation)
-      .arg(x_quantity_, short_text(point->x, 3), x_unit_, y_quantity_, short_text(point->y, 3), y_unit_);
+  return point_text(*point);
+}
+
+QString ScatterPlot::point_text(const ScatterPoint& point) const {
+  return tr("obs %1: %2 %3 %4, %5 %6 %7")
+      .arg(point.observation)
+      .arg(x_quantity_, short_text(point.x, 3), x_unit_, y_quantity_, short_text(point.y, 3), y_unit_);
 }
 
 void ScatterPlot::clicked_at(const QPointF& position, Qt::KeyboardModifiers) {
@@ -257,7 +314,7 @@ void ScatterPlot::brushed(const QRectF& in_plot) {
 }
 
 std::vector<PlotColumn> ScatterPlot::columns() const {
-  std::vector<PlotColumn> all = {{QStringLiteral("observation id"), {}},
+  std::vector<PlotColumn> all = {{QObject::tr("observation id"), {}},
                                  {QStringLiteral("%1 (%2)").arg(x_quantity_, x_unit_), {}},
                                  {QStringLiteral("%1 (%2)").arg(y_quantity_, y_unit_), {}}};
   for (const ScatterPoint& point : points_) {

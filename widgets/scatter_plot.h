@@ -15,6 +15,8 @@ struct ScatterPoint {
   double x = 0, y = 0;
   std::optional<double> rms_over_sigma;  // colours it; absent: neutral
   int coordinates = 12;
+  double bar = 0;        // half the length of its error bar; 0: none
+  bool is_weak = false;  // it says little: hollow
 };
 
 /// x ascending; `low` and `high` bound the band, equal to y where there is none.
@@ -29,7 +31,7 @@ class ScatterPlot : public PlotWidget {
   void set_axes(const QString& x_quantity, const QString& x_unit, const QString& y_quantity, const QString& y_unit);
   void set_points(std::vector<ScatterPoint> points);
   void set_trend(std::vector<TrendPoint> trend);
-  void set_candidate(std::vector<TrendPoint> prediction);  // purple, dashed
+  void set_candidate(std::vector<TrendPoint> prediction);  // purple, dashed; its band hatched: noise about it
   /// Half the height that noise alone takes; the y axis never shows less than three of it.
   void set_noise_band(std::optional<double> sigma);
   void set_selected(ObservationId id);
@@ -37,6 +39,8 @@ class ScatterPlot : public PlotWidget {
   void set_highlighted(std::vector<ObservationId> ids);
   void set_brushing(bool brushing);  // dragging selects instead of panning; Shift does so always
   void fit() override;
+  const std::vector<ScatterPoint>& points() const { return points_; }
+  const std::vector<TrendPoint>& candidate() const { return candidate_; }
   /// Fits anew only where the points have outgrown the axes of the last fit.
   void fit_if_outgrown();
 
@@ -56,8 +60,11 @@ class ScatterPlot : public PlotWidget {
  private:
   struct Layers;
   void fill();
+  void fill_bars();
   void ring();
+  void shorten_label();
   const ScatterPoint* point_at(const QPointF& position) const;
+  QString point_text(const ScatterPoint& point) const;
 
   std::vector<ScatterPoint> points_;
   std::vector<TrendPoint> trend_, candidate_;

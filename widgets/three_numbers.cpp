@@ -34,11 +34,11 @@ QString now_text(const ErrorNumbers& n) {
 
 QString about_numbers(const QString& unit) {
   if (unit == unit_name(SizeUnit::millimetre))
-    return QStringLiteral(
+    return QObject::tr(
         "How far the markers are from where they are predicted, in space, on observations that the fit has not seen; "
         "what noise alone would make of it; and how many times larger than the noise the error of a coordinate is. "
         "U changes the unit.");
-  return QStringLiteral(
+  return QObject::tr(
       "The error of one coordinate on observations that the fit has not seen, the noise of the measurement, and how "
       "many times larger the error is. U changes the unit.");
 }
@@ -51,14 +51,14 @@ ThreeNumbers::ThreeNumbers(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
-  setAccessibleName(QStringLiteral("Error now, noise floor, ratio"));
+  setAccessibleName(QObject::tr("Error now, noise floor, ratio"));
 }
 
 void ThreeNumbers::set_numbers(ErrorNumbers numbers) {
   numbers_ = std::move(numbers);
   hovered_ = -1;
   setAccessibleDescription(
-      QStringLiteral("Error now %1, noise %2, ratio %3")
+      QObject::tr("Error now %1, noise %2, ratio %3")
           .arg(now_text(numbers_), with_unit_text(numbers_.noise, numbers_.unit), ratio_text(numbers_)));
   updateGeometry();
   update();
@@ -69,12 +69,11 @@ QSize ThreeNumbers::sizeHint() const {
   const auto wide = [&](const QString& text, const QString& caption) {
     return std::max(numbers.horizontalAdvance(text), small.horizontalAdvance(caption)) + kWideGap;
   };
-  const QString caption = numbers_.excluded_note.isEmpty()
-                              ? QStringLiteral("error now, held out")
-                              : QStringLiteral("error now (%1)").arg(numbers_.excluded_note);
+  const QString caption = numbers_.excluded_note.isEmpty() ? QObject::tr("error now, held out")
+                                                           : QObject::tr("error now (%1)").arg(numbers_.excluded_note);
   const double width = wide(now_text(numbers_), caption) +
-                       wide(with_unit_text(numbers_.noise, numbers_.unit), QStringLiteral("noise floor")) +
-                       wide(ratio_text(numbers_), QStringLiteral("ratio")) + kStairsWidth;
+                       wide(with_unit_text(numbers_.noise, numbers_.unit), QObject::tr("noise floor")) +
+                       wide(ratio_text(numbers_), QObject::tr("ratio")) + kStairsWidth;
   return {static_cast<int>(std::ceil(width)) + kGap, 44};
 }
 
@@ -99,9 +98,9 @@ int ThreeNumbers::step_at(const QPointF& position) const {
 QString ThreeNumbers::step_text(int version) const {
   const VersionStep& step = numbers_.versions[static_cast<std::size_t>(version)];
   QString text =
-      QStringLiteral("%1: held out %2, fitted %3")
+      QObject::tr("%1: held out %2, fitted %3")
           .arg(step.name, with_unit_text(step.held_out, numbers_.unit), with_unit_text(step.fitted, numbers_.unit));
-  if (step.is_refused) text += QStringLiteral(", not added");
+  if (step.is_refused) text += QObject::tr(", not added");
   if (!step.reason.isEmpty()) text += QStringLiteral(": ") + step.reason;
   return text;
 }
@@ -177,12 +176,11 @@ void ThreeNumbers::paintEvent(QPaintEvent*) {
     painter.drawText(QPointF(x, height() - kCaptionLine), caption);
     x += wide + kWideGap;
   };
-  const QString caption = numbers_.excluded_note.isEmpty()
-                              ? QStringLiteral("error now, held out")
-                              : QStringLiteral("error now (%1)").arg(numbers_.excluded_note);
+  const QString caption = numbers_.excluded_note.isEmpty() ? QObject::tr("error now, held out")
+                                                           : QObject::tr("error now (%1)").arg(numbers_.excluded_note);
   column(now_text(numbers_), caption, numbers_.predicted ? c.candidate : c.ink1);
-  column(with_unit_text(numbers_.noise, numbers_.unit), QStringLiteral("noise floor"), c.ink1);
-  column(ratio_text(numbers_), QStringLiteral("ratio"), c.ink1);
+  column(with_unit_text(numbers_.noise, numbers_.unit), QObject::tr("noise floor"), c.ink1);
+  column(ratio_text(numbers_), QObject::tr("ratio"), c.ink1);
   painter.setRenderHint(QPainter::Antialiasing, false);
   if (!numbers_.versions.empty()) paint_stairs(painter);
   if (hasFocus()) draw_focus(painter, rect());

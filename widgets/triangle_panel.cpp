@@ -53,8 +53,8 @@ void set_cell(QTableWidget& table, int row, int column, const QString& text, boo
 }
 
 QString seen_text(const TriangleMarker& marker) {
-  if (marker.has_left && marker.has_right) return QStringLiteral("both");
-  return marker.has_left ? QStringLiteral("left") : marker.has_right ? QStringLiteral("right") : QStringLiteral("-");
+  if (marker.has_left && marker.has_right) return QObject::tr("both");
+  return marker.has_left ? QObject::tr("left") : marker.has_right ? QStringLiteral("right") : QStringLiteral("-");
 }
 
 /// Height of a table that shows all of a few rows.
@@ -70,18 +70,18 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
   setMinimumWidth(260);
-  title_ = new QLabel(QStringLiteral("Triangle"), this);
+  title_ = new QLabel(QObject::tr("Triangle"), this);
   title_->setFont(text_font(TextRole::title));
   sketch_ = new TriangleSketch(this);
   sides_ = new QLabel(this);
   sides_->setWordWrap(true);
   sides_->setFont(number_font(TextRole::body));
   sides_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  markers_ = make_table({QStringLiteral("no."), QStringLiteral("seen"), QStringLiteral("depth m"),
-                         QStringLiteral("± mm"), QStringLiteral("line px")},
+  markers_ = make_table({QStringLiteral("no."), QObject::tr("seen"), QObject::tr("depth m"), QStringLiteral("± mm"),
+                         QObject::tr("line px")},
                         this);
   markers_->setContextMenuPolicy(Qt::CustomContextMenu);
-  markers_->setAccessibleName(QStringLiteral("Markers"));
+  markers_->setAccessibleName(QObject::tr("Markers"));
   markers_->installEventFilter(this);
   sentence_ = new QLabel(this);
   sentence_->setWordWrap(true);
@@ -95,13 +95,13 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
   action_->hide();
   connect(action_, &QPushButton::clicked, this, &TrianglePanel::action_requested);
   candidates_title_ = new QLabel(this);
-  candidate_table_ = make_table({QStringLiteral("line px"), QStringLiteral("depth m"), QStringLiteral("sides")}, this);
-  candidate_table_->setAccessibleName(QStringLiteral("Candidates on the epipolar line"));
+  candidate_table_ = make_table({QObject::tr("line px"), QObject::tr("depth m"), QObject::tr("sides")}, this);
+  candidate_table_->setAccessibleName(QObject::tr("Candidates on the epipolar line"));
   candidate_table_->viewport()->installEventFilter(this);
-  use_ = new QPushButton(QStringLiteral("Use it"), this);
+  use_ = new QPushButton(QObject::tr("Use it"), this);
   use_->setDefault(true);
   use_->setMinimumHeight(kControlHeight);
-  discard_ = new QPushButton(QStringLiteral("Next observation"), this);
+  discard_ = new QPushButton(QObject::tr("Next observation"), this);
   discard_->setMinimumHeight(kControlHeight);
 
   auto* layout = new QVBoxLayout(this);
@@ -218,7 +218,7 @@ void TrianglePanel::refresh_candidates() {
     if (candidate.is_taken) candidate_table_->selectRow(row);
   }
   const bool has_any = !candidates_.empty();
-  candidates_title_->setText(QStringLiteral("On the line of marker %1").arg(candidates_of_));
+  candidates_title_->setText(QObject::tr("On the line of marker %1").arg(candidates_of_));
   candidates_title_->setVisible(has_any);
   candidate_table_->setVisible(has_any);
   fit_height(*candidate_table_, 5);
@@ -230,8 +230,8 @@ void TrianglePanel::show_marker_menu(const QPoint& position) {
   if (row < 0 || row >= static_cast<int>(state_.markers.size())) return;
   const int number = state_.markers[static_cast<std::size_t>(row)].number;
   QMenu menu(this);
-  menu.addAction(QStringLiteral("Remove"), this, [this, number] { emit marker_removed(number); });
-  QMenu* renumber = menu.addMenu(QStringLiteral("Renumber to"));
+  menu.addAction(QObject::tr("Remove"), this, [this, number] { emit marker_removed(number); });
+  QMenu* renumber = menu.addMenu(QObject::tr("Renumber to"));
   for (const TriangleMarker& other : state_.markers) {
     if (other.number == number) continue;
     renumber->addAction(QString::number(other.number), this,

@@ -81,7 +81,7 @@ void TriangleSketch::paintEvent(QPaintEvent*) {
   const bool is_empty = std::none_of(state_.markers.begin(), state_.markers.end(),
                                      [](const TriangleMarker& m) { return m.in_left_camera.has_value(); });
   if (is_empty) {
-    draw_sentence(painter, rect(), QStringLiteral("The triangle appears here."));
+    draw_sentence(painter, rect(), QObject::tr("The triangle appears here."));
     return;
   }
   painter.setFont(number_font(TextRole::small));

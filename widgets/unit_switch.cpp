@@ -13,11 +13,11 @@ namespace {
 QString about(SizeUnit unit) {
   switch (unit) {
     case SizeUnit::pixel:
-      return QStringLiteral("Sizes in px, of one image coordinate (U)");
+      return QObject::tr("Sizes in px, of one image coordinate (U)");
     case SizeUnit::millimetre:
-      return QStringLiteral("Sizes in mm at the hand: the markers' distances in space (U)");
+      return QObject::tr("Sizes in mm at the hand: the markers' distances in space (U)");
     case SizeUnit::sigma:
-      return QStringLiteral("Sizes in σ, the noise of one coordinate: what the colours mean (U)");
+      return QObject::tr("Sizes in σ, the noise of one coordinate: what the colours mean (U)");
   }
   return {};
 }

@@ -9,7 +9,9 @@
 #include "calibrate/objective_page.h"
 #include "calibrate/one_marker_page.h"
 #include "calibrate/own_pose_page.h"
+#include "calibrate/recall.h"
 #include "calibrate/transport.h"
+#include "frame/link_selection.h"
 #include "frame/observation_views.h"
 #include "widgets/convergence_plot.h"
 #include "widgets/decision_list.h"
@@ -172,22 +174,9 @@ void CalibrateWorkspace::show_played() {
 }
 
 void CalibrateWorkspace::connect_selection() {
-  const auto select = [this](qint64 id) { bench_.selection.select_observation(id); };
-  const auto hover = [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); };
-  connect(board_, &widgets::ConvergenceBoard::observation_selected, this, select);
-  connect(board_, &widgets::ConvergenceBoard::observation_hovered, this, hover);
-  connect(board_, &widgets::ConvergenceBoard::read_out, &bench_, &Workbench::pointed_at);
-  connect(board_, &widgets::ConvergenceBoard::message, &bench_.document, &Document::noticed);
-  connect(decisions_, &widgets::DecisionList::observation_selected, this, select);
-  connect(decisions_, &widgets::DecisionList::observation_hovered, this, hover);
-  connect(scene_, &widgets::RobotView::observation_selected, this, select);
-  connect(scene_, &widgets::RobotView::observation_hovered, this, hover);
-  connect(scene_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
-  connect(scene_, &widgets::RobotView::joint_selected, this, [this](const QString& joint) {
-    Selected s = bench_.selection.current();
-    s.joint = joint.toStdString();
-    bench_.selection.select(s);
-  });
+  link_selection(board_, bench_);
+  link_selection(decisions_, bench_);
+  link_selection(scene_, bench_);
   for (widgets::ImageView* view : {left_, right_}) {
     connect(view, &widgets::ImageView::read_out, &bench_, &Workbench::pointed_at);
     connect(view, &widgets::ImageView::marker_selected, this, [this, view](int marker) {
@@ -207,7 +196,7 @@ void CalibrateWorkspace::connect_selection() {
     if (is_active())
       scene_->set_hovered_observation(bench_.selection.hovered().observation.value_or(widgets::kNoObservation));
   });
-  connect(&bench_.document, &Document::opened, this, [this] { robot_is_set_ = false; });
+  connect(&bench_.document, &Document::opened, this, [this] { robot_is_set_ = is_recalled_ = false; });
   connect(&bench_.document, &Document::edited, this, [this] {
     if (!player_.is_playing()) refresh_transport();
   });
@@ -266,6 +255,26 @@ void CalibrateWorkspace::activate() {
   refresh_transport();
   if (is_stale_) refresh_model();
   refresh_observation();
+  recall();
+}
+
+void CalibrateWorkspace::recall() {
+  const Session& s = bench_.document.session();
+  const bool was_played = std::any_of(s.observations.begin(), s.observations.end(),
+                                      [](const Observation& o) { return o.decision == Decision::accepted; });
+  if (is_recalled_ || player_.position() > 0 || player_.is_playing() || !was_played) return;
+  is_recalled_ = true;
+  bench_.background.start<std::vector<OnlineStep>>(
+      "recall", tr("Recalling the play"),
+      [session = s](JobControl& control) { return recalled_steps(session, going_on(control)); },
+      [this](const std::vector<OnlineStep>& steps) {
+        if (player_.position() > 0 || player_.is_playing()) return;
+        std::vector<widgets::ConvergencePoint> points;
+        for (const OnlineStep& step : steps)
+          if (step.has_estimate && step.accepted) points.push_back(point_of({.step = step}));
+        board_->set_points(points);
+      },
+      [](const QString&) {});
 }
 
 bool CalibrateWorkspace::key(QKeyEvent* event) {
@@ -324,6 +333,13 @@ void CalibrateWorkspace::refresh_model() {
   is_stale_ = false;
   if (const Inspection* all = bench_.inspection()) scene_->set_arrows(scene_arrows(*all));
   refresh_observation();
+}
+
+std::vector<Action> CalibrateWorkspace::own_actions() const {
+  const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
+    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+  };
+  return {explained("play_keys", tr("Space, ."), tr("play or pause, one observation"))};
 }
 
 }  // namespace handsight::app

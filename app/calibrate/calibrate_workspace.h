@@ -30,7 +30,9 @@ class CalibrateWorkspace : public Workspace {
  public:
   explicit CalibrateWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
+  Place place() const override { return Place::calibrate; }
   QString name() const override { return tr("Calibrate"); }
+  std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   Panel panel() const override { return Panel::folded; }
   void activate() override;
@@ -49,6 +51,8 @@ class CalibrateWorkspace : public Workspace {
   void refresh_decisions();
   void refresh_decision_title(bool is_present);
   void set_robot();
+  /// The convergence of a session that was played before it was opened.
+  void recall();
 
   Player player_;
   Transport* transport_;
@@ -63,7 +67,7 @@ class CalibrateWorkspace : public Workspace {
   std::vector<PlayedStep> unshown_;  // played, not yet in the views
   std::set<std::int64_t> shown_;     // observations that are in the views
   QTimer show_timer_;
-  bool robot_is_set_ = false, is_stale_ = true;
+  bool robot_is_set_ = false, is_stale_ = true, is_recalled_ = false;
 };
 
 }  // namespace handsight::app

@@ -99,11 +99,11 @@ void OneMarkerPage::show_result(const OneMarkerResult& result) {
     }
   }
   is_filling_ = false;
-  QString text = tr("Springs of %1").arg(counted(static_cast<qint64>(result.joints.size()), "joint", "joints"));
+  QString text = tr("Springs of %1").arg(counted(static_cast<qint64>(result.joints.size()), "%n joint(s)"));
   if (result.stiffness_is_assumed) text += tr("; 10,000 N m/rad where none is declared");
   if (!result.left_out.empty())
     text += tr(". %1 without it in both images")
-                .arg(counted(static_cast<qint64>(result.left_out.size()), "observation", "observations"));
+                .arg(counted(static_cast<qint64>(result.left_out.size()), "%n observation(s)"));
   sentence_->setText(text + ".");
 }
 

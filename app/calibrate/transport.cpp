@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "document/counted.h"
+#include "widgets/icons.h"
 
 namespace handsight::app {
 namespace {
@@ -39,10 +40,14 @@ void Transport::make_layout() {
     return b;
   };
   step_ = button("step", tr("Step"), tr("One observation (.)"));
+  step_->setIcon(widgets::icon("step"));
   rewind_ = button("rewind", tr("Rewind"), tr("Play from the first observation again"));
+  rewind_->setIcon(widgets::icon("rewind"));
   watch_ = button("watch", tr("Watch folder"),
                   tr("Takes new image pairs and joint angles in as they arrive, and goes on playing with them"));
   watch_->setCheckable(true);
+  watch_->setIcon(widgets::icon("watch"));
+  for (QToolButton* b : {step_, rewind_, watch_}) b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   speed_ = new QComboBox(this);
   speed_->setObjectName("speed");
   for (const double s : {1.0, 2.0, 5.0, 10.0, 30.0}) speed_->addItem(tr("%1 per second").arg(s), s);
@@ -61,6 +66,7 @@ void Transport::make_layout() {
   });
   ghost_ = new QSlider(Qt::Horizontal, this);
   ghost_->setObjectName("ghost");
+  ghost_->setAccessibleName(tr("Magnification of deviations"));
   ghost_->setRange(0, static_cast<int>(std::size(magnifications)) - 1);
   ghost_->setFixedWidth(140);
   ghost_->setValue(3);
@@ -159,7 +165,7 @@ QString Transport::progress_text() const {
   if (!bench_.document.is_open() || !is_labelled())
     return tr("Waits for three markers: label the first observation (Ctrl+1).");
   const std::size_t count = bench_.document.session().observations.size(), at = player_.position();
-  if (at == 0) return tr("%1 to play").arg(counted(static_cast<qint64>(count), "observation", "observations"));
+  if (at == 0) return tr("%1 to play").arg(counted(static_cast<qint64>(count), "%n observation(s)"));
   const std::size_t taken = player_.steps().back().accepted;
   if (const auto& search = player_.steps().back().search)
     return tr("%1 of %2 observations. The cameras' mount is still unknown: %3 labelled, %4 left open, which agree on "
@@ -174,6 +180,7 @@ QString Transport::progress_text() const {
 void Transport::refresh() {
   const bool open = bench_.document.is_open(), labelled = open && is_labelled();
   const bool is_over = player_.is_finished() && !player_.is_live();
+  play_->setIcon(widgets::icon(player_.is_playing() ? "pause" : "play"));
   play_->setText(player_.is_playing() ? tr("Pause") : is_over ? tr("Play again") : tr("Play"));
   for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
   const bool has_images = open && !bench_.document.session().is_tracker();

@@ -2,8 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "estimation/session_check.h"
-#include "json_values.h"
+#include "told_json.h"
 
 namespace handsight::cli {
 namespace {
@@ -14,7 +13,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session, o.output);
+  const Session session = open_searched_session(o.session, o.output);
   const SessionCheck check = check_session(session);
   for (const std::string& line : check.contents) o.output.line(line);
   for (const std::string& line : check.warnings) o.output.line("warning: " + line);
@@ -23,10 +22,7 @@ int run(const Options& o) {
                 : check.problems.empty() ? "Everything in the session can be used; look at what is odd."
                                          : fmt::format("{} problem{}: these would not work.", check.problems.size(),
                                                        check.problems.size() == 1 ? "" : "s"));
-  o.output.json({{"contents", check.contents},
-                 {"warnings", check.warnings},
-                 {"problems", check.problems},
-                 {"notes", session.notes}});
+  o.output.json(check_json(session, check));
   for (const std::string& line : check.problems) Output::note(line);
   return check.problems.empty() ? done : wrong_input;
 }

@@ -5,11 +5,13 @@
 
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
 #include "base/text.h"
 #include "outputs.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
+#include "session/target_finding.h"
 
 namespace handsight::cli {
 
@@ -92,6 +94,23 @@ Session open_session(const std::string& path, const Output& output) {
   Session session = open_session(path);
   output.require_places();
   return session;
+}
+
+Session open_searched_session(const std::string& path) {
+  Session session = open_session(path);
+  std::optional<Progress> progress;
+  const TargetSearch search = find_targets(session, [&](std::size_t done, std::size_t all) {
+    if (!progress) progress.emplace("looking for the target", all);
+    progress->at(done);
+  });
+  progress.reset();
+  for (const std::string& note : search.notes) Output::note(note);
+  return session;
+}
+
+Session open_searched_session(const std::string& path, const Output& output) {
+  output.require_places();
+  return open_searched_session(path);
 }
 
 void add_session_option(CLI::App& app, std::string& session) {

@@ -64,6 +64,11 @@ Session open_session(const std::string& path);
 /// The same, for a command whose outputs must have a place.
 Session open_session(const std::string& path, const Output& output);
 
+/// The same, and the points of a target are found in its images where the session does not say them yet; what was found
+/// and what was not is noted.
+Session open_searched_session(const std::string& path);
+Session open_searched_session(const std::string& path, const Output& output);
+
 /// Adds `SESSION` and `--json` to a command.
 void add_session_option(CLI::App& app, std::string& session);
 void add_json_option(CLI::App& app, Output& output);

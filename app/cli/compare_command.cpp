@@ -104,13 +104,13 @@ Comparison compared(const Options& o) {
     throw InputError(
         "The second is a calibration and the first a session: name the calibration first, it is the older one.");
   if (!first) {
-    const Session before = open_session(o.before), after = open_session(o.after);
+    const Session before = open_searched_session(o.before), after = open_searched_session(o.after);
     std::vector<EffectTerm> held, estimated;
     add_effects(o.effects, before, held, estimated);
     if (!held.empty()) throw InputError("--effects of compare are estimated; name them without values.");
     return compare(before, after, estimated);
   }
-  const Session after = open_session(o.after);
+  const Session after = open_searched_session(o.after);
   CalibratedRobot robot = calibrated_robot(read_calibration(o.before), after.robot, after.robot_file, o.before);
   return compare(o.robot.empty() ? robot : calibration_of(o.before, o.robot), after);
 }

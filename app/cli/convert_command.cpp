@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "limits.h"
+#include "option_limits.h"
 #include "outputs.h"
 #include "ways/convert.h"
 

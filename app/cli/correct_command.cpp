@@ -5,9 +5,8 @@
 #include "base/numbers.h"
 #include "command.h"
 #include "driven_poses.h"
-#include "json_values.h"
 #include "outputs.h"
-#include "ways/correction.h"
+#include "told_json.h"
 
 namespace handsight::cli {
 namespace {
@@ -79,21 +78,11 @@ int run(const Options& o) {
   o.output.line("before mm  after mm  sigma mm   command");
   for (const Circumstances& pose : poses) {
     const Correction c = corrected(pose, source.model, target);
-    Eigen::VectorXd commanded(c.position.size());
-    for (Eigen::Index i = 0; i < commanded.size(); ++i)
-      commanded[i] = pose.sensor[source.chain.joints[static_cast<std::size_t>(i)]];
     all_reached = all_reached && c.reached;
     o.output.line(fmt::format("{:>9.3f} {:>9.3f} {:>9.3f}   {}{}", 1e3 * c.error_before_m, 1e3 * c.error_after_m,
                               1e3 * c.sigma_m, listed(c.position),
                               c.reached ? "" : "   not reached: " + why_not(c, source)));
-    list.push_back({{"position", numbers(commanded)},
-                    {"corrected", numbers(c.position)},
-                    {"error_before_m", number(c.error_before_m)},
-                    {"error_after_m", number(c.error_after_m)},
-                    {"error_before_rad", number(c.error_before_rad)},
-                    {"error_after_rad", number(c.error_after_rad)},
-                    {"sigma_m", number(c.sigma_m)},
-                    {"reached", c.reached}});
+    list.push_back(correction_json(commanded_position(pose), c));
   }
   o.output.json(list);
   return all_reached ? done : answer_is_no;

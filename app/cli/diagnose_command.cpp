@@ -14,7 +14,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session, o.output);
+  const Session session = open_searched_session(o.session, o.output);
   require_output(o.proof_file, "--proof");
   DiagnosisOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);

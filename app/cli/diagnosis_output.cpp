@@ -10,7 +10,7 @@
 #include "effects/own_effect.h"
 #include "fit_output.h"
 #include "json_values.h"
-#include "limits.h"
+#include "option_limits.h"
 
 namespace handsight::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include "command.h"
 #include "estimation/one_marker.h"
 #include "json_values.h"
-#include "limits.h"
+#include "option_limits.h"
 
 namespace handsight::cli {
 namespace {
@@ -17,7 +17,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session, o.output);
+  const Session session = open_searched_session(o.session, o.output);
   OneMarkerOptions options = o.one_marker;
   if (!o.marker_in_tcp.empty())
     options.marker_in_tcp = Vector3(o.marker_in_tcp[0], o.marker_in_tcp[1], o.marker_in_tcp[2]);

@@ -19,7 +19,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session, o.output);
+  const Session session = open_searched_session(o.session, o.output);
   FitOptions options;
   options.objective = o.objective == "camera"       ? Objective::camera
                       : o.objective == "angle-axis" ? Objective::angle_axis

@@ -15,7 +15,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const Session session = open_session(o.session, o.output);
+  const Session session = open_searched_session(o.session, o.output);
   ImprovementOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
   options.with_curves = !o.names_only;

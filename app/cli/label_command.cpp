@@ -61,6 +61,10 @@ std::vector<int> marker_numbers(const Options& options, int marker_count) {
 
 int run(const Options& options) {
   Session session = open_session(options.session, options.output);
+  if (session.target || session.pose_sensor)
+    throw InputError(fmt::format(
+        "{}: nothing is to be labelled in a session with a <target>: its points name themselves; run online or fit.",
+        session.file.filename().string()));
   if (!session.rig) throw InputError("A tracker session has no images to label; its markers are points already.");
   require_pair(session, "label");
   Observation& observation = observation_with(session, options.observation);

@@ -12,9 +12,10 @@
 #include "command.h"
 #include "estimation/online.h"
 #include "json_values.h"
-#include "limits.h"
+#include "option_limits.h"
 #include "outputs.h"
 #include "session/session_xml.h"
+#include "session/target_finding.h"
 #include "vision/image_file.h"
 #include "ways/arrivals.h"
 
@@ -43,13 +44,13 @@ Json step_json(const OnlineStep& step) {
   return line;
 }
 
-std::string step_line(const OnlineStep& step) {
+std::string step_line(const OnlineStep& step, const char* what) {
   std::string text = fmt::format("{:>5}  {}", step.id,
                                  step.accepted  ? "taken   "
                                  : step.is_open ? "open    "
                                                 : "rejected");
   if (!step.accepted) return text + "  " + step.reason;
-  text += fmt::format("  {} markers {}", step.sightings.size(), step.from_images ? "found   " : "labelled");
+  text += fmt::format("  {} {} {}", step.sightings.size(), what, step.from_images ? "found   " : "labelled");
   if (step.has_estimate && step.tcp_from_tcp_est)
     text += fmt::format("  TCP off {:>6.2f} mm {:>5.2f} deg", 1e3 * step.tcp_from_tcp_est->translation.norm(),
                         degrees * vector_from_rotation(step.tcp_from_tcp_est->rotation).norm());
@@ -103,7 +104,7 @@ class Steps {
   Steps(Session& session, const Options& options) : session_(session), options_(options) {}
 
   void take(const OnlineStep& step) {
-    options_.output.line(step_line(step));
+    options_.output.line(step_line(step, session_.target || session_.pose_sensor ? "points" : "markers"));
     if (options_.output.json_file == "-") {
       std::cout << json_text(step_json(step), -1) << '\n' << std::flush;
     } else if (!options_.output.json_file.empty()) {
@@ -111,10 +112,10 @@ class Steps {
     }
     for (Observation& o : session_.observations)
       if (o.id == step.id && o.decision != Decision::excluded && !unreadable_.count(o.id)) keep_step(step, o);
-    if (step.accepted)
-      taken_.insert(step.id);
-    else
-      taken_.erase(step.id);
+    const auto place = std::lower_bound(taken_.begin(), taken_.end(), step.id);
+    const bool is_in = place != taken_.end() && *place == step.id;
+    if (step.accepted && !is_in) taken_.insert(place, step.id);
+    if (!step.accepted && is_in) taken_.erase(place);
     if (step.has_estimate) last_ = step;
   }
   std::size_t taken() const { return taken_.size(); }
@@ -128,19 +129,49 @@ class Steps {
     unreadable_.insert(id);
     if (first_refusal_.empty()) first_refusal_ = refusal;
   }
+  void note_target(const TargetFinding& found) {
+    dropped_points_ += found.dropped_points;
+    dropped_tags_ += found.dropped_tags;
+  }
+  std::string dropped() const {
+    return dropped_points_ + dropped_tags_ == 0
+               ? std::string()
+               : fmt::format("{} points and {} tags did not agree with the rest of the target and were left out.",
+                             dropped_points_, dropped_tags_);
+  }
   void save() const { cli::save(session_, unreadable_.size(), with_images_, first_refusal_); }
 
  private:
   Session& session_;
   const Options& options_;
-  std::set<std::int64_t> taken_;
+  std::vector<std::int64_t> taken_;  // ids, ascending: a watch may last for days
   OnlineStep last_;
   std::string json_lines_, first_refusal_;
   std::set<std::int64_t> unreadable_;
   std::size_t with_images_ = 0;
+  int dropped_points_ = 0, dropped_tags_ = 0;  // of a target
 };
 
-OnlineStep decided(OnlineCalibration& online, const Session& session, const Observation& observation, Steps& steps) {
+/// Of a target, its points are found in the images there are; else what the session says of it counts.
+OnlineStep decided_by_target(OnlineCalibration& online, const TargetFinder& finder, const Observation& observation,
+                             Steps& steps) {
+  if (!has_images(observation) || observation.decision == Decision::excluded) return online.add(observation, nullptr);
+  const auto began = std::chrono::steady_clock::now();
+  TargetFinding found = finder.find(observation);
+  const std::chrono::duration<double, std::milli> searched = std::chrono::steady_clock::now() - began;
+  steps.note_target(found);
+  steps.note_images(observation.id, found.images > 0,
+                    found.images == 0 && !found.unreadable.empty() ? found.unreadable.front() : std::string());
+  Observation seen = observation;
+  seen.sightings = std::move(found.sightings);
+  OnlineStep step = online.add(seen, nullptr, found.reason);
+  step.milliseconds += searched.count();
+  return step;
+}
+
+OnlineStep decided(OnlineCalibration& online, const Session& session, const Observation& observation, Steps& steps,
+                   const std::optional<TargetFinder>& finder) {
+  if (finder) return decided_by_target(online, *finder, observation, steps);
   std::string refusal;
   const auto images =
       observation.decision == Decision::excluded ? std::nullopt : read_images(session, observation, refusal);
@@ -155,7 +186,8 @@ OnlineStep decided(OnlineCalibration& online, const Session& session, const Obse
 std::atomic<bool> is_interrupted = false;
 
 /// Takes what arrives in the session's folder until it is interrupted, or the time is over.
-void watch(Session& session, const Options& options, OnlineCalibration& online, Steps& steps) {
+void watch(Session& session, const Options& options, OnlineCalibration& online, Steps& steps,
+           const std::optional<TargetFinder>& finder) {
   Arrivals arrivals(session);
   std::int64_t next_id = 0;
   for (const Observation& o : session.observations) next_id = std::max(next_id, o.id + 1);
@@ -172,7 +204,7 @@ void watch(Session& session, const Options& options, OnlineCalibration& online, 
     for (Observation& o : look.arrived) {
       o.id = next_id++;
       if (options.save) session.observations.push_back(o);  // else nothing is kept: a watch may last for days
-      const OnlineStep step = decided(online, session, o, steps);
+      const OnlineStep step = decided(online, session, o, steps, finder);
       for (const OnlineStep& revised : online.take_revised()) steps.take(revised);
       steps.take(step);
     }
@@ -192,19 +224,21 @@ int run(const Options& options) {
   const bool is_labelled = std::any_of(session.observations.begin(), session.observations.end(),
                                        [](const Observation& o) { return !o.sightings.empty(); });
   // A single camera shows no points to begin with; more than two show them where somebody has labelled them.
-  if (session.rig && (session.rig->count() == 1 || !is_labelled)) require_pair(session, "online");
+  if (session.rig && !session.target && (session.rig->count() == 1 || !is_labelled)) require_pair(session, "online");
   OnlineOptions online_options;
   online_options.match.body_gate = 1e-3 * options.body_gate_mm;
   OnlineCalibration online(session, online_options);
+  std::optional<TargetFinder> finder;
+  if (session.target) finder.emplace(session);
   Progress progress("calibrating", session.observations.size());
   Steps steps(session, options);
   for (std::size_t k = 0; k < session.observations.size(); ++k) {
-    const OnlineStep step = decided(online, session, session.observations[k], steps);
+    const OnlineStep step = decided(online, session, session.observations[k], steps, finder);
     for (const OnlineStep& revised : online.take_revised()) steps.take(revised);
     steps.take(step);
     progress.at(k + 1);
   }
-  if (options.watch) watch(session, options, online, steps);
+  if (options.watch) watch(session, options, online, steps, finder);
   if (!steps.json_lines().empty()) write_output(options.output.json_file, steps.json_lines(), "--json");
   if (options.save && !options.watch) steps.save();
   options.output.line();
@@ -215,6 +249,7 @@ int run(const Options& options) {
         fmt::format("The cameras' mount is still unknown: {} labelled and {} open observations do not agree on one.{}",
                     open->labelled, open->open,
                     open->label_next ? fmt::format(" Label observation {} next.", *open->label_next) : std::string()));
+  if (const std::string dropped = steps.dropped(); !dropped.empty()) options.output.line(dropped);
   if (!steps.last().has_estimate) return answer_is_no;
   print_estimate(options.output, steps.last());
   return done;

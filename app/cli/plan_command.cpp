@@ -112,7 +112,7 @@ void write_csv(const std::string& file, const Session& session, const Plan& p) {
 }
 
 int run(const Options& o) {
-  const Session session = open_session(o.session, o.output);
+  const Session session = open_searched_session(o.session, o.output);
   require_output(o.csv_file, "--csv");
   PlanOptions options;
   options.count = o.count;

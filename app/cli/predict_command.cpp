@@ -3,9 +3,8 @@
 
 #include "command.h"
 #include "driven_poses.h"
-#include "estimation/prediction.h"
-#include "json_values.h"
 #include "outputs.h"
+#include "told_json.h"
 
 namespace handsight::cli {
 namespace {
@@ -38,13 +37,7 @@ int run(const Options& o) {
     o.output.line(fmt::format("{:>8.4f} {:>8.4f} {:>8.4f} {:>12.3f}    {:>6.3f} {:>6.3f} {:>6.3f}    {}", t.x(), t.y(),
                               t.z(), 1e3 * (t - p.root_from_tcp.translation).norm(), 1e3 * s[0], 1e3 * s[1], 1e3 * s[2],
                               rotation));
-    Json sigma = numbers(s);
-    for (std::size_t i = 3; i < 6 && !turns; ++i) sigma[i] = nullptr;
-    list.push_back({{"root_from_tcp", motion(p.root_from_tcp)},
-                    {"root_from_tcp_est", motion(p.root_from_tcp_est)},
-                    {"root_from_body_est", motion(p.root_from_body_est)},
-                    {"root_from_sensor_est", p.root_from_sensor_est ? motion(*p.root_from_sensor_est) : Json(nullptr)},
-                    {"sigma", sigma}});
+    list.push_back(prediction_json(p, turns));
   }
   o.output.json(list);
   return done;

@@ -14,7 +14,7 @@ namespace {
 
 CalibratedRobot from_session(const std::string& path, const std::string& robot_file,
                              const std::vector<std::string>& effects) {
-  Session session = open_session(path);
+  Session session = open_searched_session(path);
   std::filesystem::path urdf = folder(session) / session.robot_file;
   if (!robot_file.empty()) bind_robot(session, read_urdf(urdf = robot_file));
   FitOptions options;

@@ -3,11 +3,12 @@
 
 #include "command.h"
 #include "effects/own_effect.h"
-#include "limits.h"
+#include "option_limits.h"
 #include "outputs.h"
 #include "robot/urdf.h"
 #include "simulate_live.h"
 #include "simulation/simulated_files.h"
+#include "target_option.h"
 
 namespace handsight::cli {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 struct Options {
   std::string robot, like, out, images = "none";
   std::vector<std::string> effects, curves, disturbances;
+  TargetOptions target;
   double noise = -1, rate = 5;
   std::string live;
   bool undeclared = false;
@@ -46,6 +48,10 @@ int run(const Options& o) {
   if (!o.robot.empty()) {
     robot_file = o.robot;
     like.robot = read_urdf(robot_file);
+  }
+  if (is_given(o.target)) {
+    if (!like.rig) throw InputError("--target: a target is seen by cameras, and the session that is like it has none.");
+    set_target(like, target_from(o.target));
   }
   if (o.noise >= 0) options.noise = o.noise;
   if (!o.shift.empty()) options.shift_in_sensor = Vector3(o.shift[0], o.shift[1], o.shift[2]);
@@ -128,6 +134,7 @@ Command add_simulate(CLI::App& app) {
   command->add_option("--image-blur", o->image.blur_px, "px")->check(within(0, 20));
   command->add_option("--distractors", o->image.distractors, "corners in the scene that are no markers")
       ->check(CLI::Range(0, 500));
+  add_target_options(*command, o->target, true);
   add_json_option(*command, o->output);
   return {command, [o] { return run(*o); }};
 }

@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 #include "command.h"
-#include "limits.h"
+#include "option_limits.h"
 #include "outputs.h"
 #include "target_option.h"
 #include "targets/sheet.h"

@@ -40,28 +40,39 @@ Words words_from(const std::string& text) {
   return words;
 }
 
+/// An option that stands for one NAME=VALUE of a target.
+struct TargetWord {
+  const char *option, *name;
+  std::string TargetOptions::*value;
+  const char* text;
+};
+constexpr TargetWord target_words[] = {
+    {"--kind", "kind", &TargetOptions::kind, "chessboard, charuco, aprilgrid or tags"},
+    {"--columns", "columns", &TargetOptions::columns,
+     "Inner corners of a chessboard, squares of a charuco, tags of an aprilgrid, in a row"},
+    {"--rows", "rows", &TargetOptions::rows, "The same, in a column"},
+    {"--square", "square", &TargetOptions::square, "m, side of a square (chessboard, charuco)"},
+    {"--marker", "marker", &TargetOptions::marker, "m, side of a charuco's tags"},
+    {"--tag", "tag", &TargetOptions::tag, "m, side of an aprilgrid's tags"},
+    {"--spacing", "spacing", &TargetOptions::spacing, "Gap between an aprilgrid's tags / side of a tag"},
+    {"--size", "size", &TargetOptions::size, "m, side of single tags"},
+    {"--dictionary", "dictionary", &TargetOptions::dictionary,
+     "DICT_4X4_50 ... DICT_APRILTAG_36h11 as in OpenCV, or AprilTag's tag36h11"},
+    {"--ids", "ids", &TargetOptions::ids, "Numbers of single tags, for example \"3 7 9\""},
+    {"--layout", "layout", &TargetOptions::layout, "old: charuco as OpenCV before 4.6 drew it"},
+    {"--border", "border", &TargetOptions::border, "Modules of black around a tag: 1, 2 for an aprilgrid"},
+    {"--first-id", "first_id", &TargetOptions::first_id, "Number of the first tag of a charuco or an aprilgrid"}};
+
 }  // namespace
+
+bool is_given(const TargetOptions& o) { return !o.whole.empty() || !o.kind.empty(); }
 
 void add_target_options(CLI::App& app, TargetOptions& o, bool whole_too) {
   if (whole_too)
     app.add_option(
         "--target", o.whole,
         "The target: its kind and NAME=VALUE of the options below, or the element <target .../> of a session");
-  app.add_option("--kind", o.kind, "chessboard, charuco, aprilgrid or tags");
-  app.add_option("--columns", o.columns,
-                 "Inner corners of a chessboard, squares of a charuco, tags of an aprilgrid, in a row");
-  app.add_option("--rows", o.rows, "The same, in a column");
-  app.add_option("--square", o.square, "m, side of a square (chessboard, charuco)");
-  app.add_option("--marker", o.marker, "m, side of a charuco's tags");
-  app.add_option("--tag", o.tag, "m, side of an aprilgrid's tags");
-  app.add_option("--spacing", o.spacing, "Gap between an aprilgrid's tags / side of a tag");
-  app.add_option("--size", o.size, "m, side of single tags");
-  app.add_option("--dictionary", o.dictionary,
-                 "DICT_4X4_50 ... DICT_APRILTAG_36h11 as in OpenCV, or AprilTag's tag36h11");
-  app.add_option("--ids", o.ids, "Numbers of single tags, for example \"3 7 9\"");
-  app.add_option("--layout", o.layout, "old: charuco as OpenCV before 4.6 drew it");
-  app.add_option("--border", o.border, "Modules of black around a tag: 1, 2 for an aprilgrid");
-  app.add_option("--first-id", o.first_id, "Number of the first tag of a charuco or an aprilgrid");
+  for (const TargetWord& word : target_words) app.add_option(word.option, o.*word.value, word.text);
 }
 
 Target target_from(const TargetOptions& o) {
@@ -69,21 +80,8 @@ Target target_from(const TargetOptions& o) {
   for (const std::string& word : o.whole) whole += (whole.empty() ? "" : " ") + word;
   if (whole.starts_with('<')) return target_from_xml(whole);
   Words words = words_from(whole);
-  for (const auto& [name, text] :
-       std::initializer_list<std::pair<const char*, const std::string&>>{{"kind", o.kind},
-                                                                         {"columns", o.columns},
-                                                                         {"rows", o.rows},
-                                                                         {"square", o.square},
-                                                                         {"marker", o.marker},
-                                                                         {"tag", o.tag},
-                                                                         {"spacing", o.spacing},
-                                                                         {"size", o.size},
-                                                                         {"dictionary", o.dictionary},
-                                                                         {"ids", o.ids},
-                                                                         {"layout", o.layout},
-                                                                         {"border", o.border},
-                                                                         {"first_id", o.first_id}})
-    if (!text.empty()) words.emplace_back(name, text);
+  for (const TargetWord& word : target_words)
+    if (!(o.*word.value).empty()) words.emplace_back(word.name, o.*word.value);
   return target_from_words(words, "The target");
 }
 

@@ -19,6 +19,9 @@ struct TargetOptions {
 /// --kind --columns --rows ... ; with `whole_too` also --target.
 void add_target_options(CLI::App& app, TargetOptions& options, bool whole_too);
 
+/// Was anything of a target given?
+bool is_given(const TargetOptions& options);
+
 /// InputError where it is none.
 Target target_from(const TargetOptions& options);
 

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/diagnosing.h"
 
-#include <algorithm>
+#include "document/curve_words.h"
 
 namespace handsight::app {
 namespace {
 
 constexpr std::size_t most_kept = 12;
 
-/// Does an unnamed curve lead while names pass as well? Then only going on shows whether they explain it.
-bool is_open(const Diagnosis& d) {
-  return is_outdone(d) && std::any_of(d.candidates.begin(), d.candidates.end(), [&](const DiagnosisCandidate& c) {
-           return !c.unnamed && c.ln_bayes_factor >= d.threshold;
-         });
-}
-
-/// Goes on as `improve` would: does it settle on a model with more names?
-bool leads_on(const Session& session, const Diagnosis& d, ImprovementOptions options) {
-  options.estimated = d.model_options.estimated;
-  return improve(session, options).steps.size() > 1;
+std::shared_ptr<const CandidateView> make_view(const ModelResiduals& residuals, const Diagnosis& d,
+                                               const DiagnosisCandidate& c) {
+  auto view = std::make_shared<CandidateView>();
+  view->effect = effect_view(residuals.views, c.terms);
+  view->numbers = numbers_of(view->effect, c.terms);
+  view->rms_left = rms_left(residuals.views, view->effect, view->numbers);
+  if (c.ln_bayes_factor >= d.threshold) view->proof = proof_of(d, c);
+  return view;
 }
 
 }  // namespace
@@ -93,25 +90,20 @@ void Diagnosing::start() {
   jobs_.start<bool>(
       "diagnosis", tr("Looking for what is missing"),
       [this, result = now_, residuals = now_->residuals, diagnosis = now_->diagnosis, version = now_->version,
-       is_decided = now_->is_decided, names_lead_on = now_->names_lead_on,
        session = document_.session()](JobControl& control) {
         // The result itself belongs to the window's thread: parts are made here and handed over.
         auto part = std::make_shared<Result>();
         part->version = version;
         part->residuals = residuals;
         part->diagnosis = diagnosis;
-        part->is_decided = is_decided;
-        part->names_lead_on = names_lead_on;
         const auto hand_over = [this, result, part, &control](void (Diagnosing::*changed)()) {
           if (control.is_cancelled()) return;
           post([this, result, changed, residuals = part->residuals, diagnosis = part->diagnosis, views = part->views,
-                has_views = part->has_views, is_decided = part->is_decided, names_lead_on = part->names_lead_on] {
+                has_views = part->has_views] {
             result->residuals = residuals;
             result->diagnosis = diagnosis;
             result->views = views;
             result->has_views = has_views;
-            result->is_decided = is_decided;
-            result->names_lead_on = names_lead_on;
             if (result == now_) emit(this->*changed)();
           });
         };
@@ -121,7 +113,6 @@ void Diagnosing::start() {
         }
         if (control.is_cancelled()) return false;
         ImprovementOptions options;
-        options.with_curves = false;  // cards are names
         options.effects = version->settings.held;
         options.estimated = version->settings.estimated;
         options.on_progress = [&](double done) {
@@ -135,19 +126,11 @@ void Diagnosing::start() {
           if (made->stopped) return false;
           part->diagnosis = made;
         }
-        if (!part->is_decided) {
-          part->names_lead_on = is_open(*part->diagnosis) && leads_on(session, *part->diagnosis, options);
-          part->is_decided = !control.is_cancelled();
-          hand_over(&Diagnosing::diagnosis_changed);
-        }
+        hand_over(&Diagnosing::diagnosis_changed);
         for (const DiagnosisCandidate& c : part->diagnosis->candidates) {
           if (control.is_cancelled()) return false;
-          if (c.unnamed || c.terms.empty()) continue;
-          auto view = std::make_shared<CandidateView>();
-          view->effect = effect_view(part->residuals->views, c.terms);
-          view->numbers = numbers_of(view->effect, c.terms);
-          view->rms_left = rms_left(part->residuals->views, view->effect, view->numbers);
-          part->views[c.id] = view;
+          if (c.terms.empty()) continue;
+          part->views[id_of(c)] = make_view(*part->residuals, *part->diagnosis, c);
           if (part->views.size() == 3) hand_over(&Diagnosing::views_changed);
         }
         part->has_views = true;
@@ -166,7 +149,6 @@ void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const 
   auto result = std::make_shared<Result>();
   result->version = version;
   result->residuals = std::move(residuals);
-  result->is_decided = !is_open(*diagnosis);
   result->diagnosis = std::move(diagnosis);
   earlier_.push_front(result);
   if (earlier_.size() > most_kept) earlier_.pop_back();

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "diagnosis/improvement.h"
+#include "diagnosis/proof.h"
 #include "diagnosis/residual_views.h"
 #include "document/document.h"
 #include "jobs/jobs.h"
@@ -27,6 +28,7 @@ struct CandidateView {
   EffectView effect;
   Eigen::VectorXd numbers;  // the candidate's own
   double rms_left = 0;      // px or m, of one coordinate, fitted
+  std::vector<ProofPlot> proof;
 };
 
 class Diagnosing : public QObject {
@@ -40,10 +42,8 @@ class Diagnosing : public QObject {
 
   /// Of the present model; null until they are there.
   std::shared_ptr<const ModelResiduals> residuals() const { return now_ ? now_->residuals : nullptr; }
-  std::shared_ptr<const Diagnosis> diagnosis() const { return now_ && now_->is_decided ? now_->diagnosis : nullptr; }
-  /// An unnamed curve leads, and yet adding what has a name comes to a model that none outdoes.
-  bool names_lead_on() const { return now_ && now_->names_lead_on; }
-  /// By effect, of the present diagnosis; null where it was not worked out (yet).
+  std::shared_ptr<const Diagnosis> diagnosis() const { return now_ ? now_->diagnosis : nullptr; }
+  /// By id_of the candidate, of the present diagnosis; null where it was not worked out (yet).
   std::shared_ptr<const CandidateView> view_of(const std::string& id) const;
   bool is_running() const { return jobs_.is_busy("diagnosis"); }
   double share() const { return share_; }
@@ -68,8 +68,6 @@ class Diagnosing : public QObject {
     std::shared_ptr<const ModelResiduals> residuals;
     std::shared_ptr<const Diagnosis> diagnosis;
     std::map<std::string, std::shared_ptr<const CandidateView>> views;
-    bool is_decided = false;  // the diagnosis, and where an unnamed curve leads, whether names lead on
-    bool names_lead_on = false;
     bool has_views = false;
   };
   using ResultPointer = std::shared_ptr<Result>;

@@ -52,7 +52,7 @@ void Document::open(const std::filesystem::path& path) {
   const bool is_same_file =
       journal_ && std::filesystem::weakly_canonical(session.file) == std::filesystem::weakly_canonical(session_.file);
   if (is_same_file) close();
-  auto journal = std::make_unique<Journal>(session.file, digest);
+  auto journal = std::make_unique<Journal>(session.file, digest, &session);
   close();
   journal_ = std::move(journal);
   session_ = std::move(session);
@@ -70,7 +70,7 @@ void Document::open(const std::filesystem::path& path) {
   } else if (!stack_.isClean()) {
     const int unsaved = std::abs(stack_.index() - std::max(0, stack_.cleanIndex()));
     emit noticed(
-        tr("Opened where you left it: %1 not yet saved in session.xml.").arg(counted(unsaved, "action", "actions")));
+        tr("Opened where you left it: %1 not yet saved in session.xml.").arg(counted(unsaved, "%n action(s)")));
   }
   emit saved_changed(is_saved());
 }

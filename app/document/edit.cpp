@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "effects/own_effect.h"
 
 namespace handsight::app {
 namespace {
@@ -83,8 +84,15 @@ bool holds_a_number(const EffectTerm& t) {
   return std::any_of(t.held.begin(), t.held.end(), [](char held) { return held != 0; });
 }
 
+bool same_definition(const EffectTerm& a, const EffectTerm& b) {
+  if (a.own == b.own) return true;
+  if (!a.own || !b.own || !a.own->definition != !b.own->definition) return false;
+  if (!a.own->definition) return true;  // of the session's cameras: the id says it
+  return effect_definition_text(*a.own->definition) == effect_definition_text(*b.own->definition);
+}
+
 bool same_term(const EffectTerm& a, const EffectTerm& b) {
-  if (a.id != b.id || a.joint != b.joint || a.values != b.values) return false;
+  if (a.id != b.id || a.joint != b.joint || a.values != b.values || !same_definition(a, b)) return false;
   return (!holds_a_number(a) && !holds_a_number(b)) || a.held == b.held;
 }
 
@@ -111,11 +119,29 @@ Json terms_json(const std::vector<EffectTerm>& terms) {
   for (const EffectTerm& t : terms) {
     list.push_back({{"id", t.id}, {"place", t.joint}, {"values", t.values}});
     if (holds_a_number(t)) list.back()["held"] = std::vector<int>(t.held.begin(), t.held.end());
+    if (t.own && t.own->definition) list.back()["definition"] = effect_definition_text(*t.own->definition);
   }
   return list;
 }
 
-std::vector<EffectTerm> parse_terms(const Json& settings, const char* key) {
+/// Made again from its definition for the session's robot; InputError where that cannot be.
+std::shared_ptr<const Effect> parse_own(const Json& definition, const Session* session) {
+  if (!session) throw InputError("The journal holds an effect by formula, and no robot is known to make it for.");
+  const std::string text = "<handsight_effects version=\"1\">" + definition.get<std::string>() + "</handsight_effects>";
+  const std::vector<EffectDefinition> read = parse_effect_definitions(text, "the journal");
+  if (read.size() != 1) throw InputError("The journal holds an effect by formula that this version does not know.");
+  return own_effect(read.front(), session->robot);
+}
+
+/// That of the session's cameras, which stands in place of the catalogue's; null where the catalogue's will do.
+std::shared_ptr<const Effect> of_cameras(const std::string& id, const Session* session) {
+  if (!session || !session->rig) return nullptr;
+  for (const std::shared_ptr<const Effect>& effect : own_effects_of(*session, chain_of(*session)))
+    if (effect->id == id && !effect->definition) return effect;
+  return nullptr;
+}
+
+std::vector<EffectTerm> parse_terms(const Json& settings, const char* key, const Session* session) {
   std::vector<EffectTerm> terms;
   if (!settings.contains(key)) return terms;
   for (const Json& one : settings.at(key)) {
@@ -123,8 +149,9 @@ std::vector<EffectTerm> parse_terms(const Json& settings, const char* key) {
                     one.at("values").get<std::vector<double>>()};
     if (one.contains("held"))
       for (const int held : one["held"].get<std::vector<int>>()) term.held.push_back(held != 0 ? 1 : 0);
-    const Effect* effect = find_effect(term.id);
-    if (!effect || effect->parameters.size() != term.values.size() ||
+    term.own = one.contains("definition") ? parse_own(one["definition"], session) : of_cameras(term.id, session);
+    const Effect* effect = term.own ? term.own.get() : find_effect(term.id);
+    if (!effect || effect->id != term.id || effect->parameters.size() != term.values.size() ||
         (!term.held.empty() && term.held.size() != term.values.size()))
       throw InputError("The journal holds an effect that this version does not know.");
     terms.push_back(term);
@@ -140,9 +167,9 @@ Json settings_json(const ModelSettings& s) {
   return json;
 }
 
-ModelSettings parse_settings(const Json& json) {
+ModelSettings parse_settings(const Json& json, const Session* session) {
   ModelSettings s{static_cast<Objective>(within(json.at("objective"), 0, 2)), json.at("fix_markers").get<bool>(),
-                  parse_terms(json, "estimated"), parse_terms(json, "held")};
+                  parse_terms(json, "estimated", session), parse_terms(json, "held", session)};
   s.by_hand = std::clamp(json.value("by_hand", 0), 0, static_cast<int>(s.estimated.size()));
   return s;
 }
@@ -280,7 +307,7 @@ std::string edit_text(const Edit& edit) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Edit parse_edit(const std::string& text) {
+Edit parse_edit(const std::string& text, const Session* session) {
   try {
     const Json json = Json::parse(text);
     Edit edit;
@@ -291,7 +318,8 @@ Edit parse_edit(const std::string& text) {
       edit.observations.push_back(
           {o.at("id").get<std::int64_t>(), parse_state(o.at("before")), parse_state(o.at("after"))});
     if (json.contains("settings"))
-      edit.settings = {parse_settings(json["settings"].at("before")), parse_settings(json["settings"].at("after"))};
+      edit.settings = {parse_settings(json["settings"].at("before"), session),
+                       parse_settings(json["settings"].at("after"), session)};
     if (json.contains("reading")) edit.reading = parse_reading_edit(json["reading"]);
     if (json.contains("draft")) edit.draft = parse_draft_edit(json["draft"]);
     return edit;

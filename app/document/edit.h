@@ -87,8 +87,10 @@ struct Edit {
 /// `later` follows `earlier`: both as one, with the later sentence.
 Edit joined(Edit earlier, const Edit& later);
 
-/// The edit as one line of JSON, numbers bit for bit, and back. Throws InputError where the text is no edit.
+/// The edit as one line of JSON, numbers bit for bit, and back. Effects by formula carry their definition along. Throws
+/// InputError where the text is no edit.
 std::string edit_text(const Edit& edit);
-Edit parse_edit(const std::string& text);
+/// `session`: whose edit it is; without it an edit with an effect by formula is refused.
+Edit parse_edit(const std::string& text, const Session* session = nullptr);
 
 }  // namespace handsight::app

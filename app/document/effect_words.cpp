@@ -15,6 +15,14 @@ ShownUnit shown_unit(const std::string& unit) {
   return {1, QString::fromStdString(unit)};
 }
 
+QString number_title(const std::string& name) {
+  if (name == "tu") return QObject::tr("shift across, u");
+  if (name == "tw") return QObject::tr("shift across, w");
+  if (name == "ru") return QObject::tr("tilt about u");
+  if (name == "rw") return QObject::tr("tilt about w");
+  return QString::fromStdString(name);
+}
+
 QString effect_title(const std::string& id) {
   const Effect* effect = find_effect(id);
   return QString::fromStdString(effect ? effect->title : id);
@@ -34,6 +42,10 @@ QString places_text(const std::vector<std::string>& where) {
 QString effect_of(const std::string& id, const std::vector<std::string>& where) {
   QString title = effect_title(id);
   if (!title.isEmpty()) title[0] = title[0].toLower();
+  return of_places(title, where);
+}
+
+QString of_places(const QString& title, const std::vector<std::string>& where) {
   if (where.empty()) return title;
   if (where.front().starts_with("from observation")) return title + ' ' + places_text(where);
   return QObject::tr("%1 of %2").arg(title, places_text(where));

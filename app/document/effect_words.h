@@ -18,6 +18,9 @@ struct ShownUnit {
 };
 ShownUnit shown_unit(const std::string& unit);
 
+/// What a number is called: its name, abbreviations in words ("tu": "shift across, u").
+QString number_title(const std::string& name);
+
 /// "Joint elasticity"; the id itself where the catalogue does not know it.
 QString effect_title(const std::string& id);
 
@@ -26,6 +29,9 @@ QString places_text(const std::vector<std::string>& where);
 
 /// "joint elasticity of arm_2 and arm_4", within a sentence.
 QString effect_of(const std::string& id, const std::vector<std::string>& where);
+
+/// "joint elasticity of arm_2 and arm_4" from its title and places.
+QString of_places(const QString& title, const std::vector<std::string>& where);
 
 /// The ids of terms in their order, each once.
 std::vector<std::string> ids_of(const std::vector<EffectTerm>& terms);

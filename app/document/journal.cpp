@@ -43,7 +43,7 @@ std::string line_of(const JournalEntry& entry) {
   return {};
 }
 
-std::optional<JournalEntry> parse_line(const std::string& line) {
+std::optional<JournalEntry> parse_line(const std::string& line, const Session* session) {
   JournalEntry entry;
   if (line == "undo") {
     entry.kind = JournalEntry::Kind::undone;
@@ -53,7 +53,7 @@ std::optional<JournalEntry> parse_line(const std::string& line) {
     entry.kind = JournalEntry::Kind::saved;
     entry.digest = line.substr(6);
   } else if (line.starts_with("do ")) {
-    entry.edit = parse_edit(line.substr(3));
+    entry.edit = parse_edit(line.substr(3), session);
   } else {
     return std::nullopt;
   }
@@ -76,7 +76,7 @@ struct Read {
   bool is_foreign = false;         // not a journal of this version at all
 };
 
-Read read_entries(const std::string& text) {
+Read read_entries(const std::string& text, const Session* session) {
   Read read;
   const std::vector<std::string> lines = whole_lines(text);
   read.is_foreign = !lines.empty() && !lines[0].starts_with("handsight journal 1 ");
@@ -85,7 +85,7 @@ Read read_entries(const std::string& text) {
   read.good_bytes = lines[0].size() + 1;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     try {
-      const auto entry = parse_line(lines[i]);
+      const auto entry = parse_line(lines[i], session);
       if (!entry) break;
       read.entries.push_back(*entry);
     } catch (const InputError&) {
@@ -108,7 +108,7 @@ fs::path state_folder() {
 
 std::string digest_of(const std::string& bytes) { return hash(bytes); }
 
-Journal::Journal(const fs::path& session_file, const std::string& digest)
+Journal::Journal(const fs::path& session_file, const std::string& digest, const Session* session)
     : session_file_(fs::weakly_canonical(session_file)) {
   const fs::path folder = state_folder() / "journals";
   std::error_code error;
@@ -123,7 +123,7 @@ Journal::Journal(const fs::path& session_file, const std::string& digest)
   if (::flock(open_.descriptor, LOCK_EX | LOCK_NB) != 0)
     throw InputError(fmt::format("{}: the session is open in another window of Handsight; work there or close it.",
                                  shown_path(session_file_)));
-  recover(digest);
+  recover(digest, session);
 }
 
 Journal::File::~File() {
@@ -143,9 +143,9 @@ fs::path Journal::set_aside(const std::string& text, const std::string& why) con
   return aside;
 }
 
-void Journal::recover(const std::string& digest) {
+void Journal::recover(const std::string& digest, const Session* session) {
   const std::string text = read_file(file_);
-  Read read = read_entries(text);
+  Read read = read_entries(text, session);
   if (read.is_foreign) {
     const fs::path aside = set_aside(text, "the journal is of another version of Handsight");
     contents_.notice = fmt::format(

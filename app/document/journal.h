@@ -40,7 +40,8 @@ class Journal {
   /// and everything from a line on that this version does not understand, are set aside under another name, and the
   /// notice says where. InputError where another window has it open, or where it (or what is to be set aside) cannot be
   /// written: nothing of it is touched then.
-  Journal(const std::filesystem::path& session_file, const std::string& digest);
+  /// `session`: for effects by formula.
+  Journal(const std::filesystem::path& session_file, const std::string& digest, const Session* session = nullptr);
   ~Journal() = default;
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -59,7 +60,7 @@ class Journal {
  private:
   void write_line(const std::string& line);
   void start(const std::string& digest);
-  void recover(const std::string& digest);
+  void recover(const std::string& digest, const Session* session);
   std::filesystem::path set_aside(const std::string& text, const std::string& why) const;
 
   /// An open file, closed (and with it unlocked) whatever happens.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "diagnosis/refitting.h"
+#include "document/curve_words.h"
 #include "document/effect_words.h"
 
 namespace handsight::app {
@@ -41,8 +42,7 @@ Edit with_effect(const Document& document, const std::vector<EffectTerm>& terms)
   if (terms.empty()) return {};
   ModelSettings after = settings_with_values(document);
   insert_by_hand(after, terms);
-  return edit_to(document, after,
-                 QObject::tr("added %1").arg(effect_of(terms.front().id, places_of(terms, document.session()))));
+  return edit_to(document, after, QObject::tr("added %1").arg(name_of(terms, document.session())));
 }
 
 ModelSettings with_estimated(ModelSettings after, const std::vector<EffectTerm>& estimated) {
@@ -59,7 +59,7 @@ Edit without_effect(const Document& document, const std::string& id) {
   for (const EffectTerm& term : terms_of_effect(after.estimated, id)) gone.push_back(term);
   erase_estimated(after, id);
   std::erase_if(after.held, [&](const EffectTerm& t) { return t.id == id; });
-  return edit_to(document, after, QObject::tr("took out %1").arg(effect_of(id, places_of(gone, document.session()))));
+  return edit_to(document, after, QObject::tr("took out %1").arg(name_of(gone, document.session())));
 }
 
 Edit with_effect_held(const Document& document, const std::string& id, bool held) {
@@ -74,7 +74,7 @@ Edit with_effect_held(const Document& document, const std::string& id, bool held
     std::erase_if(after.held, [&](const EffectTerm& t) { return t.id == id; });
     insert_by_hand(after, terms);
   }
-  const QString name = effect_of(id, places_of(terms, document.session()));
+  const QString name = name_of(terms, document.session());
   return edit_to(document, after,
                  held ? QObject::tr("held %1").arg(name) : QObject::tr("estimated %1 again").arg(name));
 }
@@ -118,8 +118,7 @@ void bring_by_hand(ModelSettings& settings, const std::string& id) {
 QString number_text(const Document& document, const NumberPlace& place) {
   const Effect& effect = effect_of(*place.term);
   return QObject::tr("the %1 of %2")
-      .arg(QString::fromStdString(effect.parameters[place.parameter].name),
-           effect_of(effect.id, places_of({*place.term}, document.session())));
+      .arg(QString::fromStdString(effect.parameters[place.parameter].name), name_of({*place.term}, document.session()));
 }
 
 }  // namespace

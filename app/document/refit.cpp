@@ -44,7 +44,7 @@ void Refit::start() {
   const auto used = std::count_if(session.observations.begin(), session.observations.end(), is_used);
   const QString cause = document_.undo_stack().undoText();
   jobs_.start<ModelVersionPointer>(
-      "fit", tr("Fitting %1").arg(counted(used, "observation", "observations")),
+      "fit", tr("Fitting %1").arg(counted(used, "%n observation(s)")),
       [copy = session, settings = document_.settings(), revision = document_.revision(), cause,
        looks = document_.second_looks(), before = document_.model_before_second_looks()](JobControl& control) {
         return before && before->fit ? inspected_again(copy, *before, revision, looks)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/adding.h"
 
+#include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "document/model_edits.h"
 
@@ -9,15 +10,21 @@ namespace {
 
 constexpr int ms_between_pictures = 120;  // from one to the next the cloud moves on
 
-QString sentence_of(const ModelChange& change) {
+/// What an addition or removal is of, in words; `id` may be of several effects that went together.
+QString step_text(const std::string& id, const ImprovementStep& s, const Session& session) {
+  if (!s.terms.empty() && s.terms.front().id == id) return name_of(s.terms, session);
+  return effect_of(id, {});
+}
+
+QString sentence_of(const ModelChange& change, const Session& session) {
   QStringList parts;
   for (const ImprovementStep& s : change.steps) {
     if (s.removed.empty())
-      parts << QObject::tr("added %1").arg(effect_of(s.added, s.where));
+      parts << QObject::tr("added %1").arg(step_text(s.added, s, session));
     else if (s.added.empty())
-      parts << QObject::tr("took out %1, no longer needed").arg(effect_of(s.removed, s.where));
+      parts << QObject::tr("took out %1, no longer needed").arg(step_text(s.removed, s, session));
     else
-      parts << QObject::tr("exchanged %1 for %2").arg(effect_of(s.removed, {}), effect_of(s.added, s.where));
+      parts << QObject::tr("exchanged %1 for %2").arg(effect_of(s.removed, {}), step_text(s.added, s, session));
   }
   return parts.join(", ");
 }
@@ -36,11 +43,11 @@ void show_the_fit(const Diagnosis& before, const DiagnosisCandidate& candidate, 
   for (const FitIteration& i : candidate.path) watch.iteration(i.cost, i.unknowns);
 }
 
-QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c) {
+QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c, const Session& session) {
   const bool in_pixels = before.report.held_out.rms_pixel.has_value();
   const auto now = in_pixels ? before.report.held_out.rms_pixel : before.report.held_out.rms_m;
   return QObject::tr("Not added: with %1 the error on unseen observations would not fall below %2. It would fit noise.")
-      .arg(effect_of(c.id, c.where), error_with_unit(now.value_or(0), in_pixels));
+      .arg(name_of(c, session), error_with_unit(now.value_or(0), in_pixels));
 }
 
 }  // namespace
@@ -68,7 +75,7 @@ void Adding::add(const std::string& id) {
   const auto before = bench_.diagnosing.diagnosis();
   if (is_running_ || !before || !bench_.document.model()) return;
   const auto found = std::find_if(before->candidates.begin(), before->candidates.end(),
-                                  [&](const DiagnosisCandidate& c) { return !c.unnamed && c.id == id; });
+                                  [&](const DiagnosisCandidate& c) { return can_be_added(c) && id_of(c) == id; });
   if (found == before->candidates.end()) return;
   const Run run{before, *found, bench_.document.revision()};
   const ModelSettings settings = bench_.document.settings();
@@ -77,7 +84,10 @@ void Adding::add(const std::string& id) {
   watch_ = std::make_shared<FitWatch>();
   pictures_ = skipped_ = 0;
   is_running_ = true;
-  const QString name = effect_of(id, found->where);
+  const QString name = name_of(*found, bench_.document.session());
+  const auto view = bench_.diagnosing.view_of(id);
+  offered_ = {name, view ? view->proof : proof_of(*before, *found)};
+  taken_ = {};
   emit began(tr("Adding %1").arg(name));
   timer_.start();
   bench_.explaining.start<Outcome>(
@@ -86,7 +96,6 @@ void Adding::add(const std::string& id) {
        looks = bench_.document.second_looks()](JobControl& control) {
         show_the_fit(*run.before, run.candidate, observation, *watch);
         ImprovementOptions options;
-        options.with_curves = false;  // cards are names
         options.effects = settings.held;
         options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
         options.on_progress = [&](double done) {
@@ -100,8 +109,9 @@ void Adding::add(const std::string& id) {
           outcome.change.model.reset();
           const Diagnosis& made = *outcome.model;
           outcome.version = version_of(session, made, with_estimated(settings, made.model_options.estimated),
-                                       run.revision, sentence_of(outcome.change), looks);
+                                       run.revision, sentence_of(outcome.change, session), looks);
           outcome.residuals = make_residuals(*outcome.version->fit);
+          outcome.proof = proof_of(session, *outcome.version->fit, run.candidate.terms);
         }
         return outcome;
       },
@@ -124,10 +134,11 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   const ModelChange& change = outcome.change;
   if (change.stopped || run.revision != bench_.document.revision()) return stop();
   for (const RefusedStep& r : change.refused)
-    refused_.push_back({r.id, r.where, refusal_sentence(*run.before, run.candidate),
+    refused_.push_back({r.id, r.where, refusal_sentence(*run.before, run.candidate, bench_.document.session()),
                         bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index(),
                         bench_.document.revision()});
-  if (!outcome.version) return end(AdditionEnd::refused, refusal_sentence(*run.before, run.candidate));
+  if (!outcome.version)
+    return end(AdditionEnd::refused, refusal_sentence(*run.before, run.candidate, bench_.document.session()));
   const std::shared_ptr<ModelVersion>& version = outcome.version;
   is_taking_ = true;
   bench_.document.perform(
@@ -140,6 +151,7 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   bench_.diagnosing.take(version, outcome.model, outcome.residuals);
   bench_.document.take_version(version);
   is_taking_ = false;
+  taken_ = {offered_.name, outcome.proof};
   end(AdditionEnd::taken, version->cause.left(1).toUpper() + version->cause.mid(1) + '.');
 }
 

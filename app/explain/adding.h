@@ -7,6 +7,7 @@
 
 #include "explain/explain_texts.h"
 #include "explain/fit_watch.h"
+#include "explain/proof_plots.h"
 
 namespace handsight::app {
 
@@ -24,11 +25,16 @@ class Adding : public QObject {
  public:
   explicit Adding(Workbench& bench, QObject* parent = nullptr);
 
-  /// Adds a candidate of the present diagnosis. Nothing happens where there is none, or while one is added.
+  /// Adds a candidate of the present diagnosis by its id_of. Nothing happens where there is none, or while one is
+  /// added.
   void add(const std::string& id);
   bool is_running() const { return is_running_; }
   /// Of the open document, in the order in which they were tried.
   const std::vector<Refusal>& refused() const { return refused_; }
+  /// The proof plots of what is being added, or was added last, and the same once it was in the model (empty where it
+  /// was not taken).
+  const Proof& offered() const { return offered_; }
+  const Proof& taken() const { return taken_; }
   int pictures() const { return pictures_; }  // shown of the last addition
   int skipped() const { return skipped_; }
 
@@ -49,6 +55,7 @@ class Adding : public QObject {
     std::shared_ptr<const Diagnosis> model;  // null where nothing was taken
     std::shared_ptr<ModelVersion> version;   // null where nothing was taken
     std::shared_ptr<const ModelResiduals> residuals;
+    std::vector<ProofPlot> proof;
   };
   void show_news(bool is_end);
   void finish(const Run& run, const Outcome& outcome);
@@ -59,6 +66,7 @@ class Adding : public QObject {
   std::shared_ptr<FitWatch> watch_;
   QTimer timer_;
   std::vector<Refusal> refused_;
+  Proof offered_, taken_;
   bool is_running_ = false;
   bool is_taking_ = false;  // the document is being changed by what was found
   int pictures_ = 0, skipped_ = 0;

@@ -52,8 +52,8 @@ void AddingOn::add_first() {
   if (!is_running_ || is_waiting()) return;
   const widgets::CardState& first = cards_.card(0)->state();
   if (first.kind == widgets::CardKind::candidate && first.can_add && first.caution.isEmpty())
-    return adding_.add(first.effect);
-  const QString added = counted(added_, "cause", "causes");
+    return adding_.add(first.id.toStdString());
+  const QString added = counted(added_, "%n cause(s)");
   end(first.kind == widgets::CardKind::adequate ? tr("Done: %1 added, and nothing is missing any more.").arg(added)
                                                 : tr("Stopped by itself: %1 added, and nothing plausible is left that "
                                                      "would help. The first card says what is left.")

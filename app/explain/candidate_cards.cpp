@@ -2,6 +2,7 @@
 // Cards and the table of all effects.
 #include <algorithm>
 
+#include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "explain/explain_texts.h"
 #include "explain/robot_checks.h"
@@ -45,9 +46,9 @@ QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
 
 CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ModelVersion& model) {
   const Effect& effect = effect_of(c.terms.front());
-  CardState card{.id = QString::fromStdString(c.id), .effect = c.id};
-  card.title = QString::fromStdString(effect.title);
-  card.where = places_text(c.where);
+  CardState card{.id = QString::fromStdString(id_of(c)), .effect = c.id};
+  card.title = title_of(c.terms.front(), bench.document.session().robot);
+  if (!c.unnamed) card.where = places_text(c.where);
   card.words = QString::fromStdString(effect.cause);
   card.error = card_error(c, d, model, bench.units.unit());
   card.evidence = speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
@@ -58,7 +59,8 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Dia
   card.cannot_be_told_from = others.join(", ");
   card.can_show_poses = !others.isEmpty();
   card.check = QString::fromStdString(effect.check);
-  card.check_number = card_check(c.check, bench.document.reading_of(c.id));
+  card.can_what_if = find_effect(c.id) != nullptr;  // the slider asks the catalogue where it may sit
+  if (!c.unnamed) card.check_number = card_check(c.check, bench.document.reading_of(c.id));
   if (!c.plausible)
     card.caution = QObject::tr("Its size is more than three times what is plausible. Probably another cause.");
   return card;
@@ -70,9 +72,16 @@ CardState honest_card(CardKind kind, const QString& title, const QString& words)
   return card;
 }
 
-std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d, const Workbench& bench) {
-  const widgets::SessionVerdict v =
-      session_verdict(model, &d, false, bench.diagnosing.names_lead_on(), bench.units.unit());
+std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d, const Workbench& bench,
+                                        const std::set<std::string>& refused) {
+  const widgets::SessionVerdict v = session_verdict(model, &d, false, bench.units.unit(), refused);
+  if (d.verdict == Verdict::adequate && !curves_of(*model.fit).empty()) {
+    CardState card =
+        honest_card(CardKind::adequate, QObject::tr("Down at the noise, but not all has a name"), v.sentence);
+    card.action = QObject::tr("Export it");
+    card.action_id = "export";
+    return card;
+  }
   switch (v.state) {
     case widgets::SessionState::adequate: {
       CardState card = honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), v.sentence);
@@ -123,18 +132,24 @@ bool still_stands(const Refusal& refusal, const Document& document) {
          (refusal.index == stack.index() && refusal.before == stack.undoText());
 }
 
+std::set<std::string> refused_now(const std::vector<Refusal>& refused, const Document& document) {
+  std::set<std::string> ids;
+  for (const Refusal& r : refused)
+    if (still_stands(r, document)) ids.insert(r.id);
+  return ids;
+}
+
 std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
                                        const std::vector<Refusal>& refused) {
   std::vector<CardState> cards;
-  const std::optional<CardState> honest = honest_card_of(model, d, bench);
-  const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations ||
-                     (is_outdone(d) && !bench.diagnosing.names_lead_on());
+  const std::optional<CardState> honest = honest_card_of(model, d, bench, refused_now(refused, bench.document));
+  const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations;
   if (honest && stops) cards.push_back(*honest);
   for (const DiagnosisCandidate& c : d.candidates) {
-    if (c.unnamed || stops) continue;
+    if (stops || !can_be_added(c)) continue;
     if (c.ln_bayes_factor < d.threshold || cards.size() >= most_cards) break;
     cards.push_back(card_of(c, bench, d, model));
-    if (const Refusal* r = refusal_of(c.id, bench.document, refused)) {
+    if (const Refusal* r = refusal_of(id_of(c), bench.document, refused)) {
       cards.back().can_add = false;
       cards.back().why_not = r->reason;
     }

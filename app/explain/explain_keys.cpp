@@ -75,4 +75,13 @@ void ExplainWorkspace::blink() {
                                .arg(shown->cause.isEmpty() ? tr("as opened") : shown->cause));
 }
 
+std::vector<Action> ExplainWorkspace::own_actions() const {
+  const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
+    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+  };
+  return {explained("card_keys", tr("Tab, Enter"), tr("look at a card, add it")),
+          explained("hold_keys", tr("N, B held down"), tr("noise alone, before and after")),
+          explained("brush", tr("Shift+drag"), tr("choose observations in a plot"))};
+}
+
 }  // namespace handsight::app

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/explain_texts.h"
 
+#include "diagnosis/finding.h"
 #include "document/counted.h"
+#include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "widgets/number_text.h"
 
@@ -42,7 +44,7 @@ QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
   const ErrorAndNoise e = error_and_noise(model);
   if (model.report->used < fewest_that_tell)
     return QObject::tr("%1 alone cannot show an error: label or play more.")
-        .arg(counted(model.report->used, "observation", "observations"));
+        .arg(counted(model.report->used, "%n observation(s)"));
   if (!e.error) return QObject::tr("The error is not known.");
   const Told t = told(sizes_of(model, model.fit->noise), unit);
   if (!e.noise)
@@ -57,63 +59,30 @@ QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
 
 std::optional<widgets::Blame> session_blame(const Inspection& all) {
   if (all.blame.letter == 0) return std::nullopt;
-  return widgets::Blame{all.blame.cameras, all.blame.body, all.blame.robot};
+  return widgets::Blame{all.blame.cameras, all.blame.body, all.blame.robot, !all.in_pixels};
 }
 
 namespace {
 
 using widgets::SessionState;
 
-/// The best with a name, of a size that is plausible; where there is none such, the best with a name.
-const DiagnosisCandidate* best_named(const Diagnosis& d) {
+/// The best with a name, of a size that is plausible; where there is none such, the best with a name. None of the
+/// refused; null where nothing is left.
+const DiagnosisCandidate* best_named(const Diagnosis& d, const std::set<std::string>& refused) {
   const DiagnosisCandidate* best = nullptr;
   for (const DiagnosisCandidate& c : d.candidates) {
-    if (c.unnamed) continue;
+    if (c.unnamed || refused.contains(c.id)) continue;
     if (c.plausible && c.ln_bayes_factor >= d.threshold) return &c;
     if (!best) best = &c;
   }
   return best;
 }
 
-enum class Part { cameras, body, robot };
-
-/// What a cause moves: the cameras and where they sit, the marker body on the hand, or the robot.
-Part part_of(const DiagnosisCandidate& c, const Diagnosis& d) {
-  const Problem& problem = d.model.fit.problem;
-  if (!problem.source) return Part::robot;
-  const auto& all = problem.source->circumstances;
-  const std::size_t every = all.size() / 100 + 1;  // a slip begins somewhere on the way
-  for (std::size_t i = 0; i < all.size(); i += every) {
-    const Sites sites = moved_sites(all[i], c.terms);
-    const bool moves_cameras =
-        !sites.mount.isZero() || !sites.drift.isZero() ||
-        !std::all_of(sites.cameras.begin(), sites.cameras.end(), [](const CameraChange& one) { return one.is_zero(); });
-    if (moves_cameras) return Part::cameras;
-    const bool moves_markers =
-        std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(); });
-    if (moves_markers || !sites.body.isZero()) return Part::body;
-  }
-  return Part::robot;
-}
-
-/// Whose fault the error is, in the light of what was found missing: its share belongs to what it moves.
-std::optional<widgets::Blame> blame_with_cause(std::optional<widgets::Blame> blame, const Diagnosis& d) {
-  const DiagnosisCandidate* best = best_named(d);
-  if (!blame || !best || !best->explained || !best->plausible) return blame;
-  const double share = std::clamp(*best->explained, 0.0, 1.0);
-  for (double* part : {&blame->cameras, &blame->body, &blame->robot}) *part *= 1 - share;
-  switch (part_of(*best, d)) {
-    case Part::cameras:
-      blame->cameras += share;
-      break;
-    case Part::body:
-      blame->body += share;
-      break;
-    case Part::robot:
-      blame->robot += share;
-      break;
-  }
-  return blame;
+/// Whose fault the error is, in the light of what was found missing.
+std::optional<widgets::Blame> blame_with_cause(const Inspection& all, const Diagnosis& d) {
+  const Blame blame = blame_by_finding(all.blame, d);
+  if (blame.letter == 0) return std::nullopt;
+  return widgets::Blame{blame.cameras, blame.body, blame.robot, !all.in_pixels};
 }
 
 QString blame_sentence(const std::optional<widgets::Blame>& blame, bool in_pixels) {
@@ -137,6 +106,18 @@ QString adequate_sentence(const Diagnosis& d, const Told& t) {
   return text;
 }
 
+/// At the noise with curves: what follows what, without a name.
+QString curves_sentence(const ModelVersion& model, const Diagnosis& d, const Told& t) {
+  QStringList list;
+  for (const EffectTerm& curve : curves_of(*model.fit)) {
+    QString title = title_of(curve, d.model.session.robot);
+    title[0] = title[0].toLower();
+    list << title;
+  }
+  return QObject::tr("The model agrees with the measurements down to the noise (%1), but not all of it has a name: %2.")
+      .arg(t.both, list.join("; "));
+}
+
 QString scatter_sentence(const Diagnosis& d, const Told& t) {
   return QObject::tr(
              "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better "
@@ -152,7 +133,11 @@ bool lacks_noise(const Diagnosis& d) { return !weighing(d.model.fit).knowledge.k
 
 QString what_is_left_follows(const Diagnosis& d) {
   for (const DiagnosisCandidate& c : d.candidates)
-    if (c.unnamed && c.ln_bayes_factor >= d.threshold)
+    if (c.unnamed && can_be_added(c) && c.ln_bayes_factor >= d.threshold) {
+      QString title = name_of(c, d.model.session);
+      title[0] = title[0].toUpper();
+      return title + '.';
+    } else if (c.unnamed && c.ln_bayes_factor >= d.threshold)
       return QObject::tr("It follows the %1 (%2).")
           .arg(QString::fromStdString(c.unnamed->localiser.variable->name),
                QString::fromStdString(c.unnamed->localiser.best.shape.text));
@@ -167,8 +152,7 @@ QString unexplained_sentence(const Diagnosis& d, const ErrorAndNoise& e, const T
 
 /// What, where, how much, whose: names first, so that they are read where there is little room.
 QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const std::optional<widgets::Blame>& blame,
-                         widgets::SizeUnit unit) {
-  const DiagnosisCandidate& best = *best_named(d);
+                         widgets::SizeUnit unit, const DiagnosisCandidate& best) {
   const ErrorAndNoise e = error_and_noise(model);
   const Told t = told(sizes_of(model, model.fit->noise), unit);
   // How many mm that is at the hand stands beside it.
@@ -177,7 +161,7 @@ QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const st
                        : comparison_sentence(model, unit);
   const QString whose = blame_sentence(blame, e.in_pixels);
   if (!whose.isEmpty()) misses += ' ' + whose;
-  const QString name = effect_of(best.id, best.where);
+  const QString name = name_of(best, d.model.session);
   if (!best.plausible)
     return misses + ' ' +
            QObject::tr("No plausible cause explains it: %1 would help, but at more than three times what is plausible.")
@@ -192,7 +176,7 @@ QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const st
 }  // namespace
 
 widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* d, bool is_running,
-                                        bool names_lead_on, widgets::SizeUnit unit) {
+                                        widgets::SizeUnit unit, const std::set<std::string>& refused) {
   widgets::SessionVerdict v;
   v.sentence = comparison_sentence(model, unit);
   if (!model.fit) return v;
@@ -219,22 +203,33 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
       v.sentence = QString::fromStdString(d->reason);
       break;
     case Verdict::adequate:
+      if (!curves_of(*model.fit).empty()) {
+        v.state = SessionState::unexplained;
+        v.sentence = curves_sentence(model, *d, t);
+        break;
+      }
       v.state = is_scatter(*d, e) ? SessionState::scatter : SessionState::adequate;
       v.sentence = is_scatter(*d, e) ? scatter_sentence(*d, t) : adequate_sentence(*d, t);
       break;
     case Verdict::missing_effect:
-    case Verdict::ambiguous:
-      v.state = d->verdict == Verdict::ambiguous ? SessionState::ambiguous : SessionState::missing;
-      v.blame = blame_with_cause(v.blame, *d);
-      v.sentence = missing_sentence(model, *d, v.blame, unit);
-      break;
-    case Verdict::unexplained:
-      if (names_lead_on) {
-        v.state = SessionState::missing;
-        v.blame = blame_with_cause(v.blame, *d);
-        v.sentence = missing_sentence(model, *d, v.blame, unit);
+    case Verdict::ambiguous: {
+      const DiagnosisCandidate* best = best_named(*d, refused);
+      if (!best || best->ln_bayes_factor < d->threshold) {
+        v.blame = blame_with_cause(*model.inspection, *d);
+        v.state = SessionState::unexplained;
+        v.sentence = QObject::tr(
+                         "Something is left (%1), and what would explain it does not lower the error on observations "
+                         "that the fit has not seen: it was not added.")
+                         .arg(t.both);
         break;
       }
+      v.state = d->verdict == Verdict::ambiguous ? SessionState::ambiguous : SessionState::missing;
+      v.blame = blame_with_cause(*model.inspection, *d);
+      v.sentence = missing_sentence(model, *d, v.blame, unit, *best);
+      break;
+    }
+    case Verdict::unexplained:
+      v.blame = blame_with_cause(*model.inspection, *d);
       v.state = lacks_noise(*d) ? SessionState::noise_unknown : SessionState::unexplained;
       v.sentence = lacks_noise(*d) ? comparison_sentence(model, unit) : unexplained_sentence(*d, e, t);
       break;

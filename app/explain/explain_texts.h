@@ -2,6 +2,8 @@
 // What Explain says: the verdict, cards, verdicts on every effect.
 #pragma once
 
+#include <set>
+
 #include "diagnosis/weighing.h"
 #include "frame/workbench.h"
 #include "widgets/explain/candidate_card.h"
@@ -22,6 +24,8 @@ struct Refusal {
 
 /// Was it tried on the model as it is now?
 bool still_stands(const Refusal& refusal, const Document& document);
+/// Those of them, by id.
+std::set<std::string> refused_now(const std::vector<Refusal>& refused, const Document& document);
 
 /// "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px."
 QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit = widgets::SizeUnit::pixel);
@@ -29,10 +33,10 @@ QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit = 
 /// Shares of what exceeds the noise over all used observations; nothing where nothing stands out.
 std::optional<widgets::Blame> session_blame(const Inspection& all);
 
-/// The whole session in a sentence. `diagnosis` may be null: only what the fit says.
-/// `names_lead_on`: of a diagnosis that an unnamed curve leads, see Diagnosing.
+/// The whole session in a sentence. `diagnosis` may be null: only what the fit says. `refused`: ids that were tried on
+/// this model and not taken; none of them is said to be missing.
 widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* diagnosis, bool is_running,
-                                        bool names_lead_on, widgets::SizeUnit unit);
+                                        widgets::SizeUnit unit, const std::set<std::string>& refused = {});
 
 /// The cards, best first; the first is an honest one where there is nothing to add.
 std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const ModelVersion& model,

@@ -41,7 +41,7 @@ void ExplainWorkspace::open_what_if(const QString& id, int place) {
     const EffectParameter& p = effect->parameters[what_if_view_.effect.numbers[i].parameter];
     const ShownUnit unit = shown_unit(p.unit);
     const auto at = static_cast<Eigen::Index>(i);
-    state.parameters.push_back({.name = QString::fromStdString(p.name),
+    state.parameters.push_back({.name = number_title(p.name),
                                 .unit = unit.unit,
                                 .plausible = unit.scale * p.sigma,
                                 .best = unit.scale * what_if_view_.effect.best[at],
@@ -72,7 +72,7 @@ void ExplainWorkspace::slide_what_if(double value) {
   const auto at = static_cast<std::size_t>(what_if_parameter_);
   const double scale = shown_unit(effect.parameters[what_if_view_.effect.numbers[at].parameter].unit).scale;
   what_if_view_.numbers[static_cast<Eigen::Index>(at)] = value / scale;
-  try_numbers(what_if_view_, what_if_view_.numbers, what_if_id_);
+  try_numbers(what_if_view_, what_if_view_.numbers, effect_of(what_if_id_, {}));
   const ResidualViews& views = bench_.diagnosing.residuals()->views;
   const double left = rms_left(views, what_if_view_.effect, what_if_view_.numbers);
   failing_->what_if()->set_answer(

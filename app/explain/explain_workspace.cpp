@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "explain/failing_pane.h"
 #include "explain/missing_pane.h"
@@ -74,10 +75,11 @@ void ExplainWorkspace::make_layout() {
 }
 
 void ExplainWorkspace::connect_panes() {
-  connect(verdict_, &widgets::VerdictLine::blame_clicked, this, [this] { emit bench_.workspace_requested(2); });
+  connect(verdict_, &widgets::VerdictLine::blame_clicked, this,
+          [this] { emit bench_.workspace_requested(Place::inspect); });
   connect(missing_, &MissingPane::tried, this, &ExplainWorkspace::try_candidate);
   connect(missing_, &MissingPane::what_if, this, [this](const QString& id) { open_what_if(id); });
-  connect(missing_, &MissingPane::export_wanted, this, [this] { emit bench_.workspace_requested(4); });
+  connect(missing_, &MissingPane::export_wanted, this, [this] { emit bench_.workspace_requested(Place::write_out); });
   connect(missing_, &MissingPane::look_wanted, this, [this] { bench_.diagnosing.set_wanted(true); });
   connect(missing_, &MissingPane::curve_wanted, this, [this] {
     if (const auto d = bench_.diagnosing.diagnosis())
@@ -91,9 +93,19 @@ void ExplainWorkspace::connect_panes() {
   connect(&adding_, &Adding::began, this, [this] {
     failing_->what_if()->hide();
     stop_trying();
+    failing_->end_proof();
+    failing_->show_proof(adding_.offered());
     refresh_verdict();
   });
-  connect(&adding_, &Adding::ended, this, &ExplainWorkspace::refresh_in_turns);
+  connect(&adding_, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
+    if (end == AdditionEnd::taken) {
+      proof_model_ = bench_.document.model();
+      failing_->show_proof_added(adding_.taken());
+    } else {
+      failing_->end_proof();
+    }
+    refresh_in_turns();
+  });
   in_turns_.setInterval(0);
   connect(&in_turns_, &QTimer::timeout, this, &ExplainWorkspace::refresh_next);
   using widgets::WhatIfSlider;
@@ -160,7 +172,9 @@ WorkStatus ExplainWorkspace::status() const {
   const ModelVersionPointer model = bench_.document.shown_model();
   if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
   if (const auto d = bench_.diagnosing.diagnosis()) {
-    if (d->verdict == Verdict::adequate) return {WorkState::done, tr("nothing is missing")};
+    if (d->verdict == Verdict::adequate)
+      return {WorkState::done,
+              curves_of(*model->fit).empty() ? tr("nothing is missing") : tr("at the noise, not all named")};
     if (d->verdict == Verdict::missing_effect || d->verdict == Verdict::ambiguous)
       return {WorkState::care, tr("an effect is missing")};
     if (d->verdict == Verdict::unexplained) return {WorkState::care, tr("unexplained")};
@@ -215,6 +229,8 @@ void ExplainWorkspace::refresh_all() {
 
 void ExplainWorkspace::refresh_plots() {
   const ModelVersionPointer model = bench_.document.shown_model();
+  const bool is_of_proof = model && proof_model_ && same_fit(*model, *proof_model_);
+  if (failing_->is_proof_added() && !is_of_proof) failing_->end_proof();  // undone, or another is shown
   std::shared_ptr<const ModelResiduals> residuals = bench_.diagnosing.residuals();
   if (model && model != bench_.document.model() && model->fit) residuals = bench_.diagnosing.residuals_of(model);
   if (residuals || !model || !model->fit) {
@@ -244,7 +260,8 @@ void ExplainWorkspace::refresh_verdict() {
   } else {
     const bool is_present = model == bench_.document.model();
     v = session_verdict(*model, is_present ? bench_.diagnosing.diagnosis().get() : nullptr,
-                        bench_.diagnosing.is_running(), bench_.diagnosing.names_lead_on(), bench_.units.unit());
+                        bench_.diagnosing.is_running(), bench_.units.unit(),
+                        refused_now(adding_.refused(), bench_.document));
     if (v.state == widgets::SessionState::looking)
       v.progress = tr("%1 %").arg(std::lround(100 * bench_.diagnosing.share()));
     if (const auto error = bench_.predicted_error())
@@ -261,17 +278,25 @@ void ExplainWorkspace::try_candidate(const QString& id) {
   if (!d || !view || !failing_->residuals()) return;
   trying_ = id;
   missing_->cards()->set_previewed(id);
-  try_numbers(*view, view->numbers, id.toStdString());
+  failing_->show_proof({title_of_candidate(id.toStdString()), view->proof});
+  try_numbers(*view, view->numbers, title_of_candidate(id.toStdString()));
 }
 
-void ExplainWorkspace::try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const std::string& id) {
+QString ExplainWorkspace::title_of_candidate(const std::string& id) const {
+  if (const auto d = bench_.diagnosing.diagnosis())
+    for (const DiagnosisCandidate& c : d->candidates)
+      if (id_of(c) == id) return name_of(c, bench_.document.session());
+  return effect_of(id, {});
+}
+
+void ExplainWorkspace::try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const QString& name) {
   const auto residuals = bench_.diagnosing.residuals();
   if (!residuals) return;
   std::vector<EffectTerm> terms = view.effect.terms;
   for (std::size_t i = 0; i < view.effect.numbers.size(); ++i)
     terms[view.effect.numbers[i].term].values[view.effect.numbers[i].parameter] = numbers[static_cast<Eigen::Index>(i)];
   failing_->set_prediction(&view.effect, numbers);
-  watching_->set_prediction(residuals.get(), &view, numbers, terms, tr("with %1").arg(effect_of(id, {})));
+  watching_->set_prediction(residuals.get(), &view, numbers, terms, tr("with %1").arg(name));
   bench_.try_out(rms_left(residuals->views, view.effect, numbers),
                  predicted_ratios(*residuals, view.effect, numbers, bench_.document.session()));
   refresh_verdict();
@@ -281,6 +306,7 @@ void ExplainWorkspace::stop_trying() {
   const bool was_trying = bench_.predicted_error().has_value();
   trying_.clear();
   missing_->cards()->set_previewed({});
+  if (!adding_.is_running()) failing_->show_proof({});
   if (failing_->what_if()->isVisible() && !adding_.is_running() && isVisible())
     return slide_what_if(failing_->what_if()->value());
   bench_.try_out(std::nullopt);

@@ -24,7 +24,9 @@ class ExplainWorkspace : public Workspace {
  public:
   explicit ExplainWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
+  Place place() const override { return Place::explain; }
   QString name() const override { return tr("Explain"); }
+  std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   void activate() override;
   Adding& adding() { return adding_; }
@@ -46,7 +48,8 @@ class ExplainWorkspace : public Workspace {
   void refresh_units();
   void refresh_verdict();
   void try_candidate(const QString& id);
-  void try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const std::string& id);
+  void try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const QString& name);
+  QString title_of_candidate(const std::string& id) const;
   void stop_trying();
   void open_what_if(const QString& id, int place = -1);
   void renew_what_if();
@@ -65,6 +68,7 @@ class ExplainWorkspace : public Workspace {
   Tour* tour_ = nullptr;
   bool is_fresh_ = true;
   QString trying_;
+  ModelVersionPointer proof_model_;  // the model that the proof of what was added is of
   // What if: the effect, where it may sit, and how it would show there.
   std::string what_if_id_;
   std::vector<EffectTerm> what_if_places_;

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "diagnosis/common.h"
+#include "frame/link_selection.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/scatter_plot.h"
 #include "widgets/theme.h"
@@ -20,12 +21,16 @@ using widgets::ScatterPlot;
 FailingPane::FailingPane(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
   make_layout();
   connect_all();
+  say_proof();
 }
 
 void FailingPane::make_layout() {
   title_ = new QLabel(tr("Where it fails"), this);
   title_->setFixedHeight(widgets::kControlHeight);
   title_->setFont(widgets::text_font(widgets::TextRole::title));
+  patterns_ = new QPushButton(tr("Back to the patterns"), this);
+  patterns_->setObjectName("back_to_patterns");
+  patterns_->hide();
   resort_ = new QPushButton(tr("Order changed, sort again"), this);
   resort_->setObjectName("resort_plots");
   resort_->hide();
@@ -33,8 +38,8 @@ void FailingPane::make_layout() {
   large_->setObjectName("pattern_large");
   large_->setMinimumHeight(110);
   large_->set_empty_text(tr("Waits for a fit."));
-  hint_ = new QLabel(tr("Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?"),
-                     this);
+  hint_ = new QLabel(this);
+  hint_->setObjectName("proof_sentence");
   hint_->setFont(widgets::text_font(widgets::TextRole::small));
   hint_->setWordWrap(true);
   common_ = new QPushButton(this);
@@ -52,6 +57,7 @@ void FailingPane::make_layout() {
   head->addWidget(title_);
   head->addStretch(1);
   head->addWidget(resort_);
+  head->addWidget(patterns_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
@@ -63,30 +69,38 @@ void FailingPane::make_layout() {
   setMinimumSize(420, 330);  // what comes and goes inside must not make the window grow
 }
 
-/// With little height three plots that can be read are more than nine that cannot.
+/// With little height three plots that can be read are more than six that cannot.
 void FailingPane::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   constexpr int high_enough = 460, one_row = 108;
-  const int rows = height() < high_enough ? 1 : 3;
+  const int rows = height() < high_enough ? 1 : 2;
   page_->setMaximumHeight(rows == 1 ? one_row : QWIDGETSIZE_MAX);
   page_->set_rows(rows);
 }
 
 void FailingPane::connect_all() {
   shows_timer_.setInterval(0);
+  falling_.setDuration(600);
+  falling_.setStartValue(0.0);
+  falling_.setEndValue(1.0);
+  falling_.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&falling_, &QVariantAnimation::valueChanged, this, [this](const QVariant& v) { set_added(v.toDouble()); });
+  leaving_.setSingleShot(true);
+  leaving_.setInterval(300);
+  connect(&leaving_, &QTimer::timeout, this, [this] {
+    if (!underMouse()) end_proof();
+  });
+  moment_.setSingleShot(true);
+  moment_.setInterval(2500);
+  connect(&moment_, &QTimer::timeout, this, [this] {
+    if (std::exchange(is_waiting_, false)) show_proof(std::exchange(waiting_, {}));
+  });
+  connect(patterns_, &QPushButton::clicked, this, &FailingPane::end_proof);
   connect(&shows_timer_, &QTimer::timeout, this, &FailingPane::find_next_shows);
   connect(page_, &PatternPage::plot_selected, this, &FailingPane::choose_plot);
   connect(resort_, &QPushButton::clicked, this, &FailingPane::resort);
-  const auto hover = [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); };
-  const auto brush = [this](const std::vector<qint64>& ids) { bench_.selection.select_many({ids.begin(), ids.end()}); };
-  connect(page_, &PatternPage::observation_hovered, this, hover);
-  connect(page_, &PatternPage::observations_selected, this, brush);
-  connect(page_, &PatternPage::read_out, &bench_, &Workbench::pointed_at);
-  connect(large_, &ScatterPlot::observation_selected, this,
-          [this](qint64 id) { bench_.selection.select_observation(id); });
-  connect(large_, &ScatterPlot::observation_hovered, this, hover);
-  connect(large_, &ScatterPlot::observations_selected, this, brush);
-  connect(large_, &ScatterPlot::read_out, &bench_, &Workbench::pointed_at);
+  link_selection(page_, bench_);
+  link_selection(large_, bench_);
   connect(common_, &QPushButton::clicked, this, [this] { show_variable(common_variable_); });
   connect(&bench_.selection, &Selection::changed, this, [this] {
     if (isVisible()) refresh_selection();
@@ -124,6 +138,14 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
     chosen_ = 0;
   }
   predictions_.clear();
+  if (fresh || !residuals_) {
+    moment_.stop();
+    falling_.stop();
+    is_waiting_ = false;
+    proof_ = {};
+    added_ = 0;
+    say_proof();
+  }
   if (!residuals_) {
     large_->set_points({});
     large_->set_trend({});
@@ -140,15 +162,8 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
   const bool same_first =
       is_chance || strongest.empty() || std::find(places_.begin(), places_.end(), strongest.front()) != places_.end();
   resort_->setVisible(!same_first);
-  if (first) {
-    page_->set_plots(plots(*residuals_, nullptr));
-  } else {
-    page_->update_plots(plots(*residuals_, nullptr));
-  }
-  page_->set_selected_plot(chosen_);
-  fill_large();
   // The axes stay while the user looks, as long as they hold what is shown.
-  first ? large_->fit() : large_->fit_if_outgrown();
+  refill(first);
   refresh_selection();
 }
 
@@ -156,10 +171,7 @@ void FailingPane::resort() {
   if (!residuals_) return;
   places_ = strongest_plots(*residuals_);
   chosen_ = 0;
-  page_->set_plots(plots(*residuals_, nullptr));
-  page_->set_selected_plot(0);
-  fill_large();
-  large_->fit();
+  refill(true);
   resort_->hide();
 }
 
@@ -175,44 +187,85 @@ void FailingPane::find_next_shows() {
       return;
     }
   shows_timer_.stop();
-  if (residuals_ && !is_instead_) page_->update_plots(plots(*residuals_, nullptr));
+  if (residuals_ && !is_instead_) page_->update_plots(all_plots(*residuals_, nullptr));
 }
 
 void FailingPane::refresh_units() {
   if (!residuals_ || places_.empty()) return;
-  page_->set_plots(plots(*residuals_, nullptr));
-  page_->set_selected_plot(chosen_);
-  fill_large();
-  large_->fit();
+  refill(true);
   refresh_selection();
 }
 
+std::vector<widgets::PatternPlot> FailingPane::all_plots(const ModelResiduals& residuals,
+                                                         const std::vector<Eigen::VectorXd>* values) {
+  std::vector<widgets::PatternPlot> list;
+  for (const ProofPlot& p : proof_.plots) list.push_back(proof_plot(p, bench_, added_));
+  std::vector<widgets::PatternPlot> patterns = plots(residuals, values);
+  for (std::size_t i = 0; i < patterns.size(); ++i) {
+    if (i < predictions_.size()) patterns[i].candidate = predictions_[i];
+    list.push_back(std::move(patterns[i]));
+  }
+  return list;
+}
+
+void FailingPane::refill(bool fit_axes) {
+  if (!residuals_) return;
+  if (fit_axes) {
+    page_->set_plots(all_plots(*residuals_, nullptr));
+  } else {
+    page_->update_plots(all_plots(*residuals_, nullptr));
+  }
+  page_->set_selected_plot(chosen_);
+  fill_large();
+  fit_axes ? large_->fit() : large_->fit_if_outgrown();
+}
+
+const PlotKey* FailingPane::key_at(int place) const {
+  const auto pattern = static_cast<std::size_t>(place) - proof_.plots.size();
+  return static_cast<std::size_t>(place) >= proof_.plots.size() && pattern < places_.size() ? &places_[pattern]
+                                                                                            : nullptr;
+}
+
+std::optional<widgets::PatternPlot> FailingPane::plot_at(int place) const {
+  if (!residuals_ || place < 0) return std::nullopt;
+  if (static_cast<std::size_t>(place) < proof_.plots.size())
+    return proof_plot(proof_.plots[static_cast<std::size_t>(place)], bench_, added_);
+  const PlotKey* key = key_at(place);
+  if (!key) return std::nullopt;
+  auto plot = pattern_plot(*key, *residuals_, bench_);
+  const auto at = static_cast<std::size_t>(key - places_.data());
+  if (plot && at < predictions_.size()) plot->candidate = predictions_[at];
+  return plot;
+}
+
 void FailingPane::choose_plot(int place) {
-  if (place < 0 || place >= static_cast<int>(places_.size())) return;
+  if (!plot_at(place)) return;
   chosen_ = place;
   fill_large();
   large_->fit();
+  say_proof();
 }
 
 void FailingPane::fill_large() {
-  if (!residuals_ || places_.empty()) return;
-  const auto plot = pattern_plot(places_[static_cast<std::size_t>(chosen_)], *residuals_, bench_);
+  const auto plot = plot_at(chosen_);
   if (!plot) return;
-  large_->set_axes(plot->against, plot->x_unit, tr("residual"), plot->y_unit);
-  large_->set_title(tr("%1 against %2").arg(plot->what.left(1).toUpper() + plot->what.mid(1), plot->against));
-  large_->set_noise_band(plot->noise);
+  const bool is_proof = static_cast<std::size_t>(chosen_) < proof_.plots.size();
+  large_->set_axes(plot->against, plot->x_unit, is_proof ? plot->what : tr("residual"), plot->y_unit);
+  const QString title = tr("%1 against %2").arg(plot->what.left(1).toUpper() + plot->what.mid(1), plot->against);
+  large_->set_title(is_proof && added_ >= 1 ? tr("In the model: %1").arg(title) : title);
+  large_->set_noise_band(is_proof && added_ < 1 ? std::nullopt : plot->noise);
   large_->set_points(plot->points);
   large_->set_trend(plot->trend);
-  const auto c = static_cast<std::size_t>(chosen_);
-  large_->set_candidate(c < predictions_.size() ? predictions_[c] : std::vector<widgets::TrendPoint>{});
+  large_->set_candidate(plot->candidate);
 }
 
 void FailingPane::show_instead(const ModelResiduals& residuals, const std::vector<Eigen::VectorXd>* values,
                                const QString& title) {
   if (places_.empty()) return;
   is_instead_ = true;
-  page_->update_plots(plots(residuals, values));
-  const auto plot = pattern_plot(places_[static_cast<std::size_t>(chosen_)], residuals, bench_, values);
+  page_->update_plots(all_plots(residuals, values));
+  const PlotKey* key = key_at(chosen_);
+  const auto plot = key ? pattern_plot(*key, residuals, bench_, values) : std::nullopt;
   if (!plot) return;
   large_->set_points(plot->points);
   large_->set_trend(plot->trend);
@@ -222,7 +275,7 @@ void FailingPane::show_instead(const ModelResiduals& residuals, const std::vecto
 void FailingPane::show_measured_again() {
   is_instead_ = false;
   if (!residuals_ || places_.empty()) return;
-  page_->update_plots(plots(*residuals_, nullptr));
+  page_->update_plots(all_plots(*residuals_, nullptr));
   fill_large();
 }
 
@@ -231,27 +284,30 @@ void FailingPane::set_prediction(const EffectView* view, const Eigen::VectorXd& 
   const auto unit = bench_.units.unit();
   if (view && residuals_)
     for (const PlotKey& key : places_) predictions_.push_back(predicted_trend(key, *residuals_, *view, numbers, unit));
-  page_->set_candidates(predictions_);
-  const auto c = static_cast<std::size_t>(chosen_);
-  large_->set_candidate(c < predictions_.size() ? predictions_[c] : std::vector<widgets::TrendPoint>{});
+  std::vector<std::vector<widgets::TrendPoint>> all;
+  for (const ProofPlot& p : proof_.plots) all.push_back(proof_plot(p, bench_, added_).candidate);
+  all.insert(all.end(), predictions_.begin(), predictions_.end());
+  page_->set_candidates(all);
+  if (const auto plot = plot_at(chosen_)) large_->set_candidate(plot->candidate);
 }
 
 void FailingPane::set_progress(const QString& text) { page_->set_progress(text); }
 
 void FailingPane::show_variable(const std::string& variable) {
+  const int first = static_cast<int>(proof_.plots.size());
+  const auto choose = [&](int place) {
+    page_->set_selected_plot(place);
+    choose_plot(place);
+  };
   for (std::size_t i = 0; i < places_.size(); ++i)
-    if (places_[i].variable == variable) {
-      page_->set_selected_plot(static_cast<int>(i));
-      return choose_plot(static_cast<int>(i));
-    }
+    if (places_[i].variable == variable) return choose(first + static_cast<int>(i));
   // A variable that has no place yet takes the last one.
   if (!residuals_ || places_.empty()) return;
   for (const Pattern& p : residuals_->patterns) {
     if (residuals_->views.variables[p.variable].name != variable) continue;
     places_.back() = {residuals_->views.series[p.series].name, variable};
-    page_->update_plots(plots(*residuals_, nullptr));
-    page_->set_selected_plot(static_cast<int>(places_.size()) - 1);
-    return choose_plot(static_cast<int>(places_.size()) - 1);
+    page_->update_plots(all_plots(*residuals_, nullptr));
+    return choose(first + static_cast<int>(places_.size()) - 1);
   }
 }
 
@@ -279,10 +335,8 @@ void FailingPane::look_for_common() {
     chosen.push_back(many.contains(id_at(bench_.document.session(), o.index)) ? 1 : 0);
   auto list = what_is_common(v.variables, chosen);
   // What was dragged over is no news.
-  if (list.size() > 1 && !places_.empty())
-    std::erase_if(list, [&](const Common& c) {
-      return v.variables[c.variable].name == places_[static_cast<std::size_t>(chosen_)].variable;
-    });
+  if (const auto plot = plot_at(chosen_); plot && list.size() > 1)
+    std::erase_if(list, [&](const Common& c) { return v.variables[c.variable].name == plot->against.toStdString(); });
   if (list.empty()) return;
   const Variable& variable = v.variables[list.front().variable];
   common_variable_ = variable.name;

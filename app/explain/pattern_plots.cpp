@@ -2,7 +2,9 @@
 #include "explain/pattern_plots.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "explain/trend.h"
 
@@ -30,8 +32,8 @@ double root_mean_square(const Eigen::VectorXd& v) {
 /// Time and the order of the observations, two angles that a mimic joint ties: plots against them are the same picture.
 bool tell_the_same(const Variable& a, const Variable& b) {
   if (a.values.size() != b.values.size() || a.values.size() < 3) return false;
-  const Eigen::VectorXd x = a.values.array() - a.values.mean(), y = b.values.array() - b.values.mean();
-  return std::abs(x.dot(y)) > 0.999 * x.norm() * y.norm();
+  const Eigen::ArrayXd x = a.values.array() - a.values.mean(), y = b.values.array() - b.values.mean();
+  return std::abs((x * y).sum()) > 0.999 * std::sqrt(x.square().sum() * y.square().sum());
 }
 
 /// Values of a series as they are shown.
@@ -114,7 +116,9 @@ std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const Model
   if (view.series[found->series].rows() != x.size()) return {};  // of a version with other observations
   const ShownSeries shown =
       shown_series(residuals.views.series[found->series], view.series[found->series] * numbers, unit);
-  return trend_of(x, shown.values);
+  std::vector<widgets::TrendPoint> line = trend_of(x, shown.values);
+  for (widgets::TrendPoint& p : line) p.low = p.high = p.y;
+  return line;
 }
 
 QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing) {
@@ -125,7 +129,7 @@ QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, c
   const double noise = root_mean_square(residuals.views.series[found->series].sigmas);
   std::vector<std::pair<double, QString>> list;
   for (const DiagnosisCandidate& c : diagnosis->candidates) {
-    const auto view = c.unnamed ? nullptr : diagnosing.view_of(c.id);
+    const auto view = c.unnamed ? nullptr : diagnosing.view_of(id_of(c));
     // Where an earlier version is shown, the views are of another one, maybe of other observations.
     if (!view || found->series >= view->effect.series.size() || view->effect.series[found->series].rows() != x.size())
       continue;

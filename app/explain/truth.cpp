@@ -7,7 +7,9 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "base/xml.h"
+#include "document/curve_words.h"
 #include "document/effect_words.h"
+#include "effects/own_effect.h"
 #include "widgets/number_text.h"
 
 namespace handsight::app {
@@ -80,19 +82,31 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
   }
 }
 
+/// Is the term a curve without a name that acts at this joint or follows its angle?
+bool is_curve_at(const EffectTerm& term, const std::string& joint, const Session& session) {
+  const Effect& effect = effect_of(term);
+  if (!effect.is_unnamed()) return false;
+  if (place_name(effect, term.joint, session.robot) == joint) return true;
+  return std::any_of(effect.definition->moves.begin(), effect.definition->moves.end(), [&](const DefinedMove& m) {
+    return m.formula.find("q_" + formula_name(joint)) != std::string::npos;
+  });
+}
+
 void add_what_was_not_hidden(const Session& session, const Truth& truth, const Fit& fit,
                              std::vector<widgets::TruthRow>& rows) {
   for (const FittedEffect& f : fit.effects) {
     const bool is_hidden = std::any_of(truth.effects.begin(), truth.effects.end(), [&](const EffectTerm& t) {
       return t.id == f.term.id && t.joint == f.term.joint;
     });
-    if (is_hidden) continue;
+    const bool is_curve = std::any_of(truth.curves.begin(), truth.curves.end(),
+                                      [&](const auto& curve) { return is_curve_at(f.term, curve.first, session); });
+    if (is_hidden || is_curve) continue;
     const Effect& effect = effect_of(f.term);
     const std::string place = place_name(effect, f.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const ShownUnit unit = shown_unit(effect.parameters[p].unit);
       widgets::TruthRow row;
-      row.what = effect_of(f.term.id, place.empty() ? std::vector<std::string>{} : std::vector<std::string>{place});
+      row.what = name_of({f.term}, session);
       row.parameter = QString::fromStdString(effect.parameters[p].name);
       row.unit = unit.unit;
       row.found = unit.scale * f.term.values[p];
@@ -148,8 +162,12 @@ TruthComparison compare_with_truth(const Session& session, const Truth& truth, c
     const bool is_seen = d && is_outdone(*d) &&
                          std::find(d->candidates.front().where.begin(), d->candidates.front().where.end(), joint) !=
                              d->candidates.front().where.end();
-    row.verdict = is_seen ? widgets::TruthVerdict::right : widgets::TruthVerdict::missed;
-    row.remark = is_seen ? QObject::tr("seen, and said to have no name") : QString();
+    const bool is_in_model = std::any_of(fit.effects.begin(), fit.effects.end(),
+                                         [&](const FittedEffect& f) { return is_curve_at(f.term, joint, session); });
+    row.verdict = is_seen || is_in_model ? widgets::TruthVerdict::right : widgets::TruthVerdict::missed;
+    row.remark = is_in_model ? QObject::tr("in the model as a curve without a name")
+                 : is_seen   ? QObject::tr("seen, and said to have no name")
+                             : QString();
     c.rows.push_back(row);
   }
   const auto any = [&](widgets::TruthVerdict v) {

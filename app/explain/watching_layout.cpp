@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "explain/watching_pane.h"
+#include "frame/link_selection.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
 #include "widgets/robot_view.h"
@@ -95,19 +96,10 @@ void WatchingPane::connect_all() {
   connect(stairs_, &Staircase::compared, this, &WatchingPane::compare);
   connect(versions_, &VersionList::compared, this, &WatchingPane::compare);
   connect(versions_, &VersionList::take_back_requested, this, &WatchingPane::take_back);
-  connect(stairs_, &Staircase::read_out, &bench_, &Workbench::pointed_at);
-  connect(cost_, &widgets::CostCurve::read_out, &bench_, &Workbench::pointed_at);
-  connect(cloud_, &widgets::ResidualCloud::read_out, &bench_, &Workbench::pointed_at);
-  connect(cloud_, &widgets::ResidualCloud::observation_selected, this,
-          [this](qint64 id) { bench_.selection.select_observation(id); });
-  connect(cloud_, &widgets::ResidualCloud::observation_hovered, this,
-          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
-  connect(robot_, &widgets::RobotView::joint_selected, this, [this](const QString& joint) {
-    Selected s = bench_.selection.current();
-    s.joint = joint.toStdString();
-    bench_.selection.select(s);
-  });
-  connect(robot_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
+  link_selection(stairs_, bench_);
+  link_selection(cost_, bench_);
+  link_selection(cloud_, bench_);
+  link_selection(robot_, bench_);
   connect(&adding_, &Adding::began, this, &WatchingPane::began);
   connect(&adding_, &Adding::iterated, cost_, &widgets::CostCurve::append);
   connect(&adding_, &Adding::pictured, this, &WatchingPane::picture);
@@ -116,6 +108,7 @@ void WatchingPane::connect_all() {
     robot_is_set_ = false;
     a_ = b_ = -1;
     rows_.clear();
+    memory_ = remembered_stairs(bench_.document.session().file);
     cost_->clear();
     cloud_->reset();
     left_->setCurrentIndex(tab_stairs);

@@ -42,6 +42,33 @@ int WatchingPane::selected_index() const {
                   bench_.document.index_of(bench_.selection.current().observation.value_or(s.observations.front().id)));
 }
 
+const RememberedStair* WatchingPane::memory_of(int index) const {
+  const QUndoStack& stack = bench_.document.undo_stack();
+  for (const RememberedStair& s : memory_)
+    if (s.index == index && index <= stack.count() && s.action == (index > 0 ? stack.text(index - 1) : QString()))
+      return &s;
+  return nullptr;
+}
+
+/// What the next start is to show.
+void WatchingPane::remember() {
+  if (!bench_.document.is_open()) return;
+  const QUndoStack& stack = bench_.document.undo_stack();
+  std::vector<RememberedStair> stairs;
+  const auto versions = bench_.document.versions();
+  for (int i = 0; i < static_cast<int>(versions.size()); ++i) {
+    const ModelVersionPointer& v = versions[static_cast<std::size_t>(i)];
+    const QString action = i > 0 ? stack.text(i - 1) : QString();
+    if (v && v->fit) {
+      stairs.push_back({i, action, v->cause, v->report->fitted, v->report->held_out});
+    } else if (const RememberedStair* memory = memory_of(i)) {
+      stairs.push_back(*memory);
+    }
+  }
+  memory_ = stairs;
+  if (stairs.size() > 1) remember_stairs(bench_.document.session().file, stairs);
+}
+
 void WatchingPane::refresh() {
   refresh_rows();
   if (!adding_.is_running()) {
@@ -53,9 +80,15 @@ void WatchingPane::refresh() {
 void WatchingPane::refresh_rows() {
   const ModelVersionPointer marked_a = compared_a(), marked_b = compared_b();
   rows_.clear();
+  remember();
   const auto versions = bench_.document.versions();
   for (std::size_t i = 0; i < versions.size(); ++i) {
-    if (versions[i] && versions[i]->fit) rows_.push_back({versions[i], nullptr, static_cast<int>(i)});
+    const auto index = static_cast<int>(i);
+    if (versions[i] && versions[i]->fit) {
+      rows_.push_back({versions[i], nullptr, index});
+    } else if (const RememberedStair* memory = memory_of(index)) {
+      rows_.push_back({nullptr, nullptr, index, memory});
+    }
     for (const Refusal& r : adding_.refused())
       if (r.index == static_cast<int>(i)) rows_.push_back({nullptr, &r, static_cast<int>(i)});
   }
@@ -68,6 +101,17 @@ void WatchingPane::refresh_rows() {
   const auto noise = now && now->fit ? now->fit->noise : std::nullopt;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
+    if (row.memory) {
+      const bool in_pixels = !bench_.document.session().is_tracker();
+      const widgets::VersionStep step{row.memory->cause.isEmpty() ? tr("as opened") : row.memory->cause,
+                                      size_of(row.memory->fitted, in_pixels, noise).in(unit),
+                                      size_of(row.memory->held_out, in_pixels, noise).in(unit)};
+      state.versions.push_back(step);
+      entries.push_back({.name = step.name, .held_out = step.held_out, .fitted = step.fitted});
+      if (before && step.held_out) entries.back().change = *step.held_out - *before;
+      before = step.held_out;
+      continue;
+    }
     if (!row.version) {
       const QString name = effect_of(row.refusal->id, row.refusal->where);
       state.versions.push_back({.name = name, .is_refused = true, .reason = row.refusal->reason});

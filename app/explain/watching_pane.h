@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
+#include "document/stairs_memory.h"
 #include "explain/adding.h"
 #include "widgets/explain/staircase.h"
 
@@ -49,7 +50,8 @@ class WatchingPane : public QWidget {
   struct Row {
     ModelVersionPointer version;  // null: refused
     const Refusal* refusal = nullptr;
-    int index = 0;  // of the undo stack
+    int index = 0;                            // of the undo stack
+    const RememberedStair* memory = nullptr;  // of a start before: its error alone is known
   };
   enum Tab { tab_stairs, tab_versions, tab_fit };
   void make_layout();
@@ -65,10 +67,13 @@ class WatchingPane : public QWidget {
   void bend(double share);  // of the way from one picture of a fit to the next
   void set_ghost(const std::vector<Rigid>& bent);
   ModelVersionPointer version_at(int row) const;
+  const RememberedStair* memory_of(int index) const;
+  void remember();
   int selected_index() const;  // the selected observation, into Session::observations
 
   Workbench& bench_;
   Adding& adding_;
+  std::vector<RememberedStair> memory_;  // of this session's versions, from before it was opened and since
   std::vector<Row> rows_;
   int a_ = -1, b_ = -1;
   bool robot_is_set_ = false;

@@ -62,6 +62,7 @@ QWidget* ExportWorkspace::make_left() {
   layout->addLayout(row);
   motion_ = plain_table(4, left);
   motion_->setObjectName("motion");
+  motion_->setAccessibleName(tr("TCP→Body"));
   motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
   motion_->setMinimumHeight(4 * 24 + 36);  // more where there is room; else it scrolls
   layout->addWidget(motion_);
@@ -91,6 +92,7 @@ QWidget* ExportWorkspace::make_right() {
   layout->addWidget(heading(tr("XML as it will be written"), right));
   xml_ = new QPlainTextEdit(right);
   xml_->setObjectName("xml");
+  xml_->setAccessibleName(tr("XML as it will be written"));
   xml_->setReadOnly(true);
   xml_->setLineWrapMode(QPlainTextEdit::NoWrap);
   QFont mono = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -118,6 +120,7 @@ void ExportWorkspace::make_layout() {
   calibrate_ = new QPushButton(tr("Calibrate"), this);
   path_ = new QLineEdit(this);
   path_->setObjectName("export_path");
+  path_->setAccessibleName(tr("File to write"));
   save_ = new QPushButton(tr("Save XML"), this);
   save_->setObjectName("save_xml");
   save_->setDefault(true);

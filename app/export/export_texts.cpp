@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "explain/explain_texts.h"
 #include "frame/model_effects.h"
@@ -37,7 +38,7 @@ double moved_by_effects(const Fit& fit) {
 QString effects_text(const Session& session, const Fit& fit) {
   const std::vector<EffectTerm> terms = terms_of(fit);
   QStringList names;
-  for (const std::string& id : ids_of(terms)) names << effect_of(id, places_of(terms_of_effect(terms, id), session));
+  for (const std::string& id : ids_of(terms)) names << name_of(terms_of_effect(terms, id), session);
   return names.join(QObject::tr(", "));
 }
 
@@ -56,7 +57,7 @@ std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
                                    is_held ? std::nullopt : std::optional(unit.scale * f.sigmas[p]))
               .split(QString(" ± "));
       const QString name =
-          effect_of(f.term.id, place.empty() ? std::vector<std::string>{} : std::vector<std::string>{place}) +
+          name_of({f.term}, session) +
           (effect.parameters.size() > 1 ? ", " + QString::fromStdString(effect.parameters[p].name) : QString());
       lines.push_back({name, parts.value(0), is_held ? QObject::tr("held") : parts.value(1), unit.unit});
     }

@@ -64,7 +64,7 @@ ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(
     QGuiApplication::clipboard()->setText(motion_text(model->fit->tcp_from_body, form()));
     say(tr("Copied, in m and rad."), false);
   });
-  connect(calibrate_, &QPushButton::clicked, this, [this] { emit bench_.workspace_requested(1); });
+  connect(calibrate_, &QPushButton::clicked, this, [this] { emit bench_.workspace_requested(Place::calibrate); });
   connect(forms_, &QButtonGroup::idClicked, this, &ExportWorkspace::refresh_motion);
 }
 
@@ -150,7 +150,7 @@ void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
   excluded_title_->setText(
       unused.empty()
           ? tr("Every observation was used")
-          : tr("%1 not used").arg(counted(static_cast<qint64>(unused.size()), "observation", "observations")));
+          : tr("%1 not used").arg(counted(static_cast<qint64>(unused.size()), "%n observation(s)")));
   excluded_->setVisible(!unused.empty());
   const auto fresh = fresh_poses(*model.inspection);
   const auto count = [&](auto test) { return std::count_if(fresh.begin(), fresh.end(), test); };
@@ -232,9 +232,8 @@ void ExportWorkspace::save_report(bool pdf) {
   file.replace_extension(pdf ? ".pdf" : ".html");
   try {
     const auto pictures = report_pictures(bench_);
-    const QString verdict = session_verdict(*model, bench_.diagnosing.diagnosis().get(), false,
-                                            bench_.diagnosing.names_lead_on(), bench_.units.unit())
-                                .sentence;
+    const QString verdict =
+        session_verdict(*model, bench_.diagnosing.diagnosis().get(), false, bench_.units.unit()).sentence;
     const QByteArray bytes = pdf ? report_pdf(bench_.document, *model, pictures, verdict)
                                  : report_html(bench_.document, *model, pictures, verdict).toUtf8();
     replace_file(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));

@@ -21,6 +21,7 @@ class ExportWorkspace : public Workspace {
  public:
   explicit ExportWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
+  Place place() const override { return Place::write_out; }
   QString name() const override { return tr("Export"); }
   WorkStatus status() const override;
   void activate() override;

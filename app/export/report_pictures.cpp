@@ -2,9 +2,11 @@
 #include "export/report_pictures.h"
 
 #include <QPainter>
+#include <algorithm>
 
 #include "explain/fit_watch.h"
 #include "explain/pattern_plots.h"
+#include "explain/proof_plots.h"
 #include "frame/observation_views.h"
 #include "inspect/inspection_rows.h"
 #include "widgets/explain/pattern_page.h"
@@ -135,6 +137,26 @@ void add_failures(Workbench& bench, const std::vector<ModelVersionPointer>& vers
     add_patterns(bench, versions.back(), keys, QObject::tr("The same with the model as it is now"), pictures);
 }
 
+/// What every observation says of each site that the model's effects move, with the curve of what was estimated.
+void add_proofs(const Workbench& bench, const ModelVersion& version, std::vector<ReportPicture>& pictures) {
+  std::vector<EffectTerm> estimated;
+  for (const FittedEffect& f : version.fit->effects)
+    if (std::any_of(f.sigmas.begin(), f.sigmas.end(), [](double sigma) { return sigma > 0; }))
+      estimated.push_back(f.term);
+  constexpr std::size_t most = 8;
+  const std::vector<ProofPlot> proofs = proof_of(bench.document.session(), *version.fit, estimated);
+  for (std::size_t i = 0; i < std::min(most, proofs.size()); ++i) {
+    widgets::PatternPlot shown = proof_plot(proofs[i], bench, 0);
+    widgets::ScatterPlot plot;
+    lay_out(plot, 640, 230);
+    plot.set_axes(shown.against, shown.x_unit, shown.what, shown.y_unit);
+    plot.set_points(std::move(shown.points));
+    plot.set_trend(std::move(shown.candidate));  // in the model: no longer dashed
+    plot.fit();
+    pictures.push_back({proof_sentence(proofs[i]), plot.picture(sharpness)});
+  }
+}
+
 void add_histogram(const Workbench& bench, const Inspection& all, std::vector<ReportPicture>& pictures) {
   widgets::HistogramPlot histogram;
   lay_out(histogram, 640, 300);
@@ -229,6 +251,7 @@ std::vector<ReportPicture> report_pictures(Workbench& bench) {
     add_staircase(bench, versions, pictures);
     add_cloud(bench, versions, pictures);
     add_failures(bench, versions, pictures);
+    add_proofs(bench, *versions.back(), pictures);
   }
   add_histogram(bench, *all, pictures);
   add_map(bench, pictures);

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QMenu>
 
+#include "frame/language.h"
 #include "start/preferences.h"
 
 namespace handsight::app {
@@ -14,6 +15,7 @@ using widgets::MotionChoice;
 
 const QStringList theme_words = {"desktop", "light", "dark"};
 const QStringList motion_words = {"desktop", "full", "reduced"};
+const QStringList language_words = {"", "en", "de"};
 
 /// The place of a word in a list; the first where it is none of them.
 int place_of(const QStringList& words, const QString& word) {
@@ -23,6 +25,7 @@ int place_of(const QStringList& words, const QString& word) {
 }  // namespace
 
 Appearance::Appearance(QApplication& application, const QString& named) : application_(application) {
+  speak(application, preference("language"));
   theme_ = static_cast<ThemeChoice>(place_of(theme_words, named.isEmpty() ? preference("theme") : named));
   widgets::set_motion(static_cast<MotionChoice>(place_of(motion_words, preference("motion"))));
   connect(&desktop_theme_, &widgets::DesktopTheme::changed, this, &Appearance::apply);
@@ -47,6 +50,8 @@ void Appearance::choose(MotionChoice motion) {
   widgets::set_motion(motion);
 }
 
+void Appearance::choose_language(const QString& language) { remember_preference("language", language); }
+
 void Appearance::add_to(QMenu& menu, QAction* before) {
   const auto add = [&](const QString& title, const QStringList& names, int now, auto chosen) {
     auto* choices = new QMenu(title, &menu);
@@ -66,6 +71,9 @@ void Appearance::add_to(QMenu& menu, QAction* before) {
   add(tr("&Motion"), {tr("As the &desktop"), tr("&Full"), tr("&Reduced: nothing moves on its way")},
       static_cast<int>(widgets::motion()), [this](int i) { choose(static_cast<MotionChoice>(i)); })
       ->setObjectName("menu_motion");
+  add(tr("&Language, from the next start on"), {tr("As the &desktop"), "&English", "&Deutsch"},
+      place_of(language_words, preference("language")), [this](int i) { choose_language(language_words[i]); })
+      ->setObjectName("menu_language");
 }
 
 }  // namespace handsight::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Theme and motion: as the desktop has them, or as the user chose, which is remembered.
+// Theme, motion and language: as the desktop has them, or as the user chose, which is remembered.
 #pragma once
 
 #include <QObject>
@@ -27,6 +27,8 @@ class Appearance : public QObject {
   void add_to(QMenu& menu, QAction* before);
   void choose(ThemeChoice theme);
   void choose(widgets::MotionChoice motion);
+  /// From the next start on: "en", "de"; empty: the desktop's.
+  void choose_language(const QString& language);
   ThemeChoice theme() const { return theme_; }
 
  private:

@@ -18,7 +18,7 @@ std::vector<FindEntry> session_entries(Workbench& bench) {
   for (const Effect& effect : catalogue())
     entries.push_back({QObject::tr("effect"), QString::fromStdString(effect.title), QString::fromStdString(effect.id),
                        [&bench, check = effect.check] {
-                         emit bench.workspace_requested(3);
+                         emit bench.workspace_requested(Place::explain);
                          emit bench.document.noticed(QString::fromStdString(check));
                        }});
   for (const Observation& o : session.observations) {

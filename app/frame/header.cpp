@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "document/counted.h"
+#include "widgets/icons.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 #include "widgets/three_numbers.h"
@@ -38,14 +39,15 @@ QString excluded_note(const Workbench& bench) {
   if (excluded + wrong == 0 || weights == 0) return {};
   QStringList left_out;
   if (excluded > 0) left_out << QObject::tr("%1 excluded").arg(excluded);
-  if (wrong > 0) left_out << QObject::tr("%1 set aside").arg(counted(wrong, "point", "points"));
+  if (wrong > 0) left_out << QObject::tr("%1 set aside").arg(counted(wrong, "%n point(s)"));
   return QObject::tr("with %1: %2")
       .arg(left_out.join(QObject::tr(" and ")), widgets::size_text({std::sqrt(squares / weights), unit}));
 }
 
 }  // namespace
 
-Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget(parent), bench_(bench) {
+Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QWidget* parent)
+    : QWidget(parent), bench_(bench), actions_(actions) {
   setObjectName("header");
   const auto button = [this](const char* name, const QString& text, const QString& tip) {
     auto* b = new QToolButton(this);
@@ -64,6 +66,9 @@ Header::Header(Workbench& bench, QMenu* session_menu, QWidget* parent) : QWidget
   session_->setMinimumWidth(96);  // a long title must not widen the window
   undo_ = button("undo", tr("Undo"), {});
   redo_ = button("redo", tr("Redo"), {});
+  undo_->setIcon(widgets::icon("undo"));
+  redo_->setIcon(widgets::icon("redo"));
+  for (QToolButton* b : {undo_, redo_}) b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   job_ = new QLabel(this);
   job_->setObjectName("job");
   job_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -124,8 +129,10 @@ void Header::refresh_session() {
   const QUndoStack& stack = d.undo_stack();
   undo_->setEnabled(stack.canUndo());
   redo_->setEnabled(stack.canRedo());
-  undo_->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : tr("Nothing to undo"));
-  redo_->setToolTip(stack.canRedo() ? tr("Do again: %1 (Ctrl+Shift+Z)").arg(stack.redoText()) : tr("Nothing to redo"));
+  undo_->setToolTip(stack.canUndo() ? tr("Undo: %1 (%2)").arg(stack.undoText(), actions_.of("undo").keys_text())
+                                    : tr("Nothing to undo"));
+  redo_->setToolTip(stack.canRedo() ? tr("Do again: %1 (%2)").arg(stack.redoText(), actions_.of("redo").keys_text())
+                                    : tr("Nothing to redo"));
   for (QWidget* w : {static_cast<QWidget*>(undo_), static_cast<QWidget*>(redo_), static_cast<QWidget*>(numbers_)})
     w->setVisible(d.is_open());
 }

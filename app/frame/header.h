@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "frame/actions.h"
 #include "frame/workbench.h"
 
 class QLabel;
@@ -22,7 +23,7 @@ class Header : public QWidget {
   Q_OBJECT
 
  public:
-  Header(Workbench& bench, QMenu* session_menu, QWidget* parent = nullptr);
+  Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QWidget* parent = nullptr);
   widgets::ThreeNumbers* numbers() const { return numbers_; }
 
  private:
@@ -32,6 +33,7 @@ class Header : public QWidget {
   void refresh_numbers();
 
   Workbench& bench_;
+  const Actions& actions_;
   QToolButton *session_, *undo_, *redo_, *cancel_;
   QLabel* job_;
   QProgressBar* progress_;

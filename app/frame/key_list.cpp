@@ -7,45 +7,6 @@
 #include "widgets/theme.h"
 
 namespace handsight::app {
-namespace {
-
-struct KeyRow {
-  const char* keys;
-  const char* what;  // empty: a heading
-};
-
-constexpr KeyRow rows[] = {
-    {"Everywhere", ""},
-    {"Ctrl+1 … Ctrl+5", "Label, Calibrate, Inspect, Explain, Export"},
-    {"←  →", "previous and next observation"},
-    {"Ctrl+Z, Ctrl+Shift+Z", "undo, do again"},
-    {"Esc, Alt+←", "selection one up, the selection before"},
-    {"M", "fold the model panel"},
-    {"U", "sizes in px, in mm at the hand, in σ (residual over noise)"},
-    {"Ctrl+K", "find an action, observation, joint, effect or key"},
-    {"Shift+Space", "one panel fills the centre (double click on its title), Esc puts it back"},
-    {"Ctrl+S, Ctrl+O, Ctrl+N", "save, open, new session"},
-    {"F5", "fit again what was stopped"},
-    {"Label", ""},
-    {"Click, Alt+click", "marker on the nearest corner, exactly there"},
-    {"Arrows, Shift+arrows", "nudge the chosen marker by 0.1 px, 1 px"},
-    {"0 … 9, Delete", "renumber, remove the chosen marker"},
-    {"Enter", "use the labels"},
-    {"Calibrate", ""},
-    {"Space, .", "play or pause, one observation"},
-    {"Inspect", ""},
-    {"Delete, Insert", "exclude, include the chosen observations"},
-    {"0 … 9, Delete on a marker", "renumber, remove it"},
-    {"Explain", ""},
-    {"Tab, Enter", "look at a card, add it"},
-    {"N, B held down", "noise alone, before and after"},
-    {"Shift+drag", "choose observations in a plot"},
-    {"3D view", ""},
-    {"F, 1 … 6, 0", "show everything, standard views, the cameras' view"},
-};
-
-}  // namespace
-
 KeyList::KeyList(QWidget* window) : QWidget(window) {
   setObjectName("key_list");
   setAttribute(Qt::WA_DeleteOnClose);
@@ -53,19 +14,20 @@ KeyList::KeyList(QWidget* window) : QWidget(window) {
   setFocusPolicy(Qt::StrongFocus);
 }
 
-std::vector<std::pair<QString, QString>> KeyList::keys() {
-  std::vector<std::pair<QString, QString>> all;
-  for (const KeyRow& row : rows)
-    if (row.what[0] != '\0') all.emplace_back(tr(row.keys), tr(row.what));
-  return all;
-}
-
-void KeyList::show_over(QWidget* window) {
+void KeyList::show_over(QWidget* window, std::vector<Actions::Row> rows) {
   if (window->findChild<KeyList*>()) return;
   auto* list = new KeyList(window);
+  list->rows_ = std::move(rows);
   list->show();
   list->raise();
   list->setFocus();
+}
+
+/// Where the second column begins: at a heading, so that both are about as long.
+std::size_t KeyList::second_column() const {
+  for (std::size_t i = rows_.size() / 2; i < rows_.size(); ++i)
+    if (rows_[i].is_heading()) return i;
+  return rows_.size();
 }
 
 void KeyList::paintEvent(QPaintEvent*) {
@@ -76,22 +38,26 @@ void KeyList::paintEvent(QPaintEvent*) {
   QColor veil = c.window;
   veil.setAlpha(200);
   p.fillRect(rect(), veil);
-  constexpr int row_height = 26;
-  const int count = static_cast<int>(std::size(rows));
-  const QRect sheet(width() / 2 - 330, std::max(8, height() / 2 - (count * row_height + 48) / 2), 660,
-                    count * row_height + 48);
+  constexpr int row_height = 26, margin = 24, keys_width = 190;
+  const std::size_t split = second_column();
+  const int longest = static_cast<int>(std::max(split, rows_.size() - split));
+  const int wide = std::min(1120, width() - 16), column = (wide - 3 * margin) / 2;
+  const int tall = longest * row_height + 2 * margin;
+  const QRect sheet((width() - wide) / 2, std::max(8, (height() - tall) / 2), wide, tall);
   p.setPen(c.hairline);
   p.setBrush(c.panel);
   p.drawRoundedRect(sheet, 6, 6);
-  int y = sheet.top() + 24;
-  for (const KeyRow& row : rows) {
-    const bool heading = row.what[0] == '\0';
-    p.setFont(widgets::text_font(heading ? TextRole::title : TextRole::body));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Actions::Row& row = rows_[i];
+    const int left = sheet.left() + margin + (i < split ? 0 : column + margin);
+    const int y = sheet.top() + margin + static_cast<int>(i < split ? i : i - split) * row_height;
+    p.setFont(widgets::text_font(row.is_heading() ? TextRole::title : TextRole::body));
     p.setPen(c.ink1);
-    p.drawText(QRect(sheet.left() + 32, y, 220, row_height), Qt::AlignVCenter, tr(row.keys));
+    p.drawText(QRect(left, y, row.is_heading() ? column : keys_width - 8, row_height), Qt::AlignVCenter, row.keys);
+    if (row.is_heading()) continue;
     p.setPen(c.ink2);
-    if (!heading) p.drawText(QRect(sheet.left() + 252, y, 380, row_height), Qt::AlignVCenter, tr(row.what));
-    y += row_height;
+    const QRect room(left + keys_width, y, column - keys_width, row_height);
+    p.drawText(room, Qt::AlignVCenter, p.fontMetrics().elidedText(row.what, Qt::ElideRight, room.width()));
   }
 }
 

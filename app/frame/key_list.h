@@ -5,21 +5,26 @@
 #include <QWidget>
 #include <vector>
 
+#include "frame/actions.h"
+
 namespace handsight::app {
 
 class KeyList : public QWidget {
   Q_OBJECT
 
  public:
-  static void show_over(QWidget* window);
-  /// Every key with what it does, headings left out.
-  static std::vector<std::pair<QString, QString>> keys();
+  static void show_over(QWidget* window, std::vector<Actions::Row> rows);
 
  protected:
   explicit KeyList(QWidget* window);
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  std::size_t second_column() const;
+
+  std::vector<Actions::Row> rows_;
 };
 
 }  // namespace handsight::app

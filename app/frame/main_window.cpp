@@ -6,25 +6,19 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QScreen>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "calibrate/calibrate_workspace.h"
-#include "explain/explain_workspace.h"
-#include "export/export_workspace.h"
 #include "frame/appearance.h"
 #include "frame/centre_fill.h"
 #include "frame/centre_room.h"
 #include "frame/doubt_bar.h"
 #include "frame/header.h"
 #include "frame/input_manners.h"
-#include "frame/key_list.h"
+#include "frame/link_selection.h"
 #include "frame/model_effects.h"
 #include "frame/rail.h"
-#include "inspect/inspect_workspace.h"
-#include "label/label_workspace.h"
 #include "start/preferences.h"
 #include "start/session_places.h"
 #include "start/start_page.h"
@@ -35,19 +29,29 @@
 #include "wizard/session_wizard.h"
 
 namespace handsight::app {
+namespace {
+
+QString icon_of(Place place) {
+  constexpr const char* names[] = {"label", "calibrate", "inspect", "explain", "export"};
+  return names[static_cast<int>(place)];
+}
+
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle(tr("Handsight"));
-  make_menu();
+  menu_ = new QMenu(this);
+  menu_->setObjectName("menu");
   make_pages();
-  make_shortcuts();
+  make_actions();
   connect_strip();
   connect_read_out();
   connect_units();
   connect(&bench_.document, &Document::opened, this, &MainWindow::session_opened);
   connect(&bench_.document, &Document::closed, this, &MainWindow::session_closed);
-  connect(&bench_, &Workbench::workspace_requested, this, &MainWindow::show_workspace);
-  connect(&bench_, &Workbench::relabel_requested, this, [this] { show_workspace(0); });
+  connect(&bench_, &Workbench::workspace_requested, this,
+          [this](Place place) { show_workspace(static_cast<int>(place)); });
+  connect(&bench_, &Workbench::relabel_requested, this, [this] { show_workspace(static_cast<int>(Place::label)); });
   session_closed();
   open_in_size();
   new InputManners(this);
@@ -57,40 +61,6 @@ MainWindow::~MainWindow() {
   hide();  // while what the workspaces talk to is still there
   disconnect(&bench_.document, nullptr, this, nullptr);
   bench_.document.close();
-}
-
-void MainWindow::make_menu() {
-  menu_ = new QMenu(this);
-  menu_->setObjectName("menu");
-  const auto add = [this](const QString& text, const QKeySequence& key, auto slot) {
-    QAction* action = menu_->addAction(text, this, slot);
-    action->setShortcut(key);
-    addAction(action);
-    return action;
-  };
-  add(tr("&Open a session…"), QKeySequence::Open, [this] { choose_session(); });
-  add(tr("&New session from images…"), QKeySequence::New, [this] { SessionWizard::run(*this); });
-  add(tr("&Save"), QKeySequence::Save, [this] { save(); });
-  QAction* fit = add(tr("&Fit again"), QKeySequence(Qt::Key_F5), [this] {
-    if (bench_.document.is_open() && !bench_.document.model()) bench_.refit.again();
-  });
-  menu_->addSeparator();
-  add(tr("&Undo everything"), {}, [this] { bench_.document.undo_all(); });
-  QAction* fresh = add(tr("Start this sample &anew"), {}, [this] {
-    const std::string name = sample_of(bench_.document.session().file);
-    bench_.document.close();
-    open_sample(QString::fromStdString(name), true);
-  });
-  menu_->addSeparator();
-  after_choices_ = menu_->addSeparator();
-  add(tr("&Find…"), QKeySequence(Qt::CTRL | Qt::Key_K), [this] { find(); });
-  add(tr("&Keys"), QKeySequence(Qt::Key_Question), [this] { show_keys(); });
-  add(tr("&Close the session"), QKeySequence::Close, [this] { bench_.document.close(); });
-  add(tr("&Quit"), QKeySequence::Quit, [this] { close(); });
-  connect(menu_, &QMenu::aboutToShow, this, [this, fresh, fit] {
-    fit->setEnabled(bench_.document.is_open() && !bench_.document.model() && !bench_.refit.is_pending());
-    fresh->setVisible(bench_.document.is_open() && !sample_of(bench_.document.session().file).empty());
-  });
 }
 
 void MainWindow::make_pages() {
@@ -104,20 +74,20 @@ void MainWindow::make_pages() {
   connect(start_, &StartPage::sample_chosen, this, [this](const QString& name) { open_sample(name); });
 
   auto* session = new QWidget(pages_);
-  header_ = new Header(bench_, menu_, session);
+  header_ = new Header(bench_, actions_, menu_, session);
   header_->setFixedHeight(44);
-  workspaces_ = {new LabelWorkspace(bench_, session), new CalibrateWorkspace(bench_, session),
-                 new InspectWorkspace(bench_, session), new ExplainWorkspace(bench_, session),
-                 new ExportWorkspace(bench_, session)};
-  QStringList names;
+  workspaces_ = make_workspaces(bench_, session);
+  std::vector<RailEntry> entries;
   centre_ = new QStackedWidget(session);
   for (Workspace* workspace : workspaces_) {
-    names << workspace->name();
+    const auto number = static_cast<int>(entries.size()) + 1;
+    entries.push_back(
+        {workspace->name(), icon_of(workspace->place()), tr("%1 (Ctrl+%2)").arg(workspace->name()).arg(number)});
     centre_->addWidget(workspace);
     connect(workspace, &Workspace::status_changed, this, &MainWindow::refresh_rail);
   }
   fill_ = new CentreFill(centre_);
-  rail_ = new Rail(names, session);
+  rail_ = new Rail(entries, session);
   panel_ = new widgets::ModelPanel(session);
   panel_->setObjectName("model_panel");
   read_out_ = new widgets::ReadOutLine(session);
@@ -145,30 +115,7 @@ void MainWindow::make_pages() {
   pages_->addWidget(session);
   connect(rail_, &Rail::chosen, this, &MainWindow::show_workspace);
   connect(panel_, &widgets::ModelPanel::folded_changed, this, [this](bool folded) { panel_choice_ = folded; });
-  connect(panel_, &widgets::ModelPanel::joint_selected, this, [this](const QString& joint) {
-    Selected selected = bench_.selection.current();
-    selected.joint = joint.toStdString();
-    bench_.selection.select(selected);
-  });
-}
-
-void MainWindow::make_shortcuts() {
-  const auto key = [this](const QKeySequence& sequence, auto slot) {
-    connect(new QShortcut(sequence, this), &QShortcut::activated, this, slot);
-  };
-  for (int i = 0; i < static_cast<int>(workspaces_.size()); ++i)
-    key(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)), [this, i] {
-      if (bench_.document.is_open()) show_workspace(i);
-    });
-  key(QKeySequence::Undo, [this] { bench_.document.undo(); });
-  key(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { bench_.document.redo(); });
-  key(QKeySequence(Qt::CTRL | Qt::Key_Y), [this] { bench_.document.redo(); });
-  key(QKeySequence(Qt::ALT | Qt::Key_Left), [this] { bench_.selection.back(); });
-  key(QKeySequence(Qt::SHIFT | Qt::Key_Space), [this] { fill_->toggle(); });
-  key(QKeySequence(Qt::Key_F1), [this] { show_keys(); });
-  key(QKeySequence(Qt::Key_U), [this] {
-    if (bench_.document.is_open()) bench_.units.next();
-  });
+  link_selection(panel_, bench_);
 }
 
 void MainWindow::offer(Appearance& appearance) { appearance.add_to(*menu_, after_choices_); }
@@ -250,15 +197,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape:
       return fill_->put_back() ? void() : bench_.selection.up();
     case Qt::Key_M:
-      panel_->set_folded(!panel_->is_folded());
-      panel_choice_ = panel_->is_folded();
-      return;
+      return actions_.run("fold_model");
     default:
       QMainWindow::keyPressEvent(event);
   }
 }
-
-void MainWindow::show_keys() { KeyList::show_over(this); }
 
 /// In the size it last had, never larger than the screen.
 void MainWindow::open_in_size() {

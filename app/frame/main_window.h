@@ -43,6 +43,7 @@ class MainWindow : public QMainWindow {
   bool open(const QString& path);
   bool open_sample(const QString& name, bool fresh = false);
   Workbench& bench() { return bench_; }
+  const Actions& registry() const { return actions_; }
   void show_workspace(int index);
   /// Takes the choices of theme and motion into its menu.
   void offer(Appearance& appearance);
@@ -54,9 +55,11 @@ class MainWindow : public QMainWindow {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void make_menu();
   void make_pages();
-  void make_shortcuts();
+  void make_actions();
+  void add_session_actions();
+  void add_view_actions();
+  void add_observation_actions();
   void connect_strip();
   void connect_read_out();
   void connect_units();
@@ -66,6 +69,7 @@ class MainWindow : public QMainWindow {
   void find();
   void session_opened();
   void session_closed();
+  void remember_state();
   void refresh_panel();
   void refresh_strip();
   void refresh_crumbs();
@@ -75,6 +79,7 @@ class MainWindow : public QMainWindow {
   void step(int by);
 
   Workbench bench_;
+  Actions actions_{this};
   ModelEditor editor_{bench_};
   QMenu* menu_;
   QAction* after_choices_;  // of the menu: before it stand theme and motion
@@ -91,6 +96,7 @@ class MainWindow : public QMainWindow {
   widgets::UnitSwitch* units_;
   std::vector<Workspace*> workspaces_;
   QTimer strip_timer_;                // a play edits many times a second
+  QTimer state_timer_;                // what is remembered need not be of this moment
   QTimer panel_timer_;                // one action may tell several times
   std::optional<bool> panel_choice_;  // folded by the user, or unfolded; absent: as the window's width has it
 };

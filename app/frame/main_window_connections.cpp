@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the strip, the model panel and the read-out line say to the document and the selection, and hear from them.
 #include "frame/header.h"
+#include "frame/link_selection.h"
 #include "frame/main_window.h"
 #include "widgets/model_panel.h"
 #include "widgets/observation_strip.h"
@@ -18,6 +19,11 @@ void MainWindow::connect_strip() {
     refresh_strip();
     refresh_rail();
   });
+  state_timer_.setSingleShot(true);
+  state_timer_.setInterval(1500);
+  connect(&state_timer_, &QTimer::timeout, this, &MainWindow::remember_state);
+  connect(&d, &Document::model_changed, this, [this] { state_timer_.start(); });
+  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, [this] { state_timer_.start(); });
   panel_timer_.setSingleShot(true);
   panel_timer_.setInterval(0);
   connect(&panel_timer_, &QTimer::timeout, this, &MainWindow::refresh_panel);
@@ -41,13 +47,7 @@ void MainWindow::connect_strip() {
   connect(panel_, &widgets::ModelPanel::effect_held, &editor_, &ModelEditor::hold);
   connect(panel_, &widgets::ModelPanel::number_held, &editor_, &ModelEditor::hold_number);
   connect(panel_, &widgets::ModelPanel::value_typed, &editor_, &ModelEditor::type);
-  connect(strip_, &widgets::ObservationStrip::observation_selected, this,
-          [this](qint64 id) { bench_.selection.select_observation(id); });
-  connect(strip_, &widgets::ObservationStrip::observations_selected, this, [this](const std::vector<qint64>& ids) {
-    bench_.selection.select_many({ids.begin(), ids.end()});
-  });
-  connect(strip_, &widgets::ObservationStrip::observation_hovered, this,
-          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  link_selection(strip_, bench_);
   connect(&bench_.selection, &Selection::changed, this, [this] {
     const Selected& s = bench_.selection.current();
     strip_->set_selected(s.observation.value_or(widgets::kNoObservation));

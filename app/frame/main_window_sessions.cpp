@@ -100,6 +100,25 @@ void MainWindow::session_opened() {
   refresh_rail();
 }
 
+/// What the start page says of it next time; also what a killed window leaves.
+void MainWindow::remember_state() {
+  const ModelVersionPointer model = bench_.document.model();
+  if (!bench_.document.is_open() || !model || !model->fit) return;
+  constexpr std::size_t most = 60;
+  std::vector<double> all;
+  for (const InspectionRow& row : model->inspection->rows)
+    if (row.ratio && row.is_used) all.push_back(*row.ratio);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
+    ratios.push_back(all[i * all.size() / std::min(all.size(), most)]);
+  const VersionSizes sizes = sizes_of(*model, model->fit->noise);
+  const auto unit = bench_.document.session().is_tracker() ? widgets::SizeUnit::millimetre : widgets::SizeUnit::pixel;
+  QString state = tr("Error %1, noise %2").arg(text_in(unit, sizes.error()), text_in(unit, sizes.noise));
+  const QString explained = workspaces_[static_cast<std::size_t>(Place::explain)]->status().line;
+  if (!explained.isEmpty()) state += tr(": %1").arg(explained);
+  handsight::app::remember_state(bench_.document.session().file, state, ratios);
+}
+
 void MainWindow::session_closed() {
   setWindowTitle(tr("Handsight"));
   start_->refresh();

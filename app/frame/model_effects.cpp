@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "document/counted.h"
+#include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "widgets/number_text.h"
 
@@ -27,9 +28,38 @@ std::vector<widgets::ModelParameter> six_parameters(const Rigid& motion, const V
   return list;
 }
 
-/// An effect of the catalogue, in the model or not.
-widgets::ModelEffect catalogue_effect(const Effect& e, const Document& document, const Chain& chain,
-                                      const Diagnosis* diagnosis) {
+/// Where in the machine an effect acts, by what it moves.
+QString group_of(const Effect& e, const Chain& chain) {
+  const std::vector<int> places = effect_places(e, chain);
+  Circumstances c =
+      circumstances_at(chain, Eigen::VectorXd::Constant(static_cast<Eigen::Index>(chain.joints.size()), 0.3));
+  c.velocity.setOnes();
+  c.approach.setOnes();
+  std::vector<double> values;
+  for (const EffectParameter& p : e.parameters)
+    values.push_back(!p.is_choice ? 1e-3 : p.choices.empty() ? 0 : p.choices.front());
+  Sites s = unmoved_sites(chain);
+  const int place = places.empty() ? (e.scope == EffectScope::session ? -1 : 0) : places.front();
+  if (place < static_cast<int>(e.scope == EffectScope::marker ? s.markers.size() : s.robot.joints.size()))
+    e.move(c, place, values, s);
+  const auto any = [&](auto&& is_moved) { return std::any_of(s.robot.joints.begin(), s.robot.joints.end(), is_moved); };
+  if (e.definition) return QObject::tr("Own");
+  const bool moves_cameras =
+      std::any_of(s.cameras.begin(), s.cameras.end(), [](const CameraChange& one) { return !one.is_zero(); });
+  if (moves_cameras || !s.mount.isZero() || !s.drift.isZero()) return QObject::tr("Cameras");
+  if (any([](const JointChange& j) { return !j.frame.isZero() || !j.after.isZero() || j.lateral_compliance != 0; }))
+    return QObject::tr("Links");
+  if (any([](const JointChange& j) {
+        return j.angle != 0 || j.compliance != 0 || j.gap != 0 || j.multiplier_error != 0 || j.share != 0;
+      }))
+    return QObject::tr("Joints");
+  if (s.robot.tilt_x != 0 || !s.robot.base_compliance.isZero()) return QObject::tr("Base");
+  return QObject::tr("Hand");
+}
+
+/// An effect, in the model or not.
+widgets::ModelEffect shown_effect(const Effect& e, const Document& document, const Chain& chain,
+                                  const Diagnosis* diagnosis) {
   const Session& session = document.session();
   const ModelSettings& settings = document.settings();
   widgets::ModelEffect shown{.id = QString::fromStdString(e.id), .title = QString::fromStdString(e.title)};
@@ -65,15 +95,29 @@ widgets::ModelEffect catalogue_effect(const Effect& e, const Document& document,
     }
     return shown;
   }
+  shown.group = group_of(e, chain);
   if (effect_places(e, chain).empty()) {
     shown.can_change = false;
+    shown.group = QObject::tr("Not in this session");
+    shown.is_out_of_sight = true;
     shown.note = e.scope == EffectScope::mimic_joint ? QObject::tr("No joint of this robot follows another.")
                                                      : QObject::tr("It has no place in this session.");
   } else if (diagnosis &&
              std::find(diagnosis->invisible.begin(), diagnosis->invisible.end(), e.id) != diagnosis->invisible.end()) {
-    shown.note = QObject::tr("Cannot be seen on these poses.");
+    shown.group = QObject::tr("Cannot be seen on these poses");
+    shown.is_out_of_sight = true;
   }
   return shown;
+}
+
+/// One term of every effect by formula in the model: a user's own, curves without a name.
+std::vector<EffectTerm> own_terms(const ModelSettings& settings) {
+  std::vector<EffectTerm> own;
+  for (const auto* terms : {&settings.held, &settings.estimated})
+    for (const EffectTerm& term : *terms)
+      if (term.own && std::none_of(own.begin(), own.end(), [&](const EffectTerm& t) { return t.id == term.id; }))
+        own.push_back(term);
+  return own;
 }
 
 }  // namespace
@@ -87,7 +131,7 @@ std::vector<widgets::ModelParameter> effect_parameters(const Session& session, c
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& number = effect.parameters[p];
       const ShownUnit unit = shown_unit(number.unit);
-      widgets::ModelParameter row{.of = of, .name = QString::fromStdString(number.name), .unit = unit.unit};
+      widgets::ModelParameter row{.of = of, .name = number_title(number.name), .unit = unit.unit};
       row.value = unit.scale * terms[t].values[p];
       row.is_choice = number.is_choice;
       row.is_held = !number.is_choice && !is_free(effect, terms[t], p);
@@ -118,7 +162,7 @@ QString wrong_points_text(const ModelVersion& model, std::size_t most_named) {
   }
   if (named.size() < static_cast<qsizetype>(wrong.size())) named << QObject::tr("and others");
   return QObject::tr("%1 left out of the fit: %2.")
-      .arg(counted(static_cast<qint64>(wrong.size()), "wrong point", "wrong points"), named.join("; "));
+      .arg(counted(static_cast<qint64>(wrong.size()), "%n wrong point(s)"), named.join("; "));
 }
 
 std::vector<widgets::ModelEffect> model_effects(const Document& document, const Diagnosis* diagnosis) {
@@ -157,10 +201,28 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
   }
   const Chain chain = chain_of(document.session());
   std::vector<widgets::ModelEffect> out;
-  for (const Effect& e : catalogue()) {
-    widgets::ModelEffect shown = catalogue_effect(e, document, chain, diagnosis);
+  const OwnEffects none, &own = fit.problem.source ? fit.problem.source->own_effects : none;
+  std::vector<const Effect*> known = catalogue_beside(own);
+  for (const std::shared_ptr<const Effect>& effect : own) known.push_back(effect.get());
+  for (const Effect* e : known) {
+    widgets::ModelEffect shown = shown_effect(*e, document, chain, diagnosis);
     (shown.is_in_model ? list : out).push_back(std::move(shown));
   }
+  for (const EffectTerm& term : own_terms(document.settings())) {
+    if (find_effect(term.id, own)) continue;  // stands above
+    widgets::ModelEffect shown = shown_effect(*term.own, document, chain, diagnosis);
+    shown.title = title_of(term, document.session().robot);
+    if (term.own->is_unnamed()) shown.help = QString::fromStdString(term.own->cause);
+    list.push_back(std::move(shown));
+  }
+  // Groups in the order in which one mends a robot; what cannot be seen last.
+  const QStringList groups = {QObject::tr("Joints"),  QObject::tr("Links"), QObject::tr("Base"),
+                              QObject::tr("Cameras"), QObject::tr("Hand"),  QObject::tr("Own")};
+  const auto place = [&](const widgets::ModelEffect& e) {
+    const auto at = groups.indexOf(e.group);
+    return at < 0 ? groups.size() + (e.can_change ? 0 : 1) : at;
+  };
+  std::stable_sort(out.begin(), out.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
   list.insert(list.end(), out.begin(), out.end());
   return list;
 }

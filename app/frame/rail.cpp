@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "frame/rail_button.h"
+#include "widgets/icons.h"
 #include "widgets/theme.h"
 
 namespace handsight::app {
@@ -14,12 +15,13 @@ namespace handsight::app {
 using widgets::colors;
 using widgets::TextRole;
 
-RailButton::RailButton(const QString& name, int number, QWidget* parent) : QAbstractButton(parent), number_(number) {
+RailButton::RailButton(const QString& name, const QString& icon, const QString& tip, QWidget* parent)
+    : QAbstractButton(parent), icon_(icon) {
   setText(name);
   setCheckable(true);
   setAutoExclusive(true);
   setFocusPolicy(Qt::TabFocus);
-  setToolTip(tr("%1 (Ctrl+%2)").arg(name).arg(number));
+  setToolTip(tip);
   setAccessibleName(name);
   setCursor(Qt::PointingHandCursor);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
@@ -32,7 +34,7 @@ void RailButton::set_status(const WorkStatus& status) {
   update();
 }
 
-QSize RailButton::sizeHint() const { return {104, 76}; }
+QSize RailButton::sizeHint() const { return {104, 86}; }
 
 bool RailButton::event(QEvent* event) {
   if (event->type() == QEvent::HoverEnter || event->type() == QEvent::HoverLeave) update();
@@ -89,16 +91,19 @@ void RailButton::paintEvent(QPaintEvent*) {
   } else if (underMouse()) {
     painter.fillRect(all, c.sunken);
   }
-  paint_mark(painter, QRectF(10, 11, 16, 16));
+  const bool is_low = height() < 80;
+  const double icon_y = is_low ? 3 : 8, name_y = is_low ? 23 : 30, line_y = is_low ? 41 : 50;
+  widgets::draw_icon(painter, QRectF(9, icon_y, 22, 22), icon_, isChecked() ? c.accent : c.ink2);
+  paint_mark(painter, QRectF(width() - 26, icon_y + 3, 16, 16));
   QFont font = widgets::text_font(TextRole::body);
   font.setWeight(isChecked() ? QFont::DemiBold : QFont::Normal);
   painter.setFont(font);
   painter.setPen(c.ink1);
-  painter.drawText(QRectF(31, 8, width() - 32, 22), Qt::AlignVCenter | Qt::AlignLeft, text());
+  painter.drawText(QRectF(10, name_y, width() - 14, 20), Qt::AlignVCenter | Qt::AlignLeft, text());
   painter.setFont(widgets::text_font(TextRole::small));
   painter.setPen(c.ink2);
-  painter.drawText(QRectF(10, 32, width() - 14, height() - 36), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
-                   status_.line);
+  painter.drawText(QRectF(10, line_y, width() - 14, height() - line_y - 1),
+                   Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap, status_.line);
   if (hasFocus()) {
     painter.setPen(QPen(c.accent, 2));
     painter.setBrush(Qt::NoBrush);
@@ -106,14 +111,15 @@ void RailButton::paintEvent(QPaintEvent*) {
   }
 }
 
-Rail::Rail(const QStringList& names, QWidget* parent) : QWidget(parent) {
+Rail::Rail(const std::vector<RailEntry>& entries, QWidget* parent) : QWidget(parent) {
   setObjectName("rail");
   setFixedWidth(104);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 8, 0, 8);
   layout->setSpacing(0);
-  for (int i = 0; i < names.size(); ++i) {
-    auto* button = new RailButton(names[i], i + 1, this);
+  for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
+    const RailEntry& entry = entries[static_cast<std::size_t>(i)];
+    auto* button = new RailButton(entry.name, entry.icon, entry.tip, this);
     button->setObjectName("rail_" + QString::number(i));
     button->setAttribute(Qt::WA_Hover);
     connect(button, &QAbstractButton::clicked, this, [this, i] { emit chosen(i); });

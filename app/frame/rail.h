@@ -11,11 +11,16 @@ namespace handsight::app {
 
 class RailButton;
 
+/// What a button of the rail shows.
+struct RailEntry {
+  QString name, icon, tip;
+};
+
 class Rail : public QWidget {
   Q_OBJECT
 
  public:
-  explicit Rail(const QStringList& names, QWidget* parent = nullptr);
+  explicit Rail(const std::vector<RailEntry>& entries, QWidget* parent = nullptr);
   void set_status(int index, const WorkStatus& status);
   void set_current(int index);
   int current() const { return current_; }

@@ -7,16 +7,16 @@
 
 namespace handsight::app {
 
-/// One workspace of the rail: mark, name, a line of state.
+/// One workspace of the rail: icon, mark, name, a line of state.
 class RailButton : public QAbstractButton {
   Q_OBJECT
 
  public:
-  RailButton(const QString& name, int number, QWidget* parent);
+  RailButton(const QString& name, const QString& icon, const QString& tip, QWidget* parent);
   void set_status(const WorkStatus& status);
   const WorkStatus& status() const { return status_; }
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return {104, 64}; }
+  QSize minimumSizeHint() const override { return {104, 70}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -26,7 +26,7 @@ class RailButton : public QAbstractButton {
   void paint_mark(QPainter& painter, const QRectF& area) const;
 
   WorkStatus status_;
-  int number_;
+  QString icon_;
 };
 
 }  // namespace handsight::app

@@ -135,8 +135,7 @@ void Workbench::look_again() {
   if (rejected.empty() || !document.session().rig || !is_pair(*document.session().rig)) return;
   background.start<SecondLooks>(
       "second look",
-      tr("Looking again at %1")
-          .arg(counted(static_cast<qint64>(rejected.size()), "rejected observation", "rejected observations")),
+      tr("Looking again at %1").arg(counted(static_cast<qint64>(rejected.size()), "%n rejected observation(s)")),
       [session = document.session(), model, rejected](JobControl& control) {
         SecondLooks found;
         for (std::size_t i = 0; i < rejected.size() && !control.is_cancelled(); ++i) {

@@ -16,6 +16,9 @@
 
 namespace handsight::app {
 
+/// The five workspaces, in the order of the work.
+enum class Place { label, calibrate, inspect, explain, write_out };
+
 class Workbench : public QObject {
   Q_OBJECT
 
@@ -55,8 +58,8 @@ class Workbench : public QObject {
   void include(const std::vector<std::int64_t>& ids);
 
  signals:
-  /// Asks the window to show a workspace: 0 Label ... 4 Export.
-  void workspace_requested(int workspace);
+  /// Asks the window to show a workspace.
+  void workspace_requested(handsight::app::Place place);
   /// Asks Label to open an observation there.
   void relabel_requested(qint64 id);
   void tried();

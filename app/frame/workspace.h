@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include "frame/actions.h"
 #include "frame/workbench.h"
 
 namespace handsight::app {
@@ -22,6 +23,7 @@ class Workspace : public QWidget {
  public:
   explicit Workspace(Workbench& bench, QWidget* parent = nullptr) : QWidget(parent), bench_(bench) {}
 
+  virtual Place place() const = 0;
   virtual QString name() const = 0;
   virtual WorkStatus status() const = 0;
   /// The model panel beside it: shown, folded, or absent because the page has a panel of its own.
@@ -31,6 +33,8 @@ class Workspace : public QWidget {
   virtual void activate() = 0;
   /// Keys that the window does not want for itself; true where it was one of this page's.
   virtual bool key(QKeyEvent*) { return false; }
+  /// What its keys and gestures do, for the registry.
+  virtual std::vector<Action> own_actions() const { return {}; }
   bool is_active() const { return isVisible(); }
 
  signals:
@@ -39,5 +43,8 @@ class Workspace : public QWidget {
  protected:
   Workbench& bench_;
 };
+
+/// All of them, in the order of the work (that of Place), children of `parent`.
+std::vector<Workspace*> make_workspaces(Workbench& bench, QWidget* parent);
 
 }  // namespace handsight::app

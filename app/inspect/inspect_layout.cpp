@@ -79,6 +79,7 @@ QWidget* InspectWorkspace::make_threshold() {
   auto* page = new QWidget(this);
   histogram_ = new widgets::HistogramPlot(page);
   histogram_->setObjectName("histogram");
+  histogram_->setAccessibleName(tr("Histogram of the residuals"));
   beyond_text_ = new QLabel(tr("Drag the threshold: what lies beyond it can be excluded."), page);
   beyond_text_->setObjectName("beyond_text");
   beyond_text_->setWordWrap(true);

@@ -6,6 +6,7 @@
 #include <QTabWidget>
 #include <algorithm>
 
+#include "frame/link_selection.h"
 #include "frame/observation_views.h"
 #include "inspect/inspection_rows.h"
 #include "inspect/snap.h"
@@ -35,13 +36,7 @@ std::vector<std::int64_t> InspectWorkspace::chosen() const {
 
 void InspectWorkspace::connect_table() {
   using widgets::ObservationTable;
-  connect(table_, &ObservationTable::observation_selected, this,
-          [this](qint64 id) { bench_.selection.select_observation(id); });
-  connect(table_, &ObservationTable::observations_selected, this, [this](const std::vector<qint64>& ids) {
-    bench_.selection.select_many({ids.begin(), ids.end()});
-  });
-  connect(table_, &ObservationTable::observation_hovered, this,
-          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
+  link_selection(table_, bench_);
   connect(table_, &ObservationTable::exclude_requested, this, [this](const std::vector<qint64>& ids) {
     bench_.exclude({ids.begin(), ids.end()});
   });
@@ -49,7 +44,8 @@ void InspectWorkspace::connect_table() {
     bench_.include({ids.begin(), ids.end()});
   });
   connect(table_, &ObservationTable::relabel_requested, &bench_, &Workbench::relabel_requested);
-  connect(table_, &ObservationTable::empty_action_requested, this, [this] { emit bench_.workspace_requested(1); });
+  connect(table_, &ObservationTable::empty_action_requested, this,
+          [this] { emit bench_.workspace_requested(Place::calibrate); });
   connect(exclude_, &QPushButton::clicked, this, [this] { bench_.exclude(chosen()); });
   connect(include_, &QPushButton::clicked, this, [this] { bench_.include(chosen()); });
   connect(relabel_, &QPushButton::clicked, this, [this] {
@@ -150,10 +146,9 @@ void InspectWorkspace::renumber(int marker, int to) {
 
 void InspectWorkspace::connect_plots() {
   using widgets::HistogramPlot;
-  using widgets::ResidualMap;
-  connect(histogram_, &HistogramPlot::observations_selected, this, [this](const std::vector<qint64>& ids) {
-    bench_.selection.select_many({ids.begin(), ids.end()});
-  });
+  link_selection(histogram_, bench_);
+  link_selection(map_, bench_);
+  link_selection(scene_, bench_);
   connect(histogram_, &HistogramPlot::threshold_changed, this, [this](double) {
     const auto beyond = histogram_->beyond_threshold();
     table_->set_highlighted(beyond);
@@ -163,27 +158,6 @@ void InspectWorkspace::connect_plots() {
     try_threshold(threshold, {ids.begin(), ids.end()});
   });
   connect(exclude_beyond_, &QPushButton::clicked, this, [this] { bench_.exclude(beyond_, "beyond the threshold"); });
-  connect(map_, &ResidualMap::observation_selected, this,
-          [this](qint64 id) { bench_.selection.select_observation(id); });
-  connect(map_, &ResidualMap::observation_hovered, this,
-          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
-  connect(map_, &ResidualMap::observations_selected, this, [this](const std::vector<qint64>& ids) {
-    bench_.selection.select_many({ids.begin(), ids.end()});
-  });
-  for (widgets::PlotWidget* plot : std::initializer_list<widgets::PlotWidget*>{histogram_, map_}) {
-    connect(plot, &widgets::PlotWidget::read_out, &bench_, &Workbench::pointed_at);
-    connect(plot, &widgets::PlotWidget::message, &bench_.document, &Document::noticed);
-  }
-  connect(scene_, &widgets::RobotView::observation_selected, this,
-          [this](qint64 id) { bench_.selection.select_observation(id); });
-  connect(scene_, &widgets::RobotView::observation_hovered, this,
-          [this](qint64 id) { bench_.selection.hover(id < 0 ? Selected{} : Selected{.observation = id}); });
-  connect(scene_, &widgets::RobotView::joint_selected, this, [this](const QString& joint) {
-    Selected s = bench_.selection.current();
-    s.joint = joint.toStdString();
-    bench_.selection.select(s);
-  });
-  connect(scene_, &widgets::RobotView::read_out, &bench_, &Workbench::pointed_at);
 }
 
 void InspectWorkspace::try_threshold(double threshold, const std::vector<std::int64_t>& beyond) {
@@ -350,7 +324,7 @@ void InspectWorkspace::refresh_observation() {
   look_->setEnabled(row && row->worst_marker >= 0);
   relabel_->setEnabled(o && !o->images[0].empty());
   blame_->set_sentence(blame_sentence(row, o, bench_.document.session().rig.has_value()));
-  blame_->set_blame(row ? shown_blame(row->blame) : std::nullopt);
+  blame_->set_blame(row ? shown_blame(row->blame, !bench_.document.session().rig) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));
     right_->clear({});
@@ -364,6 +338,14 @@ void InspectWorkspace::refresh_observation() {
   show_pose(bench_.document, *o, row, *scene_);
   scene_->set_ghost_magnification(
       row && row->tcp_from_tcp_est ? round_magnification(row->tcp_from_tcp_est->translation.norm(), 0.05) : 1);
+}
+
+std::vector<Action> InspectWorkspace::own_actions() const {
+  const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
+    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+  };
+  return {explained("inspect_keys", tr("Delete, Insert"), tr("exclude, include the chosen observations")),
+          explained("inspect_marker", tr("0 … 9, Delete on a marker"), tr("renumber, remove it"))};
 }
 
 }  // namespace handsight::app

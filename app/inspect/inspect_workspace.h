@@ -25,7 +25,9 @@ class InspectWorkspace : public Workspace {
  public:
   explicit InspectWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
+  Place place() const override { return Place::inspect; }
   QString name() const override { return tr("Inspect"); }
+  std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   void activate() override;
 

@@ -74,14 +74,14 @@ std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   return points;
 }
 
-std::optional<widgets::Blame> shown_blame(const Blame& blame) {
+std::optional<widgets::Blame> shown_blame(const Blame& blame, bool of_tracker) {
   switch (blame.letter) {
     case 'C':
-      return widgets::Blame{1, 0, 0};
+      return widgets::Blame{1, 0, 0, of_tracker};
     case 'B':
-      return widgets::Blame{blame.cameras, blame.body + blame.robot, 0};
+      return widgets::Blame{blame.cameras, blame.body + blame.robot, 0, of_tracker};
     case 'R':
-      return widgets::Blame{blame.cameras, blame.body, blame.robot};
+      return widgets::Blame{blame.cameras, blame.body, blame.robot, of_tracker};
     default:
       return std::nullopt;
   }

@@ -11,7 +11,7 @@ namespace handsight::app {
 
 /// The shares as the bar shows them: what follows from the cause to look at first is counted with it. Images that do
 /// not agree make body and robot look wrong too, a body that is wrong the robot. Nothing where nothing stands out.
-std::optional<widgets::Blame> shown_blame(const Blame& blame);
+std::optional<widgets::Blame> shown_blame(const Blame& blame, bool of_tracker);
 
 std::vector<widgets::ObservationRow> table_rows(const Workbench& bench);
 std::vector<widgets::MapPoint> map_points(const Workbench& bench);

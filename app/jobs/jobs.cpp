@@ -25,6 +25,7 @@ Jobs::Jobs(QObject* parent) : QObject(parent), worker_(new QObject) {
 
 Jobs::~Jobs() {
   waiting_.clear();
+  held_ = false;
   if (running_) running_->control.cancelled_ = true;
   thread_.quit();
   thread_.wait();
@@ -56,6 +57,8 @@ void Jobs::start_next() {
   emit changed();
   QMetaObject::invokeMethod(worker_, [this, job = running_] {
     clear_upper_registers();
+    constexpr unsigned long ms_of_a_look = 2;
+    while (held_ && !job->control.is_cancelled()) QThread::msleep(ms_of_a_look);
     try {
       if (!job->control.is_cancelled()) job->work(job->control);
     } catch (const std::exception& error) {

@@ -65,6 +65,8 @@ class Jobs : public QObject {
   void cancel(const QString& kind = {});
   /// The same for all, at the user's wish: `stopped` is said.
   void stop();
+  /// While held, a job waits at its beginning until it is let go or cancelled: who presses Cancel is never too late.
+  void hold(bool held) { held_ = held; }
   bool is_busy() const { return running_ != nullptr || !waiting_.empty(); }
   bool is_busy(const QString& kind) const;
   JobState state() const;
@@ -94,6 +96,7 @@ class Jobs : public QObject {
 
   QThread thread_;
   QObject* worker_;
+  std::atomic<bool> held_{false};
   std::shared_ptr<Job> running_;
   std::deque<std::shared_ptr<Job>> waiting_;
 };

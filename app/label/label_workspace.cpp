@@ -58,7 +58,7 @@ WorkStatus LabelWorkspace::status() const {
                                [](const Observation& o) { return !o.sightings.empty(); });
   if (labelled > 0) return {WorkState::done, tr("%1 by hand").arg(labelled)};
   if (any) return {WorkState::done, tr("labels came with it")};
-  return {WorkState::open, tr("%1 wanted").arg(counted(std::min(3, s.marker_count), "marker", "markers"))};
+  return {WorkState::open, tr("%1 wanted").arg(counted(std::min(3, s.marker_count), "%n marker(s)"))};
 }
 
 void LabelWorkspace::activate() { show_observation(); }
@@ -298,13 +298,13 @@ void LabelWorkspace::use() {
   if (!o || !labeller_.will_do()) return;
   const ObservationState after{labeller_.sightings(), Decision::none, ""};
   Edit edit = bench_.document.edit_of(tr("labelled observation %1").arg(o->id), {{o->id, after}});
-  if (edit.is_empty()) return bench_.workspace_requested(1);
+  if (edit.is_empty()) return bench_.workspace_requested(Place::calibrate);
   edit.draft = bench_.document.edit_of_draft({}, o->id, std::nullopt).draft;
   const auto& all = bench_.document.session().observations;
   const bool is_first =
       std::none_of(all.begin(), all.end(), [](const Observation& x) { return x.decision == Decision::accepted; });
   const bool is_waited_for = bench_.label_wanted.has_value();
-  if (bench_.document.perform(edit) && (is_first || is_waited_for)) emit bench_.workspace_requested(1);
+  if (bench_.document.perform(edit) && (is_first || is_waited_for)) emit bench_.workspace_requested(Place::calibrate);
 }
 
 void LabelWorkspace::next_observation() {
@@ -317,6 +317,16 @@ void LabelWorkspace::next_observation() {
     return;
   }
   say(tr("No other observation has images."));
+}
+
+std::vector<Action> LabelWorkspace::own_actions() const {
+  const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
+    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+  };
+  return {explained("marker_snap", tr("Click, Alt+click"), tr("marker on the nearest corner, exactly there")),
+          explained("marker_nudge", tr("Arrows, Shift+arrows"), tr("nudge the chosen marker by 0.1 px, 1 px")),
+          explained("marker_number", tr("0 … 9, Delete"), tr("renumber, remove the chosen marker")),
+          explained("labels_use", tr("Enter"), tr("use the labels"))};
 }
 
 }  // namespace handsight::app

@@ -22,7 +22,9 @@ class LabelWorkspace : public Workspace {
  public:
   explicit LabelWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
+  Place place() const override { return Place::label; }
   QString name() const override { return tr("Label"); }
+  std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   Panel panel() const override { return Panel::absent; }
   void activate() override;

@@ -53,24 +53,70 @@ std::vector<RecentSession> recent_sessions() {
     const fs::path file = one["file"].get<std::string>();
     std::error_code error;
     if (!fs::exists(file, error)) continue;
-    list.push_back({file, QString::fromStdString(one.value("title", file.parent_path().filename().string()))});
+    RecentSession session{file,
+                          QString::fromStdString(one.value("title", file.parent_path().filename().string())),
+                          QString::fromStdString(one.value("state", "")),
+                          {}};
+    if (one.contains("ratios") && one["ratios"].is_array())
+      for (const Json& ratio : one["ratios"])
+        if (ratio.is_number()) session.ratios.push_back(ratio.get<double>());
+    list.push_back(std::move(session));
   }
   return list;
 }
 
-void remember_session(const fs::path& file, const QString& title) {
-  const fs::path whole = fs::weakly_canonical(file);
-  Json list = Json::array({{{"file", whole.string()}, {"title", title.toStdString()}}});
-  for (const RecentSession& one : recent_sessions())
-    if (one.file != whole && list.size() < most_recent)
-      list.push_back({{"file", one.file.string()}, {"title", one.title.toStdString()}});
+namespace {
+
+/// A list of what was opened lately is not worth a refusal.
+void write_recent(const std::vector<RecentSession>& sessions) {
+  Json list = Json::array();
+  for (const RecentSession& one : sessions)
+    if (list.size() < most_recent)
+      list.push_back({{"file", one.file.string()},
+                      {"title", one.title.toStdString()},
+                      {"state", one.state.toStdString()},
+                      {"ratios", one.ratios}});
   std::error_code error;
   fs::create_directories(state_folder(), error);
   try {
     replace_file(recent_file(), list.dump(1, ' ', false, Json::error_handler_t::replace));
   } catch (const InputError&) {
-    // A list of what was opened lately is not worth a refusal.
+    return;
   }
+}
+
+}  // namespace
+
+void remember_session(const fs::path& file, const QString& title) {
+  const fs::path whole = fs::weakly_canonical(file);
+  std::vector<RecentSession> list = recent_sessions();
+  RecentSession first{whole, title, {}, {}};
+  for (const RecentSession& one : list)
+    if (one.file == whole) first = {whole, title, one.state, one.ratios};
+  std::erase_if(list, [&](const RecentSession& one) { return one.file == whole; });
+  list.insert(list.begin(), std::move(first));
+  write_recent(list);
+}
+
+void remember_state(const fs::path& file, const QString& state, const std::vector<double>& ratios) {
+  const fs::path whole = fs::weakly_canonical(file);
+  std::vector<RecentSession> list = recent_sessions();
+  for (RecentSession& one : list) {
+    if (one.file != whole) continue;
+    one.state = state;
+    one.ratios = ratios;
+    return write_recent(list);
+  }
+}
+
+fs::path first_image(const fs::path& session_folder) {
+  std::error_code error;
+  std::vector<fs::path> all;
+  for (const fs::directory_entry& e : fs::directory_iterator(session_folder / "images", error)) {
+    const std::string ending = e.path().extension().string();
+    if (ending == ".png" || ending == ".jpg" || ending == ".pgm") all.push_back(e.path());
+  }
+  return all.empty() ? fs::path() : *std::min_element(all.begin(), all.end());
 }
 
 std::vector<SampleSession> sample_sessions() {

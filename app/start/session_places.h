@@ -11,11 +11,18 @@ namespace handsight::app {
 struct RecentSession {
   std::filesystem::path file;
   QString title;
+  QString state;  // how it stood when it was left: "0.20 px, noise 0.20 px: nothing is missing"; may be empty
+  std::vector<double> ratios;  // of its observations, at most 60: rms of one coordinate over the noise
 };
 
 /// Newest first, only those that are still there.
 std::vector<RecentSession> recent_sessions();
 void remember_session(const std::filesystem::path& file, const QString& title);
+/// How the session stands; nothing happens where it was never remembered.
+void remember_state(const std::filesystem::path& file, const QString& state, const std::vector<double>& ratios);
+
+/// The first image of a session in this folder, read from names alone; empty where it has none.
+std::filesystem::path first_image(const std::filesystem::path& session_folder);
 
 struct SampleSession {
   std::string name;  // of its folder

@@ -3,13 +3,17 @@
 
 #include <QAbstractButton>
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
+#include <QImageReader>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "start/session_places.h"
+#include "widgets/cells.h"
+#include "widgets/icons.h"
 #include "widgets/theme.h"
 
 namespace handsight::app {
@@ -18,7 +22,23 @@ namespace {
 using widgets::colors;
 using widgets::TextRole;
 
-/// A row to click: a title and a sentence under it.
+constexpr int thumbnail_width = 72, thumbnail_height = 48;
+
+/// The first image of a session, small; null where it has none.
+QPixmap thumbnail_of(const std::filesystem::path& folder, double ratio) {
+  const std::filesystem::path file = first_image(folder);
+  if (file.empty()) return {};
+  QImageReader reader(QString::fromStdString(file.string()));
+  const QSize size = reader.size();
+  if (!size.isValid()) return {};
+  const QSize wanted = QSizeF(thumbnail_width * ratio, thumbnail_height * ratio).toSize();
+  reader.setScaledSize(size.scaled(wanted, Qt::KeepAspectRatioByExpanding));
+  QPixmap pixmap = QPixmap::fromImage(reader.read());
+  pixmap.setDevicePixelRatio(ratio);
+  return pixmap;
+}
+
+/// A row to click: a thumbnail, a title and a sentence under it, and how the session stood.
 class PlaceButton : public QAbstractButton {
  public:
   PlaceButton(const QString& title, const QString& sentence, QWidget* parent)
@@ -26,12 +46,24 @@ class PlaceButton : public QAbstractButton {
     setText(title);
     setAccessibleName(title);
     setAccessibleDescription(sentence);
+    setToolTip(sentence);
     setCursor(Qt::PointingHandCursor);
     setAttribute(Qt::WA_Hover);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
-  QSize sizeHint() const override { return {560, 56}; }
+  /// The image, or without one the icon of the work that begins there.
+  void set_picture(const QPixmap& thumbnail, const QString& icon) {
+    thumbnail_ = thumbnail;
+    icon_ = icon;
+  }
+  /// Per observation rms over noise: a strip in the window's colours.
+  void set_state(const QString& state, const std::vector<double>& ratios) {
+    state_ = state;
+    ratios_ = ratios;
+    if (!state.isEmpty()) setAccessibleDescription(sentence_ + ". " + state);
+  }
+  QSize sizeHint() const override { return {480, 64}; }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -41,19 +73,53 @@ class PlaceButton : public QAbstractButton {
     p.setPen(QPen(hasFocus() ? c.accent : c.hairline, hasFocus() ? 2 : 1));
     p.setBrush(underMouse() || isDown() ? c.selected_row : c.panel);
     p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+    paint_picture(p, QRectF(8, 8, thumbnail_width, thumbnail_height));
+    const double left = thumbnail_width + 20, wide = width() - left - 12;
     p.setPen(c.ink1);
     QFont title = widgets::text_font(TextRole::body);
     title.setWeight(QFont::DemiBold);
     p.setFont(title);
-    p.drawText(QRectF(16, 7, width() - 32, 20), Qt::AlignVCenter, text());
+    p.drawText(QRectF(left, 7, wide, 20), Qt::AlignVCenter,
+               p.fontMetrics().elidedText(text(), Qt::ElideRight, static_cast<int>(wide)));
     p.setFont(widgets::text_font(TextRole::small));
     p.setPen(c.ink2);
-    p.drawText(QRectF(16, 28, width() - 32, 20), Qt::AlignVCenter,
-               p.fontMetrics().elidedText(sentence_, Qt::ElideMiddle, width() - 32));
+    const QRectF below(left, 26, wide, 34);
+    if (state_.isEmpty()) {
+      p.drawText(below, Qt::AlignTop | Qt::TextWordWrap, sentence_);
+      return;
+    }
+    p.drawText(QRectF(left, 26, wide, 18), Qt::AlignVCenter,
+               p.fontMetrics().elidedText(state_, Qt::ElideRight, static_cast<int>(wide)));
+    paint_strip(p, QRectF(left, 47, wide, 8));
   }
 
  private:
-  QString sentence_;
+  void paint_picture(QPainter& p, const QRectF& area) const {
+    const auto& c = colors();
+    if (thumbnail_.isNull()) {
+      p.fillRect(area, c.sunken);
+      widgets::draw_icon(p, QRectF(area.center() - QPointF(14, 14), QSizeF(28, 28)), icon_, c.ink3);
+      return;
+    }
+    const QSizeF shown = thumbnail_.deviceIndependentSize();
+    const QRectF source(QPointF((shown.width() - area.width()) / 2, (shown.height() - area.height()) / 2) *
+                            thumbnail_.devicePixelRatio(),
+                        area.size() * thumbnail_.devicePixelRatio());
+    p.drawPixmap(area, thumbnail_, source);
+  }
+  void paint_strip(QPainter& p, const QRectF& area) const {
+    if (ratios_.empty()) return;
+    p.setRenderHint(QPainter::Antialiasing, false);
+    const double step = std::min(10.0, area.width() / static_cast<double>(ratios_.size()));
+    for (std::size_t i = 0; i < ratios_.size(); ++i)
+      p.fillRect(
+          QRectF(area.left() + step * static_cast<double>(i), area.top(), std::max(step - 1, 1.0), area.height()),
+          colors().residual[static_cast<std::size_t>(widgets::residual_step(ratios_[i], 12))]);
+  }
+
+  QString sentence_, icon_, state_;
+  QPixmap thumbnail_;
+  std::vector<double> ratios_;
 };
 
 QLabel* heading(const QString& text, QWidget* parent) {
@@ -81,16 +147,25 @@ void StartPage::set_refusal(const QString& sentence) {
   refusal_->setVisible(!sentence.isEmpty());
 }
 
+QGridLayout* StartPage::make_grid() {
+  auto* grid = new QGridLayout;
+  grid->setSpacing(8);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  list_->addLayout(grid);
+  return grid;
+}
+
 void StartPage::refresh() {
   content_ = new QWidget(this);
   auto* outer = new QHBoxLayout(content_);
   auto* column = new QWidget(content_);
-  column->setMaximumWidth(640);
+  column->setMaximumWidth(1080);
   outer->addStretch(1);
   outer->addWidget(column, 100);
   outer->addStretch(1);
   list_ = new QVBoxLayout(column);
-  list_->setContentsMargins(24, 48, 24, 48);
+  list_->setContentsMargins(24, 32, 24, 24);
   list_->setSpacing(8);
   auto* name = new QLabel(tr("Handsight"), column);
   name->setFont(widgets::text_font(TextRole::number));
@@ -107,6 +182,7 @@ void StartPage::refresh() {
   auto* make = new QPushButton(tr("New session from images…"), column);
   make->setObjectName("start_new");
   for (QPushButton* b : {open, make}) {
+    b->setIcon(widgets::icon(b == open ? "open" : "new_session"));
     b->setMinimumSize(b->sizeHint().width() + 32, 36);
     buttons->addWidget(b);
   }
@@ -130,24 +206,30 @@ void StartPage::refresh() {
   if (!recent.empty()) {
     list_->addSpacing(16);
     list_->addWidget(heading(tr("Recent sessions"), column));
-    for (std::size_t i = 0; i < recent.size() && i < 5; ++i) {
+    QGridLayout* grid = make_grid();
+    for (std::size_t i = 0; i < recent.size() && i < 6; ++i) {
       const QString path = QString::fromStdString(recent[i].file.string());
       auto* row = new PlaceButton(recent[i].title, path, column);
       row->setObjectName("recent_" + QString::number(i));
+      row->set_picture(thumbnail_of(recent[i].file.parent_path(), devicePixelRatioF()), "calibrate");
+      row->set_state(recent[i].state, recent[i].ratios);
       connect(row, &QAbstractButton::clicked, this, [this, path] { emit session_chosen(path); });
-      list_->addWidget(row);
+      grid->addWidget(row, static_cast<int>(i) / 2, static_cast<int>(i) % 2);
     }
   }
   const auto samples = sample_sessions();
   if (!samples.empty()) {
     list_->addSpacing(16);
     list_->addWidget(heading(tr("Sample sessions"), column));
-    for (const SampleSession& sample : samples) {
+    QGridLayout* grid = make_grid();
+    for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
+      const SampleSession& sample = samples[static_cast<std::size_t>(i)];
       auto* row = new PlaceButton(sample.title, sample.sentence, column);
       const QString id = QString::fromStdString(sample.name);
       row->setObjectName("sample_" + id);
+      row->set_picture(thumbnail_of(sample.folder, devicePixelRatioF()), "explain");
       connect(row, &QAbstractButton::clicked, this, [this, id] { emit sample_chosen(id); });
-      list_->addWidget(row);
+      grid->addWidget(row, i / 2, i % 2);
     }
   }
   list_->addStretch(1);

@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <filesystem>
 
+class QGridLayout;
 class QLabel;
 class QVBoxLayout;
 
@@ -30,6 +31,8 @@ class StartPage : public QScrollArea {
   void changeEvent(QEvent* event) override;
 
  private:
+  QGridLayout* make_grid();
+
   QWidget* content_;
   QVBoxLayout* list_;
   QLabel* refusal_;

@@ -64,7 +64,7 @@ void SessionWizard::read_images() {
         if (pair.left.empty() || pair.right.empty())
           alone << QString::fromStdString((pair.left.empty() ? pair.right : pair.left).filename().string());
       const int whole = static_cast<int>(pairs_.size()) - static_cast<int>(alone.size());
-      QString sentence = counted(whole, "pair", "pairs");
+      QString sentence = counted(whole, "%n pair(s)");
       if (!alone.isEmpty())
         sentence += tr("; without a partner: %1").arg(alone.mid(0, 3).join(", ") + (alone.size() > 3 ? " …" : ""));
       say(where, sentence + ".", false);

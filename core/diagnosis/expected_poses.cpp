@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "session/pose_points.h"
+
 namespace handsight {
 namespace {
 
@@ -82,8 +84,12 @@ namespace {
 
 /// Of more than two cameras a good pose is seen by two at least: what the others see of it too.
 std::vector<Sighting> shown(const Problem& problem, const ProblemObservation& o, const Unknowns& u,
-                            const Rigid& sensor_from_tcp) {
+                            const Rigid& sensor_from_tcp, const Rigid& tcp_from_body) {
   std::vector<Sighting> seen = o.sightings;
+  if (problem.source->chain.is_one_target) {
+    const Matrix3 turn = sensor_from_tcp.rotation * tcp_from_body.rotation;
+    for (Sighting& s : seen) s.along = turn.col(measured_axis(s.marker));
+  }
   if (!problem.rig || problem.rig->count() <= 2) return seen;
   for (Sighting& s : seen) {
     const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
@@ -103,7 +109,7 @@ ExpectedRows ExpectedPoses::rows_at(const Problem& problem, const ProblemObserva
   ExpectedRows rows;
   rows.is_shown = o.springs_hold && judge.is_shown(sensor_from_tcp);
   Eigen::Index count = 0, row = 0;
-  const std::vector<Sighting> sightings = shown(problem, o, u, sensor_from_tcp);
+  const std::vector<Sighting> sightings = shown(problem, o, u, sensor_from_tcp, fit_.tcp_from_body);
   for (const Sighting& s : sightings) count += row_count(s);
   rows.by_columns.setZero(count, problem.columns());
   rows.predicted.resize(count);

@@ -54,6 +54,7 @@ class Builder {
     for (const ProblemObservation& o : p_.observations) add(o);
     model_.external.conservativeResize(next_, Eigen::NoChange);
     model_.external_error.conservativeResize(next_);
+    add_shape();
     model_.internal = Eigen::MatrixXd(model_.internal.selfadjointView<Eigen::Lower>());
     scale_and_weigh();
     return std::move(model_);
@@ -141,6 +142,17 @@ class Builder {
     model_.rows += static_cast<int>(rows.rest.rows());
     model_.internal_rows += static_cast<int>(inner);
     model_.observations.push_back(std::move(part));
+  }
+
+  /// What is known of the markers' shape is one more measurement, that no motion of the body moves.
+  void add_shape() {
+    if (!p_.has_shape_prior()) return;
+    ShapePrior prior = shape_prior(p_, u_.markers_in_tcp);
+    const double to_noise = noise_ * noise_ / (p_.noise * p_.noise);
+    const Eigen::Index count = prior.gradient.size(), error = model_.internal.cols() - 1;
+    model_.internal.topLeftCorner(count, count) += to_noise * prior.information;
+    model_.internal.row(error).head(count) += to_noise * prior.gradient.transpose();
+    model_.internal(error, error) += to_noise * prior.cost;
   }
 
   void scale_and_weigh() {

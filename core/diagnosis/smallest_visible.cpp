@@ -39,7 +39,7 @@ std::optional<double> smallest_visible(const Problem& problem, const ProblemObse
   double largest = 0;
   Eigen::Index row = 0;
   for (const Sighting& s : o.sightings) {
-    const Eigen::Index size = s.point ? 3 : 2;
+    const Eigen::Index size = s.point ? row_count(s) : 2;
     for (Eigen::Index end = row + row_count(s); row < end; row += size) {
       const Eigen::MatrixXd mine = q.middleRows(row, size);
       const Eigen::MatrixXd shown = Eigen::MatrixXd::Identity(size, size) - mine * mine.transpose();

@@ -122,7 +122,7 @@ std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, d
     worst = WrongPoint{o.id, p.observation->index, s.marker, camera, displacement.norm()};
   };
   for (const Sighting& s : p.observation->sightings) {
-    if (s.point) consider(s, by_tracker, 3);
+    if (s.point) consider(s, by_tracker, row_count(s));
     for (const CameraPoint& seen : s.in_cameras) consider(s, seen.camera, 2);
   }
   return worst;

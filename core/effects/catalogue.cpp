@@ -126,9 +126,9 @@ std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
   if (effect.scope == EffectScope::camera)
     for (std::size_t c = 0; c < effect.cameras.size(); ++c)
       if (!effect.cameras[c].empty()) places.push_back(static_cast<int>(c));
-  if (effect.scope == EffectScope::marker)
+  if (effect.scope == EffectScope::marker && !chain.is_one_target)
     for (int m = 0; m < chain.marker_count; ++m) places.push_back(m);
-  if (!moves_one_joint(effect)) return places;
+  if (!moves_one_joint(effect) || chain.robot.is_of_poses) return places;
   const std::vector<char> matters = joints_that_matter(chain);
   for (std::size_t j = 0; j < chain.robot.joints.size(); ++j) {
     const Joint& joint = chain.robot.joints[j];

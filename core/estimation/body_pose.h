@@ -24,7 +24,7 @@ std::optional<Rigid> refined_body_pose(const Rig* rig, const std::vector<Sightin
                                        const std::vector<Vector3>& markers_in_body, const Rigid& guess,
                                        double near_enough);
 
-/// A start without a guess, from three or more points that both cameras (or the tracker) saw.
+/// A start without a guess, from three or more points that two cameras (or the tracker) saw.
 std::optional<Rigid> body_pose_from_points(const Rig* rig, const std::vector<Sighting>& sightings,
                                            const std::vector<Vector3>& markers_in_body);
 

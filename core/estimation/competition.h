@@ -16,10 +16,10 @@ bool is_no_answer(const Problem& images, const Solution& solution);
 
 /// The best few starts for these images, best first; none where nothing but `given` can be tried (a known mount and
 /// cameras that no effect moves). In stages, each on a spread of the observations:
-/// - where cameras are free the left one alone, which the rig cannot mislead; effects stay as they are;
+/// - where cameras are free the first one alone, which the rig cannot mislead; effects stay as they are;
 /// - the mount: the given rotation, those 25 degrees beside it and rotations all round, translation and markers by the
 ///   linear system of the viewing rays; a few steps from each, the best are followed;
-/// - then the numbers of the left camera, then all of the cameras and the rig.
+/// - then the numbers of the first camera, then all of the cameras and the rig.
 std::vector<Unknowns> competing_starts(const Problem& images, const Unknowns& given);
 
 }  // namespace handsight

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "effects/term_numbers.h"
@@ -8,16 +9,25 @@
 #include "estimation/fit_covariance.h"
 #include "estimation/fit_noise.h"
 #include "estimation/objectives.h"
+#include "estimation/pose_residuals.h"
 #include "estimation/start.h"
 #include "estimation/sure_fit.h"
+#include "session/pose_points.h"
 
 namespace handsight {
 namespace {
 
 std::string session_name(const Session& session) { return session.file.filename().string(); }
 
+bool all_are_seen(const Problem& problem) {
+  return std::all_of(problem.marker_is_seen.begin(), problem.marker_is_seen.end(), [](char seen) { return seen != 0; });
+}
+
 BodySides sides_of(const FitOptions& options, const Problem& problem, const Unknowns& unknowns) {
   if (options.sides) return *options.sides;
+  // As the shape is described: the estimate of a regular one would change its mind between equal sides.
+  if (problem.shape && problem.shape->piece_count() == 1 && (problem.shape->sigma || all_are_seen(problem)))
+    return choose_sides({problem.shape->markers.begin(), problem.shape->markers.end()});
   std::vector<std::optional<Vector3>> markers;
   for (std::size_t m = 0; m < unknowns.markers_in_tcp.size(); ++m)
     markers.push_back(problem.marker_is_seen[m] ? std::optional(unknowns.markers_in_tcp[m]) : std::nullopt);
@@ -179,14 +189,20 @@ std::vector<EffectTerm> terms_of(const Fit& fit) {
   return terms;
 }
 
-Fit fit(const Session& session, const FitOptions& options) {
+namespace {
+
+Fit fit_as_told(const Session& session, const FitOptions& options) {
   const Chain chain = chain_of(session);
   Problem images = make_problem(session, chain, options.effects, options.estimated);
   if (images.observations.empty())
     throw InputError(
-        fmt::format("{}: none of the {} observations has a labelled marker that may be used; label one first "
-                    "(handsight-cli label).",
-                    session_name(session), session.observations.size()));
+        session.target
+            ? fmt::format("{}: the target is found in none of the {} observations that may be used; look at an image "
+                          "and at what <target> says of it.",
+                          session_name(session), session.observations.size())
+            : fmt::format("{}: none of the {} observations has a labelled marker that may be used; label one first "
+                          "(handsight-cli label).",
+                          session_name(session), session.observations.size()));
   auto start = options.start ? options.start : start_values(images, session.mount);
   if (start) start->effects = effect_values(images);
   if (!start)
@@ -199,14 +215,12 @@ Fit fit(const Session& session, const FitOptions& options) {
 
   Fit result;
   result.objective = options.objective;
-  result.fixed_markers = options.fix_markers || options.objective == Objective::angle_axis;
-  if (images.effect_count() > 0) set_prior_noise(session, *start, images);
+  result.fixed_markers =
+      options.fix_markers || options.objective == Objective::angle_axis || (images.shape && images.shape->is_rigid());
+  if (images.effect_count() > 0 || images.shape) set_prior_noise(session, *start, images);
   if (!images.terms.empty()) {
     // A first frame for slips; settled below.
-    std::vector<std::optional<Vector3>> markers(start->markers_in_tcp.begin(), start->markers_in_tcp.end());
-    for (std::size_t m = 0; m < markers.size(); ++m)
-      if (!images.marker_is_seen[m]) markers[m].reset();
-    const BodySides sides = options.sides ? *options.sides : choose_sides(markers);
+    const BodySides sides = sides_of(options, images, *start);
     if (!sides.markers.empty()) images.tcp_from_slip = body_frame(sides, start->markers_in_tcp).tcp_from_body;
     if (has_slip(images)) place_observations(images);
   }
@@ -233,6 +247,20 @@ Fit fit(const Session& session, const FitOptions& options) {
   set_effect_results(options.effects.size(), result);
   add_notes(session, result);
   return result;
+}
+
+}  // namespace
+
+Fit fit(const Session& session, const FitOptions& options) {
+  if (!has_unknown_lever(session)) return fit_as_told(session, options);
+  FitOptions quiet = options;
+  quiet.on_iteration = nullptr;
+  Session seen = session;
+  for (int pass = 0; pass < 2; ++pass) {
+    const Fit rough = fit_as_told(seen, quiet);
+    show_poses(seen, seen_lever(rough.problem, estimate(rough)));
+  }
+  return fit_as_told(seen, options);
 }
 
 }  // namespace handsight

@@ -15,7 +15,7 @@ namespace handsight {
 
 enum class Objective {
   image,       // thesis (4.42): px in the images (m in a tracker session)
-  camera,      // thesis (4.41): m in the left camera's frame, triangulated markers
+  camera,      // thesis (4.41): m in the first camera's frame, triangulated markers
   angle_axis,  // thesis (4.39-4.40): body pose of each observation; m and rad weighed by their sigmas
 };
 

@@ -13,8 +13,12 @@ namespace {
 constexpr std::size_t fewest_for_scatter = 10;
 
 /// Of the unknowns, how many their priors know: tr(P H^-1). The measurements know the rest, tr(H_data H^-1).
-double known_by_priors(const Problem& problem, const Eigen::MatrixXd& inverse) {
+double known_by_priors(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& inverse) {
   double known = 0;
+  if (problem.has_shape_prior()) {
+    const Eigen::MatrixXd prior = shape_prior(problem, unknowns.markers_in_tcp).information;
+    known += prior.cwiseProduct(inverse.topLeftCorner(prior.rows(), prior.cols())).sum();
+  }
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
     const Eigen::Index column = problem.effect_column() + i;
@@ -27,12 +31,16 @@ double known_by_priors(const Problem& problem, const Eigen::MatrixXd& inverse) {
 int unknowns_of(const Problem& problem, const Solution& solution, const Eigen::MatrixXd& inverse, bool fixed_markers) {
   int count = static_cast<int>(solution.basis.cols()) - solution.unobservable;
   for (const char seen : problem.marker_is_seen)
-    if (!seen && !fixed_markers) count -= 3;
-  return count - static_cast<int>(std::lround(known_by_priors(problem, inverse)));
+    if (!seen && !fixed_markers && !problem.has_shape_prior()) count -= 3;
+  return count - static_cast<int>(std::lround(known_by_priors(problem, solution.unknowns, inverse)));
 }
 
 /// A prior is one more measurement, with its own scatter.
-void add_prior_scatter(const Problem& problem, Eigen::MatrixXd& middle) {
+void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, Eigen::MatrixXd& middle) {
+  if (problem.has_shape_prior()) {
+    const Eigen::MatrixXd prior = shape_prior(problem, unknowns.markers_in_tcp).information;
+    middle.topLeftCorner(prior.rows(), prior.cols()) += problem.noise * problem.noise * prior;
+  }
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const Eigen::Index column = problem.effect_column() + i;
     const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
@@ -48,7 +56,7 @@ Eigen::MatrixXd clustered_middle(const Problem& problem, const Unknowns& unknown
     add_observation(problem, o, unknowns, one);
     middle.selfadjointView<Eigen::Lower>().rankUpdate(one.gradient);
   }
-  add_prior_scatter(problem, middle);
+  add_prior_scatter(problem, unknowns, middle);
   return middle.selfadjointView<Eigen::Lower>();
 }
 
@@ -74,7 +82,7 @@ LossMoments loss_moments(Problem& problem, const Unknowns& unknowns, Loss loss, 
       moments.scores += value.weight * value.weight * one.gradient * one.gradient.transpose();
     }
   }
-  add_prior_scatter(problem, moments.scores);
+  add_prior_scatter(problem, unknowns, moments.scores);
   return moments;
 }
 

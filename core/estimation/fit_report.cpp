@@ -7,6 +7,8 @@
 
 #include "estimation/body_pose.h"
 #include "estimation/objectives.h"
+#include "estimation/pose_residuals.h"
+#include "estimation/shape_start.h"
 
 namespace handsight {
 namespace {
@@ -19,6 +21,24 @@ struct Residuals {
   double length_squares_of_noise = 0;  // expected sum of their squares, m^2 per unit of noise squared
 };
 
+/// One camera shows no points, but of a body of known shape its pose: the points are then where that has them.
+void add_lengths_of_pose(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns,
+                         Residuals& residuals) {
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  const std::vector<Vector3> markers = markers_at(o, unknowns);
+  for (const std::vector<Sighting>& piece : by_piece(*images.shape, o.sightings)) {
+    const auto pose = estimate_body_pose(images.rig_or_null(), piece, markers, sensor_from_tcp);
+    if (!pose) continue;
+    for (const Sighting& s : piece) {
+      const Vector3 in_tcp = markers[static_cast<std::size_t>(s.marker)], measured = pose->sensor_from_body * in_tcp;
+      Eigen::Matrix<double, 3, 6> by_pose;
+      by_pose << Matrix3::Identity(), -cross_matrix(measured);
+      residuals.lengths.push_back((measured - sensor_from_tcp * in_tcp).norm());
+      residuals.length_squares_of_noise += (by_pose * pose->unit_covariance * by_pose.transpose()).trace();
+    }
+  }
+}
+
 Residuals residuals_of(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns) {
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
   Residuals residuals;
@@ -27,7 +47,7 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
     const SightingNormal n = sighting_normal(images.rig_or_null(), s, predicted);
     residuals.squares += n.cost;
     residuals.rows += n.rows;
-    if (s.point) {
+    if (s.point && !s.along) {
       residuals.lengths.push_back((*s.point - predicted).norm());
       residuals.length_squares_of_noise += 3;
     }
@@ -36,6 +56,11 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
       residuals.lengths.push_back((point->point - predicted).norm());
       residuals.length_squares_of_noise += point->covariance.trace();
     }
+  }
+  if (images.rig && images.shape && residuals.lengths.empty()) add_lengths_of_pose(images, o, unknowns, residuals);
+  if (const auto pose = pose_residual(images, o, unknowns)) {
+    residuals.lengths.push_back(pose->place.norm());
+    residuals.length_squares_of_noise += 1.5;  // a place's coordinate is the mean of two measurements
   }
   return residuals;
 }

@@ -91,11 +91,19 @@ void IncrementalFit::solve_step() {
   current_ = std::make_shared<Unknowns>(from_coordinates(x + step));
 }
 
+IncrementalFit::Entry& IncrementalFit::place_for(Entry entry) {
+  if (entries_.size() < most_kept) return entries_.emplace_back(std::move(entry));
+  Entry& place = entries_[next_];
+  next_ = (next_ + 1) % entries_.size();
+  return place = std::move(entry);
+}
+
 void IncrementalFit::add(const ProblemObservation& observation) {
-  entries_.push_back({observation, current_});
-  accumulate(entries_.back(), +1);
+  ++count_;
+  Entry& entry = place_for({observation, current_});
+  accumulate(entry, +1);
   solve_step();
-  relinearise(entries_.back());  // it may show a marker for the first time, far from its start
+  relinearise(entry);  // it may show a marker for the first time, far from its start
   solve_step();
   // A few observations are brought to the minimum at once; with more, one turn a step keeps the work bounded.
   const bool all_fit = entries_.size() <= per_step_;
@@ -115,7 +123,7 @@ Eigen::MatrixXd IncrementalFit::unit_covariance() const { return pseudo_inverse(
 
 Eigen::MatrixXd IncrementalFit::scatter_covariance() const {
   const Eigen::MatrixXd bread = pseudo_inverse(information_);
-  const auto n = static_cast<double>(entries_.size());
+  const auto n = static_cast<double>(count_);
   return n / std::max(n - 1, 1.0) * bread * middle_ * bread;
 }
 

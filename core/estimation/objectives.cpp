@@ -3,6 +3,7 @@
 
 #include "estimation/angle_axis.h"
 #include "estimation/body_shape.h"
+#include "estimation/shape_start.h"
 #include "estimation/trust_region.h"
 
 namespace handsight {
@@ -32,6 +33,12 @@ std::optional<Unknowns> with_average_shape(const Problem& images, const Unknowns
         tcp_from_shape.rotation * shape->covariances[i] * tcp_from_shape.rotation.transpose();
   }
   return unknowns;
+}
+
+/// The markers as the body that is held: as it is known, else as the observations have it on average.
+std::optional<Unknowns> with_held_shape(const Problem& images, const Unknowns& start, Eigen::MatrixXd& covariance) {
+  if (images.has_shape_prior() && images.shape->piece_count() == 1) return laid_onto(*images.shape, start);
+  return with_average_shape(images, start, covariance);
 }
 
 SolveOptions solve_options(const FitOptions& options, const Fit& fit, bool fixed_body) {
@@ -77,8 +84,7 @@ Unknowns moved_body(const Unknowns& unknowns, const AngleAxisResult& result) {
 
 void minimise(const Session& session, const Problem& images, const Unknowns& start, const FitOptions& options,
               double noise, Fit& fit) {
-  const std::optional<Unknowns> held =
-      fit.fixed_markers ? with_average_shape(images, start, fit.shape_covariance) : start;
+  const std::optional<Unknowns> held = fit.fixed_markers ? with_held_shape(images, start, fit.shape_covariance) : start;
   if (!held)
     throw InputError(fmt::format(
         "{}: holding the markers fixed needs an observation that shows three of them as points (two cameras, or a "
@@ -118,7 +124,7 @@ Unknowns refit(const Fit& fit, const FitOptions& options, const Problem& part, d
   Unknowns from = fit.solution.unknowns;
   if (fit.fixed_markers) {  // the shape of these observations alone: the others must not have told it
     Eigen::MatrixXd not_read;
-    if (auto held = with_average_shape(part, from, not_read)) from = std::move(*held);
+    if (auto held = with_held_shape(part, from, not_read)) from = std::move(*held);
   }
   if (options.objective != Objective::angle_axis)
     return solve(part, from, solve_options(quiet, fit, fit.fixed_markers)).unknowns;

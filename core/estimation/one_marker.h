@@ -13,7 +13,7 @@ struct OneMarkerOptions {
   std::optional<Vector3> marker_in_tcp;
 };
 
-/// Per observation. Vectors in the sensor's (left camera's) frame, m: commanded marker minus measured marker.
+/// Per observation. Vectors in the sensor's (first camera's) frame, m: commanded marker minus measured marker.
 struct EffectiveMass {
   std::int64_t id = 0;
   double mass = 0;                   // kg: force = mass * 9.81 m/s^2 along the direction of the deviation before

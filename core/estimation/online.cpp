@@ -16,10 +16,6 @@ constexpr std::size_t fewest_for_scatter = 10;
 
 int markers_needed(int marker_count) { return std::min(3, marker_count); }
 
-bool moved_enough(const Joint& joint, double change, const OnlineOptions& options) {
-  return std::abs(change) >= (joint.kind == JointKind::prismatic ? options.new_pose_m : options.new_pose_rad);
-}
-
 /// Are the squares (in units of the noise) more than the noise explains?
 bool exceeds_noise(double squares, int degrees, int estimated) {
   const auto test = noise_test(squares, degrees, estimated);
@@ -31,12 +27,6 @@ double milliseconds_since(std::chrono::steady_clock::time_point began) {
 }
 
 }  // namespace
-
-void keep_step(const OnlineStep& step, Observation& observation) {
-  observation.decision = step.accepted ? Decision::accepted : Decision::rejected;
-  observation.reason = step.reason;
-  if (step.from_images && !step.sightings.empty()) observation.sightings = step.sightings;
-}
 
 OnlineCalibration::OnlineCalibration(const Session& session, OnlineOptions options)
     : chain_(chain_of(session)),
@@ -52,29 +42,18 @@ OnlineCalibration::OnlineCalibration(const Session& session, OnlineOptions optio
   problem_.marker_count = chain_.marker_count;
   problem_.mount_is_estimated = mount_.estimate;
   problem_.marker_is_seen.assign(static_cast<std::size_t>(chain_.marker_count), 0);
+  if (session.shape) target_.emplace(session, options_);
 }
 
 /// The shape that the poses are measured against is itself estimated from them.
 int OnlineCalibration::noise_degrees() const { return internal_rows_ - std::max(0, 3 * problem_.marker_count - 6); }
 
 std::optional<double> OnlineCalibration::noise() const {
+  if (target_) return target_->noise();
   if (declared_noise_) return declared_noise_;
   const int degrees = noise_degrees();
   if (degrees < 10) return std::nullopt;
   return std::sqrt(internal_squares_ / degrees);
-}
-
-std::string OnlineCalibration::motion_refusal(const Observation& observation) const {
-  if (last_id_ < 0) return {};
-  double largest = 0;
-  for (Eigen::Index j = 0; j < observation.position.size(); ++j) {
-    const Joint& joint = chain_.robot.joints[static_cast<std::size_t>(chain_.joints[static_cast<std::size_t>(j)])];
-    const double change = observation.position[j] - last_position_[j];
-    if (moved_enough(joint, change, options_)) return {};
-    if (joint.kind != JointKind::prismatic) largest = std::max(largest, std::abs(change));
-  }
-  return fmt::format("joints moved {:.1f} deg since observation {}; {:.0f} deg count as new", 57.29578 * largest,
-                     last_id_, 57.29578 * options_.new_pose_rad);
 }
 
 /// The body's shape as the sensor alone knows it, laid onto the estimate's markers. Those markers themselves are no
@@ -261,7 +240,9 @@ void OnlineCalibration::describe(const ProblemObservation& o, OnlineStep& step) 
     step.tcp_from_tcp_est = inverse(sensor_from_tcp) * pose->sensor_from_body;
 }
 
-OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePair* images) {
+OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePair* images,
+                                  const std::string& not_found) {
+  if (target_) return target_->add(observation, not_found);
   const auto began = std::chrono::steady_clock::now();
   OnlineStep step;
   step.id = observation.id;
@@ -272,7 +253,7 @@ OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePai
   if (observation.decision == Decision::excluded) {
     step.reason = "excluded by the user" + (observation.reason.empty() ? "" : ": " + observation.reason);
   } else {
-    step.reason = motion_refusal(observation);
+    if (last_id_ >= 0) step.reason = motion_refusal(chain_, options_, last_position_, observation.position, last_id_);
   }
   if (step.reason.empty() && searches_mount(observation, images)) {
     leave_open(observation, images, posture, step);

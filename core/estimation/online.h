@@ -5,44 +5,15 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "estimation/body_frame.h"
 #include "estimation/incremental_fit.h"
 #include "estimation/mount_search.h"
+#include "estimation/online_target.h"
 #include "estimation/running_shape.h"
 #include "vision/following_observation.h"
 
 namespace handsight {
-
-struct OnlineOptions {
-  MatchOptions match;
-  DetectorOptions detector;
-  double new_pose_rad = 0.034906585;  // 2 degrees: less motion of every joint is no new observation
-  double new_pose_m = 0.01;           // the same for prismatic joints
-  std::vector<EffectTerm> effects;    // of joints and loads, in the model at these values
-  std::optional<BodySides> sides;
-};
-
-/// What the user sees of one observation.
-struct OnlineStep {
-  std::int64_t id = 0;
-  bool accepted = false;
-  std::string reason;         // why it was rejected, or what is to be said of an accepted one
-  bool from_images = false;   // its markers were found in its images
-  bool is_open = false;       // not decided: it is tried again when the mount is known
-  double milliseconds = 0;    // spent on it, detection included, reading of files not
-  bool has_estimate = false;  // the rest is there
-  Rigid tcp_from_body;
-  Vector6 sigma = Vector6::Zero();  // of x y z (m) and the rotations about the axes (rad)
-  Matrix6 covariance = Matrix6::Zero();
-  bool covariance_is_scatter = false;
-  std::optional<Rigid> tcp_from_tcp_est;  // thesis (4.51)
-  std::vector<Sighting> sightings;        // found in the images (also of a rejected one, where they were found)
-  std::size_t kept = 0;                   // observations in the estimate; none is retired
-};
-
-/// Writes into the observation what a step decided: the decision with its reason, and the markers found in its images.
-void keep_step(const OnlineStep& step, Observation& observation);
 
 /// The images of one observation, grey.
 struct ImagePair {
@@ -54,12 +25,15 @@ struct ImagePair {
 /// cameras' mount, nothing says where to look for the markers: until enough observations agree on a mount
 /// (mount_search.h) those with images are left open; then they are tried again. Labels by hand or by import count until
 /// then, whatever the images.
+///
+/// A session whose target has a known shape (a board, tags, measured poses) needs no label: OnlineTarget
+/// (online_target.h) takes its observations, whose sightings must be there (session/target_finding.h).
 class OnlineCalibration {
  public:
   explicit OnlineCalibration(const Session& session, OnlineOptions options = {});
 
-  /// `images` null: the labels of the observation are used.
-  OnlineStep add(const Observation& observation, const ImagePair* images);
+  /// `images` null: the labels of the observation are used. `not_found`: why a target is not among them.
+  OnlineStep add(const Observation& observation, const ImagePair* images, const std::string& not_found = {});
 
   /// Earlier observations that were decided after all since the last call, in their order; each replaces its step of
   /// before.
@@ -72,7 +46,7 @@ class OnlineCalibration {
   };
   std::optional<MountProgress> mount_progress() const;
 
-  /// The estimate so far; null before the first observation.
+  /// The estimate so far; null before the first observation, and with a target of known shape.
   const IncrementalFit* estimate() const { return fit_ ? &*fit_ : nullptr; }
   const std::optional<BodySides>& sides() const { return sides_; }
   std::optional<double> noise() const;
@@ -80,7 +54,6 @@ class OnlineCalibration {
  private:
   static constexpr std::size_t most_waiting = 5;  // labelled observations that an unknown mount is first found from
   int noise_degrees() const;
-  std::string motion_refusal(const Observation& observation) const;
   /// The corners of an observation that is not decided yet.
   struct Open {
     std::int64_t id = 0;
@@ -113,6 +86,7 @@ class OnlineCalibration {
   void decide_sides();
   void describe(const ProblemObservation& observation, OnlineStep& step) const;
 
+  std::optional<OnlineTarget> target_;  // does it all where the shape is known
   Chain chain_;
   Mount mount_;
   OnlineOptions options_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/problem.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -15,12 +16,33 @@ bool reads_torques(const std::vector<EffectTerm>& terms, const OwnEffects& own) 
          std::any_of(own.begin(), own.end(), [](const auto& effect) { return effect->reads_torque; });
 }
 
+/// A marker has a place as soon as a point of its piece is seen: the shape says where it then is.
+void place_unseen(Problem& problem) {
+  if (!problem.has_shape_prior()) return;
+  std::vector<char> is_seen(static_cast<std::size_t>(problem.shape->piece_count()), 0);
+  for (std::size_t m = 0; m < problem.marker_is_seen.size(); ++m)
+    if (problem.marker_is_seen[m]) is_seen[static_cast<std::size_t>(problem.shape->piece(m))] = 1;
+  for (std::size_t m = 0; m < problem.marker_is_seen.size(); ++m)
+    problem.marker_is_seen[m] = is_seen[static_cast<std::size_t>(problem.shape->piece(m))];
+}
+
+void require_bearable(const Session& session) {
+  constexpr int most = 1024;
+  if (session.marker_count > most)
+    throw InputError(
+        fmt::format("{}: a fit can bear {} points, and the target has {}; use one with fewer squares or "
+                    "tags, or name fewer ids.",
+                    session.file.filename().string(), most, session.marker_count));
+}
+
 }  // namespace
 
 Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held,
                      const std::vector<EffectTerm>& estimated) {
+  require_bearable(session);
   Problem problem;
   problem.rig = chain.rig;
+  problem.shape = session.shape;
   problem.marker_count = chain.marker_count;
   problem.mount_is_estimated = session.mount.estimate;
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
@@ -50,6 +72,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     for (Sighting& s : o.sightings) s.usual_sigma = usual;
     for (const Sighting& s : observation.sightings) problem.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;
   }
+  place_unseen(problem);
   place_observations(problem);
   return problem;
 }
@@ -103,6 +126,7 @@ Problem as_points(const Problem& problem, int& left_out) {
     observation.sightings = std::move(kept);
   }
   std::erase_if(points.observations, [](const ProblemObservation& o) { return o.sightings.empty(); });
+  place_unseen(points);
   return points;
 }
 
@@ -278,6 +302,70 @@ void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquation
 
 }  // namespace
 
+namespace {
+
+/// One piece's part of the prior; its markers have the numbers `first` to `first + count - 1`.
+void add_piece(const KnownShape& shape, double weight, const std::vector<Vector3>& markers, Eigen::Index first,
+               Eigen::Index count, ShapePrior& prior) {
+  Eigen::Matrix3Xd here(3, count), known(3, count);
+  Eigen::MatrixXd motions(3 * count, 6);
+  for (Eigen::Index m = 0; m < count; ++m) {
+    const auto i = static_cast<std::size_t>(first + m);
+    here.col(m) = markers[i];
+    known.col(m) = shape.markers[i];
+    motions.block<3, 3>(3 * m, 0) = Matrix3::Identity();
+    motions.block<3, 3>(3 * m, 3) = -cross_matrix(markers[i]);
+  }
+  const Rigid laid = align_points(here, known, Eigen::VectorXd::Ones(count));
+  Eigen::VectorXd off(3 * count);
+  for (Eigen::Index m = 0; m < count; ++m) off.segment<3>(3 * m) = here.col(m) - laid * Vector3(known.col(m));
+  // A body of three markers and more has six motions that no shape knows of.
+  const Eigen::MatrixXd q =
+      Eigen::HouseholderQR<Eigen::MatrixXd>(motions).householderQ() * Eigen::MatrixXd::Identity(3 * count, 6);
+  auto information = prior.information.block(3 * first, 3 * first, 3 * count, 3 * count);
+  information.noalias() -= weight * q * q.transpose();
+  information.diagonal().array() += weight;
+  prior.gradient.segment(3 * first, 3 * count) = -weight * off;
+  prior.cost += weight * off.squaredNorm();
+}
+
+}  // namespace
+
+double shape_prior_weight(const Problem& problem) {
+  constexpr double exactly = 1e-6;  // m
+  return std::pow(problem.noise / std::max(problem.shape->sigma.value(), exactly), 2);
+}
+
+ShapePrior shape_prior(const Problem& problem, const std::vector<Vector3>& markers) {
+  ShapePrior prior;
+  if (!problem.has_shape_prior()) return prior;
+  const KnownShape& shape = *problem.shape;
+  const auto count = static_cast<Eigen::Index>(markers.size());
+  const double weight = shape_prior_weight(problem);
+  prior.information = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+  prior.gradient = Eigen::VectorXd::Zero(3 * count);
+  for (Eigen::Index first = 0, next = 0; first < count; first = next) {
+    while (next < count && shape.piece(static_cast<std::size_t>(next)) == shape.piece(static_cast<std::size_t>(first)))
+      ++next;
+    add_piece(shape, weight, markers, first, next - first, prior);
+  }
+  return prior;
+}
+
+namespace {
+
+void add_shape(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
+  if (!problem.has_shape_prior()) return;
+  const ShapePrior prior = shape_prior(problem, unknowns.markers_in_tcp);
+  const Eigen::Index count = prior.gradient.size();
+  normal.information.topLeftCorner(count, count) += prior.information;
+  normal.gradient.head(count) += prior.gradient;
+  normal.prior_cost += prior.cost;
+  normal.cost += prior.cost;
+}
+
+}  // namespace
+
 NormalEquations normal_equations(const Problem& problem, const Unknowns& unknowns, std::span<const int> places) {
   NormalEquations normal(problem.columns());
   if (places.empty()) {
@@ -288,6 +376,7 @@ NormalEquations normal_equations(const Problem& problem, const Unknowns& unknown
   }
   complete(normal);
   add_priors(problem, unknowns, normal);
+  add_shape(problem, unknowns, normal);
   return normal;
 }
 

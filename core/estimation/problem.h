@@ -76,6 +76,10 @@ struct Problem {
   double noise = 1;                   // px or m: what the priors of the effects are weighed against
   Eigen::MatrixXd cameras_by_effect;  // rows: the rig's numbers as in camera/rig.h; empty: none
 
+  std::optional<KnownShape> shape;  // of the markers; its sigma is a prior on how they lie to each other
+
+  bool has_shape_prior() const { return shape && shape->sigma; }
+
   const Rig* rig_or_null() const { return rig ? &*rig : nullptr; }
   Eigen::Index mount_column() const { return 3 * marker_count; }
   Eigen::Index effect_column() const { return mount_column() + (mount_is_estimated ? 6 : 0); }
@@ -169,6 +173,19 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_columns(const Problem& proble
 Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservation& observation,
                                   const Sighting& sighting, const SightingResidual& residual,
                                   const Vector3& x_in_sensor, const Matrix3& sensor_from_tcp_rotation);
+
+/// What is known of the markers' shape beforehand, by the markers' columns: information and gradient of |x - T p|^2
+/// (noise / sigma)^2 with T the motion that lays the known places p best onto the markers, piece by piece; what is
+/// known exactly is taken as known to 1 um. Empty where no shape is known.
+struct ShapePrior {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+  double cost = 0;
+};
+ShapePrior shape_prior(const Problem& problem, const std::vector<Vector3>& markers_in_tcp);
+
+/// (noise / sigma)^2 of a known shape.
+double shape_prior_weight(const Problem& problem);
 
 /// Mirrors the lower triangle of the information matrix.
 void complete(NormalEquations& normal);

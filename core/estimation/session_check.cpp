@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "estimation/session_oddities.h"
+#include "model/arrangement.h"
 #include "model/chain.h"
 #include "model/sighting.h"
 #include "vision/image_file.h"
@@ -15,11 +16,25 @@ namespace handsight {
 namespace {
 
 std::string device_of(const Session& session) {
+  if (session.pose_sensor) return "A pose sensor";
   if (!session.rig) return "A tracker";
   if (is_left_and_right(*session.rig)) return "Two cameras";
   constexpr const char* counts[] = {"One camera",   "Two cameras", "Three cameras", "Four cameras",
                                     "Five cameras", "Six cameras", "Seven cameras", "Eight cameras"};
   return fmt::format("{} ({})", counts[session.rig->count() - 1], listed_names(*session.rig));
+}
+
+/// What the sensor looks at, beside the numbers of it.
+std::string target_of(const Session& session) {
+  if (session.pose_sensor) return "poses of a target";
+  if (session.target) return fmt::format("the {} points of a target", session.marker_count);
+  return fmt::format("{} marker{}", session.marker_count, session.marker_count == 1 ? "" : "s");
+}
+
+std::string print_of(const Target& target) {
+  if (!target.sigma) return "its points are estimated";
+  return *target.sigma == 0 ? "its points are held as described"
+                            : fmt::format("its points are known to {:.2g} mm", 1e3 * *target.sigma);
 }
 
 /// Images that every camera of the rig has of this observation; cameras without one.
@@ -34,23 +49,34 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
   int moving = 0, masses = 0;
   for (const Joint& j : chain.robot.joints) moving += j.moves() ? 1 : 0;
   for (const Link& l : chain.robot.links) masses += l.mass > 0 ? 1 : 0;
-  check.contents.push_back(
-      fmt::format("Robot {}: {} links ({} with mass), {} moving joints, {} of them measured; TCP is {}.",
-                  chain.robot.name, chain.robot.links.size(), masses, moving, chain.joints.size(), session.tcp));
+  if (chain.robot.is_of_poses)
+    check.contents.push_back(
+        "Poses of the flange as the robot's controller tells them: no joints, so that effects of joints are not "
+        "offered.");
+  else
+    check.contents.push_back(
+        fmt::format("Robot {}: {} links ({} with mass), {} moving joints, {} of them measured; TCP is {}.",
+                    chain.robot.name, chain.robot.links.size(), masses, moving, chain.joints.size(), session.tcp));
   check.contents.push_back(fmt::format("{} on {}, mount {}.", device_of(session), session.mount.link,
                                        !session.mount.estimate ? "known"
                                        : session.mount.known   ? "guessed, part of the fit"
                                                                : "unknown, part of the fit"));
+  check.contents.push_back(arrangement_sentence(session, chain));
   int labelled = 0, with_images = 0, unused = 0;
   for (const Observation& o : session.observations) {
     labelled += o.sightings.empty() ? 0 : 1;
     with_images += has_images(o) && missing_images(session, o) == 0 ? 1 : 0;
     unused += o.decision == Decision::rejected || o.decision == Decision::excluded ? 1 : 0;
   }
-  check.contents.push_back(
-      fmt::format("{} observations: {} labelled, {} with images, {} rejected or excluded; {} marker{}.",
-                  session.observations.size(), labelled, with_images, unused, session.marker_count,
-                  session.marker_count == 1 ? "" : "s"));
+  check.contents.push_back(fmt::format("{} observations: {} {}, {} with images, {} rejected or excluded; {}.",
+                                       session.observations.size(), labelled,
+                                       session.pose_sensor ? "measured"
+                                       : session.target    ? "show the target"
+                                                           : "labelled",
+                                       with_images, unused, target_of(session)));
+  if (session.target)
+    check.contents.push_back(
+        fmt::format("Target: {}; {}.", description_of(*session.target), print_of(*session.target)));
   const auto& declared = session.rig ? session.sigma_pixel : session.sigma_point;
   check.contents.push_back(
       declared ? fmt::format("Declared noise of one coordinate: {:g} {}.", *declared, session.rig ? "px" : "m")
@@ -70,7 +96,7 @@ void check_images(const Session& session, SessionCheck& check) {
   for (const Observation& o : session.observations) {
     for (int c = 0; c < session.rig->count(); ++c)
       look(o.images[static_cast<std::size_t>(c)], session.rig->at(c).camera, o.id);
-    if (is_pair(*session.rig) && has_images(o) && missing_images(session, o) > 0)
+    if (is_pair(*session.rig) && !session.target && has_images(o) && missing_images(session, o) > 0)
       check.warnings.push_back(
           fmt::format("Observation {} has an image of one camera only; it is not looked for markers.", o.id));
   }

@@ -48,7 +48,7 @@ void doubt_markers(const Session& session, std::vector<std::string>& doubts) {
   const auto unseen = std::count(seen.begin(), seen.end(), 0);
   const bool are_images_left = std::any_of(session.observations.begin(), session.observations.end(),
                                            [](const auto& o) { return o.sightings.empty() && has_images(o); });
-  if (!any || unseen == 0 || are_images_left) return;
+  if (!any || unseen == 0 || are_images_left || session.shape) return;
   std::string names;
   for (std::size_t m = 0; m < seen.size(); ++m)
     if (!seen[m]) names += fmt::format("{}{}", names.empty() ? "" : ", ", m);

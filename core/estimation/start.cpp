@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "estimation/competition.h"
+#include "estimation/shape_start.h"
 
 namespace handsight {
 namespace {
@@ -138,6 +139,7 @@ std::optional<Unknowns> start_by_rays(const Problem& problem) {
 }
 
 std::optional<Unknowns> start_without_effects(const Problem& problem, const Mount& mount) {
+  if (auto start = start_by_shape(problem, mount)) return start;
   if (!mount.estimate) return Unknowns{start_markers(problem, mount.mount_from_sensor), mount.mount_from_sensor, {}};
 
   int left_out = 0;

@@ -217,6 +217,29 @@ class PriorCost : public ceres::CostFunction {
   }
 };
 
+/// What is known of the shape of markers that are not held: their places off the known ones, laid onto them as well as
+/// can be, in units of the sigma.
+class ShapeCost : public ceres::CostFunction {
+ public:
+  explicit ShapeCost(const Place& place) : place_(place) {
+    set_num_residuals(3 * place.problem.marker_count);
+    for (int m = 0; m < place.problem.marker_count; ++m) mutable_parameter_block_sizes()->push_back(3);
+  }
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    const ShapePrior prior = shape_prior(place_.problem, place_.unknowns.markers_in_tcp);
+    // The information is weight^2 times a projector P, the gradient weight^2 times what is off: residuals in units of
+    // the noise, weight / noise times what is off, have the derivative weight / noise P.
+    const double scale = 1 / (place_.problem.noise * std::sqrt(shape_prior_weight(place_.problem)));
+    Eigen::Map<Eigen::VectorXd>(residuals, prior.gradient.size()) = -scale * prior.gradient;
+    for (int m = 0; jacobians && m < place_.problem.marker_count; ++m)
+      if (jacobians[m]) Rows(jacobians[m], num_residuals(), 3) = scale * prior.information.middleCols<3>(3 * m);
+    return true;
+  }
+
+ private:
+  const Place& place_;
+};
+
 /// Told of every step; ends the search where that wants it, or where a step has gained too little.
 class Watch : public ceres::IterationCallback {
  public:
@@ -299,6 +322,11 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
     squares.SetManifold(place.body.data(), &place.body_manifold);
   if (place.effects.size() > 0)
     squares.AddResidualBlock(new PriorCost(static_cast<int>(place.effects.size())), nullptr, place.effects.data());
+  if (problem.has_shape_prior() && !place.is_fixed_body) {
+    std::vector<double*> markers;
+    for (Vector3& x : place.unknowns.markers_in_tcp) markers.push_back(x.data());
+    squares.AddResidualBlock(new ShapeCost(place), nullptr, markers);
+  }
   Watch watch(options, place, unit);
   ceres::Solver::Summary summary;
   ceres::Solve(solver_options(options, watch), &squares, &summary);

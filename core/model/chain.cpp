@@ -22,6 +22,7 @@ Chain chain_of(const Session& session) {
   chain.mount_link = link_named(session, session.mount.link, "mount");
   chain.rig = session.rig;
   chain.marker_count = session.marker_count;
+  chain.is_one_target = session.pose_sensor || session.target;
   for (const std::string& name : session.joints) {
     const int joint = find_joint(session.robot, name);
     if (joint < 0)

@@ -19,6 +19,7 @@ struct Chain {
   std::vector<int> joints;  // indices into robot.joints, in the order of Observation::position
   std::optional<Rig> rig;   // absent: a tracker
   int marker_count = 0;
+  bool is_one_target = false;  // the markers are points of a target: none slips by itself
 };
 
 /// Throws InputError where a name of the session is not in its robot.

@@ -55,6 +55,12 @@ SightingResidual sighting_residual(const Rig* rig, const Sighting& sighting, con
   r.rows = row_count(sighting);
   r.error.resize(r.rows);
   r.by_point.resize(r.rows, 3);
+  if (sighting.along) {
+    const double weight = point_weight(sighting);
+    r.error[0] = weight * sighting.along->dot(*sighting.point - x_in_sensor);
+    r.by_point = weight * sighting.along->transpose();
+    return r;
+  }
   if (sighting.point) {
     const double weight = point_weight(sighting);
     r.error = weight * (*sighting.point - x_in_sensor);
@@ -124,8 +130,10 @@ SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const V
   n.rows = row_count(sighting);
   if (sighting.point) {
     const double weight = point_weight(sighting) * point_weight(sighting);
-    const Vector3 error = *sighting.point - x_in_sensor;
-    n.information = weight * Matrix3::Identity();
+    const Matrix3 across =
+        sighting.along ? Matrix3(*sighting.along * sighting.along->transpose()) : Matrix3(Matrix3::Identity());
+    const Vector3 error = across * (*sighting.point - x_in_sensor);
+    n.information = weight * across;
     n.gradient = weight * error;
     n.cost = weight * error.squaredNorm();
     return n;
@@ -143,6 +151,7 @@ SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const V
 }
 
 int row_count(const Sighting& sighting) {
+  if (sighting.along) return 1;
   return sighting.point ? 3 : 2 * static_cast<int>(sighting.in_cameras.size());
 }
 

@@ -5,6 +5,32 @@
 
 namespace handsight {
 
+Robot poses_robot() {
+  constexpr const char* names[] = {"flange_x", "flange_y", "flange_z", "flange_yaw", "flange_pitch", "flange_roll"};
+  Robot robot;
+  robot.name = "poses";
+  robot.is_of_poses = true;
+  robot.links.push_back(Link{.name = "base"});
+  for (int j = 0; j < 6; ++j) {
+    Joint joint;
+    joint.name = names[j];
+    joint.kind = j < 3 ? JointKind::prismatic : JointKind::continuous;
+    joint.parent_link = j;
+    joint.child_link = j + 1;
+    joint.axis = Vector3::Unit(j < 3 ? j : 5 - j);
+    robot.joints.push_back(joint);
+    robot.links.push_back(Link{.name = j < 5 ? std::string(names[j]) + "_frame" : "flange", .parent_joint = j});
+  }
+  return robot;
+}
+
+Rigid base_from_flange(const Eigen::VectorXd& p) { return {rotation_from_rpy(Vector3(p[5], p[4], p[3])), p.head<3>()}; }
+
+Eigen::Matrix<double, 6, 1> position_of(const Rigid& pose) {
+  const Vector3 rpy = rpy_from_rotation(pose.rotation);
+  return (Eigen::Matrix<double, 6, 1>() << pose.translation, rpy.z(), rpy.y(), rpy.x()).finished();
+}
+
 namespace {
 
 template <class Named>

@@ -63,7 +63,16 @@ struct Robot {
   std::string name;
   std::vector<Link> links;
   std::vector<Joint> joints;
+  bool is_of_poses = false;  // poses_robot: its joints stand for a pose, not for joints of a robot
 };
+
+/// A robot of which only the flange's pose is known: links "base" and "flange" with six joints between, whose values
+/// are x, y, z (m), yaw, pitch, roll (rad, XYZ fixed angles) of base_from_flange.
+Robot poses_robot();
+
+/// Those values, and back.
+Rigid base_from_flange(const Eigen::VectorXd& position);
+Eigen::Matrix<double, 6, 1> position_of(const Rigid& base_from_flange);
 
 /// Index of the link or joint of that name, -1 where there is none.
 int find_link(const Robot& robot, const std::string& name);

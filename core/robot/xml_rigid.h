@@ -13,6 +13,12 @@ std::optional<Vector3> find_vector(const XmlNode& node, const char* attribute, c
 /// The motion of xyz="" rpy=""; what is missing is zero.
 Rigid read_rigid(const XmlNode& node, const Bounds& xyz_within = bounds::length);
 
+/// The motion of xyz="" with quaternion="x y z w" (of length 1 within 1 %) or rpy=""; xyz must be there.
+Rigid read_pose(const XmlNode& node);
+
+/// Sets xyz and quaternion.
+void write_pose(tinyxml2::XMLElement& element, const Rigid& motion);
+
 /// Sets xyz and rpy. The angles read back to the same rotation within rounding.
 void write_rigid(tinyxml2::XMLElement& element, const Rigid& motion);
 

@@ -130,8 +130,8 @@ CalibrationFit read_fit(const XmlNode& node, Ignored& ignored) {
 
 void read_markers(const XmlNode& parent, Calibration& calibration, Ignored& ignored) {
   note_unknown(ignored, parent, {}, {"marker"});
-  constexpr std::size_t most = 64;
-  std::array<std::optional<Vector3>, most> found;
+  constexpr std::size_t most = 4096;  // points of a board
+  std::vector<std::optional<Vector3>> found(most);
   std::size_t count = 0;
   for (const XmlNode& node : children(parent, "marker")) {
     note_unknown(ignored, node, {"index", "xyz"}, {});

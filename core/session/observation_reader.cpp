@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
 
 namespace handsight {
@@ -23,6 +23,11 @@ Eigen::VectorXd find_joint_vector(const XmlNode& observation, const char* tag, c
                                   const Bounds& within, Ignored& ignored) {
   const auto node = find_child(observation, tag);
   return node ? read_joint_vector(*node, session, within, ignored) : Eigen::VectorXd();
+}
+
+Eigen::VectorXd read_flange_pose(const XmlNode& node, Ignored& ignored) {
+  note_unknown(ignored, node, {"xyz", "quaternion", "rpy"}, {});
+  return position_of(read_pose(node));
 }
 
 /// Images are looked for in the session's folder and nowhere else.
@@ -104,13 +109,13 @@ Sighting read_sighting(const XmlNode& node, const Session& session, Ignored& ign
 }
 
 void read_sightings(const XmlNode& node, const Session& session, Observation& observation, Ignored& ignored) {
-  std::bitset<64> seen;
+  std::vector<char> seen(static_cast<std::size_t>(session.marker_count), 0);
   for (const XmlNode& marker : children(node, "marker")) {
     const Sighting sighting = read_sighting(marker, session, ignored);
-    if (seen.test(static_cast<std::size_t>(sighting.marker)))
+    if (seen[static_cast<std::size_t>(sighting.marker)])
       refuse(marker, fmt::format("has index=\"{}\" a second time in its observation, expected each marker once.",
                                  sighting.marker));
-    seen.set(static_cast<std::size_t>(sighting.marker));
+    seen[static_cast<std::size_t>(sighting.marker)] = 1;
     observation.sightings.push_back(sighting);
   }
   std::sort(observation.sightings.begin(), observation.sightings.end(),
@@ -128,15 +133,22 @@ void read_decision(const XmlNode& node, Observation& observation, Ignored& ignor
 }  // namespace
 
 Observation read_observation(const XmlNode& node, const Session& session, Ignored& ignored) {
-  note_unknown(ignored, node, {"id", "time"}, {"position", "velocity", "torque", "images", "marker", "decision"});
+  note_unknown(ignored, node, {"id", "time"},
+               {"position", "velocity", "torque", "images", "marker", "decision", "target_pose", "flange_pose"});
   Observation observation;
   observation.id = required_integer(node, "id", 0, INT64_MAX);
   observation.time = required_number(node, "time", bounds::time);
-  observation.position = read_joint_vector(required_child(node, "position"), session, bounds::joint, ignored);
+  observation.position = session.robot.is_of_poses
+                             ? read_flange_pose(required_child(node, "flange_pose"), ignored)
+                             : read_joint_vector(required_child(node, "position"), session, bounds::joint, ignored);
   observation.velocity = find_joint_vector(node, "velocity", session, bounds::joint, ignored);
   observation.torque = find_joint_vector(node, "torque", session, bounds::torque, ignored);
   if (const auto images = find_child(node, "images")) read_images(*images, session, observation, ignored);
-  read_sightings(node, session, observation, ignored);
+  if (!session.pose_sensor) read_sightings(node, session, observation, ignored);
+  if (const auto pose = find_child(node, "target_pose"); pose && session.pose_sensor) {
+    note_unknown(ignored, *pose, {"xyz", "quaternion", "rpy"}, {});
+    observation.target_pose = read_pose(*pose);
+  }
   if (const auto decision = find_child(node, "decision")) read_decision(*decision, observation, ignored);
   return observation;
 }

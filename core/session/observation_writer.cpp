@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
 
 namespace handsight {
@@ -128,7 +129,11 @@ void write_observation(XMLElement& parent, const Session& session, const Observa
   XMLElement& element = *parent.InsertNewChildElement("observation");
   element.SetAttribute("id", std::to_string(observation.id).c_str());
   element.SetAttribute("time", format_number(observation.time).c_str());
-  write_vector(element, "position", observation.position);
+  if (session.robot.is_of_poses)
+    write_pose(*element.InsertNewChildElement("flange_pose"), base_from_flange(observation.position));
+  else
+    write_vector(element, "position", observation.position);
+  if (observation.target_pose) write_pose(*element.InsertNewChildElement("target_pose"), *observation.target_pose);
   write_vector(element, "velocity", observation.velocity);
   write_vector(element, "torque", observation.torque);
   if (has_images(observation) && session.rig) {
@@ -138,6 +143,7 @@ void write_observation(XMLElement& parent, const Session& session, const Observa
         images.SetAttribute(session.rig->at(c).name.c_str(), image.c_str());
   }
   for (const Sighting& sighting : observation.sightings) {
+    if (session.pose_sensor) break;  // they stand for the target's pose
     XMLElement& marker = *element.InsertNewChildElement("marker");
     update_marker(marker, session, sighting);
     set_text(marker, "by", word(sighting.by));
@@ -146,7 +152,7 @@ void write_observation(XMLElement& parent, const Session& session, const Observa
 }
 
 void update_observation(XMLElement& element, const Session& session, const Observation& observation) {
-  update_markers(element, session, observation);
+  if (!session.pose_sensor) update_markers(element, session, observation);
   update_decision(element, observation);
 }
 

@@ -19,6 +19,9 @@ Session without_observations(const Session& s) {
   bare.rig = s.rig;
   bare.sigma_pixel = s.sigma_pixel;
   bare.sigma_point = s.sigma_point;
+  bare.pose_sensor = s.pose_sensor;
+  bare.target = s.target;
+  bare.shape = s.shape;
   bare.marker_count = s.marker_count;
   bare.joints = s.joints;
   bare.effect_definitions = s.effect_definitions;

@@ -12,7 +12,7 @@ std::filesystem::path folder(const Session& session) {
 }
 
 const char* device_tag(const Session& session) {
-  if (!session.rig) return "tracker";
+  if (!session.rig) return session.pose_sensor ? "pose_sensor" : "tracker";
   return is_left_and_right(*session.rig) ? "stereo" : "cameras";
 }
 
@@ -48,6 +48,24 @@ Sighting seen_at(int marker, const Vector2& first, const std::optional<Vector2>&
   see(s, 0, first);
   if (second) see(s, 1, *second);
   return s;
+}
+
+void set_target(Session& session, const Target& target) {
+  session.target = target;
+  KnownShape& shape = session.shape.emplace();
+  shape.sigma = target.sigma;
+  for (const TargetPoint& point : target_points(target)) {
+    shape.markers.push_back(point.position);
+    shape.pieces.push_back(point.piece);
+  }
+  if (shape.pieces.back() == 0) shape.pieces.clear();
+  session.marker_count = static_cast<int>(shape.markers.size());
+}
+
+bool needs_label(const Session& session) {
+  const auto& all = session.observations;
+  return session.rig && !session.target && std::any_of(all.begin(), all.end(), has_images) &&
+         std::none_of(all.begin(), all.end(), [](const Observation& o) { return !o.sightings.empty(); });
 }
 
 bool has_images(const Observation& observation) {

@@ -15,6 +15,7 @@
 #include "camera/rig.h"
 #include "robot/robot.h"
 #include "session/effect_definition.h"
+#include "targets/target.h"
 
 namespace handsight {
 
@@ -37,6 +38,7 @@ struct Sighting {
   int marker = 0;                                                  // 0 to marker_count - 1
   boost::container::small_vector<CameraPoint, 2> in_cameras = {};  // in order of camera, each at most once
   std::optional<Vector3> point = {};                               // m, in the tracker's frame
+  std::optional<Vector3> along = {};  // unit, in that frame: only this coordinate of the point is measured
   MarkedBy by = MarkedBy::import;
   std::optional<double> point_sigma = {};  // m, of each coordinate; absent: the session's usual one
   /// The sigma of a measurement whose residuals are taken as they are (px, m): those of surer ones are drawn out, those
@@ -58,6 +60,24 @@ void forget(Sighting& sighting, int camera);
 Sighting seen_at(int marker, const Vector2& first, const std::optional<Vector2>& second = {},
                  MarkedBy by = MarkedBy::import);
 
+/// How the markers lie to each other, where that is known beforehand: their places in a frame of their own. Of several
+/// pieces (single tags) each has its own frame, and nothing is known of one against another.
+struct KnownShape {
+  std::vector<Vector3> markers;     // m
+  std::optional<double> sigma = 0;  // m, of one coordinate of one marker; 0: exactly so; nothing: only about so
+  std::vector<int> pieces = {};     // the piece of each marker, ascending; empty: all are one
+
+  int piece(std::size_t marker) const { return pieces.empty() ? 0 : pieces[marker]; }
+  int piece_count() const { return pieces.empty() ? 1 : pieces.back() + 1; }
+  bool is_rigid() const { return sigma == 0.0 && piece_count() == 1; }
+};
+
+/// A sensor that tells where a target is and how it is turned. Absent sigmas are estimated.
+struct PoseSensor {
+  std::optional<double> sigma;        // m, of one coordinate of its place
+  std::optional<double> sigma_angle;  // rad, of its turn about one axis
+};
+
 enum class Decision { none, accepted, rejected, excluded };
 
 /// Where an observation of a part of a session stood in the whole (session/sample.h): what follows from its neighbours
@@ -76,6 +96,7 @@ struct Observation {
   Eigen::VectorXd torque;                       // N m (N), empty where not measured
   std::array<std::string, max_cameras> images;  // by camera, relative to the session's folder; empty: there is none
   std::vector<Sighting> sightings;              // in order of marker
+  std::optional<Rigid> target_pose;  // sensor_from_target as a pose sensor measured it; `sightings` stand for it
   Decision decision = Decision::none;
   std::string reason;
   std::shared_ptr<const PlaceInWhole> whole = nullptr;  // null: the session is no part of another
@@ -98,9 +119,12 @@ struct Session {
   std::string tcp;               // the link whose frame is TCP
   Vector3 gravity{0, 0, -9.81};  // m/s^2, in the root link's frame
   Mount mount;
-  std::optional<Rig> rig;             // absent: a tracker session
-  std::optional<double> sigma_pixel;  // declared noise of one image coordinate, px
-  std::optional<double> sigma_point;  // tracker sessions: declared noise of one coordinate, m
+  std::optional<Rig> rig;                 // absent: a tracker session
+  std::optional<double> sigma_pixel;      // declared noise of one image coordinate, px
+  std::optional<double> sigma_point;      // tracker sessions: declared noise of one coordinate, m
+  std::optional<PoseSensor> pose_sensor;  // in place of cameras and tracker: see session/pose_points.h
+  std::optional<Target> target;           // whose points are the markers, by number; found in images without a label
+  std::optional<KnownShape> shape;        // of the markers; absent: they are found wherever they are
   int marker_count = 0;
   std::vector<std::string> joints;        // the order of position, velocity and torque; joints not named stand at 0
   std::vector<Observation> observations;  // in order of time
@@ -111,7 +135,7 @@ struct Session {
   bool is_tracker() const { return !rig.has_value(); }
 };
 
-/// The element that holds what watches the robot: "stereo", "cameras" or "tracker".
+/// The element that holds what watches the robot: "stereo", "cameras", "tracker" or "pose_sensor".
 const char* device_tag(const Session& session);
 
 /// The folder that robot and images are relative to.
@@ -123,6 +147,13 @@ double usual_sigma(const Session& session);
 
 PixelSigma pixel_sigma(const Eigen::Matrix2d& covariance);
 Eigen::Matrix2d covariance_of(const PixelSigma& sigma);
+
+/// The session's markers become the points of the target.
+void set_target(Session& session, const Target& target);
+
+/// Must somebody show the program its markers in the images before anything can be found in them? Not where points name
+/// themselves or are measured by the sensor, nor where there are labels already.
+bool needs_label(const Session& session);
 
 /// Is there an image of any camera?
 bool has_images(const Observation& observation);

@@ -78,6 +78,7 @@ void require_allowed(const fs::path& robot, const Session& session, const Sessio
 }
 
 Robot read_robot_of(Session& session, const SessionLines& lines) {
+  if (session.robot.is_of_poses) return session.robot;
   const fs::path path = folder(session) / session.robot_file;
   require_allowed(path, session, lines);
   std::error_code error;

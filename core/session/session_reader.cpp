@@ -7,14 +7,22 @@
 #include "base/text.h"
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
+#include "session/pose_points.h"
 #include "session/session_xml.h"
+#include "targets/target_xml.h"
 
 namespace handsight {
 
 namespace {
 
 void read_robot_element(const XmlNode& node, Session& session, Ignored& ignored) {
-  note_unknown(ignored, node, {"file", "tcp"}, {});
+  note_unknown(ignored, node, {"file", "tcp", "kind"}, {});
+  if (find_choice(node, "kind", {"urdf", "poses"}).value_or(0) == 1) {
+    session.robot = poses_robot();
+    for (const Joint& joint : session.robot.joints) session.joints.push_back(joint.name);
+    session.tcp = find_name(node, "tcp").value_or("flange");
+    return;
+  }
   session.robot_file = required_name(node, "file");
   session.tcp = required_name(node, "tcp");
 }
@@ -135,30 +143,87 @@ void read_tracker(const XmlNode& node, Session& session, Ignored& ignored) {
   session.sigma_point = find_positive(node, "sigma", bounds::sigma_point);
 }
 
+void read_pose_sensor(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"mount", "sigma", "sigma_angle"}, {"mount_from_sensor"});
+  session.mount = read_mount(node, "mount_from_sensor", ignored);
+  session.pose_sensor = PoseSensor{find_positive(node, "sigma", bounds::sigma_point),
+                                   find_positive(node, "sigma_angle", bounds::sigma_point)};
+}
+
 /// Returns the device's line.
 int read_device(const XmlNode& root, Session& session, Ignored& ignored) {
   std::optional<XmlNode> found;
-  for (const char* tag : {"stereo", "cameras", "tracker"})
+  for (const char* tag : {"stereo", "cameras", "tracker", "pose_sensor"})
     if (const auto device = find_child(root, tag)) {
       if (found)
         refuse(*device, fmt::format("stands beside the <{}> of line {}, expected one of the two.",
                                     found->element->Name(), found->line()));
       found = device;
     }
-  if (!found) refuse(root, "has neither <stereo> nor <tracker> nor <cameras>, expected one of the three.");
+  if (!found) refuse(root, "has neither <stereo> nor <tracker> nor <cameras> nor <pose_sensor>, expected one of them.");
   const std::string tag = found->element->Name();
-  (tag == "stereo" ? read_stereo : tag == "cameras" ? read_cameras : read_tracker)(*found, session, ignored);
+  (tag == "stereo"    ? read_stereo
+   : tag == "cameras" ? read_cameras
+   : tag == "tracker" ? read_tracker
+                      : read_pose_sensor)(*found, session, ignored);
   return found->line();
 }
 
-void read_markers_element(const XmlNode& node, Session& session, Ignored& ignored) {
-  note_unknown(ignored, node, {"count", "sigma_pixel"}, {});
-  session.marker_count = static_cast<int>(required_integer(node, "count", 1, 64));
+void read_noise(const XmlNode& node, Session& session) {
   session.sigma_pixel = find_positive(node, "sigma_pixel", bounds::sigma_pixel);
   if (!session.sigma_pixel || !session.is_tracker()) return;
   session.sigma_pixel.reset();
   session.notes.push_back(fmt::format("{}, line {}: sigma_pixel has no meaning in a tracker session and is ignored.",
                                       shortened(node.file, 80), node.line()));
+}
+
+void read_markers_element(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node, {"count", "sigma_pixel"}, {});
+  session.marker_count = static_cast<int>(required_integer(node, "count", 1, 64));
+  read_noise(node, session);
+}
+
+/// The target of a pose sensor, whose whole pose is told.
+void read_pose_target(const XmlNode& root, Ignored& ignored) {
+  const XmlNode target = required_child(root, "target");
+  note_unknown(ignored, target, {"kind"}, {});
+  required_text(target, "kind");
+  find_choice(target, "kind", {"pose"});
+}
+
+/// A board or tags whose points name themselves.
+void read_target_element(const XmlNode& node, Session& session, Ignored& ignored) {
+  note_unknown(ignored, node,
+               {"kind", "columns", "rows", "square", "marker", "tag", "spacing", "dictionary", "size", "ids", "border",
+                "layout", "first_id", "sigma", "sigma_pixel"},
+               {});
+  if (required_text(node, "kind") == "pose")
+    refuse(node, "has kind=\"pose\", which needs a <pose_sensor> in place of cameras or a tracker.");
+  if (session.is_tracker())
+    refuse(node, "is found in images, and this session has a <tracker>; expected <cameras>, or <markers count=\"\"/>.");
+  const Target target = read_target(node);
+  if (point_count(target) > most_session_points)
+    refuse(node, fmt::format("has {} points, expected at most {}: a fit with more takes minutes and is no surer; use a "
+                             "board with fewer squares or tags.",
+                             point_count(target), most_session_points));
+  set_target(session, target);
+  read_noise(node, session);
+  if (looks_the_same_turned(target))
+    session.notes.push_back(
+        fmt::format("{}, line {}: this chessboard looks the same after half a turn; where the robot does not tell the "
+                    "two apart its "
+                    "points are numbered wrongly. One of an even and an odd number of corners cannot be mistaken.",
+                    shortened(node.file, 80), node.line()));
+}
+
+/// What the sensor looks at: markers, a target, or a target whose whole pose it tells.
+void read_markers_or_target(const XmlNode& root, Session& session, Ignored& ignored) {
+  if (session.pose_sensor) return read_pose_target(root, ignored);
+  const auto target = find_child(root, "target"), markers = find_child(root, "markers");
+  if (target && markers)
+    refuse(*target, fmt::format("stands beside the <markers> of line {}, expected one of the two.", markers->line()));
+  if (target) return read_target_element(*target, session, ignored);
+  read_markers_element(required_child(root, "markers"), session, ignored);
 }
 
 void read_joints(const XmlNode& node, Session& session, Ignored& ignored) {
@@ -214,22 +279,27 @@ Session parse_session(const std::string& text, const std::string& file, SessionL
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "title"},
-               {"robot", "gravity", "stereo", "cameras", "tracker", "markers", "joints", "observations"});
+               {"robot", "gravity", "stereo", "cameras", "tracker", "pose_sensor", "target", "markers", "joints",
+                "observations"});
   SessionLines found;
   Session session;
   session.title = find_name(root, "title").value_or("");
-  const XmlNode robot = required_child(root, "robot"), joints = required_child(root, "joints");
+  const XmlNode robot = required_child(root, "robot");
   found.robot = robot.line();
-  found.joints = joints.line();
   read_robot_element(robot, session, ignored);
   if (const auto gravity = find_child(root, "gravity")) read_gravity(*gravity, session, ignored);
   found.device = read_device(root, session, ignored);
-  read_markers_element(required_child(root, "markers"), session, ignored);
-  read_joints(joints, session, ignored);
+  read_markers_or_target(root, session, ignored);
+  if (!session.robot.is_of_poses) {
+    const XmlNode joints = required_child(root, "joints");
+    found.joints = joints.line();
+    read_joints(joints, session, ignored);
+  }
   const auto observations = find_child(root, "observations");
   if (!observations) refuse(root, "has no <observations>, so there is no observation, expected at least one.");
   read_observations(*observations, session, found, ignored);
   note_outside(session, file);
+  if (session.pose_sensor) show_poses(session, pose_lever(*session.pose_sensor));
   for (std::string& sentence : ignored_sentences(ignored, file)) session.notes.push_back(std::move(sentence));
   session.source = std::make_shared<const std::string>(text);
   if (lines) *lines = std::move(found);

@@ -7,6 +7,7 @@
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
 #include "session/session_xml.h"
+#include "targets/target_xml.h"
 
 namespace handsight {
 
@@ -48,6 +49,11 @@ void write_cameras(XMLElement& device, const Session& session) {
 
 void write_device(XMLElement& root, const Session& session) {
   XMLElement& device = *root.InsertNewChildElement(device_tag(session));
+  if (session.pose_sensor) {
+    if (session.pose_sensor->sigma) set(device, "sigma", *session.pose_sensor->sigma);
+    if (session.pose_sensor->sigma_angle) set(device, "sigma_angle", *session.pose_sensor->sigma_angle);
+    return write_mount(device, "mount_from_sensor", session.mount);
+  }
   if (session.is_tracker()) {
     if (session.sigma_point) set(device, "sigma", *session.sigma_point);
     return write_mount(device, "mount_from_tracker", session.mount);
@@ -58,6 +64,16 @@ void write_device(XMLElement& root, const Session& session) {
   for (const RigCamera& camera : session.rig->cameras) write_camera(device, camera.name, camera.camera);
 }
 
+void write_markers_or_target(XMLElement& root, const Session& session) {
+  if (session.pose_sensor) return root.InsertNewChildElement("target")->SetAttribute("kind", "pose");
+  XMLElement& element = *root.InsertNewChildElement(session.target ? "target" : "markers");
+  if (session.target)
+    write_target(element, *session.target);
+  else
+    element.SetAttribute("count", session.marker_count);
+  if (session.sigma_pixel) set(element, "sigma_pixel", *session.sigma_pixel);
+}
+
 std::string text_from_scratch(const Session& session) {
   tinyxml2::XMLDocument document;
   document.InsertEndChild(document.NewDeclaration());
@@ -66,14 +82,16 @@ std::string text_from_scratch(const Session& session) {
   root.SetAttribute("version", 1);
   root.SetAttribute("title", session.title.c_str());
   XMLElement& robot = *root.InsertNewChildElement("robot");
-  robot.SetAttribute("file", session.robot_file.c_str());
+  if (session.robot.is_of_poses)
+    robot.SetAttribute("kind", "poses");
+  else
+    robot.SetAttribute("file", session.robot_file.c_str());
   robot.SetAttribute("tcp", session.tcp.c_str());
   root.InsertNewChildElement("gravity")->SetAttribute("xyz", format_numbers({session.gravity.data(), 3}).c_str());
   write_device(root, session);
-  XMLElement& markers = *root.InsertNewChildElement("markers");
-  markers.SetAttribute("count", session.marker_count);
-  if (session.sigma_pixel) set(markers, "sigma_pixel", *session.sigma_pixel);
-  root.InsertNewChildElement("joints")->SetText(fmt::format("{}", fmt::join(session.joints, " ")).c_str());
+  write_markers_or_target(root, session);
+  if (!session.robot.is_of_poses)
+    root.InsertNewChildElement("joints")->SetText(fmt::format("{}", fmt::join(session.joints, " ")).c_str());
   XMLElement& observations = *root.InsertNewChildElement("observations");
   for (const Observation& observation : session.observations) write_observation(observations, session, observation);
   return xml_text(document);

@@ -12,6 +12,9 @@
 
 namespace handsight {
 
+/// Points of a target that a session may have.
+inline constexpr int most_session_points = 4096;
+
 /// Lines of the text that later refusals name; 0: not known.
 struct SessionLines {
   int robot = 0;

@@ -98,11 +98,11 @@ bool is_uniform(const Canvas& canvas, int width, int height, int u, int v) {
   return true;
 }
 
-bool is_on_marker(const Scene& scene, const Canvas& canvas, int width, int height, int u, int v) {
+bool is_on_marker(const View& view, const Canvas& canvas, int width, int height, int u, int v) {
   for (int y = std::max(0, v - 1); y <= std::min(height - 1, v + 1); ++y)
     for (int x = std::max(0, u - 1); x <= std::min(width - 1, u + 1); ++x) {
       const auto item = static_cast<int>(canvas.keys[static_cast<std::size_t>(y) * width + x] >> 16) - 2;
-      if (item >= 0 && item < static_cast<int>(scene.markers.size())) return true;  // markers come first in a view
+      if (item >= 0 && view.items[static_cast<std::size_t>(item)].is_measured()) return true;
     }
   return false;
 }
@@ -167,7 +167,7 @@ std::vector<float> expose(const View& view, const PixelRays& rays, const PointSp
   for_each_pixel(rays, lists, [&](int u, int v, std::span<const std::uint16_t> items) {
     const std::size_t pixel = static_cast<std::size_t>(v) * width + u;
     if (!uneven[pixel]) return;
-    const Samples& samples = is_on_marker(*view.scene, canvas, width, height, u, v) ? fine : coarse;
+    const Samples& samples = is_on_marker(view, canvas, width, height, u, v) ? fine : coarse;
     const auto [by_u, by_v] = ray_slopes(rays, u, v);
     const double share = 1.0 / static_cast<double>(samples.offsets.size());
     for (std::size_t s = 0; s < samples.offsets.size(); ++s) {

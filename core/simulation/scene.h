@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "geometry/rigid.h"
 #include "simulation/texture.h"
 
 namespace handsight {
+
+class BlackAt;
 
 /// A label with one marker: 2 x 2 chess cells whose X-corner is `center`. Metres, in the TCP frame.
 struct MarkerPlate {
@@ -37,7 +40,7 @@ struct Solid {
   double texels = 1200;  // texels of the texture per metre
 };
 
-enum class Pattern { plain, chess, dots, lines };
+enum class Pattern { plain, chess, dots, lines, printed };
 
 /// A flat thing, seen from both sides: the normal is z, columns run along x and rows along y. Chess patterns have a
 /// white border where half_size exceeds the cells.
@@ -48,6 +51,10 @@ struct Plate {
   int columns = 2, rows = 2;
   double cell = 0.02;             // m: chess cell, or distance between dots or lines
   double dark = 50, light = 190;  // grey levels in full light
+  /// Printed: what is black, in the frame of a target's piece, whose y runs down and whose `print_middle` (m) lies
+  /// here.
+  std::shared_ptr<const BlackAt> print = {};
+  Vector2 print_middle = Vector2::Zero();
 };
 
 /// Uneven light, written in the root frame.

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "session/session_xml.h"
 #include "simulation/renderer.h"
+#include "simulation/shown_target.h"
 #include "vision/image_file.h"
 
 namespace handsight {
@@ -28,6 +29,19 @@ std::set<std::size_t> chosen_observations(const SimulatedSession& s, const Simul
   return chosen;
 }
 
+/// A room with the target in it. What stands about must not come between it and cameras that move.
+Scene target_scene(const SimulatedSession& s, const SceneOptions& options) {
+  Scene scene = make_scene({}, options);
+  const Chain chain = chain_of(s.session);
+  const bool on_hand = tcp_is_moved(chain);
+  if (!on_hand) {
+    scene.solids.clear();
+    scene.plates.clear();
+  }
+  add_target(s.session, s.markers_in_tcp, on_hand, scene);
+  return scene;
+}
+
 Scene scene_for(const SimulatedSession& s, const SimulationOptions& options, const ImageOptions& images) {
   SceneOptions scene;
   scene.seed = options.seed;
@@ -41,6 +55,7 @@ Scene scene_for(const SimulatedSession& s, const SimulationOptions& options, con
   // The hand stretches from the wrist through the TCP: along the direction that the markers leave free.
   scene.fingers = (Vector3::UnitZ() - s.normal_in_tcp * s.normal_in_tcp.z());
   scene.fingers = scene.fingers.norm() > 0.2 ? Vector3(scene.fingers.normalized()) : s.normal_in_tcp.unitOrthogonal();
+  if (s.session.target) return target_scene(s, scene);
   const double cell = std::clamp(0.2 * options.body_size, 0.005, 0.014);
   return make_scene(marker_plates(s.markers_in_tcp, s.normal_in_tcp, cell, options.seed), scene);
 }
@@ -53,7 +68,10 @@ std::uint64_t seed_of_image(const Rig& rig, std::size_t k, int camera) {
 
 void render_observation(const SimulatedSession& s, std::size_t k, Scene scene, const std::vector<PixelRays>& rays,
                         const ImageOptions& images, std::uint64_t seed, const fs::path& out, Observation& o) {
-  for (std::size_t m = 0; m < scene.markers.size(); ++m) scene.markers[m].center = s.markers[k][m];
+  if (s.session.target)
+    move_target(s.session, s.markers[k], scene);
+  else
+    for (std::size_t m = 0; m < scene.markers.size(); ++m) scene.markers[m].center = s.markers[k][m];
   const Rig& rig = *s.true_rig;
   for (int c = 0; c < rig.count(); ++c) {
     const Rigid& root_from_sensor = c == 0 ? s.root_from_sensor[k] : s.later_root_from_sensor[k];
@@ -106,7 +124,8 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
     throw InputError(fmt::format("{} is there already and not empty; name a new folder in --out.", shown_path(out)));
   if (images.observations > 0 && !simulated.session.rig)
     throw InputError("A tracker session has no images to render; leave --images out.");
-  const std::string robot_text = read_file(robot_file);
+  const bool has_file = !simulated.session.robot.is_of_poses;
+  const std::string robot_text = has_file ? read_file(robot_file) : std::string();
   std::error_code error;
   const fs::path target = fs::absolute(out, error).lexically_normal();
   const fs::path part = make_temporary_folder((target.has_filename() ? target : target.parent_path()).parent_path());
@@ -118,19 +137,22 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
   const auto chosen = chosen_observations(simulated, options, images.observations);
   if (!chosen.empty()) {
     const Scene scene = scene_for(simulated, options, images);
+    const bool are_found = simulated.session.target || is_pair(*simulated.true_rig);  // in the images
     std::vector<PixelRays> rays;
     for (const RigCamera& c : simulated.true_rig->cameras) rays.push_back(pixel_rays(c.camera));
     for (const std::size_t k : chosen) {
       Observation& o = simulated.session.observations[k];
       render_observation(simulated, k, scene, rays, images, options.seed, part, o);
-      if (is_pair(*simulated.true_rig)) o.sightings.clear();  // to be found in the images
+      if (are_found) o.sightings.clear();
       if (rendered) rendered(++written.with_images);
     }
     written.with_images = static_cast<int>(chosen.size());
-    if (is_pair(*simulated.true_rig)) written.label_hint = label_hint(simulated, out);
+    if (are_found && !simulated.session.target) written.label_hint = label_hint(simulated, out);
   }
-  simulated.session.robot_file = robot_name(robot_file);
-  replace_file(part / simulated.session.robot_file, robot_text);
+  if (has_file) {
+    simulated.session.robot_file = robot_name(robot_file);
+    replace_file(part / simulated.session.robot_file, robot_text);
+  }
   simulated.session.file = part / "session.xml";
   save_session(simulated.session);
   write_truth(simulated, options, part / "truth.xml");

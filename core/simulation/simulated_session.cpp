@@ -8,7 +8,9 @@
 
 #include "base/bounds.h"
 #include "estimation/body_frame.h"
+#include "session/pose_points.h"
 #include "simulation/poses.h"
+#include "simulation/shown_target.h"
 
 namespace handsight {
 namespace {
@@ -42,11 +44,23 @@ ShownBody random_body(int count, double size, Random random) {
   return body;
 }
 
+/// A target somewhere on the hand, turned anyhow; its points are those of its poses.
+ShownBody random_target(const Session& like, Random random) {
+  const Vector3 place = 0.06 * random.gaussian3();
+  const Rigid tcp_from_target{rotation_from_vector<double>(random.gaussian3()), place};
+  ShownBody body;
+  for (const Vector3& point : pose_shape(pose_lever(*like.pose_sensor)))
+    body.markers_in_tcp.push_back(tcp_from_target * point);
+  body.normal_in_tcp = tcp_from_target.rotation.col(2);
+  return body;
+}
+
 struct World {
   const Chain& chain;
   const std::vector<EffectTerm>& effects;
   const std::vector<Curve>& curves;
   Rigid mount_from_sensor;
+  std::optional<KnownShape> shape;
 };
 
 struct Ends {
@@ -62,7 +76,9 @@ Ends ends_at(const World& world, const Circumstances& c) {
 std::vector<Vector3> markers_at(const World& world, const Circumstances& c,
                                 const std::vector<Vector3>& markers_in_tcp) {
   const Sites sites = moved_sites(c, world.effects, world.curves);
-  const std::vector<std::optional<Vector3>> known(markers_in_tcp.begin(), markers_in_tcp.end());
+  const std::vector<Vector3>& lie =
+      world.shape && world.shape->piece_count() == 1 ? world.shape->markers : markers_in_tcp;
+  const std::vector<std::optional<Vector3>> known(lie.begin(), lie.end());
   const Rigid tcp_from_body = body_frame(choose_sides(known), markers_in_tcp).tcp_from_body;
   const Rigid body_from_tcp = inverse(tcp_from_body), slipped = tcp_from_body * small_motion<double>(sites.body);
   std::vector<Vector3> markers;
@@ -111,6 +127,32 @@ std::vector<Sighting> sightings_of(const SimulatedSession& s, std::size_t k, con
   return all;
 }
 
+/// What a pose sensor says of the six points' pose.
+Rigid measured_pose(const SimulatedSession& s, std::size_t k, double lever, Random random) {
+  const std::vector<Vector3> shape = pose_shape(lever);
+  Eigen::Matrix3Xd in_tcp(3, pose_markers), in_target(3, pose_markers);
+  for (int m = 0; m < pose_markers; ++m) {
+    in_tcp.col(m) = s.markers[k][static_cast<std::size_t>(m)];
+    in_target.col(m) = shape[static_cast<std::size_t>(m)];
+  }
+  const Rigid tcp_from_target = align_points(in_tcp, in_target, Eigen::VectorXd::Ones(pose_markers));
+  Rigid pose = inverse(s.root_from_sensor[k]) * s.root_from_tcp[k] * tcp_from_target;
+  const double sigma = s.noise / std::sqrt(2.0);
+  pose.translation += sigma * random.gaussian3();
+  pose.rotation = pose.rotation * rotation_from_vector<double>(sigma / lever * random.gaussian3());
+  return pose;
+}
+
+void measure_poses(const Session& like, const SimulationOptions& options, SimulatedSession& s) {
+  const double lever = pose_lever(*like.pose_sensor), sigma = s.noise / std::sqrt(2.0);
+  for (std::size_t k = 0; k < s.session.observations.size(); ++k)
+    s.session.observations[k].target_pose = measured_pose(s, k, lever, Random(options.seed).child(noise_stream + k));
+  const bool is_told = options.declare_noise && sigma > 0;
+  s.session.pose_sensor = PoseSensor{};
+  if (is_told) s.session.pose_sensor = PoseSensor{sigma, sigma / lever};
+  show_poses(s.session, lever);
+}
+
 /// Some markers taken out, some of the other image points put where the detector took another corner for the marker's.
 void spoil_sightings(const SimulationOptions& options, std::size_t k, SimulatedSession& s) {
   Observation& o = s.session.observations[k];
@@ -156,7 +198,8 @@ void disturb(const Disturbance& d, const World& world, SimulatedSession& s, std:
 void add_observations(const Session& like, const SimulationOptions& options, const World& world, SimulatedSession& s) {
   const Random root(options.seed);
   Random poses = root.child(pose_stream), times = root.child(time_stream);
-  const ShownBody body{s.markers_in_tcp, s.normal_in_tcp};
+  ShownBody body{s.markers_in_tcp, s.normal_in_tcp};
+  if (like.target) body = outermost(like, body);
   PoseSampler sampler(like, world.chain, body, options);
   double time = 0;
   for (int k = 0; k < options.observations; ++k) {
@@ -181,7 +224,7 @@ void add_observations(const Session& like, const SimulationOptions& options, con
 
 SimulatedSession simulate_session(const Session& like, const SimulationOptions& options) {
   const Chain chain = chain_of(like);
-  const World world{chain, options.effects, options.curves, like.mount.mount_from_sensor};
+  const World world{chain, options.effects, options.curves, like.mount.mount_from_sensor, like.shape};
   SimulatedSession s;
   s.session = like;
   s.session.source.reset();
@@ -196,7 +239,11 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
   s.noise = options.noise ? *options.noise : tracker ? like.sigma_point.value_or(2e-4) : like.sigma_pixel.value_or(0.2);
   (tracker ? s.session.sigma_point : s.session.sigma_pixel) =
       options.declare_noise && s.noise > 0 ? std::optional(s.noise) : std::nullopt;
-  const ShownBody body = random_body(like.marker_count, options.body_size, Random(options.seed).child(body_stream));
+  const ShownBody body =
+      like.target
+          ? shown_target(like, options, like.target->sigma.value_or(2e-4), Random(options.seed).child(body_stream))
+      : like.pose_sensor ? random_target(like, Random(options.seed).child(body_stream))
+                         : random_body(like.marker_count, options.body_size, Random(options.seed).child(body_stream));
   s.markers_in_tcp = body.markers_in_tcp;
   s.normal_in_tcp = body.normal_in_tcp;
 
@@ -215,6 +262,10 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
     disturb(d, world, s, static_cast<std::size_t>(d.id));
   }
   const Random root(options.seed);
+  if (like.pose_sensor) {
+    measure_poses(like, options, s);
+    return s;
+  }
   for (std::size_t k = 0; k < s.session.observations.size(); ++k) {
     s.session.observations[k].sightings =
         sightings_of(s, k, options.shift_in_sensor, options.most_turned, root.child(noise_stream + k));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "targets/pattern.h"
+
 namespace handsight {
 
 namespace {
@@ -41,6 +43,8 @@ Item item_from(const Plate& plate, const Rigid& root_from_frame, const Rigid& ca
   item.cell = plate.cell;
   item.dark = plate.dark;
   item.light = plate.light;
+  item.print = plate.print.get();
+  item.print_middle = plate.print_middle;
   return item;
 }
 
@@ -115,6 +119,11 @@ void hit_capsule(const Vector3& half, const Vector3& o, const Vector3& d, int in
 
 /// Part of a plate's pattern and whether it is dark.
 void find_part(const Item& item, double x, double y, Hit& hit) {
+  if (item.print) {
+    hit.dark = (*item.print)(item.print_middle.x() + x, item.print_middle.y() - y);
+    hit.part = hit.dark ? 1 : 0;
+    return;
+  }
   const int column = static_cast<int>(std::floor(x / item.cell + 0.5 * item.columns));
   const int row = static_cast<int>(std::floor(y / item.cell + 0.5 * item.rows));
   hit.part = 0;

@@ -26,6 +26,11 @@ struct Item {
   double dark = 0, light = 0;  // grey levels; solids and plain plates: `light`
   double mottle = 0, texels = 0;
   int marker = -1;  // index of the marker that it is
+  const BlackAt* print = nullptr;
+  Vector2 print_middle = Vector2::Zero();  // m
+
+  /// Are its edges what is measured?
+  bool is_measured() const { return marker >= 0 || print; }
   bool of_hand = false;
 };
 

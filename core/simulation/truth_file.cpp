@@ -86,7 +86,10 @@ void write_truth(const SimulatedSession& simulated, const SimulationOptions& opt
   root->SetAttribute("seed", std::to_string(options.seed).c_str());
   root->SetAttribute(simulated.session.is_tracker() ? "noise_m" : "noise_pixel",
                      format_number(simulated.noise).c_str());
-  std::vector<std::optional<Vector3>> markers(simulated.markers_in_tcp.begin(), simulated.markers_in_tcp.end());
+  const std::vector<Vector3>& seen = simulated.session.shape && simulated.session.shape->piece_count() == 1
+                                         ? simulated.session.shape->markers
+                                         : simulated.markers_in_tcp;
+  const std::vector<std::optional<Vector3>> markers(seen.begin(), seen.end());
   add_motion(*root, "tcp_from_body", body_frame(choose_sides(markers), simulated.markers_in_tcp).tcp_from_body);
   add_motion(*root, "mount_from_sensor", simulated.mount_from_sensor);
   tinyxml2::XMLElement* list = root->InsertNewChildElement("markers_in_tcp");

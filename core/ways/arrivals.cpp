@@ -50,6 +50,11 @@ std::optional<std::size_t> place_of(const std::vector<std::string>& columns, con
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+/// Nearly always the latest.
+void know_time(std::vector<double>& ascending, double time) {
+  ascending.insert(std::upper_bound(ascending.begin(), ascending.end(), time), time);
+}
+
 bool is_whole(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
@@ -68,7 +73,7 @@ Arrivals::Arrivals(const Session& session)
   for (const Observation& o : session.observations) {
     for (const std::string& image : o.images)
       if (!image.empty()) known_files_.insert(image);
-    known_times_.insert(o.time);
+    know_time(known_times_, o.time);
     next_time_ = std::max(next_time_, o.time + 1);
   }
 }
@@ -131,7 +136,7 @@ void Arrivals::take_joints(Look& look) {
       is_good = time.has_value();
       if (is_good) pose.time = *time;
     }
-    if (is_good && !(time_at && known_times_.count(pose.time)))
+    if (is_good && !(time_at && std::binary_search(known_times_.begin(), known_times_.end(), pose.time)))
       poses_[*number] = pose;
     else if (!is_good)
       set_aside(fmt::format("A line of {} (number {})", joint_lines_.file,
@@ -220,7 +225,7 @@ Arrivals::Look Arrivals::look() {
       half_since_.erase(o.images[1]);
       images_.erase(pose->first);
     }
-    known_times_.insert(o.time);
+    know_time(known_times_, o.time);
     next_time_ = std::max(next_time_, o.time + 1);
     look.arrived.push_back(std::move(o));
     pose = poses_.erase(pose);

@@ -57,7 +57,7 @@ class Arrivals {
   std::map<std::int64_t, std::array<std::string, 2>> images_;
   std::map<std::string, std::chrono::steady_clock::time_point> half_since_;
   std::set<std::string> known_files_, said_;
-  std::set<double> known_times_;
+  std::vector<double> known_times_;  // ascending
   double next_time_ = 0;
 };
 

@@ -56,6 +56,8 @@ std::vector<ChangeUnit> change_units(const Problem& problem) {
   return units;
 }
 
+double ln_prior_odds(const std::string& group) { return group == "joint_elasticity" ? std::log(0.1) : 0; }
+
 std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms, const Eigen::VectorXd& sigma,
                         bool is_tracker) {
   const std::vector<double>& v = terms.front().values;

@@ -19,6 +19,10 @@ struct ChangeUnit {
 /// All that the second side's measurements can show.
 std::vector<ChangeUnit> change_units(const Problem& problem);
 
+/// How much rarer a change of that group is than the others, before anything is measured: springs do not change in
+/// weeks.
+double ln_prior_odds(const std::string& group);
+
 /// "The camera mount turned by 0.12 +- 0.01 degrees and moved by 1.3 mm".
 std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& values, const Eigen::VectorXd& sigma,
                         bool is_tracker);

@@ -3,35 +3,20 @@
 // comparison.cpp.
 #pragma once
 
-#include <optional>
-
 #include "ways/change_candidates.h"
 #include "ways/comparison.h"
+#include "ways/shared_model.h"
 
 namespace handsight {
-
-struct ComparedSide {
-  Problem problem;
-  double weight = 1;  // of its rows: the noise's inverse
-};
-
-struct ComparedSides {
-  std::optional<ComparedSide> before;  // absent: what is known of it is `known`
-  ComparedSide after;
-  Unknowns start;
-  /// Without a first side: the precision of the shared unknowns about `start`, by the columns xi of the markers
-  /// together (m, rad, TCP frame), mount where it is estimated, effects in units of their plausible size.
-  std::optional<Eigen::MatrixXd> known;
-  Matrix6 scatter = Matrix6::Zero();  // of the body in the sensor's frame; with a first side it is found
-};
 
 struct RankedChanges {
   std::vector<Change> changes;  // best first
   double threshold = 0;
-  Matrix6 scatter = Matrix6::Zero();
+  LeftOver left;        // what even all changes together leave; p is 1 where it was not asked
+  ComparedSides sides;  // as they were, with the scatter and the sizes that were found
 };
 
-/// `held`: changes of the second side that are there already, with values.
+/// `held`: changes of the second side that are there already, with values; scatter and sizes then stay as given.
 RankedChanges ranked_changes(const ComparedSides& sides, const std::vector<EffectTerm>& held);
 
 }  // namespace handsight

@@ -2,10 +2,13 @@
 #include "ways/change_rows.h"
 
 #include <Eigen/Dense>
-#include <boost/math/distributions/chi_squared.hpp>
+
+#include "estimation/noise.h"
 
 namespace handsight {
 namespace {
+
+constexpr Eigen::Index rows_at_once = 256;
 
 /// The noise-like part of M = (S^-1 + B^T B)^-1, of a singular S too.
 Matrix6 posterior(const Matrix6& scatter, const Matrix6& body_squares) {
@@ -13,26 +16,69 @@ Matrix6 posterior(const Matrix6& scatter, const Matrix6& body_squares) {
   return 0.5 * (m + m.transpose());
 }
 
+/// Rows of one observation, not weighed yet.
+struct ObservationParts {
+  Eigen::MatrixXd by_columns, by_body;
+  Eigen::VectorXd error;
+  Eigen::Index row = 0;
+};
+
+/// The body's motions in the sensor's frame by mount and effects, and by the curves.
+struct BodyMotions {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> by_effects, by_curves;
+};
+
 void add_sighting(const Problem& p, const ProblemObservation& o, const Unknowns& u, const Sighting& s,
-                  const Rigid& sensor_from_tcp, const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion,
-                  Eigen::Index base_effects, Eigen::Index first_change, Eigen::MatrixXd& rows, Eigen::MatrixXd& by_body,
-                  Eigen::VectorXd& error, Eigen::Index& row) {
+                  const Rigid& sensor_from_tcp, const BodyMotions& motion, const ChangeColumns& columns,
+                  ObservationParts& parts) {
   const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
   const SightingResidual r = sighting_residual(p.rig_or_null(), s, x);
   SightingRows<6> body(r.rows, 6);
   body << r.by_point, -r.by_point * cross_matrix(x);
-  by_body.middleRows(row, r.rows) = body;
-  error.segment(row, r.rows) = r.error;
-  rows.block(row, 3 * s.marker, r.rows, 3) = r.by_point * sensor_from_tcp.rotation;
-  const Eigen::Index mount = p.effect_column() - p.mount_column(), changes = p.effect_count() - base_effects;
-  if (mount > 0) rows.block(row, p.mount_column(), r.rows, 6) = body * motion.leftCols(6);
+  parts.by_body.middleRows(parts.row, r.rows) = body;
+  parts.error.segment(parts.row, r.rows) = r.error;
+  auto rows = parts.by_columns.middleRows(parts.row, r.rows);
+  rows.middleCols<3>(3 * s.marker) = r.by_point * sensor_from_tcp.rotation;
+  const Eigen::Index mount = p.effect_column() - p.mount_column(), changes = p.effect_count() - columns.effects;
+  if (mount > 0) rows.middleCols<6>(p.mount_column()) = body * motion.by_effects.leftCols(6);
   if (p.effect_count() > 0) {
-    const Eigen::MatrixXd by_effects =
-        body * motion.rightCols(p.effect_count()) + direct_by_effects(p, o, s, r, x, sensor_from_tcp.rotation);
-    rows.block(row, p.effect_column(), r.rows, base_effects) = by_effects.leftCols(base_effects);
-    rows.block(row, first_change, r.rows, changes) = by_effects.rightCols(changes);
+    const Eigen::MatrixXd by_effects = body * motion.by_effects.rightCols(p.effect_count()) +
+                                       direct_by_effects(p, o, s, r, x, sensor_from_tcp.rotation);
+    rows.middleCols(p.effect_column(), columns.effects) = by_effects.leftCols(columns.effects);
+    rows.middleCols(columns.shared(p), changes) = by_effects.rightCols(changes);
   }
-  row += r.rows;
+  if (columns.curve_columns > 0)
+    rows.middleCols(p.effect_column() + columns.effects, columns.curve_columns) = body * motion.by_curves;
+  parts.row += r.rows;
+}
+
+/// Per column: what one unit of it is.
+Eigen::VectorXd sizes_of(const Problem& p, const ChangeColumns& columns) {
+  Eigen::VectorXd sizes = Eigen::VectorXd::Ones(columns.shared(p) + columns.changes);
+  for (Eigen::Index c = 0; c < p.effect_count(); ++c)
+    sizes[c < columns.effects ? p.effect_column() + c : columns.shared(p) + c - columns.effects] =
+        p.columns_of_effects[static_cast<std::size_t>(c)].sigma;
+  return sizes;
+}
+
+ObservationParts parts_of(const Problem& p, const ProblemObservation& o, const SharedState& state,
+                          const ChangeColumns& columns, const Eigen::VectorXd& sizes, double weight) {
+  Eigen::Index count = 0;
+  for (const Sighting& s : o.sightings) count += row_count(s);
+  ObservationParts parts{Eigen::MatrixXd::Zero(count, sizes.size()), Eigen::MatrixXd(count, 6), Eigen::VectorXd(count)};
+  const Unknowns& u = state.unknowns;
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  BodyMotions motion{motion_by_columns(p, o, u), {}};
+  if (columns.curve_columns > 0) motion.by_curves = motion_by_curves(*columns.curves, p, o, u);
+  for (const Sighting& s : o.sightings) add_sighting(p, o, u, s, sensor_from_tcp, motion, columns, parts);
+  // Curves do not move the problem: what they explain already is taken off here.
+  if (columns.curve_columns > 0)
+    parts.error -=
+        parts.by_columns.middleCols(p.effect_column() + columns.effects, columns.curve_columns) * state.curves;
+  parts.by_columns = weight * (parts.by_columns * sizes.asDiagonal());
+  parts.by_body *= weight;
+  parts.error *= weight;
+  return parts;
 }
 
 }  // namespace
@@ -45,37 +91,35 @@ void ChangeRows::add(const ChangeRows& other) {
   rows += other.rows;
 }
 
-ChangeRows change_rows(const Problem& p, const Unknowns& u, Eigen::Index base_effects, Eigen::Index first_change,
-                       Eigen::Index columns, double weight) {
+ChangeRows change_rows(const Problem& p, const SharedState& state, const ChangeColumns& columns, double weight) {
+  const Eigen::VectorXd sizes = sizes_of(p, columns);
   ChangeRows all;
-  all.information = Eigen::MatrixXd::Zero(columns, columns);
-  all.gradient = Eigen::VectorXd::Zero(columns);
-  Eigen::VectorXd sizes = Eigen::VectorXd::Ones(columns);
-  for (Eigen::Index c = 0; c < p.effect_count(); ++c)
-    sizes[c < base_effects ? p.effect_column() + c : first_change + c - base_effects] =
-        p.columns_of_effects[static_cast<std::size_t>(c)].sigma;
+  all.information = Eigen::MatrixXd::Zero(sizes.size(), sizes.size());
+  all.gradient = Eigen::VectorXd::Zero(sizes.size());
+  // Many observations at a time: with hundreds of columns the sum of their squares is what takes the time.
+  Eigen::MatrixXd gathered(sizes.size(), rows_at_once);
+  Eigen::Index count = 0;
+  const auto sum_up = [&] {
+    all.information.selfadjointView<Eigen::Lower>().rankUpdate(gathered.leftCols(count));
+    count = 0;
+  };
   for (const ProblemObservation& o : p.observations) {
-    Eigen::Index count = 0;
-    for (const Sighting& s : o.sightings) count += row_count(s);
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, columns), by_body(count, 6);
-    Eigen::VectorXd error(count);
-    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
-    const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(p, o, u);
-    Eigen::Index row = 0;
-    for (const Sighting& s : o.sightings)
-      add_sighting(p, o, u, s, sensor_from_tcp, motion, base_effects, first_change, rows, by_body, error, row);
-    rows = weight * (rows * sizes.asDiagonal());
-    by_body *= weight;
-    error *= weight;
-    ChangeObservation& part = all.observations.emplace_back();
-    part.body_by_columns = by_body.transpose() * rows;
-    part.body_by_error = by_body.transpose() * error;
-    part.body_squares = by_body.transpose() * by_body;
-    all.information += rows.transpose() * rows;
-    all.gradient += rows.transpose() * error;
-    all.squares += error.squaredNorm();
-    all.rows += static_cast<int>(count);
+    const ObservationParts parts = parts_of(p, o, state, columns, sizes, weight);
+    ChangeObservation& summed = all.observations.emplace_back();
+    summed.body_by_columns = parts.by_body.transpose() * parts.by_columns;
+    summed.body_by_error = parts.by_body.transpose() * parts.error;
+    summed.body_squares = parts.by_body.transpose() * parts.by_body;
+    all.gradient += parts.by_columns.transpose() * parts.error;
+    all.squares += parts.error.squaredNorm();
+    const Eigen::Index rows = parts.error.size();
+    all.rows += static_cast<int>(rows);
+    if (count + rows > gathered.cols()) sum_up();
+    if (rows > gathered.cols()) gathered.resize(sizes.size(), rows);
+    gathered.middleCols(count, rows) = parts.by_columns.transpose();
+    count += rows;
   }
+  sum_up();
+  all.information.triangularView<Eigen::StrictlyUpper>() = all.information.transpose();
   return all;
 }
 
@@ -104,7 +148,7 @@ ScatteredNormal scattered(const ChangeRows& rows, const Matrix6& scatter) {
   return n;
 }
 
-Matrix6 scatter_left(const ChangeRows& rows, const Eigen::VectorXd& step, int parameters) {
+LeftOver left_over(const ChangeRows& rows, const Eigen::VectorXd& step, double parameters, double noise_degrees) {
   std::vector<Vector6> errors;
   Matrix6 start = Matrix6::Zero();
   for (const ChangeObservation& o : rows.observations) {
@@ -113,9 +157,9 @@ Matrix6 scatter_left(const ChangeRows& rows, const Eigen::VectorXd& step, int pa
     start.diagonal() += motion.cwiseAbs2() / static_cast<double>(rows.observations.size());
   }
   const double left = rows.squares - 2 * rows.gradient.dot(step) + step.dot(rows.information * step);
-  const double degrees = std::max(1, rows.rows - parameters);
-  if (!(left > 0) || boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees), left)) > 1e-3)
-    return Matrix6::Zero();
+  LeftOver over;
+  if (const auto test = noise_test(left, rows.rows - parameters, noise_degrees)) over.p = test->p;
+  if (over.p > 1e-3) return over;
   Matrix6 scatter = start;
   for (int round = 0; round < 60; ++round) {
     Matrix6 next = Matrix6::Zero();
@@ -126,7 +170,8 @@ Matrix6 scatter_left(const ChangeRows& rows, const Eigen::VectorXd& step, int pa
     }
     scatter = next / static_cast<double>(errors.size());
   }
-  return 0.5 * (scatter + scatter.transpose());
+  over.scatter = 0.5 * (scatter + scatter.transpose());
+  return over;
 }
 
 }  // namespace handsight

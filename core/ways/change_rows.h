@@ -3,7 +3,7 @@
 // may have changed on this side, do to them. Internal to comparison.cpp.
 #pragma once
 
-#include "estimation/problem.h"
+#include "ways/shared_curves.h"
 
 namespace handsight {
 
@@ -25,11 +25,25 @@ struct ChangeRows {
   void add(const ChangeRows& other);
 };
 
-/// `problem` stands at its effects' values, which are `unknowns.effects`; its first `base_effects` effect columns are
-/// shared, the others changes of this side. `columns`: how many columns in all, changes of other units among them;
-/// `first_change`: where this problem's changes begin. `weight`: of each row (the noise's inverse).
-ChangeRows change_rows(const Problem& problem, const Unknowns& unknowns, Eigen::Index base_effects,
-                       Eigen::Index first_change, Eigen::Index columns, double weight);
+/// The unknowns of a comparison: those of the first side's model, which both share.
+struct SharedState {
+  Unknowns unknowns;
+  Eigen::VectorXd curves;  // numbers of the shared curves, in their plausible sizes
+  Eigen::VectorXd moved;   // how far all shared columns went from their start; read where they have a prior there
+};
+
+/// Columns: markers, mount where it is estimated, shared effects, shared curves, changes.
+struct ChangeColumns {
+  Eigen::Index effects = 0;  // shared ones: the first effect columns of a problem; the others are changes
+  const std::vector<SharedCurve>* curves = nullptr;
+  Eigen::Index curve_columns = 0;
+  Eigen::Index changes = 0;
+
+  Eigen::Index shared(const Problem& p) const { return p.effect_column() + effects + curve_columns; }
+};
+
+/// `problem` stands at the values of its effects in `state`. `weight`: of each row (the noise's inverse).
+ChangeRows change_rows(const Problem& problem, const SharedState& state, const ChangeColumns& columns, double weight);
 
 /// The same with the shared markers replaced by a rigid motion xi of all of them (6 columns): where their shape is
 /// known.
@@ -44,8 +58,15 @@ struct ScatteredNormal {
 };
 ScatteredNormal scattered(const ChangeRows& rows, const Matrix6& scatter);
 
-/// The covariance of the body's motions that a step of the columns leaves, by expectation and maximisation; zero where
-/// what it leaves is no more than noise (p > 1e-3). `parameters`: how many the step was fitted with.
-Matrix6 scatter_left(const ChangeRows& rows, const Eigen::VectorXd& step, int parameters);
+/// What a step of the columns leaves beside the noise.
+struct LeftOver {
+  double p = 1;                       // probability of so much or more by noise alone
+  Matrix6 scatter = Matrix6::Zero();  // covariance of the body's motions that it is, by expectation and maximisation;
+                                      // zero where it is no more than noise (p > 1e-3)
+};
+
+/// `parameters`: how many the step was fitted with; `noise_degrees`: of freedom that the noise was estimated from, 0
+/// where it is declared.
+LeftOver left_over(const ChangeRows& rows, const Eigen::VectorXd& step, double parameters, double noise_degrees);
 
 }  // namespace handsight

@@ -42,7 +42,7 @@ struct Comparison {
   double threshold = 0;  // ln of a Bayes factor that is no chance: 1 in 200 where nothing changed
   std::vector<NumberChange> numbers;
   std::optional<double> hand_mean_m, hand_max_m;  // how far the hand is from where it was, over the poses of both
-  bool model_fits = true;  // false: both sides miss their noise; the scatter that is left was counted as such
+  bool model_fits = true;  // false: both sides miss their noise; what the model lacks was fitted beside the change
   std::vector<std::string> notes;
 };
 

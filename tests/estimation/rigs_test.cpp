@@ -146,5 +146,22 @@ TEST(Rigs, TheCameraObjectiveNeedsTwoThatSee) {
   EXPECT_NO_THROW(fit(simulated(3, 1, {}, 20).session, {.objective = Objective::camera}));
 }
 
+TEST(Rigs, AKnownShapeMakesOneCameraSurer) {
+  double free = 0, known = 0, squares = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SimulatedSession s = simulated(1, seed, {}, 30);
+    free += fit(s.session).covariance.topLeftCorner<3, 3>().trace();
+    s.session.shape = KnownShape{s.markers_in_tcp, 1e-6};
+    const Fit f = fit(s.session);
+    EXPECT_TRUE(f.converged());
+    EXPECT_EQ(f.unknowns, 6) << "a body that is held has six";
+    EXPECT_NEAR(*f.chi2_per_dof, 1, 4.5 * std::sqrt(2.0 / f.rows));
+    known += f.covariance.topLeftCorner<3, 3>().trace();
+    squares += error_of_body(s, f);
+  }
+  EXPECT_LT(known, free);
+  EXPECT_LT(squares, 24 + 4.5 * std::sqrt(48.0));
+}
+
 }  // namespace
 }  // namespace handsight

@@ -235,7 +235,8 @@ TEST(CalibrationRefuses, WhatIsWrong) {
   EXPECT_THAT(refusal("used=\"78\"", "used=\"-1\""), HasSubstr("used=\"-1\""));
   EXPECT_THAT(refusal("rms_pixel=\"0.5\"", "rms_pixel=\"null\""), HasSubstr("expected one finite number"));
   EXPECT_THAT(refusal("rms_pixel=\"0.5\"", "rms_pixel=\"-0.5\""), HasSubstr("expected at least 0"));
-  EXPECT_THAT(refusal("index=\"1\"", "index=\"64\""), HasSubstr("index=\"64\", expected an integer from 0 to 63"));
+  EXPECT_THAT(refusal("index=\"1\"", "index=\"4096\""),
+              HasSubstr("index=\"4096\", expected an integer from 0 to 4095"));
   EXPECT_THAT(refusal("index=\"1\"", "index=\"0\""), HasSubstr("a second time"));
   EXPECT_THAT(refusal("xyz=\"1 0 0\"", "xyz=\"1 0\""), HasSubstr("has 2 numbers in xyz"));
   EXPECT_THAT(refusal("<marker index=\"1\" xyz=\"1 0 0\"/><marker index=\"0\" xyz=\"0 0 0\"/>", ""),

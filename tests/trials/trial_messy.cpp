@@ -9,7 +9,6 @@
 #include <set>
 
 #include "diagnosis/curves.h"
-#include "effects/own_effect.h"
 #include "estimation/prediction.h"
 #include "fixtures/trial_sessions.h"
 
@@ -28,24 +27,6 @@ struct Messy {
   Rigid tcp_from_body;
   std::vector<Eigen::VectorXd> fresh_poses;
 };
-
-std::optional<EffectTerm> hidden_shift(const Session& like, double size_mm, std::mt19937_64& random) {
-  if (size_mm == 0) return std::nullopt;
-  std::normal_distribution<double> normal;
-  const std::string joint =
-      like.joints[like.joints.size() - 1 - random() % std::min<std::size_t>(like.joints.size(), 5)];
-  EffectDefinition d;
-  d.id = "hidden_shift";
-  d.scope = "session";
-  for (const char* axis : {"x", "y", "z"}) {
-    d.parameters.push_back({axis, "m", 1e-3});
-    d.moves.push_back({std::string("hand_") + axis, fmt::format("{}*sin(3.3*q_{}+0.7)", axis, formula_name(joint)), 0});
-  }
-  const auto effect = own_effect(d, like.robot);
-  EffectTerm term = term_of(*effect, -1, effect);
-  for (double& v : term.values) v = 1e-3 * size_mm * normal(random);
-  return term;
-}
 
 /// Three to five effects, 0.15 to 1 of the usual size.
 std::vector<EffectTerm> hidden_effects(const Session& like, std::mt19937_64& random) {

@@ -42,6 +42,7 @@ void add(const Kind& kind, std::uint64_t seed, Sums& sums) {
   SimulatedSession s = simulate_session(fixture::rig_session(kind.cameras), o);
   s.session.mount.estimate = !kind.mount_is_known;
   FitOptions options;
+  if (kind.shape_is_known) s.session.shape = KnownShape{s.markers_in_tcp, 1e-6};  // m: as good as held
   if (!kind.mount_is_known) {
     Random random(seed * 31 + 5);
     Vector6 off;
@@ -79,12 +80,13 @@ void tell(const Kind& kind, const Sums& s) {
 
 void fits(int count, std::uint64_t first) {
   for (const int cameras : {1, 2, 3, 5})
-    for (const bool mount_is_known : {true, false}) {
-      const Kind kind{cameras, mount_is_known, false};
-      Sums sums;
-      for (int i = 0; i < count; ++i) add(kind, first + static_cast<std::uint64_t>(i), sums);
-      tell(kind, sums);
-    }
+    for (const bool mount_is_known : {true, false})
+      for (const bool shape_is_known : {false, true}) {
+        const Kind kind{cameras, mount_is_known, shape_is_known};
+        Sums sums;
+        for (int i = 0; i < count; ++i) add(kind, first + static_cast<std::uint64_t>(i), sums);
+        tell(kind, sums);
+      }
 }
 
 struct Tally {

@@ -61,21 +61,60 @@ TEST_F(RobotViewTest, ShowsTheRobotInBothThemesAndAfterReparenting) {
   view_.setParent(nullptr);
 }
 
-TEST_F(RobotViewTest, TheWholeRobotIsSeenInViewsOfAnyShapeBelowTheButtons) {
-  for (const QSize size : {QSize(370, 178), QSize(460, 400), QSize(300, 600)}) {
+/// The links between what carries the cameras and the TCP: what is calibrated.
+std::vector<int> links_of_the_chain(const Session& session) {
+  const std::vector<int> to_tcp = joints_to(session.robot, find_link(session.robot, session.tcp));
+  const std::vector<int> to_mount = joints_to(session.robot, find_link(session.robot, session.mount.link));
+  std::vector<int> links;
+  for (const auto& [path, other] : {std::pair(to_tcp, to_mount), std::pair(to_mount, to_tcp)})
+    for (const int joint : path)
+      if (std::find(other.begin(), other.end(), joint) == other.end())
+        links.push_back(session.robot.joints[static_cast<std::size_t>(joint)].child_link);
+  return links;
+}
+
+void expect_in_sight(RobotView& view, const QSize& size, const std::vector<Vector3>& places) {
+  constexpr double most = 0.95;
+  for (const Vector3& place : places) {
+    const auto at = view.to_screen(place);
+    ASSERT_TRUE(at);
+    EXPECT_GT(at->x(), (1 - most) * size.width());
+    EXPECT_LT(at->x(), most * size.width());
+    EXPECT_GT(at->y(), (1 - most) * size.height());
+    EXPECT_LT(at->y(), most * size.height());
+  }
+}
+
+constexpr QSize shapes[] = {QSize(370, 178), QSize(460, 400), QSize(300, 600)};
+constexpr StandardView far_views[] = {StandardView::all, StandardView::front, StandardView::left, StandardView::top};
+
+TEST_F(RobotViewTest, ArmAndCamerasAreSeenInViewsOfAnyShapeBelowTheButtons) {
+  std::vector<Vector3> places{data_.root_from_tcp(0).translation};
+  for (const SceneCamera& camera : data_.cameras(0)) places.push_back(camera.root_from_camera.translation);
+  const std::vector<int> chain = links_of_the_chain(data_.session);
+  ASSERT_GE(chain.size(), 9U);
+  for (const int link : chain) places.push_back(data_.posture(0)[static_cast<std::size_t>(link)].translation);
+  for (const QSize& size : shapes) {
     test::show(view_, size);
-    for (const StandardView view : {StandardView::all, StandardView::front, StandardView::left, StandardView::top}) {
+    for (const StandardView view : far_views) {
       view_.look(view);
       view_.picture();
-      constexpr double most = 0.95;
-      for (const Rigid& link : data_.posture(0)) {
-        const auto at = view_.to_screen(link.translation);
-        ASSERT_TRUE(at);
-        EXPECT_GT(at->x(), (1 - most) * size.width());
-        EXPECT_LT(at->x(), most * size.width());
-        EXPECT_GT(at->y(), (1 - most) * size.height());
-        EXPECT_LT(at->y(), most * size.height());
-      }
+      expect_in_sight(view_, size, places);
+    }
+  }
+}
+
+TEST_F(RobotViewTest, WithoutThemTheWholeRobotIsSeen) {
+  std::vector<Vector3> places;
+  for (const Rigid& link : data_.posture(0)) places.push_back(link.translation);
+  view_.set_tcp(std::nullopt);
+  view_.set_cameras({});
+  for (const QSize& size : shapes) {
+    test::show(view_, size);
+    for (const StandardView view : far_views) {
+      view_.look(view);
+      view_.picture();
+      expect_in_sight(view_, size, places);
     }
   }
 }

@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QPainter>
+
+#include <QPainter>
 #include <cmath>
 
+#include "widgets/icons.h"
+#include "widgets/icons.h"
 #include "widgets/number_text.h"
 
 namespace handsight::widgets {
@@ -89,6 +94,28 @@ TEST(DesktopTheme, NoPreferenceAfterDarkMeansLight) {
   say(0);  // what GNOME says when its dark style is switched off
   EXPECT_EQ(desktop.kind(), ThemeKind::light);
   EXPECT_EQ(told.back(), ThemeKind::light);
+}
+
+TEST(Icons, EveryOneThatTheWindowNamesIsThereAndTakesTheThemesInk) {
+  for (const char* name : {"label", "calibrate", "inspect", "explain", "export", "undo", "redo", "play", "pause",
+                           "step", "rewind", "watch", "open", "new_session"}) {
+    ASSERT_TRUE(has_icon(name)) << name;
+    QImage image(48, 48, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    draw_icon(painter, QRectF(0, 0, 48, 48), name, QColor(200, 10, 10));
+    painter.end();
+    int inked = 0;
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 48; ++x) {
+        const QColor c = image.pixelColor(x, y);
+        if (c.alpha() < 250) continue;
+        ++inked;
+        EXPECT_NEAR(c.red(), 200, 4) << name;
+      }
+    EXPECT_GT(inked, 40) << name;
+  }
+  EXPECT_FALSE(has_icon("no such icon"));
 }
 
 }  // namespace

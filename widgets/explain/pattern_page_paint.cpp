@@ -114,6 +114,14 @@ void PatternPage::paint_ground(QPainter& painter, int place) const {
     painter.setBrush(veil);
     painter.drawPolygon(band);
   }
+  if (!plot.candidate.empty() && plot.candidate.front().low < plot.candidate.front().high) {
+    QPolygonF band;
+    for (const TrendPoint& p : plot.candidate) band += on_screen(place, p.x, p.high);
+    for (auto p = plot.candidate.rbegin(); p != plot.candidate.rend(); ++p) band += on_screen(place, p->x, p->low);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(noise_hatching(c.hairline));
+    painter.drawPolygon(band);
+  }
   painter.setPen(QPen(c.hairline, 1));
   const double zero = std::round(on_screen(place, 0, 0).y()) + 0.5;
   painter.drawLine(QPointF(area.left(), zero), QPointF(area.right(), zero));

@@ -187,7 +187,8 @@ void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
   painter.setPen(c.ink2);
   const QRectF caption(area.left(), area.top(), area.width(), 18), bar(area.left(), area.top() + 20, area.width(), 12);
   painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter,
-                   verdict_.blame                             ? tr("cameras | body | robot")
+                   verdict_.blame
+                       ? (verdict_.blame->of_tracker ? tr("tracker | body | robot") : tr("cameras | body | robot"))
                    : verdict_.state == SessionState::adequate ? tr("nothing stands out of the noise")
                                                               : tr("whose fault: not known yet"));
   painter.fillRect(bar, c.sunken);

@@ -8,9 +8,11 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
+#include <QObject>
 #include <algorithm>
 #include <optional>
 
@@ -50,14 +52,14 @@ vtkSmartPointer<vtkPolyData> mesh_surface(const std::string& written, const fs::
                                           std::vector<QString>& notes) {
   const auto file = find_mesh(written, folder);
   if (!file) {
-    notes.push_back(QStringLiteral("The mesh %1 is not in the robot's folder. The link is drawn without it.")
+    notes.push_back(QObject::tr("The mesh %1 is not in the robot's folder. The link is drawn without it.")
                         .arg(QString::fromStdString(shortened(written, 100))));
     return nullptr;
   }
   try {
     return surface_of(read_mesh(*file));
   } catch (const InputError& error) {
-    notes.push_back(QStringLiteral("A mesh cannot be shown. %1").arg(QString::fromStdString(error.what())));
+    notes.push_back(QObject::tr("A mesh cannot be shown. %1").arg(QString::fromStdString(error.what())));
     return nullptr;
   }
 }
@@ -104,7 +106,7 @@ vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const fs::path& f
   return filter->GetOutput();
 }
 
-/// Limbs from a link's origin to the joints that it carries.
+/// Limbs from a link's origin to the joints that it carries: capsules, round at both ends.
 vtkSmartPointer<vtkPolyData> limbs(const Robot& robot, int link) {
   vtkNew<vtkAppendPolyData> all;
   bool has_any = false;
@@ -113,9 +115,10 @@ vtkSmartPointer<vtkPolyData> limbs(const Robot& robot, int link) {
     const Vector3 end = (joint.parent_from_joint * joint.joint_from_child).translation;
     const double length = end.norm();
     if (length < 0.01) continue;
-    const double radius = std::clamp(0.12 * length, 0.008, 0.05);
+    const double radius = std::clamp(0.15 * length, 0.012, 0.06);
     all->AddInputData(rod(Vector3::Zero(), end, radius));
-    all->AddInputData(ball(end, 1.25 * radius));
+    all->AddInputData(ball(Vector3::Zero(), radius));
+    all->AddInputData(ball(end, radius));
     has_any = true;
   }
   if (!has_any) return nullptr;
@@ -154,6 +157,36 @@ RobotActors make_ghost_actors(const RobotActors& robot, const QColor& color) {
     ghost.parts.back().actor->PickableOff();
   }
   return ghost;
+}
+
+RobotActors make_shadow_actors(const RobotActors& robot, const QColor& color) {
+  RobotActors shadow;
+  for (const LinkActor& part : robot.parts) {
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(part.actor->GetMapper());
+    shadow.parts.push_back({part.link, part.link_from_shape, color, make_actor(mapper->GetInput(), color)});
+    shadow.parts.back().actor->PickableOff();
+    shadow.parts.back().actor->GetProperty()->LightingOff();
+  }
+  return shadow;
+}
+
+void place_shadow(const RobotActors& shadow, const std::vector<Rigid>& root_from_link, double height) {
+  constexpr double slant_x = 0.2, slant_y = 0.12;  // of the light
+  constexpr double below = 0.003;                  // m: under the floor's lines
+  for (const LinkActor& part : shadow.parts) {
+    if (static_cast<std::size_t>(part.link) >= root_from_link.size()) continue;
+    vtkNew<vtkMatrix4x4> flat;
+    flat->SetElement(0, 2, -slant_x);
+    flat->SetElement(0, 3, slant_x * height);
+    flat->SetElement(1, 2, -slant_y);
+    flat->SetElement(1, 3, slant_y * height);
+    flat->SetElement(2, 2, 0);
+    flat->SetElement(2, 3, height - below);
+    vtkNew<vtkMatrix4x4> placed;
+    const auto link = vtk_matrix(root_from_link[static_cast<std::size_t>(part.link)] * part.link_from_shape);
+    vtkMatrix4x4::Multiply4x4(flat, link, placed);
+    part.actor->SetUserMatrix(placed);
+  }
 }
 
 void add_to(vtkRenderer& renderer, const RobotActors& actors) {

@@ -31,6 +31,11 @@ RobotActors make_robot_actors(const Robot& robot, const std::filesystem::path& m
 /// The same surfaces again, all in one translucent colour.
 RobotActors make_ghost_actors(const RobotActors& robot, const QColor& color);
 
+/// The same surfaces again as they lie on the floor when light falls from above: in one colour, without light.
+RobotActors make_shadow_actors(const RobotActors& robot, const QColor& color);
+/// One motion per link; the floor is the plane z = height.
+void place_shadow(const RobotActors& shadow, const std::vector<Rigid>& root_from_link, double height);
+
 void add_to(vtkRenderer& renderer, const RobotActors& actors);
 void remove_from(vtkRenderer& renderer, const RobotActors& actors);
 void set_visible(const RobotActors& actors, bool visible);

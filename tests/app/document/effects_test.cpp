@@ -6,8 +6,10 @@
 
 #include "base/files.h"
 #include "diagnosis/diagnosis.h"
+#include "document/curve_words.h"
 #include "document/document.h"
 #include "document/model_edits.h"
+#include "effects/own_effect.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
@@ -92,6 +94,45 @@ TEST_F(EffectsTest, TheJournalHoldsThemBitForBit) {
   EXPECT_EQ(document.settings(), ModelSettings{});
   document.redo();
   EXPECT_EQ(document.settings(), wanted);
+}
+
+/// A curve without a name: its definition goes along in the journal, and it is made again for the session's robot.
+TEST_F(EffectsTest, CurvesComeBackFromTheJournal) {
+  EffectDefinition definition;
+  definition.id = "curve_1", definition.title = "Curve of the angle of right_arm_4", definition.scope = "session";
+  definition.unnamed = true;
+  definition.parameters = {{"y_sine", "m", 1e-3}, {"y_cosine", "m", 1e-3}};
+  definition.moves = {{"hand_y", "y_sine*sin(3.3*q_right_arm_4) + y_cosine*cos(3.3*q_right_arm_4)", 0}};
+  const auto own = own_effect(definition, document.session().robot);
+  ModelSettings wanted = with_springs();
+  wanted.estimated.push_back(term_of(*own, -1, own));
+  wanted.estimated.back().values = {1.0 / 3.0 * 1e-3, -2e-4};
+  EXPECT_EQ(name_of({wanted.estimated.back()}, document.session()),
+            "the hand shifts along y with sin(3.3 q) of right_arm_4");
+  perform(wanted);
+  const auto before = fitted();
+  ASSERT_TRUE(before->fit) << before->refusal.toStdString();
+  EXPECT_EQ(curves_of(*before->fit).size(), 1U);
+  document.close();
+  document.open(session);
+  ASSERT_EQ(document.settings(), wanted);
+  ASSERT_TRUE(document.settings().estimated.back().own);
+  EXPECT_TRUE(document.settings().estimated.back().own->is_unnamed());
+  const auto after = fitted();
+  EXPECT_EQ(*after->report->held_out.rms_pixel, *before->report->held_out.rms_pixel);
+  ModelSettings other = wanted;
+  EffectDefinition changed = definition;
+  changed.moves[0].formula = "y_sine*sin(2*q_right_arm_4) + y_cosine*cos(2*q_right_arm_4)";
+  other.estimated.back().own = own_effect(changed, document.session().robot);
+  EXPECT_FALSE(other == wanted) << "the same id and numbers, another formula";
+  document.undo();
+  EXPECT_EQ(document.settings(), ModelSettings{});
+  document.redo();
+  EXPECT_EQ(document.settings(), wanted);
+  const Edit edit{.sentence = "x", .settings = SettingsEdit{{}, wanted}};
+  EXPECT_THROW(parse_edit(edit_text(edit)), InputError) << "no robot to make it for";
+  document.perform(without_effect(document, "curve_1"));
+  EXPECT_EQ(document.undo_stack().undoText(), "took out the hand shifts along y with sin(3.3 q) of right_arm_4");
 }
 
 TEST_F(EffectsTest, UndoSaysWhatItDidToTheError) {

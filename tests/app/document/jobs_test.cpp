@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
 #include <QEventLoop>
 #include <QTimer>
 #include <stdexcept>
@@ -105,6 +106,30 @@ TEST(JobsTest, DestroyedWhileWorkingItStops) {
     QThread::msleep(5);
   }
   EXPECT_FALSE(done);
+}
+
+TEST(Jobs, OneThatIsHeldCanBeCancelledHoweverQuickItIs) {
+  Jobs jobs;
+  jobs.hold(true);
+  std::atomic<bool> has_run{false};
+  bool is_done = false;
+  jobs.start<int>(
+      "quick", "Quick",
+      [&](JobControl&) {
+        has_run = true;
+        return 1;
+      },
+      [&](int) { is_done = true; });
+  EXPECT_TRUE(jobs.is_busy("quick"));
+  jobs.cancel("quick");
+  while (jobs.is_busy()) QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+  EXPECT_FALSE(has_run);
+  EXPECT_FALSE(is_done);
+  jobs.start<int>(
+      "quick", "Quick", [](JobControl&) { return 1; }, [&](int) { is_done = true; });
+  jobs.hold(false);
+  while (jobs.is_busy()) QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+  EXPECT_TRUE(is_done);
 }
 
 }  // namespace

@@ -120,6 +120,12 @@ struct ExplainPage {
     desk.type_into(field, text);
     desk.key(Qt::Key_Return);
   }
+  /// Puts the pointer on a card.
+  void look_at(int card) {
+    auto* shown = cards()->card(card);
+    QTest::mouseMove(shown->window()->windowHandle(), shown->mapTo(shown->window(), QPoint(20, 20)));
+    QTest::qWait(20);
+  }
   /// Scrolls a card to where the pointer can reach it, and presses its button.
   void press_add(int card = 0) {
     QPushButton* add = cards()->card(card)->add_button();

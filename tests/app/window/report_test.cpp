@@ -60,8 +60,9 @@ TEST_F(ReportTest, EveryPictureOfTheHtmlIsLargeAndDrawnAllOver) {
   ASSERT_TRUE(explain.is_settled());
   const QString html = QString::fromStdString(read_file(written("report_html", "out.html")));
   const auto pictures = pictures_in(html);
-  // Staircase, cloud, where it failed before and after, histogram, map, robot.
-  ASSERT_EQ(pictures.size(), 7U);
+  // Staircase, cloud, where it failed before and after, the proof of each of three springs, histogram, map, robot.
+  ASSERT_EQ(pictures.size(), 10U);
+  EXPECT_EQ(html.count("gives way by"), 3);
   // The cloud: far below the middle at first, gone from there with the effect.
   const QImage& cloud = pictures[1];
   const auto below = [&](int pane) {

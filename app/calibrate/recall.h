@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the estimate came about, again: of a session that was played before and is opened anew.
+#pragma once
+
+#include <functional>
+
+#include "estimation/online.h"
+
+namespace handsight::app {
+
+/// The observations that are used, one after the other by the labels that they have: what the play would show without
+/// looking at images. Stops early where `goes_on` says no.
+std::vector<OnlineStep> recalled_steps(const Session& session, const std::function<bool()>& goes_on);
+
+}  // namespace handsight::app

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/curve_words.h"
+
+#include <QObject>
+#include <QRegularExpression>
+#include <algorithm>
+
+#include "document/effect_words.h"
+#include "effects/own_effect.h"
+
+namespace handsight::app {
+namespace {
+
+QString lower_first(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toLower();
+  return text;
+}
+
+/// "shifts along x, z and turns about rz" of the sites with this prefix; empty: none has it.
+QString motions_of(const EffectDefinition& definition, const QString& prefix) {
+  QStringList shifts, turns;
+  for (const DefinedMove& m : definition.moves) {
+    const QString site = QString::fromStdString(m.site);
+    if (!site.startsWith(prefix)) continue;
+    const QString axis = site.mid(prefix.size());
+    (axis.startsWith('r') ? turns : shifts) << axis.right(1);
+  }
+  QStringList parts;
+  if (!shifts.isEmpty()) parts << QObject::tr("shifts along %1").arg(shifts.join(", "));
+  if (!turns.isEmpty()) parts << QObject::tr("turns about %1").arg(turns.join(", "));
+  return parts.join(QObject::tr(" and "));
+}
+
+QString what_moves(const EffectDefinition& definition, const std::string& place) {
+  const std::pair<const char*, QString> frames[] = {{"hand_", QObject::tr("The hand")},
+                                                    {"mount_", QObject::tr("The sensor's mount")},
+                                                    {"body_", QObject::tr("The marker body")}};
+  for (const auto& [prefix, name] : frames)
+    if (const QString motions = motions_of(definition, prefix); !motions.isEmpty()) return name + ' ' + motions;
+  if (!place.empty()) return QObject::tr("The angle of %1 moves").arg(QString::fromStdString(place));
+  return QObject::tr("Something moves");
+}
+
+/// "sin(3.3 q) of arm_4" of "y_sine*sin(3.3*q_arm_4) + ...": the first part without its number.
+QString shape_of(const EffectDefinition& definition, const std::string& place, const Robot& robot) {
+  QString text = QString::fromStdString(definition.moves.front().formula).section(" + ", 0, 0).section('*', 1);
+  QStringList of;
+  const auto put = [&](const QString& name, const QString& shown, const QString& joint) {
+    const QRegularExpression word("\\b" + QRegularExpression::escape(name) + "\\b");
+    if (!text.contains(word)) return;
+    text.replace(word, shown);
+    if (!joint.isEmpty() && !of.contains(joint)) of << joint;
+  };
+  for (const Joint& joint : robot.joints) {
+    const QString name = QString::fromStdString(joint.name);
+    put(QString::fromStdString("q_" + formula_name(joint.name)), "q", name);
+    put(QString::fromStdString("tau_" + formula_name(joint.name)), "torque", name);
+  }
+  put("tau", "torque", QString::fromStdString(place));
+  if (of.isEmpty() && !place.empty()) of << QString::fromStdString(place);
+  text.replace('*', ' ');
+  const bool is_of_joint = text.contains('q');
+  return is_of_joint && !of.isEmpty() ? QObject::tr("%1 of %2").arg(text, of.join(QObject::tr(" and "))) : text;
+}
+
+}  // namespace
+
+std::string id_of(const DiagnosisCandidate& c) {
+  if (!c.unnamed) return c.id;
+  return c.terms.empty() ? std::string() : c.terms.front().id;
+}
+
+bool can_be_added(const DiagnosisCandidate& c) { return !c.terms.empty() && (!c.unnamed || c.refitted); }
+
+std::vector<EffectTerm> curves_of(const Fit& fit) {
+  std::vector<EffectTerm> curves;
+  for (const EffectTerm& term : terms_of(fit))
+    if (effect_of(term).is_unnamed()) curves.push_back(term);
+  return curves;
+}
+
+QString curve_title(const EffectDefinition& definition, const std::string& place, const Robot& robot) {
+  return QObject::tr("%1 with %2").arg(what_moves(definition, place), shape_of(definition, place, robot));
+}
+
+QString title_of(const EffectTerm& term, const Robot& robot) {
+  const Effect& effect = effect_of(term);
+  if (effect.is_unnamed()) return curve_title(*effect.definition, place_name(effect, term.joint, robot), robot);
+  return QString::fromStdString(effect.title.empty() ? effect.id : effect.title);
+}
+
+QString name_of(const std::vector<EffectTerm>& terms, const Session& session) {
+  if (terms.empty()) return {};
+  const QString title = lower_first(title_of(terms.front(), session.robot));
+  if (effect_of(terms.front()).is_unnamed()) return title;
+  return of_places(title, places_of(terms, session));
+}
+
+QString name_of(const DiagnosisCandidate& c, const Session& session) {
+  return c.terms.empty() ? effect_of(c.id, c.where) : name_of(c.terms, session);
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user calls a candidate or terms of the model: an effect by its title, a curve without a name by what it does.
+#pragma once
+
+#include <QString>
+
+#include "diagnosis/diagnosis.h"
+
+namespace handsight::app {
+
+/// What cards, views and refusals are kept by: the effect's id, "curve_1" of a curve that can be added, empty of a
+/// function that no formula says.
+std::string id_of(const DiagnosisCandidate& candidate);
+
+/// Can it be added to the model: a name, or a curve that was settled and fitted?
+bool can_be_added(const DiagnosisCandidate& candidate);
+
+/// The curves without a name among a fit's terms.
+std::vector<EffectTerm> curves_of(const Fit& fit);
+
+/// "The hand shifts along y with sin(3.3 q) of arm_4"; `place` is the joint at which it acts, empty for the session.
+QString curve_title(const EffectDefinition& definition, const std::string& place, const Robot& robot);
+
+/// "Joint elasticity", or of an effect by formula its title, of a curve what it does.
+QString title_of(const EffectTerm& term, const Robot& robot);
+
+/// "joint elasticity of arm_2 and arm_4" or "the hand shifts along y with sin(3.3 q) of arm_4": within a sentence, of
+/// terms of one effect.
+QString name_of(const std::vector<EffectTerm>& terms, const Session& session);
+QString name_of(const DiagnosisCandidate& candidate, const Session& session);
+
+}  // namespace handsight::app

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Where it fails": the proof plots of what is looked at, and how they fall level once it is in the model.
+#include <QLabel>
+#include <QPushButton>
+
+#include "explain/failing_pane.h"
+#include "widgets/motion.h"
+#include "widgets/scatter_plot.h"
+
+namespace handsight::app {
+
+void FailingPane::say_proof() {
+  const bool is_proof = !proof_.is_empty();
+  patterns_->setVisible(is_proof && (added_ > 0 || !is_tried_));
+  const auto place = static_cast<std::size_t>(std::max(chosen_, 0));
+  if (!is_proof) {
+    title_->setText(tr("Where it fails"));
+    hint_->setText(tr("Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?"));
+  } else {
+    title_->setText(added_ > 0 ? tr("Where it failed") : tr("Where it fails: the proof"));
+    hint_->setText(place < proof_.plots.size() ? proof_sentence(proof_.plots[place]) : proof_.name);
+  }
+}
+
+void FailingPane::show_proof(const Proof& proof) {
+  if (moment_.isActive()) {
+    waiting_ = proof;
+    is_waiting_ = true;
+    return;
+  }
+  is_tried_ = !proof.is_empty();
+  if (is_tried_) return put_proof(proof);
+  if (proof_.is_empty() || added_ > 0) return;  // what was added stays until something else is looked at
+  say_proof();
+  leaving_.start();
+}
+
+void FailingPane::leaveEvent(QEvent*) {
+  if (!proof_.is_empty() && added_ <= 0 && !is_tried_) leaving_.start();
+}
+
+void FailingPane::end_proof() {
+  moment_.stop();
+  leaving_.stop();
+  is_waiting_ = is_tried_ = false;
+  if (!proof_.is_empty()) put_proof({});
+}
+
+void FailingPane::put_proof(const Proof& proof) {
+  falling_.stop();
+  leaving_.stop();
+  proof_ = proof;
+  added_ = 0;
+  chosen_ = 0;
+  refill(true);
+  say_proof();
+}
+
+void FailingPane::show_proof_added(Proof proof) {
+  if (proof.is_empty()) return end_proof();
+  const bool is_same = proof.name == proof_.name && !proof_.is_empty();
+  proof.plots = in_the_order_of(proof_.plots, std::move(proof.plots));
+  proof_ = std::move(proof);
+  added_ = 0;
+  if (!is_same || static_cast<std::size_t>(chosen_) >= proof_.plots.size()) chosen_ = 0;
+  refill(!is_same);
+  is_waiting_ = false;
+  moment_.start();
+  if (widgets::motion_is_reduced()) return set_added(1);
+  falling_.start();
+}
+
+/// On the axes of before: one sees it fall.
+void FailingPane::set_added(double share) {
+  added_ = share;
+  if (residuals_) {
+    page_->update_plots(all_plots(*residuals_, nullptr));
+    fill_large();
+  }
+  say_proof();
+}
+
+}  // namespace handsight::app

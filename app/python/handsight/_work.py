@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""check, fit, diagnose, improve, predict, correct."""
+
+import os
+
+import numpy
+
+from . import _core
+from ._results import result
+
+
+class Calibration:
+    """A robot with what was found out about it: what predict and correct take."""
+
+    def __init__(self, core):
+        self._core = core
+
+    joints = property(lambda self: self._core.joints, doc="names, in the order of a position")
+    text = property(lambda self: self._core.text(), doc="the calibration XML")
+
+    def save(self, path):
+        """Writes the calibration XML, which handsight-cli and the window read."""
+        beside = os.fspath(path) + ".new"
+        with open(beside, "w", encoding="utf-8") as file:
+            file.write(self.text)
+        os.replace(beside, path)
+
+
+def read_calibration(path, robot):
+    """A calibration XML with the robot's URDF."""
+    return Calibration(_core.read_calibration(os.fspath(path), os.fspath(robot)))
+
+
+def check(session):
+    """What is there and what would not work: contents, warnings, problems, notes (sentences)."""
+    return result(_core.check(session._core))
+
+
+def _fitted(pair):
+    found = result(pair[0])
+    found["calibration"] = Calibration(pair[1])
+    return found
+
+
+def fit(session, effects=(), *, objective="image", loss="none", fix_markers=False, without_wrong_points=False):
+    """TCP->Body and the parameters of the effects, as `handsight-cli fit --json` tells them, and `calibration`.
+
+    effects: "joint_offset" or "joint_offset:a2+a3" to estimate, "joint_offset:a2.offset=0.004" to hold.
+    """
+    return _fitted(_core.fit(session._core, list(effects), objective, loss, fix_markers, without_wrong_points))
+
+
+def diagnose(session, effects=()):
+    """verdict, reason, candidates, patterns, invisible ...: what the model (with these effects) lacks."""
+    return result(_core.diagnose(session._core, list(effects)))
+
+
+def improve(session, effects=(), *, names_only=False):
+    """Diagnose, add, refit, again: steps, verdict, all that fit tells of the last model, and `calibration`."""
+    return _fitted(_core.improve(session._core, list(effects), names_only))
+
+
+def _poses(positions):
+    positions = numpy.asarray(positions, dtype=float)
+    return numpy.atleast_2d(positions), positions.ndim == 1
+
+
+def _calibration(source):
+    return (source if isinstance(source, Calibration) else source.calibration)._core
+
+
+def _answer(text, single):
+    """One result for one pose; for many a result of arrays, a row a pose."""
+    rows = result(text)
+    if single:
+        return rows[0]
+    names = rows[0] if rows else ()
+    return type(rows[0])((name, _column([row[name] for row in rows])) for name in names) if rows else rows
+
+
+def _column(values):
+    return None if all(value is None for value in values) else numpy.array(values)
+
+
+def predict(calibration, positions):
+    """Where the TCP really is: root_from_tcp (commanded), root_from_tcp_est (4x4), sigma (x y z rx ry rz; m, rad).
+
+    calibration: what fit, improve or read_calibration returned. positions: one pose, or many as poses x joints: every
+    answer then has a row a pose.
+    """
+    poses, single = _poses(positions)
+    return _answer(_core.predict(_calibration(calibration), poses), single)
+
+
+def correct(calibration, positions, target=None):
+    """The joint angles to command so that the hand arrives: corrected, error_before_m, error_after_m, sigma_m, reached.
+
+    Meant is where the nominal model puts the hand for these positions, or target (4x4, root_from_tcp).
+    """
+    poses, single = _poses(positions)
+    return _answer(_core.correct(_calibration(calibration), poses, None if target is None else numpy.asarray(target)),
+                   single)

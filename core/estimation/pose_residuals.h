@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What measured poses leave, as places and turns.
+#pragma once
+
+#include "estimation/problem.h"
+#include "session/pose_points.h"
+
+namespace handsight {
+
+/// Measured - predicted of one observation of a pose sensor; nothing where it has no pose.
+std::optional<PoseError> pose_residual(const Problem& problem, const ProblemObservation& observation,
+                                       const Unknowns& unknowns);
+
+/// Has the session a pose sensor whose two sigmas are not both told?
+bool has_unknown_lever(const Session& session);
+
+/// The lever (m) of the sigmas that the residuals have: the ratio of the rms of places to that of turns.
+double seen_lever(const Problem& problem, const Unknowns& unknowns);
+
+}  // namespace handsight

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// A start for a fit from the known shape of what is seen: the pose of every observation, then a few points of each
+// piece in place of all.
+#pragma once
+
+#include "estimation/start.h"
+
+namespace handsight {
+
+/// Start values where the shape of the markers is known and cameras see them, from the poses of the pieces in the
+/// single observations (target_pose.h); those that may as well be tilted the other way are left out where there are
+/// others. Nothing without a known shape, without cameras, or where no observation shows a pose.
+std::optional<Unknowns> start_by_shape(const Problem& problem, const Mount& mount);
+
+/// The unknowns with the markers as the shape has them, laid onto where they are; one piece.
+Unknowns laid_onto(const KnownShape& shape, const Unknowns& unknowns);
+
+/// Sightings by their piece.
+std::vector<std::vector<Sighting>> by_piece(const KnownShape& shape, const std::vector<Sighting>& sightings);
+
+}  // namespace handsight

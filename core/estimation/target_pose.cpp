@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/target_pose.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "targets/homography.h"
+
+namespace handsight {
+namespace {
+
+/// The plane that points lie in: its frame has z across it.
+struct Plane {
+  Rigid target_from_plane;
+  bool is_flat = false;
+};
+
+Plane plane_of(const std::vector<Sighting>& sightings, const std::vector<Vector3>& places) {
+  Vector3 center = Vector3::Zero();
+  for (const Sighting& s : sightings)
+    center += places[static_cast<std::size_t>(s.marker)] / static_cast<double>(sightings.size());
+  Matrix3 spread = Matrix3::Zero();
+  for (const Sighting& s : sightings) {
+    const Vector3 off = places[static_cast<std::size_t>(s.marker)] - center;
+    spread += off * off.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(spread);
+  Plane plane;
+  plane.target_from_plane.translation = center;
+  Matrix3& axes = plane.target_from_plane.rotation;
+  axes.col(0) = eigen.eigenvectors().col(2);
+  axes.col(2) = eigen.eigenvectors().col(0);
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  plane.is_flat = eigen.eigenvalues()[0] < 1e-4 * eigen.eigenvalues()[1];
+  return plane;
+}
+
+/// The motion that a homography from the plane to rays (x', y', 1) is made of.
+std::optional<Rigid> motion_of(const Matrix3& homography) {
+  const double scale = std::sqrt(homography.col(0).norm() * homography.col(1).norm());
+  if (!(scale > 0)) return std::nullopt;
+  Matrix3 columns = homography / scale;
+  if (columns(2, 2) < 0) columns = -columns;
+  Rigid motion;
+  motion.translation = columns.col(2);
+  columns.col(2) = columns.col(0).cross(columns.col(1));
+  motion.rotation = nearest_rotation(columns);
+  if (!motion.rotation.allFinite() || !motion.translation.allFinite()) return std::nullopt;
+  return motion;
+}
+
+/// The other pose that a flat target looks nearly alike in: its normal mirrored about the line of sight.
+Rigid tilted_back(const Rigid& camera_from_plane) {
+  const Vector3 normal = camera_from_plane.rotation.col(2), sight = camera_from_plane.translation.normalized();
+  const Vector3 mirrored = 2 * normal.dot(sight) * sight - normal;
+  const Matrix3 turn = Eigen::Quaterniond::FromTwoVectors(normal, mirrored).toRotationMatrix();
+  return {turn * camera_from_plane.rotation, camera_from_plane.translation};
+}
+
+struct Ray {
+  int marker;
+  Vector2 ray;
+};
+
+std::vector<Ray> rays_of(const Rig& rig, const std::vector<Sighting>& sightings, int camera) {
+  std::vector<Ray> rays;
+  for (const Sighting& s : sightings)
+    if (const CameraPoint* seen = seen_by(s, camera))
+      if (const auto ray = undistort(rig.at(camera).camera, seen->pixel)) rays.push_back({s.marker, *ray});
+  return rays;
+}
+
+std::optional<TargetPose> by_one_camera(const Rig& rig, const std::vector<Sighting>& sightings,
+                                        const std::vector<Vector3>& places) {
+  int best = 0;
+  std::vector<Ray> rays;
+  for (int c = 0; c < rig.count(); ++c)
+    if (auto seen = rays_of(rig, sightings, c); seen.size() > rays.size()) rays = std::move(seen), best = c;
+  const Plane plane = plane_of(sightings, places);
+  if (rays.size() < 4 || !plane.is_flat) return std::nullopt;
+  const Rigid plane_from_target = inverse(plane.target_from_plane);
+  std::vector<PlacePixel> pairs;
+  for (const Ray& r : rays)
+    pairs.push_back({(plane_from_target * places[static_cast<std::size_t>(r.marker)]).head<2>(), r.ray});
+  const auto homography = linear_homography(pairs);
+  const auto camera_from_plane = homography ? motion_of(*homography) : std::nullopt;
+  if (!camera_from_plane) return std::nullopt;
+  std::vector<BodyPose> found;
+  for (const Rigid& start : {*camera_from_plane, tilted_back(*camera_from_plane)}) {
+    const Rigid sensor_from_target = inverse(rig.at(best).camera_from_first) * start * plane_from_target;
+    if (const auto pose = estimate_body_pose(&rig, sightings, places, sensor_from_target)) found.push_back(*pose);
+  }
+  if (found.empty()) return std::nullopt;
+  std::sort(found.begin(), found.end(), [](const BodyPose& a, const BodyPose& b) { return a.cost < b.cost; });
+  TargetPose result{found.front()};
+  if (found.size() > 1) {
+    const Rigid apart = inverse(found[0].sensor_from_body) * found[1].sensor_from_body;
+    const bool is_same = vector_from_rotation(apart.rotation).norm() < 1e-3;
+    if (!is_same) result.lead = found[1].cost / std::max(found[0].cost, 1e-300);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<TargetPose> target_pose(const Rig* rig, const std::vector<Sighting>& sightings,
+                                      const std::vector<Vector3>& places) {
+  if (const auto start = body_pose_from_points(rig, sightings, places))
+    if (const auto pose = estimate_body_pose(rig, sightings, places, *start)) return TargetPose{*pose};
+  return rig ? by_one_camera(*rig, sightings, places) : std::nullopt;
+}
+
+}  // namespace handsight

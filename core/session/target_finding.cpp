@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/target_finding.h"
+
+#include <map>
+
+#include "base/error.h"
+#include "session/session_xml.h"
+#include "targets/target_detection.h"
+#include "vision/corner_pairs.h"
+#include "vision/image_file.h"
+
+namespace handsight {
+namespace {
+
+/// What every corner is known no better than, whatever its image says (px).
+PixelSigma sigma_of(const TargetPixel& seen) {
+  const double floor = PairOptions{}.corner_floor;
+  return pixel_sigma(seen.covariance + floor * floor * Eigen::Matrix2d::Identity());
+}
+
+bool is_to_be_searched(const Observation& o) {
+  return o.sightings.empty() && has_images(o) && o.decision != Decision::excluded && o.decision != Decision::rejected;
+}
+
+}  // namespace
+
+TargetFinder::TargetFinder(const Session& session) : folder_(folder(session)) {
+  check(session.target && session.rig, "a search for a target that the session has not");
+  rig_ = *session.rig;
+  target_ = std::make_shared<const PreparedTarget>(prepare(*session.target));
+}
+
+TargetFinding TargetFinder::find(const Observation& observation) const {
+  TargetFinding finding;
+  std::map<int, Sighting> by_number;
+  for (int c = 0; c < rig_.count(); ++c) {
+    const std::string& file = observation.images[static_cast<std::size_t>(c)];
+    if (file.empty()) continue;
+    Image image;
+    try {
+      image = read_image(folder_ / file, rig_.at(c).camera, file);
+    } catch (const InputError& error) {
+      finding.unreadable.push_back(error.what());
+      continue;
+    }
+    ++finding.images;
+    const TargetSighting seen = detect_target(image, *target_);
+    finding.dropped_points += seen.dropped_points;
+    finding.dropped_tags += seen.dropped_tags;
+    for (const TargetPixel& point : seen.points) {
+      Sighting& sighting = by_number[point.number];
+      sighting.marker = point.number;
+      sighting.by = MarkedBy::tracker;
+      see(sighting, c, point.pixel, sigma_of(point));
+    }
+    if (seen.points.empty() && finding.reason.empty())
+      finding.reason = rig_.count() == 1 ? seen.reason : fmt::format("{}: {}", rig_.at(c).name, seen.reason);
+  }
+  for (auto& [number, sighting] : by_number) finding.sightings.push_back(std::move(sighting));
+  if (!finding.sightings.empty()) finding.reason.clear();
+  if (finding.images == 0) finding.reason = finding.unreadable.empty() ? "it has no image" : finding.unreadable.front();
+  return finding;
+}
+
+TargetSearch find_targets(Session& session, const std::function<void(std::size_t, std::size_t)>& progress) {
+  TargetSearch search;
+  if (!session.target || !session.rig) return search;
+  std::size_t all = 0, done = 0;
+  for (const Observation& o : session.observations) all += is_to_be_searched(o) ? 1 : 0;
+  if (all == 0) return search;
+  const TargetFinder finder(session);
+  int unreadable = 0, without = 0;
+  std::string first_unreadable, first_without;
+  for (Observation& o : session.observations) {
+    if (!is_to_be_searched(o)) continue;
+    TargetFinding finding = finder.find(o);
+    ++search.looked_at;
+    search.dropped_points += finding.dropped_points;
+    search.dropped_tags += finding.dropped_tags;
+    unreadable += finding.unreadable.empty() ? 0 : 1;
+    if (!finding.unreadable.empty() && first_unreadable.empty()) first_unreadable = finding.unreadable.front();
+    if (finding.sightings.empty() && finding.unreadable.empty() && without++ == 0)
+      first_without = fmt::format("{}: {}", o.id, finding.reason);
+    search.found += finding.sightings.empty() ? 0 : 1;
+    o.sightings = std::move(finding.sightings);
+    if (progress) progress(++done, all);
+  }
+  search.notes.push_back(fmt::format("The {} is found in {} of {} observations with images.",
+                                     description_of(*session.target), search.found, search.looked_at));
+  if (without > 0)
+    search.notes.push_back(fmt::format("It is not found in {} observations, first in {}.", without, first_without));
+  if (search.dropped_points + search.dropped_tags > 0)
+    search.notes.push_back(
+        fmt::format("{} points and {} tags did not agree with the rest of the target and are left out.",
+                    search.dropped_points, search.dropped_tags));
+  if (unreadable > 0)
+    search.notes.push_back(
+        fmt::format("Images of {} observations cannot be read, first: {}", unreadable, first_unreadable));
+  return search;
+}
+
+}  // namespace handsight

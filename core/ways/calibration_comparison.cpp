@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// A calibration against a few new poses, or against another calibration.
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "ways/change_verdict.h"
+#include "ways/number_changes.h"
+
+namespace handsight {
+namespace {
+
+/// The inverse of a covariance; what has none in it is held.
+Eigen::MatrixXd precision_of(const Eigen::MatrixXd& covariance) {
+  const Eigen::VectorXd sizes = covariance.diagonal().cwiseMax(1e-18).cwiseSqrt();
+  Eigen::MatrixXd scaled = sizes.cwiseInverse().asDiagonal() * covariance * sizes.cwiseInverse().asDiagonal();
+  scaled.diagonal().array() += 1e-9;
+  const Eigen::MatrixXd inverse = scaled.ldlt().solve(Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols()));
+  return sizes.cwiseInverse().asDiagonal() * inverse * sizes.cwiseInverse().asDiagonal();
+}
+
+/// The new session as the calibration knows it: its markers, its mount.
+Session as_calibrated(const CalibratedRobot& before, const Session& after) {
+  Session session = after;
+  session.marker_count = std::max(session.marker_count, static_cast<int>(before.calibration.markers.size()));
+  if (session.tcp != before.tcp || session.mount.link != before.mount || session.joints != before.joint_names)
+    throw InputError(
+        "The session's TCP, mount or joints are not those of the calibration; name a session of the same robot.");
+  if (static_cast<int>(before.calibration.markers.size()) < session.marker_count)
+    throw InputError(
+        fmt::format("The session has {} markers, the calibration {}; name a session with the same marker body.",
+                    session.marker_count, before.calibration.markers.size()));
+  if (!before.model.mount_from_sensor && session.mount.estimate && !session.mount.known)
+    throw InputError("Neither the calibration nor the session says where the sensor sits: a few poses cannot tell it.");
+  session.mount.estimate = before.calibration.mount_from_sensor.has_value();
+  if (before.model.mount_from_sensor) session.mount.mount_from_sensor = *before.model.mount_from_sensor;
+  return session;
+}
+
+/// What the calibration says of xi, mount and effects, in plausible sizes; choices have none.
+Eigen::MatrixXd known_covariance(const CalibratedRobot& before, const Problem& p) {
+  std::vector<Eigen::Index> kept{0, 1, 2, 3, 4, 5};
+  Eigen::Index number = 6;
+  for (const EffectTerm& t : before.model.effects)
+    for (std::size_t i = 0; i < t.values.size(); ++i, ++number)
+      if (!effect_of(t).parameters[i].is_choice) kept.push_back(number);
+  Eigen::MatrixXd covariance = before.model.covariance(kept, kept);
+  for (Eigen::Index e = 0; e < p.effect_count(); ++e) {
+    const double size = p.columns_of_effects[static_cast<std::size_t>(e)].sigma;
+    covariance.row(6 + e) /= size;
+    covariance.col(6 + e) /= size;
+  }
+  const Eigen::Index mount = p.mount_is_estimated ? 6 : 0, count = covariance.rows() + mount;
+  Eigen::MatrixXd known = Eigen::MatrixXd::Zero(count, count);
+  known.topLeftCorner(6, 6) = covariance.topLeftCorner(6, 6);
+  if (mount > 0) known.block(6, 6, 6, 6) = before.calibration.mount_from_sensor->covariance;
+  const Eigen::Index numbers = covariance.rows() - 6;
+  known.bottomRightCorner(numbers, numbers) = covariance.bottomRightCorner(numbers, numbers);
+  known.topRightCorner(6, numbers) = covariance.topRightCorner(6, numbers);
+  known.bottomLeftCorner(numbers, 6) = covariance.bottomLeftCorner(numbers, 6);
+  return known;
+}
+
+ComparedSides sides_of(const CalibratedRobot& before, const Session& session, const Chain& chain) {
+  ComparedSides sides;
+  sides.after.problem = make_problem(session, chain, {}, before.model.effects);
+  const Problem& p = sides.after.problem;
+  if (p.observations.empty())
+    throw InputError("The session has no observation with markers that can be used; label some poses.");
+  sides.after.weight =
+      1 / (session.is_tracker() ? session.sigma_point.value_or(before.calibration.fit.noise_m.value_or(2e-4))
+                                : session.sigma_pixel.value_or(before.calibration.fit.noise_pixel.value_or(0.2)));
+  for (const Vector3& m : before.calibration.markers)
+    sides.start.markers_in_tcp.push_back(before.model.tcp_from_body * m);
+  sides.start.mount_from_sensor = session.mount.mount_from_sensor;
+  sides.start.effects = effect_values(p);
+  sides.known = precision_of(known_covariance(before, p));
+  // The scatter is told in the TCP's axes, at its origin; here it is that of the body against the sensor.
+  if (!before.model.scatter.covariance.isZero(0)) {
+    const Matrix6 there = adjoint(sensor_from_tcp_at(p.observations.front(), sides.start.mount_from_sensor));
+    sides.scatter = there * before.model.scatter.covariance * there.transpose();
+  }
+  return sides;
+}
+
+/// Poses anywhere within the middle of the joints' limits.
+std::vector<Eigen::VectorXd> poses_within_limits(const Chain& chain, int count) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(-0.8, 0.8);
+  std::vector<Eigen::VectorXd> poses;
+  for (int i = 0; i < count; ++i) {
+    Eigen::VectorXd& q = poses.emplace_back(static_cast<Eigen::Index>(chain.joints.size()));
+    for (std::size_t j = 0; j < chain.joints.size(); ++j) {
+      const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[j])];
+      const double low = std::max(joint.lower, -3.0), high = std::min(joint.upper, 3.0);
+      q[static_cast<Eigen::Index>(j)] = 0.5 * (low + high) + 0.5 * (high - low) * uniform(random);
+    }
+  }
+  return poses;
+}
+
+std::vector<NumberChange> numbers_of(const CalibratedRobot& before, const CalibratedRobot& after) {
+  std::vector<NumberChange> numbers;
+  add_motion(numbers, "tcp_from_body", before.model.tcp_from_body, after.model.tcp_from_body,
+             before.calibration.tcp_from_body.covariance + after.calibration.tcp_from_body.covariance);
+  if (before.calibration.mount_from_sensor && after.calibration.mount_from_sensor)
+    add_motion(numbers, "mount_from_sensor", before.calibration.mount_from_sensor->motion,
+               after.calibration.mount_from_sensor->motion,
+               before.calibration.mount_from_sensor->covariance + after.calibration.mount_from_sensor->covariance);
+  const auto variances = [](const CalibratedRobot& r) -> Eigen::VectorXd {
+    return r.model.covariance.diagonal().tail(r.model.covariance.cols() - 6);
+  };
+  add_effects(numbers, before.chain.robot, before.model.effects, variances(before), after.model.effects,
+              variances(after));
+  return numbers;
+}
+
+}  // namespace
+
+Comparison compare(const CalibratedRobot& before, const Session& after) {
+  const Session session = as_calibrated(before, after);
+  const Chain chain = chain_of(session);
+  Comparison c;
+  judge(sides_of(before, session, chain), c);
+  measure_hand(chain, used_positions(session), before.model.effects, before.model.tcp_from_body, c);
+  return c;
+}
+
+Comparison compare(const CalibratedRobot& before, const CalibratedRobot& after) {
+  if (before.tcp != after.tcp || before.joint_names != after.joint_names)
+    throw InputError("The calibrations are of other links or joints; name two of one robot.");
+  Comparison c;
+  c.numbers = numbers_of(before, after);
+  constexpr int poses = 200;
+  double sum = 0, largest = 0;
+  for (const Eigen::VectorXd& q : poses_within_limits(before.chain, poses)) {
+    const auto body = [&](const CalibratedRobot& r) {
+      return predict_tcp(r.chain, q, r.model).root_from_body_est.translation;
+    };
+    const double way = (body(after) - body(before)).norm();
+    sum += way / poses;
+    largest = std::max(largest, way);
+  }
+  c.hand_mean_m = sum;
+  c.hand_max_m = largest;
+  double most = 0;
+  for (const NumberChange& n : c.numbers) {
+    if (std::abs(n.in_sigmas()) <= most) continue;
+    most = std::abs(n.in_sigmas());
+    c.sentence = fmt::format(
+        "Most of all {} has changed, by {:.1f} of its sigma; the marker body is {:.2f} mm from where it "
+        "was (mean over {} poses).",
+        n.name, most, 1e3 * sum, poses);
+  }
+  // Of many numbers the largest is beyond 3.5 sigma once in a hundred times by chance.
+  c.verdict = most > 4 ? ComparisonVerdict::changed : ComparisonVerdict::unchanged;
+  if (c.verdict == ComparisonVerdict::unchanged)
+    c.sentence = fmt::format(
+        "No number differs by more than {:.1f} of its sigma; the marker body is {:.2f} mm from where it "
+        "was (mean over {} poses).",
+        most, 1e3 * sum, poses);
+  c.notes.push_back("Two calibrations tell which numbers differ, not why; compare the sessions for what changed.");
+  return c;
+}
+
+}  // namespace handsight

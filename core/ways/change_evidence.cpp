@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/change_evidence.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "diagnosis/evidence.h"
+
+namespace handsight {
+namespace {
+
+constexpr int draws = 400;
+constexpr double chance = 0.005, tail_share = 0.1;
+constexpr double least_odds = 6;  // ln: the sizes of what the model lacks are only known so well
+
+/// Extrapolated from the tail, which falls off exponentially.
+double rare_value(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto tail = static_cast<std::size_t>(static_cast<double>(values.size()) * (1 - tail_share));
+  double excess = 0;
+  for (std::size_t i = tail; i < values.size(); ++i)
+    excess += (values[i] - values[tail]) / static_cast<double>(values.size() - tail);
+  return values[tail] + excess * std::log(tail_share / chance);
+}
+
+double best_of_groups(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient,
+                      const std::vector<ChangePlace>& places) {
+  std::map<std::string, std::vector<double>> factors;
+  for (const ChangePlace& p : places)
+    factors[p.group].push_back(
+        change_evidence(information.block(p.first, p.first, p.count, p.count), gradient.segment(p.first, p.count)));
+  double best = 0;
+  for (const auto& [group, all] : factors) best = std::max(best, ln_mean_exp(all));
+  return best;
+}
+
+}  // namespace
+
+double change_evidence(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient) {
+  std::vector<double> factors;
+  for (const double s : plausible_scales) {
+    Eigen::MatrixXd m = s * s * information;
+    m.diagonal().array() += 1;
+    const Eigen::LLT<Eigen::MatrixXd> llt(m);
+    factors.push_back(0.5 * s * s * gradient.dot(llt.solve(gradient)) - llt.matrixLLT().diagonal().array().log().sum());
+  }
+  return ln_mean_exp(factors);
+}
+
+double change_evidence_at(const Eigen::MatrixXd& information, const Eigen::VectorXd& values, double gained) {
+  std::vector<double> factors;
+  for (const double s : plausible_scales) {
+    Eigen::MatrixXd m = s * s * information;
+    m.diagonal().array() += 1;
+    factors.push_back(0.5 * (gained - values.squaredNorm() / (s * s)) -
+                      0.5 * m.ldlt().vectorD().cwiseMax(1e-300).array().log().sum());
+  }
+  return ln_mean_exp(factors);
+}
+
+double change_threshold(const Eigen::MatrixXd& information, const std::vector<ChangePlace>& places) {
+  const Eigen::MatrixXd symmetric = 0.5 * (information + information.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
+  const Eigen::MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+  std::mt19937_64 random(20261122);
+  std::normal_distribution<double> normal;
+  std::vector<double> largest;
+  for (int draw = 0; draw < draws; ++draw) {
+    Eigen::VectorXd z(root.cols());
+    for (double& x : z) x = normal(random);
+    largest.push_back(best_of_groups(information, root * z, places));
+  }
+  return std::max(least_odds, rare_value(std::move(largest)));
+}
+
+}  // namespace handsight

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/change_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+
+namespace handsight {
+namespace {
+
+constexpr double ln_20 = 2.995732273553991;
+constexpr double in_doubt = 0.05;  // probability of what is left below which the model is made wider
+constexpr double misses = 1e-3;    // ... below which it is said to miss
+
+const char* rest_text(const std::string& id) {
+  if (id == "camera_mount" || id == "stereo_rig" || id == "lens") return "arm and hand are as they were";
+  if (id == "body_slip" || id == "marker_slip") return "arm and cameras are as they were";
+  return "cameras and markers are as they were";
+}
+
+/// What the change's own size is: the first of a unit with the same name.
+ChangeUnit unit_of(const Change& c) { return {c.id, c.terms, c.where.empty() ? "" : c.where.front()}; }
+
+/// Against nothing having changed, what is rare counted as such.
+double ln_odds(const Change& c) { return c.ln_bayes_factor + ln_prior_odds(c.id); }
+
+/// The ranking by the narrowest model that leaves no more than noise, else by the widest.
+RankedChanges ranked(const ComparedSides& sides, Comparison& c) {
+  RankedChanges found = ranked_changes(sides, {});
+  c.model_fits = sides.known ? sides.scatter.isZero(0) : found.left.p > misses;
+  if (sides.known) return found;
+  for (const Width width : {Width::catalogue, Width::catalogue_and_curves}) {
+    if (found.left.p > in_doubt) break;
+    found = ranked_changes(widened(sides, width), {});
+  }
+  return found;
+}
+
+}  // namespace
+
+void judge(const ComparedSides& sides, Comparison& c) {
+  const RankedChanges first = ranked(sides, c);
+  c.changes = first.changes;
+  c.threshold = first.threshold;
+  const bool is_tracker = !sides.after.problem.rig.has_value();
+  if (c.changes.empty() || ln_odds(c.changes.front()) < c.threshold) {
+    c.verdict = ComparisonVerdict::unchanged;
+    c.sentence = "Nothing has changed that these poses show: cameras, hand and arm are as they were.";
+    return;
+  }
+  const Change& best = c.changes.front();
+  for (std::size_t i = 1; i < c.changes.size(); ++i)
+    if (c.changes[i].ln_bayes_factor > best.ln_bayes_factor - ln_20) c.cannot_be_told_from.push_back(c.changes[i].id);
+  const RankedChanges second = ranked_changes(first.sides, best.terms);
+  const bool several = !second.changes.empty() && ln_odds(second.changes.front()) >= c.threshold + ln_20;
+  c.verdict = several ? ComparisonVerdict::several : ComparisonVerdict::changed;
+  c.sentence = change_text(unit_of(best), best.terms, best.sigma, is_tracker);
+  if (several)
+    c.sentence += fmt::format("; and more than one thing has changed: {} too, or something that is not in the list.",
+                              second.changes.front().id);
+  else if (!c.cannot_be_told_from.empty())
+    c.sentence +=
+        fmt::format("; or it is {}, which these poses do not tell apart.", fmt::join(c.cannot_be_told_from, " or "));
+  else
+    c.sentence += fmt::format("; {}.", rest_text(best.id));
+}
+
+std::vector<Eigen::VectorXd> used_positions(const Session& s) {
+  std::vector<Eigen::VectorXd> all;
+  for (const Observation& o : s.observations)
+    if (is_used(o)) all.push_back(o.position);
+  return all;
+}
+
+void measure_hand(const Chain& chain, const std::vector<Eigen::VectorXd>& poses, const std::vector<EffectTerm>& effects,
+                  const Rigid& tcp_from_body, Comparison& c) {
+  if (poses.empty()) return;
+  std::vector<EffectTerm> changed = effects;
+  if (c.verdict != ComparisonVerdict::unchanged)
+    changed.insert(changed.end(), c.changes.front().terms.begin(), c.changes.front().terms.end());
+  double sum = 0, largest = 0;
+  for (const Eigen::VectorXd& pose : poses) {
+    const Circumstances here = circumstances_at(chain, pose);
+    const auto body = [&](const std::vector<EffectTerm>& terms) -> Vector3 {
+      const Sites sites = moved_sites(here, terms);
+      return (observed_ends(here, sites).ends.root_from_tcp * tcp_from_body * small_motion<double>(sites.body))
+          .translation;
+    };
+    const double way = (body(changed) - body(effects)).norm();
+    sum += way;
+    largest = std::max(largest, way);
+  }
+  c.hand_mean_m = sum / static_cast<double>(poses.size());
+  c.hand_max_m = largest;
+}
+
+}  // namespace handsight

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// From two sides to what has changed between them, in words. Internal to comparison.cpp.
+#pragma once
+
+#include "ways/change_fit.h"
+
+namespace handsight {
+
+/// Verdict, sentence and changes; wider than the model where both sides miss it.
+void judge(const ComparedSides& sides, Comparison& comparison);
+
+/// Where the used observations of a session stood.
+std::vector<Eigen::VectorXd> used_positions(const Session& session);
+
+/// How far the best change moves the body against the robot's root, over these poses.
+void measure_hand(const Chain& chain, const std::vector<Eigen::VectorXd>& poses, const std::vector<EffectTerm>& effects,
+                  const Rigid& tcp_from_body, Comparison& comparison);
+
+}  // namespace handsight

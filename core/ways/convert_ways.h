@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ways from what was brought to a session, by the sensor that measured. Internal to convert.
+#pragma once
+
+#include "session/new_session.h"
+#include "ways/convert.h"
+#include "ways/field_urdf.h"
+#include "ways/session_parts.h"
+
+namespace handsight {
+
+/// Is one of these words in the name, in capitals or not?
+bool says(const std::string& name, std::initializer_list<const char*> words);
+
+/// TCP and mount of the robot into the parts; InputError where the TCP is not named.
+void require_links(const FieldUrdf& robot, const ConvertOptions& options, SessionParts& parts,
+                   std::vector<std::string>& notes);
+
+/// The way of a flange alone: no robot is known, its pose is.
+Conversion from_flange(const PoseSeries& flange, const PoseSeries& target, bool eye_in_hand,
+                       const ConvertOptions& options, Conversion conversion);
+
+/// Which of two series is the flange's, which the target's: by their files' names.
+std::pair<PoseSeries, PoseSeries> flange_and_target(const std::vector<NamedPoses>& poses);
+
+/// Of a tracker; `speeds` (m/s) of what it saw, where they are known.
+Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const PointSeries& points,
+                       const std::vector<double>& speeds, const ConvertOptions& options, Conversion conversion);
+
+/// Folders of images of two cameras.
+Conversion from_images(const FieldUrdf& robot, const Brought& brought, const ConvertOptions& options,
+                       Conversion conversion);
+
+/// A bag of ROS 2, with images of two cameras or with the target's frames.
+Conversion from_bag(const std::optional<FieldUrdf>& robot, const Brought& brought, const ConvertOptions& options,
+                    Conversion conversion);
+
+/// The cameras' sizes and centres as the first of these images has them.
+void fit_to_first_image(StereoRig& rig, const std::vector<ImageFiles>& images, std::vector<std::string>& notes);
+
+}  // namespace handsight

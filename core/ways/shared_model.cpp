@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/shared_model.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <map>
+
+#include "diagnosis/candidates.h"
+
+namespace handsight {
+namespace {
+
+/// Of the model's own shared numbers these move what a change of the markers would, or come at one moment.
+bool may_be_shared(const Effect& effect) {
+  if (effect.scope == EffectScope::marker || effect.id == "body_slip" || effect.is_unnamed()) return false;
+  return std::none_of(effect.parameters.begin(), effect.parameters.end(),
+                      [](const EffectParameter& p) { return p.is_choice; });
+}
+
+/// Everything of the catalogue, and of the session's own, that is not in the model yet.
+std::vector<EffectTerm> lacking_effects(const Problem& model) {
+  std::vector<EffectTerm> terms;
+  const auto offer = [&](const Effect& effect, const std::shared_ptr<const Effect>& own) {
+    if (!may_be_shared(effect)) return;
+    for (const int place : effect_places(effect, model.source->chain))
+      if (std::none_of(model.terms.begin(), model.terms.end(),
+                       [&](const EffectTerm& t) { return t.id == effect.id && t.joint == place; }))
+        terms.push_back(term_of(effect, place, own));
+  };
+  for (const Effect* effect : catalogue_beside(model.source->own_effects)) offer(*effect, nullptr);
+  for (const std::shared_ptr<const Effect>& own : model.source->own_effects) offer(*own, own);
+  return terms;
+}
+
+Problem with_lacking(Problem problem, const std::vector<EffectTerm>& terms) {
+  problem.with_motions = true;  // the curves read how joints move the hand
+  return std::move(candidates_of(problem, terms).problem);
+}
+
+Eigen::Index effects_first(const ComparedSides& sides) {
+  const Problem& p = sides.after.problem;
+  return sides.known ? 6 + p.effect_column() - p.mount_column() : p.effect_column();
+}
+
+double scale_at(const Eigen::VectorXd& scales, Eigen::Index i) { return scales.size() > i ? scales[i] : 1.0; }
+
+/// Places in the shared columns that have one size in common.
+struct SizeGroup {
+  std::vector<Eigen::Index> columns;  // into the scales
+};
+
+std::vector<SizeGroup> effect_groups(const ComparedSides& sides) {
+  const Problem& p = sides.after.problem;
+  std::map<std::pair<std::string, std::size_t>, SizeGroup> groups;
+  for (Eigen::Index c = sides.told_effects; c < p.effect_count(); ++c) {
+    const EffectColumn& column = p.columns_of_effects[static_cast<std::size_t>(c)];
+    groups[{p.terms[column.term].id, column.parameter}].columns.push_back(c);
+  }
+  std::vector<SizeGroup> all;
+  for (auto& [name, group] : groups) all.push_back(std::move(group));
+  return all;
+}
+
+std::vector<SizeGroup> curve_groups(const std::vector<SharedCurve>& curves) {
+  std::vector<SizeGroup> all;
+  Eigen::Index column = 0;
+  for (const SharedCurve& c : curves) {
+    SizeGroup& group = all.emplace_back();
+    for (Eigen::Index i = 0; i < c.columns(); ++i) group.columns.push_back(column++);
+  }
+  return all;
+}
+
+/// `values` and `variances` in plausible sizes, of the same columns as the scales.
+void learn(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, const Eigen::VectorXd& variances,
+           Eigen::VectorXd& scales) {
+  for (const SizeGroup& group : groups) {
+    double squares = 1, settled = 1;  // as if one number of the plausible size had been seen
+    for (const Eigen::Index c : group.columns) {
+      squares += values[c] * values[c];
+      settled += std::clamp(1 - variances[c] / (scales[c] * scales[c]), 0.0, 1.0);
+    }
+    for (const Eigen::Index c : group.columns) scales[c] = std::clamp(std::sqrt(squares / settled), 0.03, 30.0);
+  }
+}
+
+/// Effects' numbers in units of their plausible sizes.
+Eigen::VectorXd in_sizes(const Problem& p, const Eigen::VectorXd& effects, Eigen::Index count) {
+  Eigen::VectorXd values(count);
+  for (Eigen::Index c = 0; c < count; ++c)
+    values[c] = effects[c] / p.columns_of_effects[static_cast<std::size_t>(c)].sigma;
+  return values;
+}
+
+}  // namespace
+
+ComparedSides widened(const ComparedSides& sides, Width width) {
+  ComparedSides wide = sides;
+  if (width == Width::told || !sides.before) return wide;
+  const std::vector<EffectTerm> terms = lacking_effects(sides.after.problem);
+  wide.told_effects = sides.after.problem.effect_count();
+  wide.before->problem = with_lacking(sides.before->problem, terms);
+  wide.after.problem = with_lacking(sides.after.problem, terms);
+  const Eigen::Index count = wide.after.problem.effect_count();
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
+  values.head(wide.told_effects) = sides.start.effects.head(wide.told_effects);
+  wide.start.effects = values;
+  wide.effect_scales = Eigen::VectorXd::Ones(count);
+  if (width == Width::catalogue_and_curves) wide.curves = shared_curves(sides.before->problem, sides.after.problem);
+  wide.curve_scales = Eigen::VectorXd::Ones(column_count(wide.curves));
+  return wide;
+}
+
+Eigen::Index shared_columns(const ComparedSides& sides) {
+  return effects_first(sides) + sides.after.problem.effect_count() + column_count(sides.curves);
+}
+
+SharedState start_of(const ComparedSides& sides) {
+  return {sides.start, Eigen::VectorXd::Zero(column_count(sides.curves)), Eigen::VectorXd::Zero(shared_columns(sides))};
+}
+
+SharedState moved_by(const ComparedSides& sides, const SharedState& from, const Eigen::VectorXd& step) {
+  const Problem& p = sides.after.problem;
+  SharedState to{from.unknowns, from.curves, from.moved + step};
+  Unknowns& next = to.unknowns;
+  Eigen::Index at = 0;
+  if (sides.known) {
+    const Rigid motion = small_motion<double>(Vector6(step.head<6>()));
+    for (Vector3& m : next.markers_in_tcp) m = motion * m;
+    at = 6;
+  } else {
+    for (Vector3& m : next.markers_in_tcp) {
+      m += step.segment<3>(at);
+      at += 3;
+    }
+  }
+  if (p.mount_is_estimated) {
+    next.mount_from_sensor = from.unknowns.mount_from_sensor * small_motion<double>(Vector6(step.segment<6>(at)));
+    at += 6;
+  }
+  for (Eigen::Index c = 0; c < p.effect_count(); ++c)
+    next.effects[c] += step[at + c] * p.columns_of_effects[static_cast<std::size_t>(c)].sigma;
+  to.curves += step.tail(to.curves.size());
+  return to;
+}
+
+void add_priors(const ComparedSides& sides, const SharedState& s, const Eigen::VectorXd& change, double change_scale,
+                ScatteredNormal& n) {
+  const auto add = [&](Eigen::Index column, double value, double scale) {
+    n.information(column, column) += 1 / (scale * scale);
+    n.gradient[column] -= value / (scale * scale);
+    n.squares += value * value / (scale * scale);
+  };
+  const Eigen::Index base = shared_columns(sides), effects = sides.after.problem.effect_count();
+  const Eigen::Index first = effects_first(sides);
+  if (!sides.known) {
+    const Eigen::VectorXd values = in_sizes(sides.after.problem, s.unknowns.effects, effects);
+    for (Eigen::Index c = 0; c < effects; ++c) add(first + c, values[c], scale_at(sides.effect_scales, c));
+    for (Eigen::Index c = 0; c < s.curves.size(); ++c)
+      add(first + effects + c, s.curves[c], scale_at(sides.curve_scales, c));
+  }
+  for (Eigen::Index c = 0; c < n.gradient.size() - base; ++c) add(base + c, change[c], change_scale);
+  if (sides.known) {
+    n.information.topLeftCorner(base, base) += *sides.known;
+    n.gradient.head(base) -= *sides.known * s.moved;
+    n.squares += s.moved.dot(*sides.known * s.moved);
+  }
+  for (Eigen::Index i = 0; i < n.gradient.size(); ++i) n.information(i, i) += 1e-12 * n.information(i, i) + 1e-12;
+}
+
+void learn_sizes(ComparedSides& sides, const SharedState& state, const ScatteredNormal& n) {
+  if (sides.told_effects < 0) return;
+  const Eigen::LDLT<Eigen::MatrixXd> solver(n.information);
+  const Eigen::VectorXd step = solver.solve(n.gradient);
+  const Eigen::VectorXd variances = solver.solve(Eigen::MatrixXd::Identity(step.size(), step.size())).diagonal().eval();
+  const Eigen::Index first = effects_first(sides), effects = sides.after.problem.effect_count();
+  const Eigen::VectorXd values =
+      in_sizes(sides.after.problem, state.unknowns.effects, effects) + step.segment(first, effects);
+  learn(effect_groups(sides), values, variances.segment(first, effects), sides.effect_scales);
+  const Eigen::Index curves = state.curves.size();
+  learn(curve_groups(sides.curves), state.curves + step.segment(first + effects, curves),
+        variances.segment(first + effects, curves), sides.curve_scales);
+}
+
+double settled_parameters(const ScatteredNormal& with_priors, const Eigen::MatrixXd& information) {
+  return with_priors.information.ldlt().solve(information).trace();
+}
+
+}  // namespace handsight

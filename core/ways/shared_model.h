@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model that both sides of a comparison share: its problem, what is known of it beforehand, and how plausible sizes
+// are learnt from what both sides measured. Internal to comparison.cpp.
+#pragma once
+
+#include <optional>
+
+#include "ways/change_rows.h"
+
+namespace handsight {
+
+struct ComparedSide {
+  Problem problem;
+  double weight = 1;         // of its rows: the noise's inverse
+  double noise_degrees = 0;  // of freedom that the noise was estimated from; 0: declared
+};
+
+struct ComparedSides {
+  std::optional<ComparedSide> before;  // absent: what is known of it is `known`
+  ComparedSide after;
+  Unknowns start;
+  /// Without a first side: the precision of the shared unknowns about `start`, by the columns xi of the markers
+  /// together (m, rad, TCP frame), mount where it is estimated, effects in units of their plausible size.
+  std::optional<Eigen::MatrixXd> known;
+  Matrix6 scatter = Matrix6::Zero();  // of the body in the sensor's frame; with a first side it is found
+  /// What the model may lack on both sides alike is fitted beside it.
+  Eigen::Index told_effects = -1;   // effect columns of the model itself; those after it are lacking. -1: all
+  std::vector<SharedCurve> curves;  // none: only effects are lacking
+  Eigen::VectorXd effect_scales, curve_scales;  // sizes by the plausible ones; empty: 1
+};
+
+/// How much wider than its own model a comparison is.
+enum class Width { told, catalogue, catalogue_and_curves };
+
+/// The same sides with everything of the catalogue in both that may be there, at 0, and smooth curves.
+ComparedSides widened(const ComparedSides& sides, Width width);
+
+Eigen::Index shared_columns(const ComparedSides& sides);
+
+/// At the start, nothing moved.
+SharedState start_of(const ComparedSides& sides);
+
+/// Where the shared unknowns go by a step of their columns.
+SharedState moved_by(const ComparedSides& sides, const SharedState& from, const Eigen::VectorXd& step);
+
+/// Adds what is known beforehand: the effects' and curves' plausible sizes, the changes' at `change_scale` times
+/// theirs, the body.
+void add_priors(const ComparedSides& sides, const SharedState& state, const Eigen::VectorXd& change,
+                double change_scale, ScatteredNormal& normal);
+
+/// Sizes of what is lacking, one for each effect's parameter over all its places and one for each curve, made as large
+/// as the data have them (MacKay 1992), drawn to the plausible ones. `normal`: with priors, changes included.
+void learn_sizes(ComparedSides& sides, const SharedState& state, const ScatteredNormal& normal);
+
+/// How many parameters the data settle, of all columns.
+double settled_parameters(const ScatteredNormal& with_priors, const Eigen::MatrixXd& information);
+
+}  // namespace handsight

@@ -1,0 +1,3571 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!-- SPDX-License-Identifier: Apache-2.0 -->
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>handsight</name>
+    <message>
+        <source> (%1 at the hand)</source>
+        <translation> (%1 an der Hand)</translation>
+    </message>
+    <message>
+        <source> (%1 → %2 %3)</source>
+        <translation> (%1 → %2 %3)</translation>
+    </message>
+    <message>
+        <source> (Markers from a second look with wider gates; not part of the fit.)</source>
+        <translation> (Marker vom zweiten Blick mit weiteren Grenzen; nicht in der Anpassung.)</translation>
+    </message>
+    <message>
+        <source> (line %1)</source>
+        <translation> (Zeile %1)</translation>
+    </message>
+    <message>
+        <source> (number %1)</source>
+        <translation> (Nummer %1)</translation>
+    </message>
+    <message>
+        <source> An error of one corner under %1 here could not be seen.</source>
+        <translation> Ein Fehler einer Ecke unter %1 wäre hier nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source> And %1 more.</source>
+        <translation> Und %1 weitere.</translation>
+    </message>
+    <message>
+        <source> Error %1 → %2</source>
+        <translation> Fehler %1 → %2</translation>
+    </message>
+    <message>
+        <source> The size that fits best is %1 %2.</source>
+        <translation> Am besten passt %1 %2.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source> at the hand (%1)</source>
+        <translation> an der Hand (%1)</translation>
+    </message>
+    <message>
+        <source> deg</source>
+        <translation> Grad</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of it comes from %2.</source>
+        <translation>%1 % davon kommen %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2: the size that the fit wants, against what is plausible (± %3).</source>
+        <translation>%1 %2: die Größe, die die Anpassung will, gegen das, was glaubhaft ist (± %3).</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+%2)</source>
+        <translation>%1 (Strg+%2)</translation>
+    </message>
+    <message>
+        <source>%1 - Handsight</source>
+        <translation>%1 - Handsight</translation>
+    </message>
+    <message>
+        <source>%1 across the line of sight</source>
+        <translation>%1 quer zur Sichtlinie</translation>
+    </message>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 gegen %2</translation>
+    </message>
+    <message>
+        <source>%1 against the %2: %3; at most %4 here.</source>
+        <translation>%1 gegen %2: %3; hier höchstens %4.</translation>
+    </message>
+    <message>
+        <source>%1 alone cannot show an error: label or play more.</source>
+        <translation>%1 allein kann keinen Fehler zeigen: markiere oder spiele mehr ab.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 bends across its axis by %2 %3 for each %4: %5 at most here, so %6.</source>
+        <translation>%1 biegt sich quer zur Achse um %2 %3 je %4: hier höchstens %5, also %6.</translation>
+    </message>
+    <message>
+        <source>%1 by hand</source>
+        <translation>%1 von Hand</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as an image (%2). Copy it again from where it came.</source>
+        <translation>%1 ist nicht als Bild zu lesen (%2). Kopiere es nochmals von dort, wo es herkam.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>%1 ist nicht zu schreiben: %2. Wähle einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 effects</source>
+        <translation>%1 Ursachen</translation>
+    </message>
+    <message>
+        <source>%1 excluded</source>
+        <translation>%1 ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>%1 from last</source>
+        <translation>%1 vom letzten</translation>
+    </message>
+    <message>
+        <source>%1 gives way by %2 %3 for each %4: %5 at most here, so %6.</source>
+        <translation>%1 gibt um %2 %3 je %4 nach: hier höchstens %5, also %6.</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 has %2 lines for %3 image pairs: it waits until they are as many. With a column "number" each pair finds its own line.</source>
+        <translation>%1 hat %2 Zeilen für %3 Bildpaare: es wartet, bis es gleich viele sind. Mit einer Spalte „number“ findet jedes Paar seine Zeile.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 x %3 px, the %4 camera says %5 x %6: images of another size are left out.</source>
+        <translation>%1 ist %2 x %3 px, die Kamera %4 sagt %5 x %6: Bilder anderer Größe bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 x %3, the camera says %4 x %5. Use the images that the camera was calibrated with.</source>
+        <translation>%1 ist %2 x %3, die Kamera sagt %4 x %5. Nimm die Bilder, mit denen die Kamera kalibriert ist.</translation>
+    </message>
+    <message>
+        <source>%1 is cut off after %2 bytes. Copy it again from where it came.</source>
+        <translation>%1 ist nach %2 Bytes abgeschnitten. Kopiere es nochmals von dort, wo es herkam.</translation>
+    </message>
+    <message>
+        <source>%1 is not there yet: the joint angles of the new images, a line for each pair.</source>
+        <translation>%1 ist noch nicht da: die Gelenkwinkel der neuen Bilder, eine Zeile je Paar.</translation>
+    </message>
+    <message>
+        <source>%1 is not there. Put it back, or leave the observation out.</source>
+        <translation>%1 ist nicht da. Lege es zurück oder lass die Beobachtung weg.</translation>
+    </message>
+    <message>
+        <source>%1 known to be wrong count neither way.</source>
+        <translation>%1 bekannt falsche zählen nicht.</translation>
+    </message>
+    <message>
+        <source>%1 left out of the fit: %2.</source>
+        <translation>%1 aus der Anpassung gelassen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 lie</source>
+        <translation>liegen %1</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 joints that move by themselves.</source>
+        <translation>%1 Glieder, %2 Gelenke, die sich von selbst bewegen.</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 more markers.</source>
+        <translation>Noch %1 Marker.</translation>
+    </message>
+    <message>
+        <source>%1 more poses would %2. Choose one to see it in 3D.</source>
+        <translation>%1 Stellungen mehr würden %2. Wähle eine, um sie in 3D zu sehen.</translation>
+    </message>
+    <message>
+        <source>%1 must end in .png, .svg or .csv.</source>
+        <translation>%1 muss auf .png, .svg oder .csv enden.</translation>
+    </message>
+    <message>
+        <source>%1 not used</source>
+        <translation>%1 nicht benutzt</translation>
+    </message>
+    <message>
+        <source>%1 numbers are wanted, one for each joint; there are %2.</source>
+        <translation>%1 Zahlen werden gebraucht, eine je Gelenk; es sind %2.</translation>
+    </message>
+    <message>
+        <source>%1 observations</source>
+        <translation>%1 Beobachtungen</translation>
+    </message>
+    <message>
+        <source>%1 odd</source>
+        <translation>%1 auffällig</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 beyond</source>
+        <translation>%1 von %2 dahinter</translation>
+    </message>
+    <message>
+        <source>%1 of %2 effects</source>
+        <translation>%1 von %2 Ursachen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 observations</source>
+        <translation>%1 von %2 Beobachtungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 observations, %3 taken, %4 rejected</source>
+        <translation>%1 von %2 Beobachtungen, %3 genommen, %4 verworfen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 observations. The cameras' mount is still unknown: %3 labelled, %4 left open, which agree on none yet.</source>
+        <translation>%1 von %2 Beobachtungen. Der Sitz der Kameras ist noch unbekannt: %3 markiert, %4 offen, die sich noch auf keinen einigen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2.</source>
+        <translation>%1 von %2.</translation>
+    </message>
+    <message>
+        <source>%1 or %2: on these poses they look the same.</source>
+        <translation>%1 oder %2: in diesen Stellungen sehen sie gleich aus.</translation>
+    </message>
+    <message>
+        <source>%1 per second</source>
+        <translation>%1 je Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 poses of %2 joints.</source>
+        <translation>%1 Stellungen von %2 Gelenken.</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 px, %2 m</source>
+        <translation>%1 px, %2 m</translation>
+    </message>
+    <message>
+        <source>%1 set aside</source>
+        <translation>%1 beiseite gelegt</translation>
+    </message>
+    <message>
+        <source>%1 sigma off</source>
+        <translation>%1 Sigma daneben</translation>
+    </message>
+    <message>
+        <source>%1 taken</source>
+        <translation>%1 genommen</translation>
+    </message>
+    <message>
+        <source>%1 taken, %2 rejected</source>
+        <translation>%1 genommen, %2 verworfen</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %4: %3 observations</source>
+        <translation>%1 bis %2 %4: %3 Beobachtungen</translation>
+    </message>
+    <message>
+        <source>%1 to play</source>
+        <translation>%1 abzuspielen</translation>
+    </message>
+    <message>
+        <source>%1 waits for its %2 image, with the number %3 in its name.</source>
+        <translation>%1 wartet auf sein Bild %2, mit der Nummer %3 im Namen.</translation>
+    </message>
+    <message>
+        <source>%1 waits for its joint angles in %2%3.</source>
+        <translation>%1 wartet auf seine Gelenkwinkel in %2%3.</translation>
+    </message>
+    <message>
+        <source>%1 wanted</source>
+        <translation>%1 gewünscht</translation>
+    </message>
+    <message>
+        <source>%1 was left out: its time, %2 s, is before that of the observation in front of it, %3 s. Mend the table and watch anew.</source>
+        <translation>%1 blieb weg: seine Zeit, %2 s, liegt vor der der Beobachtung davor, %3 s. Berichtige die Tabelle und beobachte neu.</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 mit %2</translation>
+    </message>
+    <message>
+        <source>%1 x the noise</source>
+        <translation>%1 x Rauschen</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm at the hand</source>
+        <translation>%1, %2 mm an der Hand</translation>
+    </message>
+    <message>
+        <source>%1, drawn %2 ×</source>
+        <translation>%1, gezeichnet %2 ×</translation>
+    </message>
+    <message>
+        <source>%1, the noise being %2</source>
+        <translation>%1, bei einem Rauschen von %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 in every pose, %3 mm at the hand at most.</source>
+        <translation>%1: %2 in jeder Stellung, höchstens %3 mm an der Hand.</translation>
+    </message>
+    <message>
+        <source>%1: %2 in every pose.</source>
+        <translation>%1: %2 in jeder Stellung.</translation>
+    </message>
+    <message>
+        <source>%1: held out %2, fitted %3</source>
+        <translation>%1: ungesehen %2, angepasst %3</translation>
+    </message>
+    <message>
+        <source>%1; another program had changed it meanwhile, and what it wrote is kept in %2.</source>
+        <translation>%1; ein anderes Programm hatte die Datei inzwischen geändert, sein Stand liegt in %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n action(s)</source>
+        <translation>
+            <numerusform>%n Aktion</numerusform>
+            <numerusform>%n Aktionen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cause(s)</source>
+        <translation>
+            <numerusform>%n Ursache</numerusform>
+            <numerusform>%n Ursachen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s)</source>
+        <translation>
+            <numerusform>%n Gelenk</numerusform>
+            <numerusform>%n Gelenke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s)</source>
+        <translation>
+            <numerusform>%n Marker</numerusform>
+            <numerusform>%n Marker</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n observation(s)</source>
+        <translation>
+            <numerusform>%n Beobachtung</numerusform>
+            <numerusform>%n Beobachtungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s)</source>
+        <translation>
+            <numerusform>%n Paar</numerusform>
+            <numerusform>%n Paare</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rejected observation(s)</source>
+        <translation>
+            <numerusform>%n verworfene Beobachtung</numerusform>
+            <numerusform>%n verworfene Beobachtungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wrong point(s)</source>
+        <translation>
+            <numerusform>%n falscher Punkt</numerusform>
+            <numerusform>%n falsche Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Close the session</source>
+        <translation>Sitzung s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Finden…</translation>
+    </message>
+    <message>
+        <source>&amp;Fit again</source>
+        <translation>Nochmals an&amp;passen</translation>
+    </message>
+    <message>
+        <source>&amp;Full</source>
+        <translation>&amp;Voll</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Language, from the next start on</source>
+        <translation>&amp;Sprache, ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Bewegung</translation>
+    </message>
+    <message>
+        <source>&amp;New session from images…</source>
+        <translation>&amp;Neue Sitzung aus Bildern…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a session…</source>
+        <translation>Sitzung &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Reduced: nothing moves on its way</source>
+        <translation>&amp;Wenig: nichts bewegt sich dorthin</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thema</translation>
+    </message>
+    <message>
+        <source>&amp;Undo everything</source>
+        <translation>Alles &amp;rückgängig</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>, %1 chosen</source>
+        <translation>, %1 gewählt</translation>
+    </message>
+    <message>
+        <source>, %1 image</source>
+        <translation>, Bild %1</translation>
+    </message>
+    <message>
+        <source>, %1 left</source>
+        <translation>, noch %1</translation>
+    </message>
+    <message>
+        <source>, across the line of sight</source>
+        <translation>, quer zur Sichtlinie</translation>
+    </message>
+    <message>
+        <source>, compressed beyond 3 σ</source>
+        <translation>, jenseits von 3 σ gestaucht</translation>
+    </message>
+    <message>
+        <source>, left</source>
+        <translation>, links</translation>
+    </message>
+    <message>
+        <source>, left image</source>
+        <translation>, linkes Bild</translation>
+    </message>
+    <message>
+        <source>, no image</source>
+        <translation>, kein Bild</translation>
+    </message>
+    <message>
+        <source>, noise </source>
+        <translation>, Rauschen </translation>
+    </message>
+    <message>
+        <source>, not added</source>
+        <translation>, nicht hinzugefügt</translation>
+    </message>
+    <message>
+        <source>, plausible within about ± %1</source>
+        <translation>, glaubhaft bis etwa ± %1</translation>
+    </message>
+    <message>
+        <source>, predicted %1 σ</source>
+        <translation>, vorhergesagt %1 σ</translation>
+    </message>
+    <message>
+        <source>, right</source>
+        <translation>, rechts</translation>
+    </message>
+    <message>
+        <source>, right image</source>
+        <translation>, rechtes Bild</translation>
+    </message>
+    <message>
+        <source>. %1 without it in both images</source>
+        <translation>. %1 ohne ihn in beiden Bildern</translation>
+    </message>
+    <message>
+        <source>0 … 9, Delete</source>
+        <translation>0 … 9, Entf</translation>
+    </message>
+    <message>
+        <source>0 … 9, Delete on a marker</source>
+        <translation>0 … 9, Entf auf einem Marker</translation>
+    </message>
+    <message>
+        <source>1 lies</source>
+        <translation>liegt 1</translation>
+    </message>
+    <message>
+        <source>10 times or more</source>
+        <translation>zehnfach oder mehr</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>: %1</source>
+        <translation>: %1</translation>
+    </message>
+    <message>
+        <source>: %1 %</source>
+        <translation>: %1 %</translation>
+    </message>
+    <message>
+        <source>; %1 not shown, without a residual or not used</source>
+        <translation>; %1 nicht gezeigt, ohne Rest oder nicht benutzt</translation>
+    </message>
+    <message>
+        <source>; 10,000 N m/rad where none is declared</source>
+        <translation>; 10 000 N m/rad, wo keine angegeben ist</translation>
+    </message>
+    <message>
+        <source>; TCP→Body moves %1 sigma</source>
+        <translation>; TCP→Body rückt um %1 Sigma</translation>
+    </message>
+    <message>
+        <source>; explains %1 %</source>
+        <translation>; erklärt %1 %</translation>
+    </message>
+    <message>
+        <source>; no more than chance</source>
+        <translation>; nicht mehr als Zufall</translation>
+    </message>
+    <message>
+        <source>; shows: %1</source>
+        <translation>; zeigt: %1</translation>
+    </message>
+    <message>
+        <source>; without a partner: %1</source>
+        <translation>; ohne Partner: %1</translation>
+    </message>
+    <message>
+        <source>A fit runs.</source>
+        <translation>Eine Anpassung läuft.</translation>
+    </message>
+    <message>
+        <source>A fit runs; the export follows it.</source>
+        <translation>Eine Anpassung läuft; der Export folgt ihr.</translation>
+    </message>
+    <message>
+        <source>A good answer need not be a name: where, following what, and how much.</source>
+        <translation>Eine gute Antwort muss kein Name sein: wo, wonach und wie viel.</translation>
+    </message>
+    <message>
+        <source>A guided arm that sags, and three bad poses with three different causes to find.</source>
+        <translation>Ein geführter Arm, der durchhängt, und drei schlechte Stellungen mit drei Ursachen.</translation>
+    </message>
+    <message>
+        <source>A hundred poses</source>
+        <translation>Hundert Stellungen</translation>
+    </message>
+    <message>
+        <source>A marker has no partner in the right image. Choose it, then click its corner there.</source>
+        <translation>Ein Marker hat rechts keinen Partner. Wähle ihn, dann klicke dort auf seine Ecke.</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be shown. %1</source>
+        <translation>Ein Netz ist nicht zu zeigen. %1</translation>
+    </message>
+    <message>
+        <source>A quarter of a pixel is left. Is that the cameras, or is there something to be found?</source>
+        <translation>Ein Viertelpixel bleibt. Sind das die Kameras, oder ist etwas zu finden?</translation>
+    </message>
+    <message>
+        <source>A sample session knows what was hidden in it: compare.</source>
+        <translation>Eine Beispielsitzung weiß, was in ihr versteckt war: vergleiche.</translation>
+    </message>
+    <message>
+        <source>A to B: %1 → %2 held out; TCP→Body moves %3 mm.</source>
+        <translation>A nach B: %1 → %2 ungesehen; TCP→Body rückt um %3 mm.</translation>
+    </message>
+    <message>
+        <source>A tracker measures in space, not in images.</source>
+        <translation>Ein Tracker misst im Raum, nicht in Bildern.</translation>
+    </message>
+    <message>
+        <source>A tracker session has no images.</source>
+        <translation>Eine Trackersitzung hat keine Bilder.</translation>
+    </message>
+    <message>
+        <source>A tracker session has no images; its markers are points already.</source>
+        <translation>Eine Trackersitzung hat keine Bilder; ihre Marker sind schon Punkte.</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a candidate, and its fit is drawn here as it runs.</source>
+        <translation>Füge einen Kandidaten hinzu, und seine Anpassung wird hier gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Add it: press the button on the card. The fit runs before your eyes.</source>
+        <translation>Füge sie hinzu: drücke den Knopf auf der Karte. Die Anpassung läuft vor deinen Augen.</translation>
+    </message>
+    <message>
+        <source>Add until it stops</source>
+        <translation>Hinzufügen, bis Schluss ist</translation>
+    </message>
+    <message>
+        <source>Adding %1</source>
+        <translation>%1 wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Adds it to the model and fits (Enter)</source>
+        <translation>Fügt es dem Modell hinzu und passt an (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Adds the first card, and the first of what is left, until nothing more helps</source>
+        <translation>Fügt die erste Karte hinzu, und die erste von denen, die bleiben, bis nichts mehr hilft</translation>
+    </message>
+    <message>
+        <source>Adds what the first card says</source>
+        <translation>Fügt hinzu, was die erste Karte sagt</translation>
+    </message>
+    <message>
+        <source>After: %1</source>
+        <translation>Nachher: %1</translation>
+    </message>
+    <message>
+        <source>Agrees with the model down to the noise. </source>
+        <translation>Stimmt mit dem Modell bis auf das Rauschen überein. </translation>
+    </message>
+    <message>
+        <source>All %1 markers are placed. Drag one, or remove it first.</source>
+        <translation>Alle %1 Marker sind gesetzt. Ziehe einen oder entferne ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>All effects</source>
+        <translation>Alle Ursachen</translation>
+    </message>
+    <message>
+        <source>All effects, with one verdict each</source>
+        <translation>Alle Ursachen, je ein Urteil</translation>
+    </message>
+    <message>
+        <source>An action, observation, joint, effect or key</source>
+        <translation>Eine Aktion, Beobachtung, Ursache, ein Gelenk oder eine Taste</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Und %1 weitere.</translation>
+    </message>
+    <message>
+        <source>Angle-axis</source>
+        <translation>Drehvektor</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>Arrows, Shift+arrows</source>
+        <translation>Pfeile, Umschalt+Pfeile</translation>
+    </message>
+    <message>
+        <source>As I clicked them</source>
+        <translation>Wie ich sie geklickt habe</translation>
+    </message>
+    <message>
+        <source>As a matrix, in m:</source>
+        <translation>Als Matrix, in m:</translation>
+    </message>
+    <message>
+        <source>As fast as it goes</source>
+        <translation>So schnell es geht</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Wie der &amp;Schreibtisch</translation>
+    </message>
+    <message>
+        <source>As the left camera sees it</source>
+        <translation>Wie die linke Kamera es sieht</translation>
+    </message>
+    <message>
+        <source>As the other observations number them</source>
+        <translation>Wie die anderen Beobachtungen sie nummerieren</translation>
+    </message>
+    <message>
+        <source>Back to the candidates</source>
+        <translation>Zurück zu den Kandidaten</translation>
+    </message>
+    <message>
+        <source>Back to the patterns</source>
+        <translation>Zurück zu den Mustern</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Sockel</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Vorher: %1</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Beste</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>By their sides these are markers %1 of the other observations: renumbered.</source>
+        <translation>Nach ihren Seiten sind dies die Marker %1 der anderen Beobachtungen: umnummeriert.</translation>
+    </message>
+    <message>
+        <source>CSV: a line for each image pair, rad</source>
+        <translation>CSV: eine Zeile je Bildpaar, rad</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Camera link</source>
+        <translation>Kameraglied</translation>
+    </message>
+    <message>
+        <source>Camera mount</source>
+        <translation>Sitz der Kameras</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Cameras %1 %, body %2 %, robot %3 %</source>
+        <translation>Kameras %1 %, Körper %2 %, Roboter %3 %</translation>
+    </message>
+    <message>
+        <source>Cameras %1 mm apart.</source>
+        <translation>Kameras %1 mm auseinander.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Candidates on the epipolar line</source>
+        <translation>Kandidaten auf der Epipolarlinie</translation>
+    </message>
+    <message>
+        <source>Cannot be seen on these poses</source>
+        <translation>In diesen Stellungen nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>Checked on the robot</source>
+        <translation>Am Roboter geprüft</translation>
+    </message>
+    <message>
+        <source>Chi-squared per degree of freedom</source>
+        <translation>Chi-Quadrat je Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>Choose an observation in the strip, a plot or the 3D view.</source>
+        <translation>Wähle eine Beobachtung im Streifen, in einem Diagramm oder in 3D.</translation>
+    </message>
+    <message>
+        <source>Choose an observation in the strip.</source>
+        <translation>Wähle eine Beobachtung im Streifen.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Click a marker's corner in the left image first.</source>
+        <translation>Klicke zuerst im linken Bild auf die Ecke eines Markers.</translation>
+    </message>
+    <message>
+        <source>Click a marker's corner in the left image.</source>
+        <translation>Klicke im linken Bild auf die Ecke eines Markers.</translation>
+    </message>
+    <message>
+        <source>Click near a marker's corner in the left image: it snaps, and its partner in the right image is found along the epipolar line. Drag a marker, nudge it with the arrows, press a digit to renumber it, Delete to remove it. Hold Alt to set it freely.</source>
+        <translation>Klicke im linken Bild nahe an die Ecke eines Markers: er rastet ein, und sein Partner im rechten Bild wird entlang der Epipolarlinie gefunden. Ziehe einen Marker, rücke ihn mit den Pfeilen, drücke eine Ziffer zum Umnummerieren, Entf zum Entfernen. Halte Alt, um frei zu setzen.</translation>
+    </message>
+    <message>
+        <source>Click, Alt+click</source>
+        <translation>Klick, Alt+Klick</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Comes with the fit of %1 observations.</source>
+        <translation>Kommt mit der Anpassung an %1 Beobachtungen.</translation>
+    </message>
+    <message>
+        <source>Comparing the three objectives</source>
+        <translation>Vergleich der drei Zielfunktionen</translation>
+    </message>
+    <message>
+        <source>Copied, in m and rad.</source>
+        <translation>Kopiert, in m und rad.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the numbers as CSV</source>
+        <translation>Zahlen als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Cost of the running fit</source>
+        <translation>Verlauf der laufenden Anpassung</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>Entscheidungen</translation>
+    </message>
+    <message>
+        <source>Decisions, errors of then</source>
+        <translation>Entscheidungen, Fehler von damals</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Delete, Insert</source>
+        <translation>Entf, Einfg</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Do again</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Do again: %1 (%2)</source>
+        <translation>Wiederholen: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Done again: %1%2</source>
+        <translation>Wiederholt: %1%2</translation>
+    </message>
+    <message>
+        <source>Done: %1 added, and nothing is missing any more.</source>
+        <translation>Fertig: %1 hinzugefügt, und nichts fehlt mehr.</translation>
+    </message>
+    <message>
+        <source>Down at the noise, but not all has a name</source>
+        <translation>Beim Rauschen, aber nicht alles hat einen Namen</translation>
+    </message>
+    <message>
+        <source>Drag the threshold: what lies beyond it can be excluded.</source>
+        <translation>Ziehe die Schwelle: was dahinter liegt, lässt sich ausschließen.</translation>
+    </message>
+    <message>
+        <source>Each dot is the residual of one corner, to the right and down in %1; the rings are one and three sigma of the noise. F fits the axes, L makes them linear.</source>
+        <translation>Jeder Punkt ist der Rest einer Ecke, nach rechts und unten in %1; die Ringe sind ein und drei Sigma des Rauschens. F passt die Achsen an, L macht sie linear.</translation>
+    </message>
+    <message>
+        <source>Effective masses</source>
+        <translation>Wirksame Massen</translation>
+    </message>
+    <message>
+        <source>Effects in the model</source>
+        <translation>Ursachen im Modell</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Error %1, noise %2</source>
+        <translation>Fehler %1, Rauschen %2</translation>
+    </message>
+    <message>
+        <source>Error after it</source>
+        <translation>Fehler danach</translation>
+    </message>
+    <message>
+        <source>Error fitted, rms</source>
+        <translation>Fehler angepasst, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Error held out, rms</source>
+        <translation>Fehler ungesehen, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Error now %1, noise %2, ratio %3</source>
+        <translation>Fehler jetzt %1, Rauschen %2, Verhältnis %3</translation>
+    </message>
+    <message>
+        <source>Error now, noise floor, ratio</source>
+        <translation>Fehler jetzt, Rauschboden, Verhältnis</translation>
+    </message>
+    <message>
+        <source>Error of each observation against the noise (hatched: what noise alone shows)</source>
+        <translation>Fehler jeder Beobachtung gegen das Rauschen (schraffiert: was Rauschen allein zeigt)</translation>
+    </message>
+    <message>
+        <source>Error of each version of the model</source>
+        <translation>Fehler jeder Fassung des Modells</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Estimate it again</source>
+        <translation>Wieder schätzen</translation>
+    </message>
+    <message>
+        <source>Every observation was used</source>
+        <translation>Jede Beobachtung wurde benutzt</translation>
+    </message>
+    <message>
+        <source>Every observation was used.</source>
+        <translation>Jede Beobachtung wurde benutzt.</translation>
+    </message>
+    <message>
+        <source>Everything is saved in %1</source>
+        <translation>Alles ist in %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Exclude</source>
+        <translation>Ausschließen</translation>
+    </message>
+    <message>
+        <source>Exclude the chosen observations</source>
+        <translation>Gewählte Beobachtungen ausschließen</translation>
+    </message>
+    <message>
+        <source>Exclude them</source>
+        <translation>Ausschließen</translation>
+    </message>
+    <message>
+        <source>Expected odds after them: %1.</source>
+        <translation>Erwartete Chancen danach: %1.</translation>
+    </message>
+    <message>
+        <source>Explain</source>
+        <translation>Erklären</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Export it</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>F, 1 … 6, 0</source>
+        <translation>F, 1 … 6, 0</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>Datei, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Find the missing effect: shows step by step what to look at and what to do</source>
+        <translation>Die fehlende Ursache finden: zeigt Schritt für Schritt, wohin zu sehen und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>Fit by</source>
+        <translation>Anpassen nach</translation>
+    </message>
+    <message>
+        <source>Fit now</source>
+        <translation>Jetzt anpassen</translation>
+    </message>
+    <message>
+        <source>Fit the image</source>
+        <translation>Bild einpassen</translation>
+    </message>
+    <message>
+        <source>Fitting %1</source>
+        <translation>Anpassung an %1</translation>
+    </message>
+    <message>
+        <source>Fitting without them</source>
+        <translation>Anpassung ohne sie</translation>
+    </message>
+    <message>
+        <source>Fold %1 away</source>
+        <translation>%1 wegklappen</translation>
+    </message>
+    <message>
+        <source>Fold the model away (M)</source>
+        <translation>Modell wegklappen (M)</translation>
+    </message>
+    <message>
+        <source>Fold the model panel</source>
+        <translation>Modell einklappen</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Fresh poses: none that the fit has not seen can test it.</source>
+        <translation>Frische Stellungen: keine ungesehene kann es prüfen.</translation>
+    </message>
+    <message>
+        <source>Fresh poses: of %1 that the fit has not seen, %2 within the 95 % ellipsoid of those it has.</source>
+        <translation>Frische Stellungen: von %1 ungesehenen %2 im 95-%-Ellipsoid der gesehenen.</translation>
+    </message>
+    <message>
+        <source>From the selected</source>
+        <translation>Von der gewählten</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Handsight</source>
+        <translation>Handsight</translation>
+    </message>
+    <message>
+        <source>Held: the fit leaves it where it is. Press to estimate it again</source>
+        <translation>Gehalten: die Anpassung lässt sie stehen. Drücken, um wieder zu schätzen</translation>
+    </message>
+    <message>
+        <source>Hidden 1: the used arm</source>
+        <translation>Versteckt 1: der gebrauchte Arm</translation>
+    </message>
+    <message>
+        <source>Hidden 2: the unknown corners</source>
+        <translation>Versteckt 2: die unbekannten Ecken</translation>
+    </message>
+    <message>
+        <source>Hidden 3: the hand that hangs</source>
+        <translation>Versteckt 3: die Hand, die hängt</translation>
+    </message>
+    <message>
+        <source>Hidden 4: after the weekend</source>
+        <translation>Versteckt 4: nach dem Wochenende</translation>
+    </message>
+    <message>
+        <source>Hidden 5: a long afternoon</source>
+        <translation>Versteckt 5: ein langer Nachmittag</translation>
+    </message>
+    <message>
+        <source>Hidden 6: not the first answer</source>
+        <translation>Versteckt 6: nicht die erste Antwort</translation>
+    </message>
+    <message>
+        <source>Hidden 7: reflections</source>
+        <translation>Versteckt 7: Spiegelungen</translation>
+    </message>
+    <message>
+        <source>Hidden 8: another supplier</source>
+        <translation>Versteckt 8: ein anderer Lieferant</translation>
+    </message>
+    <message>
+        <source>Hidden was</source>
+        <translation>Versteckt war</translation>
+    </message>
+    <message>
+        <source>Hidden was: %1.</source>
+        <translation>Versteckt war: %1.</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>Histogram of the residuals</source>
+        <translation>Histogramm der Residuen</translation>
+    </message>
+    <message>
+        <source>Hold %1</source>
+        <translation>%1 halten</translation>
+    </message>
+    <message>
+        <source>Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?</source>
+        <translation>N halten: Rauschen allein    B halten: vorher und nachher    Umschalt + Ziehen: was haben diese gemeinsam?</translation>
+    </message>
+    <message>
+        <source>Hold the body's shape at its average</source>
+        <translation>Form des Körpers auf ihrem Mittel halten</translation>
+    </message>
+    <message>
+        <source>Hold these numbers</source>
+        <translation>Zahlen halten</translation>
+    </message>
+    <message>
+        <source>Hold this number: the fit leaves it where it is, and it can be typed</source>
+        <translation>Diese Zahl halten: die Anpassung lässt sie stehen, und sie lässt sich tippen</translation>
+    </message>
+    <message>
+        <source>How far the hand was from where the model predicts it, and how far 95 of 100 poses like the fitted ones are.</source>
+        <translation>Wie weit die Hand von dort war, wo das Modell sie vorhersagt, und wie weit 95 von 100 Stellungen wie die angepassten es sind.</translation>
+    </message>
+    <message>
+        <source>How far the markers are from where they are predicted, in space, on observations that the fit has not seen; what noise alone would make of it; and how many times larger than the noise the error of a coordinate is. U changes the unit.</source>
+        <translation>Wie weit die Marker im Raum von ihrer Vorhersage liegen, auf ungesehenen Beobachtungen; was Rauschen allein daraus machte; und das Wievielfache des Rauschens der Fehler einer Koordinate ist. U wechselt die Einheit.</translation>
+    </message>
+    <message>
+        <source>How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for.</source>
+        <translation>Wie viel des Fehlers auf die Kameras (C), den Markerkörper (B) und den Roboter (R) zurückgehen kann.</translation>
+    </message>
+    <message>
+        <source>How much of this residual the cameras (C), the marker body (B) and the robot (R) can answer for.</source>
+        <translation>Wie viel dieses Rests auf die Kameras (C), den Markerkörper (B) und den Roboter (R) zurückgehen kann.</translation>
+    </message>
+    <message>
+        <source>How the error fell from step to step, fitted and held out; hatched: the noise</source>
+        <translation>Wie der Fehler Schritt um Schritt fiel, angepasst und ungesehen; schraffiert: das Rauschen</translation>
+    </message>
+    <message>
+        <source>I know where the left camera sits on its link</source>
+        <translation>Ich weiß, wo die linke Kamera auf ihrem Glied sitzt</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Images of the left camera…</source>
+        <translation>Bilder der linken Kamera…</translation>
+    </message>
+    <message>
+        <source>Images of the right camera…</source>
+        <translation>Bilder der rechten Kamera…</translation>
+    </message>
+    <message>
+        <source>In some postures it misses much more than in others. Where is it, and how large?</source>
+        <translation>In manchen Haltungen liegt er weit mehr daneben. Wo sitzt es, und wie groß ist es?</translation>
+    </message>
+    <message>
+        <source>In the model: %1</source>
+        <translation>Im Modell: %1</translation>
+    </message>
+    <message>
+        <source>Include</source>
+        <translation>Einschließen</translation>
+    </message>
+    <message>
+        <source>Include the chosen observations</source>
+        <translation>Gewählte Beobachtungen einschließen</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>It follows the %1 (%2).</source>
+        <translation>Es folgt: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>It follows the %1.</source>
+        <translation>Es folgt: %1.</translation>
+    </message>
+    <message>
+        <source>It has no place in this session.</source>
+        <translation>Hat in dieser Sitzung keinen Platz.</translation>
+    </message>
+    <message>
+        <source>It is estimated with the rest; the model panel shows its size.</source>
+        <translation>Wird mit dem Übrigen geschätzt; das Modell rechts zeigt die Größe.</translation>
+    </message>
+    <message>
+        <source>It would leave %1; odds against nothing missing %2.</source>
+        <translation>Es ließe %1; Chancen gegen „nichts fehlt“ %2.</translation>
+    </message>
+    <message>
+        <source>Its markers were not found, at a second look neither: %1</source>
+        <translation>Ihre Marker wurden nicht gefunden, auch beim zweiten Blick nicht: %1</translation>
+    </message>
+    <message>
+        <source>Its size is more than three times what is plausible. Probably another cause.</source>
+        <translation>Mehr als das Dreifache dessen, was glaubhaft ist. Wohl eine andere Ursache.</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Justin guided by hand. In the morning's test everything was right.</source>
+        <translation>Justin, von Hand geführt. Beim Test am Morgen stimmte alles.</translation>
+    </message>
+    <message>
+        <source>Justin's hand is three pixels from where it should be: what is missing? With a tour.</source>
+        <translation>Justins Hand ist drei Pixel von dort, wo sie sein sollte: was fehlt? Mit Rundgang.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>Label observation %1 next</source>
+        <translation>Als nächste Beobachtung %1 markieren</translation>
+    </message>
+    <message>
+        <source>Least distance of the triangulated markers, m (thesis 4.41)</source>
+        <translation>Kleinster Abstand der triangulierten Marker, m (Arbeit 4.41)</translation>
+    </message>
+    <message>
+        <source>Least error in the images, px (thesis 4.42): the one to use</source>
+        <translation>Kleinster Fehler in den Bildern, px (Arbeit 4.42): diese nehmen</translation>
+    </message>
+    <message>
+        <source>Least error of each observation's body pose (thesis 4.39)</source>
+        <translation>Kleinster Fehler der Körperlage jeder Beobachtung (Arbeit 4.39)</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Leaves the chosen observations out of the fit (Delete)</source>
+        <translation>Lässt die gewählten Beobachtungen aus der Anpassung (Entf)</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Left images</source>
+        <translation>Linke Bilder</translation>
+    </message>
+    <message>
+        <source>Left out, it is found from the observations.</source>
+        <translation>Ohne dies wird es aus den Beobachtungen gefunden.</translation>
+    </message>
+    <message>
+        <source>Line %1 of %2 is not the posture that the session has for %3. Name the images' numbers in a column "number".</source>
+        <translation>Zeile %1 von %2 ist nicht die Stellung, die die Sitzung für %3 hat. Nenne die Nummern der Bilder in einer Spalte „number“.</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Nochmals suchen</translation>
+    </message>
+    <message>
+        <source>Look there</source>
+        <translation>Dorthin sehen</translation>
+    </message>
+    <message>
+        <source>Looking again at %1</source>
+        <translation>Zweiter Blick auf %1</translation>
+    </message>
+    <message>
+        <source>Looking for corners</source>
+        <translation>Ecken werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for corners…</source>
+        <translation>Ecken werden gesucht…</translation>
+    </message>
+    <message>
+        <source>Looking for image pairs</source>
+        <translation>Bildpaare werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for poses that would %1 ...</source>
+        <translation>Suche nach Stellungen, die %1 ...</translation>
+    </message>
+    <message>
+        <source>Looking for what is missing</source>
+        <translation>Suche nach dem, was fehlt</translation>
+    </message>
+    <message>
+        <source>Looking where %1 would act</source>
+        <translation>Suche, wo %1 säße</translation>
+    </message>
+    <message>
+        <source>Looks from there (F, 1 to 6, 0)</source>
+        <translation>Sieht von dort hin (F, 1 bis 6, 0)</translation>
+    </message>
+    <message>
+        <source>Magnification of deviations</source>
+        <translation>Vergrößerung der Abweichungen</translation>
+    </message>
+    <message>
+        <source>Make the session</source>
+        <translation>Sitzung machen</translation>
+    </message>
+    <message>
+        <source>Marker %1 is on this corner already. Take another corner.</source>
+        <translation>Marker %1 sitzt schon auf dieser Ecke. Nimm eine andere.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Markers on the hand</source>
+        <translation>Marker an der Hand</translation>
+    </message>
+    <message>
+        <source>Mass: the force at the TCP, as a mass, that pulls it toward the measured marker. Before and after: how far the marker is off. Angle: between that and what the springs can do at all.</source>
+        <translation>Masse: die Kraft am TCP, als Masse, die ihn zum gemessenen Marker zieht. Vorher und nachher: wie weit der Marker daneben liegt. Winkel: zwischen dem und dem, was die Federn überhaupt können.</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Measured on the robot</source>
+        <translation>Am Roboter gemessen</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>More than three times what is plausible. Probably another cause.</source>
+        <translation>Mehr als das Dreifache dessen, was glaubhaft ist. Wohl eine andere Ursache.</translation>
+    </message>
+    <message>
+        <source>Most likely missing: %1.</source>
+        <translation>Am wahrscheinlichsten fehlt: %1.</translation>
+    </message>
+    <message>
+        <source>Move the pointer over the image.</source>
+        <translation>Führe den Zeiger über das Bild.</translation>
+    </message>
+    <message>
+        <source>N, B held down</source>
+        <translation>N, B gehalten</translation>
+    </message>
+    <message>
+        <source>New session from images</source>
+        <translation>Neue Sitzung aus Bildern</translation>
+    </message>
+    <message>
+        <source>New session from images…</source>
+        <translation>Neue Sitzung aus Bildern…</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Next observation</source>
+        <translation>Nächste Beobachtung</translation>
+    </message>
+    <message>
+        <source>Next unit of sizes</source>
+        <translation>Nächste Einheit der Größen</translation>
+    </message>
+    <message>
+        <source>Nine more views of the same residuals. Click one to see it large; Shift and drag to ask what some observations have in common.</source>
+        <translation>Weitere Ansichten desselben Rests. Ein Klick macht eine groß; Umschalt und Ziehen fragt, was Beobachtungen gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>Nine patterns of the residual</source>
+        <translation>Muster des Rests</translation>
+    </message>
+    <message>
+        <source>Nine views of the residual appear here once there is a fit.</source>
+        <translation>Ansichten des Rests erscheinen hier, sobald es eine Anpassung gibt.</translation>
+    </message>
+    <message>
+        <source>No corner within 12 px. Hold Alt to set it freely.</source>
+        <translation>Keine Ecke im Umkreis von 12 px. Halte Alt, um frei zu setzen.</translation>
+    </message>
+    <message>
+        <source>No decisions yet.</source>
+        <translation>Noch keine Entscheidungen.</translation>
+    </message>
+    <message>
+        <source>No diagnosis yet.</source>
+        <translation>Noch keine Diagnose.</translation>
+    </message>
+    <message>
+        <source>No effect is called "%1". What it does may still be in the catalogue: try another word.</source>
+        <translation>Keine Ursache heißt „%1“. Was sie tut, kann doch im Katalog sein: versuche ein anderes Wort.</translation>
+    </message>
+    <message>
+        <source>No fit yet.</source>
+        <translation>Noch keine Anpassung.</translation>
+    </message>
+    <message>
+        <source>No image.</source>
+        <translation>Kein Bild.</translation>
+    </message>
+    <message>
+        <source>No joint of this robot follows another.</source>
+        <translation>Kein Gelenk dieses Roboters folgt einem anderen.</translation>
+    </message>
+    <message>
+        <source>No marker is labelled in this observation.</source>
+        <translation>In dieser Beobachtung ist kein Marker gesetzt.</translation>
+    </message>
+    <message>
+        <source>No model yet.</source>
+        <translation>Noch kein Modell.</translation>
+    </message>
+    <message>
+        <source>No observation is like that.</source>
+        <translation>Keine Beobachtung ist so.</translation>
+    </message>
+    <message>
+        <source>No observation stands out of the noise.</source>
+        <translation>Keine Beobachtung ragt aus dem Rauschen.</translation>
+    </message>
+    <message>
+        <source>No observations yet.</source>
+        <translation>Noch keine Beobachtungen.</translation>
+    </message>
+    <message>
+        <source>No other observation has images.</source>
+        <translation>Keine andere Beobachtung hat Bilder.</translation>
+    </message>
+    <message>
+        <source>No plausible cause explains it: %1 would help, but at more than three times what is plausible.</source>
+        <translation>Keine glaubhafte Ursache erklärt es: %1 hülfe, aber mit mehr als dem Dreifachen dessen, was glaubhaft ist.</translation>
+    </message>
+    <message>
+        <source>No pose that the cameras could see would %1.</source>
+        <translation>Keine Stellung, die die Kameras sehen, würde %1.</translation>
+    </message>
+    <message>
+        <source>No residuals yet.</source>
+        <translation>Noch keine Reste.</translation>
+    </message>
+    <message>
+        <source>No robot yet.</source>
+        <translation>Noch kein Roboter.</translation>
+    </message>
+    <message>
+        <source>No version of the model yet.</source>
+        <translation>Noch keine Fassung des Modells.</translation>
+    </message>
+    <message>
+        <source>Noise alone on the same poses, draw %1</source>
+        <translation>Rauschen allein in denselben Stellungen, Ziehung %1</translation>
+    </message>
+    <message>
+        <source>Noise of one coordinate</source>
+        <translation>Rauschen einer Koordinate</translation>
+    </message>
+    <message>
+        <source>Not added: %1 has no place in this session.</source>
+        <translation>Nicht hinzugefügt: %1 hat in dieser Sitzung keinen Platz.</translation>
+    </message>
+    <message>
+        <source>Not added: it could not be written down; make room on the disk.</source>
+        <translation>Nicht hinzugefügt: es war nicht aufzuschreiben; schaffe Platz auf der Platte.</translation>
+    </message>
+    <message>
+        <source>Not added: with %1 the error on unseen observations would not fall below %2. It would fit noise.</source>
+        <translation>Nicht hinzugefügt: mit %1 fiele der Fehler auf ungesehenen Beobachtungen nicht unter %2. Es wäre dem Rauschen angepasst.</translation>
+    </message>
+    <message>
+        <source>Not found (yet).</source>
+        <translation>(Noch) nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Not in this session</source>
+        <translation>Nicht in dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>Not used</source>
+        <translation>Nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Not yet fitted.</source>
+        <translation>Noch nicht angepasst.</translation>
+    </message>
+    <message>
+        <source>Not yet saved in session.xml (Ctrl+S). Nothing is lost if you close.</source>
+        <translation>Noch nicht in session.xml gespeichert (Strg+S). Beim Schließen geht nichts verloren.</translation>
+    </message>
+    <message>
+        <source>Nothing in the residuals speaks for it beyond chance.</source>
+        <translation>Nichts im Rest spricht dafür, was nicht Zufall wäre.</translation>
+    </message>
+    <message>
+        <source>Nothing is called that.</source>
+        <translation>Nichts heißt so.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing</source>
+        <translation>Nichts fehlt</translation>
+    </message>
+    <message>
+        <source>Nothing lies beyond %1.</source>
+        <translation>Nichts liegt jenseits von %1.</translation>
+    </message>
+    <message>
+        <source>Nothing selected</source>
+        <translation>Nichts gewählt</translation>
+    </message>
+    <message>
+        <source>Nothing to add.</source>
+        <translation>Nichts hinzuzufügen.</translation>
+    </message>
+    <message>
+        <source>Nothing to export: %1</source>
+        <translation>Nichts zu exportieren: %1</translation>
+    </message>
+    <message>
+        <source>Nothing to export: TCP→Body has not been estimated.</source>
+        <translation>Nichts zu exportieren: TCP→Body ist nicht geschätzt.</translation>
+    </message>
+    <message>
+        <source>Nothing to label here.</source>
+        <translation>Hier ist nichts zu markieren.</translation>
+    </message>
+    <message>
+        <source>Nothing to plot yet.</source>
+        <translation>Noch nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>Nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>Nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>Nothing was done to the robot, they say, and still the error is six times what it was.</source>
+        <translation>Am Roboter wurde nichts getan, heißt es, und doch ist der Fehler sechsmal so groß.</translation>
+    </message>
+    <message>
+        <source>Nothing was hidden.</source>
+        <translation>Nichts war versteckt.</translation>
+    </message>
+    <message>
+        <source>Nothing with a name explains it</source>
+        <translation>Nichts mit Namen erklärt es</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Zielfunktion</translation>
+    </message>
+    <message>
+        <source>Observation</source>
+        <translation>Beobachtung</translation>
+    </message>
+    <message>
+        <source>Observation %1</source>
+        <translation>Beobachtung %1</translation>
+    </message>
+    <message>
+        <source>Observation %1 has no images to label.</source>
+        <translation>Beobachtung %1 hat keine Bilder zum Markieren.</translation>
+    </message>
+    <message>
+        <source>Observation %1, bent by the model: %2 mm, drawn × %3</source>
+        <translation>Beobachtung %1, vom Modell gebogen: %2 mm, gezeichnet × %3</translation>
+    </message>
+    <message>
+        <source>Observation %1: markers measured and predicted, residuals times %2</source>
+        <translation>Beobachtung %1: Marker gemessen und vorhergesagt, Reste mal %2</translation>
+    </message>
+    <message>
+        <source>Observation %1; the model bends nothing</source>
+        <translation>Beobachtung %1; das Modell biegt nichts</translation>
+    </message>
+    <message>
+        <source>Observation strip</source>
+        <translation>Streifen der Beobachtungen</translation>
+    </message>
+    <message>
+        <source>Observations</source>
+        <translation>Beobachtungen</translation>
+    </message>
+    <message>
+        <source>Odds against nothing missing %1.</source>
+        <translation>Chancen gegen „nichts fehlt“ %1.</translation>
+    </message>
+    <message>
+        <source>Odds against nothing missing: %1.</source>
+        <translation>Chancen gegen „nichts fehlt“: %1.</translation>
+    </message>
+    <message>
+        <source>On the line of marker %1</source>
+        <translation>Auf der Linie von Marker %1</translation>
+    </message>
+    <message>
+        <source>On these poses both do the same to the images.</source>
+        <translation>In diesen Stellungen machen beide dasselbe mit den Bildern.</translation>
+    </message>
+    <message>
+        <source>One image point in twenty is wrong. Can the robot's error still be named?</source>
+        <translation>Jeder zwanzigste Bildpunkt ist falsch. Lässt sich der Fehler des Roboters doch nennen?</translation>
+    </message>
+    <message>
+        <source>One marker</source>
+        <translation>Ein Marker</translation>
+    </message>
+    <message>
+        <source>One more marker.</source>
+        <translation>Noch ein Marker.</translation>
+    </message>
+    <message>
+        <source>One observation (.)</source>
+        <translation>Eine Beobachtung (.)</translation>
+    </message>
+    <message>
+        <source>One panel fills the centre</source>
+        <translation>Ein Feld füllt die Mitte</translation>
+    </message>
+    <message>
+        <source>Open a session</source>
+        <translation>Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Open a session, make one from your images, or try one of these.</source>
+        <translation>Öffne eine Sitzung, mache eine aus deinen Bildern, oder probiere eine von diesen.</translation>
+    </message>
+    <message>
+        <source>Open a session…</source>
+        <translation>Sitzung öffnen…</translation>
+    </message>
+    <message>
+        <source>Open, save, close</source>
+        <translation>Öffnen, speichern, schließen</translation>
+    </message>
+    <message>
+        <source>OpenCV (*.yml *.yaml *.xml *.json)</source>
+        <translation>OpenCV (*.yml *.yaml *.xml *.json)</translation>
+    </message>
+    <message>
+        <source>OpenCV's YAML or XML; several by ;</source>
+        <translation>YAML oder XML von OpenCV; mehrere mit ;</translation>
+    </message>
+    <message>
+        <source>Opened where you left it: %1 not yet saved in session.xml.</source>
+        <translation>Geöffnet, wo du aufgehört hast: %1 noch nicht in session.xml gespeichert.</translation>
+    </message>
+    <message>
+        <source>Opens it in Label; with its markers labelled the play goes on by itself</source>
+        <translation>Öffnet sie unter Markieren; sind ihre Marker gesetzt, geht es von selbst weiter</translation>
+    </message>
+    <message>
+        <source>Opens the observation in Label</source>
+        <translation>Öffnet die Beobachtung unter Markieren</translation>
+    </message>
+    <message>
+        <source>Order changed, sort again</source>
+        <translation>Reihenfolge anders, neu ordnen</translation>
+    </message>
+    <message>
+        <source>Order changed: sort again</source>
+        <translation>Reihenfolge anders: neu ordnen</translation>
+    </message>
+    <message>
+        <source>Over the image</source>
+        <translation>Über dem Bild</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Own pose</source>
+        <translation>Eigene Stellung</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Plan poses</source>
+        <translation>Stellungen planen</translation>
+    </message>
+    <message>
+        <source>Planning poses</source>
+        <translation>Stellungen werden geplant</translation>
+    </message>
+    <message>
+        <source>Plausible within about ± %1.</source>
+        <translation>Glaubhaft bis etwa ± %1.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play again</source>
+        <translation>Nochmals abspielen</translation>
+    </message>
+    <message>
+        <source>Play from the first observation again</source>
+        <translation>Wieder von der ersten Beobachtung an</translation>
+    </message>
+    <message>
+        <source>Play, and the six parameters converge here.</source>
+        <translation>Abspielen, und die sechs Parameter laufen hier zusammen.</translation>
+    </message>
+    <message>
+        <source>Play: each observation is taken, or rejected with its reason.</source>
+        <translation>Abspielen: jede Beobachtung wird genommen oder mit ihrem Grund verworfen.</translation>
+    </message>
+    <message>
+        <source>Playing</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Point at an effect, and here stands why. A double click opens its slider.</source>
+        <translation>Zeige auf eine Ursache, und hier steht warum. Ein Doppelklick öffnet ihren Regler.</translation>
+    </message>
+    <message>
+        <source>Pointer: </source>
+        <translation>Zeiger: </translation>
+    </message>
+    <message>
+        <source>Poses that would tell</source>
+        <translation>Stellungen, die es sagten</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Predicted %1, measured %2. %3</source>
+        <translation>Vorhergesagt %1, gemessen %2. %3</translation>
+    </message>
+    <message>
+        <source>Previous observation</source>
+        <translation>Vorige Beobachtung</translation>
+    </message>
+    <message>
+        <source>Pull toward</source>
+        <translation>Ziehen nach</translation>
+    </message>
+    <message>
+        <source>Put away</source>
+        <translation>Weglegen</translation>
+    </message>
+    <message>
+        <source>Quaternion</source>
+        <translation>Quaternion</translation>
+    </message>
+    <message>
+        <source>Recalling the play</source>
+        <translation>Das Abspielen wird zurückgerufen</translation>
+    </message>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Relabel</source>
+        <translation>Neu markieren</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove marker %1</source>
+        <translation>Marker %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Renumber to</source>
+        <translation>Umnummerieren zu</translation>
+    </message>
+    <message>
+        <source>Report HTML</source>
+        <translation>Bericht HTML</translation>
+    </message>
+    <message>
+        <source>Report PDF</source>
+        <translation>Bericht PDF</translation>
+    </message>
+    <message>
+        <source>Residuals of all corners, before and after</source>
+        <translation>Reste aller Ecken, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Residuals over the image, arrows magnified</source>
+        <translation>Reste über dem Bild, Pfeile vergrößert</translation>
+    </message>
+    <message>
+        <source>Reveal the truth</source>
+        <translation>Wahrheit aufdecken</translation>
+    </message>
+    <message>
+        <source>Rewind</source>
+        <translation>Zurück zum Anfang</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Right cause, another size.</source>
+        <translation>Richtige Ursache, andere Größe.</translation>
+    </message>
+    <message>
+        <source>Right hand, 12 March</source>
+        <translation>Rechte Hand, 12. März</translation>
+    </message>
+    <message>
+        <source>Right images</source>
+        <translation>Rechte Bilder</translation>
+    </message>
+    <message>
+        <source>Right only together with %1. Used alone, TCP→Body misses by %2 mm on these poses.</source>
+        <translation>Richtig nur zusammen mit %1. Allein benutzt liegt TCP→Body in diesen Stellungen um %2 mm daneben.</translation>
+    </message>
+    <message>
+        <source>Right only together with the camera mount that was estimated with it.</source>
+        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras.</translation>
+    </message>
+    <message>
+        <source>Right, along the line</source>
+        <translation>Rechts, entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Right.</source>
+        <translation>Richtig.</translation>
+    </message>
+    <message>
+        <source>Right: nothing was added.</source>
+        <translation>Richtig: nichts wurde hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Robot in 3D</source>
+        <translation>Roboter in 3D</translation>
+    </message>
+    <message>
+        <source>Sample sessions</source>
+        <translation>Beispielsitzungen</translation>
+    </message>
+    <message>
+        <source>Save XML</source>
+        <translation>XML speichern</translation>
+    </message>
+    <message>
+        <source>Save as %1 ...</source>
+        <translation>Als %1 speichern ...</translation>
+    </message>
+    <message>
+        <source>Save as a table</source>
+        <translation>Als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Save the plot</source>
+        <translation>Diagramm speichern</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Gespeichert in %1</translation>
+    </message>
+    <message>
+        <source>Saved, but the journal cannot be written: a kill would bring the actions back.</source>
+        <translation>Gespeichert, aber das Protokoll ist nicht zu schreiben: nach einem Absturz kämen die Aktionen wieder.</translation>
+    </message>
+    <message>
+        <source>See all</source>
+        <translation>Alles sehen</translation>
+    </message>
+    <message>
+        <source>See the TCP</source>
+        <translation>Den TCP sehen</translation>
+    </message>
+    <message>
+        <source>Selected:</source>
+        <translation>Gewählt:</translation>
+    </message>
+    <message>
+        <source>Selection one up</source>
+        <translation>Auswahl eins hinauf</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Session folder</source>
+        <translation>Sitzungsordner</translation>
+    </message>
+    <message>
+        <source>Sessions (*.xml)</source>
+        <translation>Sitzungen (*.xml)</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Show the curve</source>
+        <translation>Kurve zeigen</translation>
+    </message>
+    <message>
+        <source>Show the model (M)</source>
+        <translation>Modell zeigen (M)</translation>
+    </message>
+    <message>
+        <source>Shows the plot against it</source>
+        <translation>Zeigt das Diagramm dagegen</translation>
+    </message>
+    <message>
+        <source>Sigmas from how the observations differ: the model does not agree with them to the noise.</source>
+        <translation>Sigmas daraus, wie die Beobachtungen sich unterscheiden: das Modell stimmt nicht bis aufs Rauschen.</translation>
+    </message>
+    <message>
+        <source>Six poses, everything measured 1 cm nearer than it is: no images, labels only.</source>
+        <translation>Sechs Stellungen, alles 1 cm zu nah gemessen: keine Bilder, nur Marken.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size of the effect</source>
+        <translation>Größe der Ursache</translation>
+    </message>
+    <message>
+        <source>Sizes in mm at the hand</source>
+        <translation>Größen in mm an der Hand</translation>
+    </message>
+    <message>
+        <source>Sizes in mm at the hand: the markers' distances in space (U)</source>
+        <translation>Größen in mm an der Hand: Abstände der Marker im Raum (U)</translation>
+    </message>
+    <message>
+        <source>Sizes in px</source>
+        <translation>Größen in px</translation>
+    </message>
+    <message>
+        <source>Sizes in px, of one image coordinate (U)</source>
+        <translation>Größen in px, einer Bildkoordinate (U)</translation>
+    </message>
+    <message>
+        <source>Sizes in σ (sigma), residual over noise</source>
+        <translation>Größen in σ (Sigma), Rest durch Rauschen</translation>
+    </message>
+    <message>
+        <source>Sizes in σ, the noise of one coordinate: what the colours mean (U)</source>
+        <translation>Größen in σ, dem Rauschen einer Koordinate: was die Farben bedeuten (U)</translation>
+    </message>
+    <message>
+        <source>Something is left (%1), and what would explain it does not lower the error on observations that the fit has not seen: it was not added.</source>
+        <translation>Etwas bleibt (%1), und was es erklärte, senkt den Fehler auf ungesehenen Beobachtungen nicht: es wurde nicht hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Something moves</source>
+        <translation>Etwas geht</translation>
+    </message>
+    <message>
+        <source>Something real is left (%1 where the noise is %2), and nothing in the catalogue explains it. %3</source>
+        <translation>Etwas Wirkliches bleibt (%1, wo das Rauschen %2 ist), und nichts im Katalog erklärt es. %3</translation>
+    </message>
+    <message>
+        <source>Space, .</source>
+        <translation>Leertaste, .</translation>
+    </message>
+    <message>
+        <source>Springs of %1</source>
+        <translation>Federn von %1</translation>
+    </message>
+    <message>
+        <source>Staircase</source>
+        <translation>Treppe</translation>
+    </message>
+    <message>
+        <source>Start this sample &amp;anew</source>
+        <translation>Dieses Beispiel von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Stereo calibration</source>
+        <translation>Stereokalibrierung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Stopped before poses were found.</source>
+        <translation>Angehalten, bevor Stellungen gefunden waren.</translation>
+    </message>
+    <message>
+        <source>Stopped by itself: %1 added, and nothing plausible is left that would help. The first card says what is left.</source>
+        <translation>Von selbst angehalten: %1 hinzugefügt, und nichts Glaubhaftes ist übrig, das hülfe. Die erste Karte sagt, was bleibt.</translation>
+    </message>
+    <message>
+        <source>Stopped. Everything is as before.</source>
+        <translation>Angehalten. Alles ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Stops the job; everything stays as it was before</source>
+        <translation>Hält die Arbeit an; alles bleibt, wie es war</translation>
+    </message>
+    <message>
+        <source>TCP at %1, %2, %3 mm (± %4, %5, %6)</source>
+        <translation>TCP bei %1, %2, %3 mm (± %4, %5, %6)</translation>
+    </message>
+    <message>
+        <source>TCP link</source>
+        <translation>TCP-Glied</translation>
+    </message>
+    <message>
+        <source>TCP→Body</source>
+        <translation>TCP→Body</translation>
+    </message>
+    <message>
+        <source>TCP→Body, position</source>
+        <translation>TCP→Body, Ort</translation>
+    </message>
+    <message>
+        <source>TCP→Body, rotation</source>
+        <translation>TCP→Body, Drehung</translation>
+    </message>
+    <message>
+        <source>TCP→TCPest, position</source>
+        <translation>TCP→TCPest, Ort</translation>
+    </message>
+    <message>
+        <source>TCP→TCPest, rotation</source>
+        <translation>TCP→TCPest, Drehung</translation>
+    </message>
+    <message>
+        <source>Tab, Enter</source>
+        <translation>Tab, Eingabe</translation>
+    </message>
+    <message>
+        <source>Table of joint angles…</source>
+        <translation>Tabelle der Gelenkwinkel…</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt)</source>
+        <translation>Tabellen (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Take back to here</source>
+        <translation>Zurück bis hierher</translation>
+    </message>
+    <message>
+        <source>Takes new image pairs and joint angles in as they arrive, and goes on playing with them</source>
+        <translation>Nimmt neue Bildpaare und Gelenkwinkel auf, wie sie kommen, und spielt mit ihnen weiter</translation>
+    </message>
+    <message>
+        <source>Takes the chosen observations into the fit (Insert)</source>
+        <translation>Nimmt die gewählten Beobachtungen in die Anpassung (Einfg)</translation>
+    </message>
+    <message>
+        <source>That is no number. Write it like 1.3 or 1.3 ± 0.1.</source>
+        <translation>Das ist keine Zahl. Schreibe sie wie 1.3 oder 1.3 ± 0.1.</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.2, which this display does not offer.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht bietet.</translation>
+    </message>
+    <message>
+        <source>The angle of %1 moves</source>
+        <translation>Der Winkel von %1 geht</translation>
+    </message>
+    <message>
+        <source>The camera's place is three numbers in m and three in rad.</source>
+        <translation>Der Ort der Kamera sind drei Zahlen in m und drei in rad.</translation>
+    </message>
+    <message>
+        <source>The cameras: the two images do not agree with each other. </source>
+        <translation>Die Kameras: die zwei Bilder passen nicht zueinander. </translation>
+    </message>
+    <message>
+        <source>The cost of a fit is drawn here.</source>
+        <translation>Der Verlauf einer Anpassung wird hier gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The error is not known.</source>
+        <translation>Der Fehler ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The error is only twice the noise. Do not stop at the first answer.</source>
+        <translation>Der Fehler ist nur das Doppelte des Rauschens. Bleib nicht bei der ersten Antwort.</translation>
+    </message>
+    <message>
+        <source>The error of each version on observations that the fit has not seen, and on those that it has. A gap between the two is over-fitting. Ctrl and click marks two versions for a comparison.</source>
+        <translation>Der Fehler jeder Fassung auf ungesehenen Beobachtungen und auf gesehenen. Eine Lücke dazwischen ist Überanpassung. Strg und Klick merken zwei Fassungen zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>The error of every version of the model comes here.</source>
+        <translation>Der Fehler jeder Fassung des Modells kommt hierher.</translation>
+    </message>
+    <message>
+        <source>The error of one coordinate on observations that the fit has not seen, and the measurement's noise.</source>
+        <translation>Der Fehler einer Koordinate auf ungesehenen Beobachtungen, und das Rauschen der Messung.</translation>
+    </message>
+    <message>
+        <source>The error of one coordinate on observations that the fit has not seen, the noise of the measurement, and how many times larger the error is. U changes the unit.</source>
+        <translation>Der Fehler einer Koordinate auf ungesehenen Beobachtungen, das Rauschen der Messung, und das Wievielfache der Fehler ist. U wechselt die Einheit.</translation>
+    </message>
+    <message>
+        <source>The error that would be left on observations that the fit has not seen: %1. Today %2; the noise (hatched) is %3.</source>
+        <translation>Der Fehler, der auf ungesehenen Beobachtungen bliebe: %1. Heute %2; das Rauschen (schraffiert) ist %3.</translation>
+    </message>
+    <message>
+        <source>The errors are those of the moment of the decision</source>
+        <translation>Die Fehler sind die vom Augenblick der Entscheidung</translation>
+    </message>
+    <message>
+        <source>The errors are those of the present model</source>
+        <translation>Die Fehler sind die des jetzigen Modells</translation>
+    </message>
+    <message>
+        <source>The fit</source>
+        <translation>Die Anpassung</translation>
+    </message>
+    <message>
+        <source>The fit has not converged: more observations, or look at Inspect.</source>
+        <translation>Die Anpassung ist nicht zur Ruhe gekommen: mehr Beobachtungen, oder sieh unter Prüfen nach.</translation>
+    </message>
+    <message>
+        <source>The fit leaves the numbers where they are; then they can be typed</source>
+        <translation>Die Anpassung lässt die Zahlen stehen; dann lassen sie sich tippen</translation>
+    </message>
+    <message>
+        <source>The fit may move the numbers again, from where they are</source>
+        <translation>Die Anpassung darf die Zahlen wieder bewegen, von dort aus</translation>
+    </message>
+    <message>
+        <source>The fit starts …</source>
+        <translation>Die Anpassung beginnt …</translation>
+    </message>
+    <message>
+        <source>The hand</source>
+        <translation>Die Hand</translation>
+    </message>
+    <message>
+        <source>The job failed without saying why.</source>
+        <translation>Die Arbeit misslang, ohne zu sagen warum.</translation>
+    </message>
+    <message>
+        <source>The joints do not repeat better</source>
+        <translation>Die Gelenke wiederholen nicht besser</translation>
+    </message>
+    <message>
+        <source>The marker body</source>
+        <translation>Der Markerkörper</translation>
+    </message>
+    <message>
+        <source>The marker body: the markers are not where they sit on the hand. </source>
+        <translation>Der Markerkörper: die Marker sind nicht, wo sie an der Hand sitzen. </translation>
+    </message>
+    <message>
+        <source>The marker is placed. Drag it, or remove it first.</source>
+        <translation>Der Marker ist gesetzt. Ziehe ihn oder entferne ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>The mesh %1 is not in the robot's folder. The link is drawn without it.</source>
+        <translation>Das Netz %1 ist nicht im Ordner des Roboters. Das Glied wird ohne es gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The model agrees with the measurements down to the noise (%1), but not all of it has a name: %2.</source>
+        <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein (%1), aber nicht alles hat einen Namen: %2.</translation>
+    </message>
+    <message>
+        <source>The model agrees with the measurements down to the noise (%1).</source>
+        <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein (%1).</translation>
+    </message>
+    <message>
+        <source>The model is being fitted.</source>
+        <translation>Das Modell wird angepasst.</translation>
+    </message>
+    <message>
+        <source>The model misses by %1 where the noise is %2.</source>
+        <translation>Das Modell liegt um %1 daneben, wo das Rauschen %2 ist.</translation>
+    </message>
+    <message>
+        <source>The model misses by %1%2 where the noise is %3.</source>
+        <translation>Das Modell liegt um %1%2 daneben, wo das Rauschen %3 ist.</translation>
+    </message>
+    <message>
+        <source>The model misses by %1. Without three markers the noise is not known, so that the program cannot say whether that is much.</source>
+        <translation>Das Modell liegt um %1 daneben. Ohne drei Marker ist das Rauschen nicht bekannt, und das Programm kann nicht sagen, ob das viel ist.</translation>
+    </message>
+    <message>
+        <source>The noise is not known, so nothing can be said about this observation.</source>
+        <translation>Das Rauschen ist nicht bekannt, also ist über diese Beobachtung nichts zu sagen.</translation>
+    </message>
+    <message>
+        <source>The noise is not known, so nothing can be told in units of it.</source>
+        <translation>Das Rauschen ist nicht bekannt, also ist nichts in seiner Einheit zu sagen.</translation>
+    </message>
+    <message>
+        <source>The noise is unknown</source>
+        <translation>Das Rauschen ist unbekannt</translation>
+    </message>
+    <message>
+        <source>The planned pose</source>
+        <translation>Die geplante Stellung</translation>
+    </message>
+    <message>
+        <source>The plot's numbers are on the clipboard.</source>
+        <translation>Die Zahlen des Diagramms sind in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>The plot's picture is on the clipboard.</source>
+        <translation>Das Bild des Diagramms ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>The residual against what it may follow, strongest first</source>
+        <translation>Der Rest gegen das, dem er folgen kann, das Stärkste zuerst</translation>
+    </message>
+    <message>
+        <source>The residual follows the %1. </source>
+        <translation>Der Rest folgt: %1. </translation>
+    </message>
+    <message>
+        <source>The residual of every corner comes here.</source>
+        <translation>Der Rest jeder Ecke kommt hierher.</translation>
+    </message>
+    <message>
+        <source>The residual of every corner, at first and now, on the same axes; the rings are one and three sigma</source>
+        <translation>Der Rest jeder Ecke, zuerst und jetzt, auf denselben Achsen; die Ringe sind ein und drei Sigma</translation>
+    </message>
+    <message>
+        <source>The residual of every corner; the rings are one and three sigma</source>
+        <translation>Der Rest jeder Ecke; die Ringe sind ein und drei Sigma</translation>
+    </message>
+    <message>
+        <source>The residuals against what they may follow come here.</source>
+        <translation>Die Reste gegen das, dem sie folgen können, kommen hierher.</translation>
+    </message>
+    <message>
+        <source>The residuals of all corners, before and after. Hold B to blink between the two on the same axes.</source>
+        <translation>Die Reste aller Ecken, vorher und nachher. Halte B, um auf denselben Achsen zu wechseln.</translation>
+    </message>
+    <message>
+        <source>The robot in observation %1, with the deviation of every observation, times %2</source>
+        <translation>Der Roboter in Beobachtung %1, mit der Abweichung jeder Beobachtung, mal %2</translation>
+    </message>
+    <message>
+        <source>The robot: the hand is not where the joints say. </source>
+        <translation>Der Roboter: die Hand ist nicht, wo die Gelenke sagen. </translation>
+    </message>
+    <message>
+        <source>The same with the model as it is now</source>
+        <translation>Dasselbe mit dem Modell, wie es jetzt ist</translation>
+    </message>
+    <message>
+        <source>The search for what is missing was stopped before it was done.</source>
+        <translation>Die Suche nach dem, was fehlt, wurde vor dem Ende angehalten.</translation>
+    </message>
+    <message>
+        <source>The selection before</source>
+        <translation>Die Auswahl davor</translation>
+    </message>
+    <message>
+        <source>The sensor's mount</source>
+        <translation>Der Sitz des Sensors</translation>
+    </message>
+    <message>
+        <source>The session's own folder</source>
+        <translation>Der Ordner der Sitzung</translation>
+    </message>
+    <message>
+        <source>The sizes that were found stand in the model panel, with what is plausible.</source>
+        <translation>Die gefundenen Größen stehen im Modell rechts, mit dem, was glaubhaft ist.</translation>
+    </message>
+    <message>
+        <source>The step down is the error on unseen poses. When it reaches the hatched floor, only noise is left. Ctrl+Z takes the step back.</source>
+        <translation>Die Stufe hinab ist der Fehler in ungesehenen Stellungen. Am schraffierten Boden bleibt nur Rauschen. Strg+Z nimmt die Stufe zurück.</translation>
+    </message>
+    <message>
+        <source>The thesis's simulation</source>
+        <translation>Die Simulation der Arbeit</translation>
+    </message>
+    <message>
+        <source>The tracker: its points do not agree with each other. </source>
+        <translation>Der Tracker: seine Punkte passen nicht zueinander. </translation>
+    </message>
+    <message>
+        <source>The triangle appears here.</source>
+        <translation>Das Dreieck erscheint hier.</translation>
+    </message>
+    <message>
+        <source>The truth</source>
+        <translation>Die Wahrheit</translation>
+    </message>
+    <message>
+        <source>The uncertainties come from how the observations differ, because the model does not agree with them to the noise: they hold for poses like these.</source>
+        <translation>Die Unsicherheiten kommen daher, wie die Beobachtungen sich unterscheiden, denn das Modell stimmt nicht bis aufs Rauschen: sie gelten für Stellungen wie diese.</translation>
+    </message>
+    <message>
+        <source>There are %1 lines of joint angles for %2 images: each instant needs one of each, in the same order.</source>
+        <translation>Es sind %1 Zeilen Gelenkwinkel für %2 Bilder: jeder Augenblick braucht je eins, in derselben Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>There is a session already. Take another folder, or open it.</source>
+        <translation>Dort ist schon eine Sitzung. Nimm einen anderen Ordner, oder öffne sie.</translation>
+    </message>
+    <message>
+        <source>There is no marker %1: this session has markers 0 to %2.</source>
+        <translation>Einen Marker %1 gibt es nicht: diese Sitzung hat Marker 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>These poses could not show: %1.</source>
+        <translation>Diese Stellungen konnten nicht zeigen: %1.</translation>
+    </message>
+    <message>
+        <source>Thesis (4.19-4.23): the markers move as one body</source>
+        <translation>Arbeit (4.19-4.23): die Marker bewegen sich als ein Körper</translation>
+    </message>
+    <message>
+        <source>This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise is, and whose fault the difference is.</source>
+        <translation>Diese Zeile sagt alles: um wie viel das Modell in ungesehenen Stellungen danebenliegt, wie groß das Rauschen ist und an wem der Unterschied liegt.</translation>
+    </message>
+    <message>
+        <source>This sample session knows what was hidden in it</source>
+        <translation>Diese Beispielsitzung weiß, was in ihr versteckt war</translation>
+    </message>
+    <message>
+        <source>This session does not know its truth.</source>
+        <translation>Diese Sitzung kennt ihre Wahrheit nicht.</translation>
+    </message>
+    <message>
+        <source>This will do.</source>
+        <translation>Das genügt.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>To be right: %1</source>
+        <translation>Damit es stimmte: %1</translation>
+    </message>
+    <message>
+        <source>To the size that fits best (B, or a double click on the track)</source>
+        <translation>Auf die Größe, die am besten passt (B, oder Doppelklick auf die Leiste)</translation>
+    </message>
+    <message>
+        <source>Too few observations</source>
+        <translation>Zu wenige Beobachtungen</translation>
+    </message>
+    <message>
+        <source>Too few observations to tell.</source>
+        <translation>Zu wenige Beobachtungen, um es zu sagen.</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>True size</source>
+        <translation>Wahre Größe</translation>
+    </message>
+    <message>
+        <source>Try a card, or add it.</source>
+        <translation>Probiere eine Karte, oder füge sie hinzu.</translation>
+    </message>
+    <message>
+        <source>Trying every effect of the catalogue ...</source>
+        <translation>Jede Ursache des Katalogs wird probiert ...</translation>
+    </message>
+    <message>
+        <source>Twelve observations with images, nothing hidden: label three markers, play, export.</source>
+        <translation>Zwölf Beobachtungen mit Bildern, nichts versteckt: drei Marker setzen, abspielen, exportieren.</translation>
+    </message>
+    <message>
+        <source>URDF (*.urdf *.xml)</source>
+        <translation>URDF (*.urdf *.xml)</translation>
+    </message>
+    <message>
+        <source>URDF file</source>
+        <translation>URDF-Datei</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo: %1 (%2)</source>
+        <translation>Rückgängig: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Undoes every action after the version that is shown; Ctrl+Shift+Z does them again</source>
+        <translation>Macht jede Aktion nach der gezeigten Fassung rückgängig; Strg+Umschalt+Z wiederholt sie</translation>
+    </message>
+    <message>
+        <source>Undone: %1%2</source>
+        <translation>Rückgängig: %1%2</translation>
+    </message>
+    <message>
+        <source>Until the session is opened again</source>
+        <translation>Bis die Sitzung wieder geöffnet wird</translation>
+    </message>
+    <message>
+        <source>Use it</source>
+        <translation>Nehmen</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Benutzt</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Fassungen</translation>
+    </message>
+    <message>
+        <source>Versions of the model</source>
+        <translation>Fassungen des Modells</translation>
+    </message>
+    <message>
+        <source>Waiting for the next image pair in %1 and its joint angles in %2; %3 arrived.</source>
+        <translation>Wartet auf das nächste Bildpaar in %1 und seine Gelenkwinkel in %2; %3 angekommen.</translation>
+    </message>
+    <message>
+        <source>Waits for a fit of at least 8 observations; %1 so far.</source>
+        <translation>Wartet auf eine Anpassung von mindestens 8 Beobachtungen; bisher %1.</translation>
+    </message>
+    <message>
+        <source>Waits for a fit.</source>
+        <translation>Wartet auf eine Anpassung.</translation>
+    </message>
+    <message>
+        <source>Waits for a fit: label three markers, then play.</source>
+        <translation>Wartet auf eine Anpassung: markiere drei Marker, dann abspielen.</translation>
+    </message>
+    <message>
+        <source>Waits for a fit: play.</source>
+        <translation>Wartet auf eine Anpassung: abspielen.</translation>
+    </message>
+    <message>
+        <source>Waits for a fit; then it says where the TCP really is.</source>
+        <translation>Wartet auf eine Anpassung; dann steht hier, wo der TCP wirklich ist.</translation>
+    </message>
+    <message>
+        <source>Waits for the robot, which names the joints.</source>
+        <translation>Wartet auf den Roboter, der die Gelenke nennt.</translation>
+    </message>
+    <message>
+        <source>Waits for three markers: label the first observation (Ctrl+1).</source>
+        <translation>Wartet auf drei Marker: markiere die erste Beobachtung (Strg+1).</translation>
+    </message>
+    <message>
+        <source>Watch folder</source>
+        <translation>Ordner beobachten</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Was wäre</translation>
+    </message>
+    <message>
+        <source>What if: %1</source>
+        <translation>Was wäre: %1</translation>
+    </message>
+    <message>
+        <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better than %3 mrad. No effect can remove it.</source>
+        <translation>Was bleibt (%1, Rauschen %2), wechselt von Stellung zu Stellung ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad. Keine Ursache nimmt das weg.</translation>
+    </message>
+    <message>
+        <source>What is missing</source>
+        <translation>Was fehlt</translation>
+    </message>
+    <message>
+        <source>What is missing? The likeliest cause comes first. Rest the pointer on the card: purple, dashed, everywhere, is what the model would do with it.</source>
+        <translation>Was fehlt? Die wahrscheinlichste Ursache steht zuerst. Ruht der Zeiger auf der Karte, zeigt sich überall violett gestrichelt, was das Modell damit täte.</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>Was es sagt</translation>
+    </message>
+    <message>
+        <source>What the real robot shows, with what it may be off by: 1.3 ± 0.1</source>
+        <translation>Was der wirkliche Roboter zeigt, und wie weit es daneben sein kann: 1.3 ± 0.1</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Where does it fail? The residual of every observation against what it follows most. Noise would stay within the grey band; hold N to see how noise alone would look.</source>
+        <translation>Wo liegt es daneben? Der Rest jeder Beobachtung gegen das, dem er am meisten folgt. Rauschen bliebe im grauen Band; halte N, um Rauschen allein zu sehen.</translation>
+    </message>
+    <message>
+        <source>Where from…</source>
+        <translation>Woher…</translation>
+    </message>
+    <message>
+        <source>Where it failed</source>
+        <translation>Wo es danebenlag</translation>
+    </message>
+    <message>
+        <source>Where it fails</source>
+        <translation>Wo es danebenliegt</translation>
+    </message>
+    <message>
+        <source>Where it fails: the proof</source>
+        <translation>Wo es danebenliegt: der Beweis</translation>
+    </message>
+    <message>
+        <source>Where it sits</source>
+        <translation>Wo es sitzt</translation>
+    </message>
+    <message>
+        <source>Where the cameras sit on %1, estimated with the rest.</source>
+        <translation>Wo die Kameras auf %1 sitzen, mitgeschätzt.</translation>
+    </message>
+    <message>
+        <source>Where the first model failed: the residual against what it followed most</source>
+        <translation>Wo das erste Modell danebenlag: der Rest gegen das, dem er am meisten folgte</translation>
+    </message>
+    <message>
+        <source>Where the images and the joint angles arrive</source>
+        <translation>Wo die Bilder und die Gelenkwinkel ankommen</translation>
+    </message>
+    <message>
+        <source>Where the marker body sits on the hand. Sigma is that of the body's origin, and of the rotations about the TCP's axes.</source>
+        <translation>Wo der Markerkörper an der Hand sitzt. Sigma gilt für den Ursprung des Körpers und die Drehungen um die Achsen des TCP.</translation>
+    </message>
+    <message>
+        <source>Which number</source>
+        <translation>Welche Zahl</translation>
+    </message>
+    <message>
+        <source>Whose fault: not known yet</source>
+        <translation>An wem es liegt: noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Why not ...? All effects</source>
+        <translation>Warum nicht ...? Alle Ursachen</translation>
+    </message>
+    <message>
+        <source>Why not …?</source>
+        <translation>Warum nicht …?</translation>
+    </message>
+    <message>
+        <source>Why not …? Type a name</source>
+        <translation>Warum nicht …? Tippe einen Namen</translation>
+    </message>
+    <message>
+        <source>With this the error would be %1.</source>
+        <translation>Damit wäre der Fehler %1.</translation>
+    </message>
+    <message>
+        <source>Without three markers or repeated poses the noise is unknown, so the program cannot say when to stop. Nothing that it knows explains more than chance would.</source>
+        <translation>Ohne drei Marker oder wiederholte Stellungen ist das Rauschen unbekannt, und das Programm kann nicht sagen, wann Schluss ist. Nichts, was es kennt, erklärt mehr als der Zufall.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1, in rad and m.</source>
+        <translation>Geschrieben: %1, in rad und m.</translation>
+    </message>
+    <message>
+        <source>Wrong: the model has more than was hidden.</source>
+        <translation>Falsch: das Modell hat mehr, als versteckt war.</translation>
+    </message>
+    <message>
+        <source>XML as it will be written</source>
+        <translation>XML, wie es geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Zoom both together</source>
+        <translation>Beide zusammen vergrößern</translation>
+    </message>
+    <message>
+        <source>Zooms to the marker that is worst off</source>
+        <translation>Vergrößert den Marker, der am schlimmsten ist</translation>
+    </message>
+    <message>
+        <source>a curve without a name in %1</source>
+        <translation>eine Kurve ohne Namen in %1</translation>
+    </message>
+    <message>
+        <source>a curve without a name in %1, %2 rad</source>
+        <translation>eine Kurve ohne Namen in %1, %2 rad</translation>
+    </message>
+    <message>
+        <source>about %1 to one</source>
+        <translation>etwa %1 zu eins</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>added %1</source>
+        <translation>%1 hinzugefügt</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>after %1 (obs %2): %3 %4</source>
+        <translation>nach %1 (Beob. %2): %3 %4</translation>
+    </message>
+    <message>
+        <source>after mm</source>
+        <translation>nachher mm</translation>
+    </message>
+    <message>
+        <source>against %1</source>
+        <translation>gegen %1</translation>
+    </message>
+    <message>
+        <source>an effect is missing</source>
+        <translation>eine Ursache fehlt</translation>
+    </message>
+    <message>
+        <source>and others</source>
+        <translation>und andere</translation>
+    </message>
+    <message>
+        <source>angle deg</source>
+        <translation>Winkel Grad</translation>
+    </message>
+    <message>
+        <source>arrows %1 ×</source>
+        <translation>Pfeile %1 ×</translation>
+    </message>
+    <message>
+        <source>arrows 0.1 px, Shift 1, Alt free</source>
+        <translation>Pfeile 0.1 px, Umschalt 1, Alt frei</translation>
+    </message>
+    <message>
+        <source>arrows × %1</source>
+        <translation>Pfeile × %1</translation>
+    </message>
+    <message>
+        <source>as it is fitted</source>
+        <translation>während der Anpassung</translation>
+    </message>
+    <message>
+        <source>as opened</source>
+        <translation>wie geöffnet</translation>
+    </message>
+    <message>
+        <source>at the noise, not all named</source>
+        <translation>beim Rauschen, nicht alles benannt</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>before mm</source>
+        <translation>vorher mm</translation>
+    </message>
+    <message>
+        <source>best</source>
+        <translation>beste</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>cameras | body | robot</source>
+        <translation>Kameras | Körper | Roboter</translation>
+    </message>
+    <message>
+        <source>changed since</source>
+        <translation>seither geändert</translation>
+    </message>
+    <message>
+        <source>choose observations in a plot</source>
+        <translation>Beobachtungen im Diagramm wählen</translation>
+    </message>
+    <message>
+        <source>chose the partner of marker %1 of observation %2</source>
+        <translation>Partner von Marker %1 der Beobachtung %2 gewählt</translation>
+    </message>
+    <message>
+        <source>corner at %1: %2</source>
+        <translation>Ecke bei %1: %2</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>depth m</source>
+        <translation>Tiefe m</translation>
+    </message>
+    <message>
+        <source>deviations × %1</source>
+        <translation>Abweichungen × %1</translation>
+    </message>
+    <message>
+        <source>down at the noise</source>
+        <translation>beim Rauschen</translation>
+    </message>
+    <message>
+        <source>effect</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>error mm</source>
+        <translation>Fehler mm</translation>
+    </message>
+    <message>
+        <source>error now (%1)</source>
+        <translation>Fehler jetzt (%1)</translation>
+    </message>
+    <message>
+        <source>error now, held out</source>
+        <translation>Fehler jetzt, ungesehen</translation>
+    </message>
+    <message>
+        <source>error px</source>
+        <translation>Fehler px</translation>
+    </message>
+    <message>
+        <source>estimated %1 again</source>
+        <translation>%1 wieder geschätzt</translation>
+    </message>
+    <message>
+        <source>exchanged %1 for %2</source>
+        <translation>%1 gegen %2 getauscht</translation>
+    </message>
+    <message>
+        <source>exclude, include the chosen observations</source>
+        <translation>gewählte Beobachtungen ausschließen, einschließen</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>excluded %1</source>
+        <translation>%1 ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>exported</source>
+        <translation>exportiert</translation>
+    </message>
+    <message>
+        <source>find an action, observation, joint, effect or key</source>
+        <translation>Aktion, Beobachtung, Gelenk, Ursache oder Taste finden</translation>
+    </message>
+    <message>
+        <source>fit again what was stopped</source>
+        <translation>nochmals anpassen, was angehalten wurde</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>passt</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>angepasst</translation>
+    </message>
+    <message>
+        <source>fitted by the %1 objective</source>
+        <translation>angepasst nach der Zielfunktion %1</translation>
+    </message>
+    <message>
+        <source>fitting ...</source>
+        <translation>Anpassung ...</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>folder; may be the same</source>
+        <translation>Ordner; darf derselbe sein</translation>
+    </message>
+    <message>
+        <source>forgot what was measured for %1</source>
+        <translation>Messung für %1 vergessen</translation>
+    </message>
+    <message>
+        <source>ghost %1 ×</source>
+        <translation>Geist %1 ×</translation>
+    </message>
+    <message>
+        <source>half-turn</source>
+        <translation>halbe Drehung</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>gehalten</translation>
+    </message>
+    <message>
+        <source>held %1</source>
+        <translation>%1 festgehalten</translation>
+    </message>
+    <message>
+        <source>held %1 at %2 %3</source>
+        <translation>%1 bei %2 %3 festgehalten</translation>
+    </message>
+    <message>
+        <source>held out</source>
+        <translation>ungesehen</translation>
+    </message>
+    <message>
+        <source>held out px</source>
+        <translation>ungesehen px</translation>
+    </message>
+    <message>
+        <source>held the body's shape</source>
+        <translation>Form des Körpers gehalten</translation>
+    </message>
+    <message>
+        <source>hit: %1 of %2</source>
+        <translation>Treffer: %1 von %2</translation>
+    </message>
+    <message>
+        <source>in the model as a curve without a name</source>
+        <translation>als Kurve ohne Namen im Modell</translation>
+    </message>
+    <message>
+        <source>included %1</source>
+        <translation>%1 eingeschlossen</translation>
+    </message>
+    <message>
+        <source>iteration %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>iteration %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>joint angles in rad, in the session's order</source>
+        <translation>Gelenkwinkel in rad, in der Reihenfolge der Sitzung</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>known to be wrong: %1 of %2</source>
+        <translation>bekannt falsch: %1 von %2</translation>
+    </message>
+    <message>
+        <source>labelled observation %1</source>
+        <translation>Beobachtung %1 markiert</translation>
+    </message>
+    <message>
+        <source>labels came with it</source>
+        <translation>Marken waren dabei</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>let the body's shape free</source>
+        <translation>Form des Körpers freigegeben</translation>
+    </message>
+    <message>
+        <source>line px</source>
+        <translation>Linie px</translation>
+    </message>
+    <message>
+        <source>link %1</source>
+        <translation>Glied %1</translation>
+    </message>
+    <message>
+        <source>link %1, moved by %2</source>
+        <translation>Glied %1, bewegt von %2</translation>
+    </message>
+    <message>
+        <source>look at a card, add it</source>
+        <translation>eine Karte ansehen, hinzufügen</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>made marker %1 of observation %2 marker %3</source>
+        <translation>Marker %1 von Beobachtung %2 ist jetzt Marker %3</translation>
+    </message>
+    <message>
+        <source>made where it is not there</source>
+        <translation>wird angelegt, wo er nicht ist</translation>
+    </message>
+    <message>
+        <source>make the estimate surer</source>
+        <translation>die Schätzung sicherer machen</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>marker %1</source>
+        <translation>Marker %1</translation>
+    </message>
+    <message>
+        <source>marker %1 at %2</source>
+        <translation>Marker %1 bei %2</translation>
+    </message>
+    <message>
+        <source>marker %1, %2 from where it was predicted</source>
+        <translation>Marker %1, %2 von der Vorhersage entfernt</translation>
+    </message>
+    <message>
+        <source>marker on the nearest corner, exactly there</source>
+        <translation>Marker auf die nächste Ecke, genau dorthin</translation>
+    </message>
+    <message>
+        <source>mass kg</source>
+        <translation>Masse kg</translation>
+    </message>
+    <message>
+        <source>measured for %1</source>
+        <translation>gemessen für %1</translation>
+    </message>
+    <message>
+        <source>miss: %1 of %2</source>
+        <translation>daneben: %1 von %2</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>verfehlt</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>more than a million to one</source>
+        <translation>mehr als eine Million zu eins</translation>
+    </message>
+    <message>
+        <source>moved marker %1 of observation %2</source>
+        <translation>Marker %1 von Beobachtung %2 verschoben</translation>
+    </message>
+    <message>
+        <source>needs no play</source>
+        <translation>braucht kein Abspielen</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>noise %1</source>
+        <translation>Rauschen %1</translation>
+    </message>
+    <message>
+        <source>noise alone, before and after</source>
+        <translation>Rauschen allein, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>noise floor</source>
+        <translation>Rauschboden</translation>
+    </message>
+    <message>
+        <source>noise unknown</source>
+        <translation>Rauschen unbekannt</translation>
+    </message>
+    <message>
+        <source>not hidden</source>
+        <translation>nicht versteckt</translation>
+    </message>
+    <message>
+        <source>not in the model</source>
+        <translation>nicht im Modell</translation>
+    </message>
+    <message>
+        <source>not taken</source>
+        <translation>nicht genommen</translation>
+    </message>
+    <message>
+        <source>nothing is missing</source>
+        <translation>nichts fehlt</translation>
+    </message>
+    <message>
+        <source>nothing odd</source>
+        <translation>nichts auffällig</translation>
+    </message>
+    <message>
+        <source>nothing stands out of the noise</source>
+        <translation>nichts ragt aus dem Rauschen</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>nudge the chosen marker by 0.1 px, 1 px</source>
+        <translation>gewählten Marker um 0.1 px, 1 px rücken</translation>
+    </message>
+    <message>
+        <source>nudged marker %1 of observation %2</source>
+        <translation>Marker %1 von Beobachtung %2 gerückt</translation>
+    </message>
+    <message>
+        <source>obs</source>
+        <translation>Beob.</translation>
+    </message>
+    <message>
+        <source>obs %1</source>
+        <translation>Beob. %1</translation>
+    </message>
+    <message>
+        <source>obs %1, marker %2, %3: %4 %6 right, %5 %6 down</source>
+        <translation>Beob. %1, Marker %2, %3: %4 %6 nach rechts, %5 %6 nach unten</translation>
+    </message>
+    <message>
+        <source>obs %1, marker %2, %3: %4, %5 %6</source>
+        <translation>Beob. %1, Marker %2, %3: %4, %5 %6</translation>
+    </message>
+    <message>
+        <source>obs %1: %2 %3 %4, %5 %6 %7</source>
+        <translation>Beob. %1: %2 %3 %4, %5 %6 %7</translation>
+    </message>
+    <message>
+        <source>obs %1: %2 %3, %4 %5</source>
+        <translation>Beob. %1: %2 %3, %4 %5</translation>
+    </message>
+    <message>
+        <source>obs %1: %2 mm</source>
+        <translation>Beob. %1: %2 mm</translation>
+    </message>
+    <message>
+        <source>observation</source>
+        <translation>Beobachtung</translation>
+    </message>
+    <message>
+        <source>observation %1</source>
+        <translation>Beobachtung %1</translation>
+    </message>
+    <message>
+        <source>observation %1 arrived</source>
+        <translation>Beobachtung %1 ist da</translation>
+    </message>
+    <message>
+        <source>observation %1 arrived: %2</source>
+        <translation>Beobachtung %1 ist da: %2</translation>
+    </message>
+    <message>
+        <source>observation %1, marker %2%3, %4 off</source>
+        <translation>Beobachtung %1, Marker %2%3, %4 daneben</translation>
+    </message>
+    <message>
+        <source>observation id</source>
+        <translation>Nummer der Beobachtung</translation>
+    </message>
+    <message>
+        <source>observations</source>
+        <translation>Beobachtungen</translation>
+    </message>
+    <message>
+        <source>observations %1 to %2 arrived</source>
+        <translation>Beobachtungen %1 bis %2 sind da</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <translation>auffällig</translation>
+    </message>
+    <message>
+        <source>of the noise</source>
+        <translation>des Rauschens</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>daneben</translation>
+    </message>
+    <message>
+        <source>one panel fills the centre (double click on its title)</source>
+        <translation>ein Feld füllt die Mitte (Doppelklick auf seinen Titel)</translation>
+    </message>
+    <message>
+        <source>pitch deg</source>
+        <translation>Nicken Grad</translation>
+    </message>
+    <message>
+        <source>placed marker %1 of observation %2</source>
+        <translation>Marker %1 von Beobachtung %2 gesetzt</translation>
+    </message>
+    <message>
+        <source>play or pause, one observation</source>
+        <translation>abspielen oder anhalten, eine Beobachtung</translation>
+    </message>
+    <message>
+        <source>played to observation %1: %2 of %3 taken</source>
+        <translation>bis Beobachtung %1 abgespielt: %2 von %3 genommen</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>spielt</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>predicted with it</source>
+        <translation>vorhergesagt damit</translation>
+    </message>
+    <message>
+        <source>prediction, mm</source>
+        <translation>Vorhersage, mm</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>ready to play</source>
+        <translation>spielbereit</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>removed marker %1 of observation %2</source>
+        <translation>Marker %1 von Beobachtung %2 entfernt</translation>
+    </message>
+    <message>
+        <source>renumber, remove it</source>
+        <translation>umnummerieren, entfernen</translation>
+    </message>
+    <message>
+        <source>renumber, remove the chosen marker</source>
+        <translation>gewählten Marker umnummerieren, entfernen</translation>
+    </message>
+    <message>
+        <source>renumbered the markers of observation %1 by their sides</source>
+        <translation>Marker von Beobachtung %1 nach ihren Seiten umnummeriert</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>residual u (%1)</source>
+        <translation>Rest u (%1)</translation>
+    </message>
+    <message>
+        <source>residual v (%1)</source>
+        <translation>Rest v (%1)</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>right image</source>
+        <translation>rechtes Bild</translation>
+    </message>
+    <message>
+        <source>rim %1</source>
+        <translation>Rand %1</translation>
+    </message>
+    <message>
+        <source>rms (%1)</source>
+        <translation>Mittel (%1)</translation>
+    </message>
+    <message>
+        <source>rms / noise</source>
+        <translation>Mittel / Rauschen</translation>
+    </message>
+    <message>
+        <source>rms / noise (1 = %1 %2)</source>
+        <translation>Mittel / Rauschen (1 = %1 %2)</translation>
+    </message>
+    <message>
+        <source>rms of a coordinate</source>
+        <translation>Mittel einer Koordinate</translation>
+    </message>
+    <message>
+        <source>rms of a coordinate (px)</source>
+        <translation>Mittel einer Koordinate (px)</translation>
+    </message>
+    <message>
+        <source>rms of the markers' distances (mm)</source>
+        <translation>Mittel der Markerabstände (mm)</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>roll deg</source>
+        <translation>Rollen Grad</translation>
+    </message>
+    <message>
+        <source>roll pitch yaw, rad</source>
+        <translation>Rollen Nicken Gieren, rad</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>seen, and said to have no name</source>
+        <translation>gesehen, und als namenlos bezeichnet</translation>
+    </message>
+    <message>
+        <source>settled after %1 iterations</source>
+        <translation>nach %1 Schritten ruhig</translation>
+    </message>
+    <message>
+        <source>shift across, u</source>
+        <translation>Verschiebung quer, u</translation>
+    </message>
+    <message>
+        <source>shift across, w</source>
+        <translation>Verschiebung quer, w</translation>
+    </message>
+    <message>
+        <source>shifts along %1</source>
+        <translation>verschiebt sich entlang %1</translation>
+    </message>
+    <message>
+        <source>show everything, standard views, the cameras' view</source>
+        <translation>alles zeigen, feste Ansichten, Sicht der Kameras</translation>
+    </message>
+    <message>
+        <source>shows %1</source>
+        <translation>zeigt %1</translation>
+    </message>
+    <message>
+        <source>sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>sigma of %1 (%2)</source>
+        <translation>Sigma von %1 (%2)</translation>
+    </message>
+    <message>
+        <source>sizes in px, in mm at the hand, in σ (residual over noise)</source>
+        <translation>Größen in px, in mm an der Hand, in σ (Rest durch Rauschen)</translation>
+    </message>
+    <message>
+        <source>some that cannot be read</source>
+        <translation>einige, die nicht zu lesen sind</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>genommen</translation>
+    </message>
+    <message>
+        <source>tell %1 from %2</source>
+        <translation>%1 von %2 unterscheiden</translation>
+    </message>
+    <message>
+        <source>the %1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>the cameras</source>
+        <translation>von den Kameras</translation>
+    </message>
+    <message>
+        <source>the marker body</source>
+        <translation>vom Markerkörper</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>vom Roboter</translation>
+    </message>
+    <message>
+        <source>the tracker</source>
+        <translation>vom Tracker</translation>
+    </message>
+    <message>
+        <source>tilt about u</source>
+        <translation>Kippung um u</translation>
+    </message>
+    <message>
+        <source>tilt about w</source>
+        <translation>Kippung um w</translation>
+    </message>
+    <message>
+        <source>times the noise</source>
+        <translation>mal Rauschen</translation>
+    </message>
+    <message>
+        <source>took out %1</source>
+        <translation>%1 herausgenommen</translation>
+    </message>
+    <message>
+        <source>took out %1, no longer needed</source>
+        <translation>%1 herausgenommen, nicht mehr nötig</translation>
+    </message>
+    <message>
+        <source>tracker</source>
+        <translation>Tracker</translation>
+    </message>
+    <message>
+        <source>tracker | body | robot</source>
+        <translation>Tracker | Körper | Roboter</translation>
+    </message>
+    <message>
+        <source>turns about %1</source>
+        <translation>dreht sich um %1</translation>
+    </message>
+    <message>
+        <source>unexplained</source>
+        <translation>unerklärt</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>use the labels</source>
+        <translation>die Marken nehmen</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>benutzt</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>waits for a fit</source>
+        <translation>wartet auf eine Anpassung</translation>
+    </message>
+    <message>
+        <source>waits for labels</source>
+        <translation>wartet auf Marken</translation>
+    </message>
+    <message>
+        <source>waits for more observations</source>
+        <translation>wartet auf mehr Beobachtungen</translation>
+    </message>
+    <message>
+        <source>was not hidden</source>
+        <translation>war nicht versteckt</translation>
+    </message>
+    <message>
+        <source>whose fault: not known yet</source>
+        <translation>an wem es liegt: noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>why not used</source>
+        <translation>warum nicht benutzt</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+    <message>
+        <source>with %1: %2</source>
+        <translation>mit %1: %2</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>x y z TCP</source>
+        <translation>x y z TCP</translation>
+    </message>
+    <message>
+        <source>x y z TCP, x′ y′ z′ TCPest</source>
+        <translation>x y z TCP, x′ y′ z′ TCPest</translation>
+    </message>
+    <message>
+        <source>x y z, m</source>
+        <translation>x y z, m</translation>
+    </message>
+    <message>
+        <source>xyz + rpy</source>
+        <translation>xyz + rpy</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>yaw deg</source>
+        <translation>Gieren Grad</translation>
+    </message>
+    <message>
+        <source>z mm</source>
+        <translation>z mm</translation>
+    </message>
+    <message>
+        <source>±</source>
+        <translation>±</translation>
+    </message>
+</context>
+</TS>

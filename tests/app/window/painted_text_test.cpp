@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// No text is cut off by the widget that paints it, and no two lie over each other: in any state of the story, at four
+// sizes of the window.
+#include "app/window/painted_text.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QTabBar>
+
+#include "app/window/pages.h"
+#include "temporary_folder.h"
+#include "widgets/robot_view.h"
+
+namespace handsight::test {
+namespace {
+
+std::string told(const PaintedText& t) {
+  std::string name;
+  for (const QWidget* w = t.widget; w && name.empty(); w = w->parentWidget()) name = w->objectName().toStdString();
+  return std::string(t.widget->metaObject()->className()) + " in " + name + ": \"" + t.text.toStdString() + "\"";
+}
+
+/// What may be scrolled or shortens its own texts.
+bool is_left_out(const QWidget& w) {
+  if (qobject_cast<const QHeaderView*>(w.parentWidget()) || qobject_cast<const QAbstractItemView*>(w.parentWidget()))
+    return true;
+  if (qobject_cast<const QPlainTextEdit*>(w.parentWidget())) return true;
+  return qobject_cast<const QLineEdit*>(&w) || qobject_cast<const QComboBox*>(&w) || qobject_cast<const QTabBar*>(&w) ||
+         qobject_cast<const widgets::RobotView*>(&w);
+}
+
+/// What cannot be scrolled sideways is no wider than what is seen of it.
+void expect_nothing_beside(QWidget& window, const std::string& state) {
+  for (const QScrollArea* area : window.findChildren<QScrollArea*>()) {
+    if (!area->isVisible() || !area->widget() || area->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) continue;
+    EXPECT_LE(area->widget()->width(), area->viewport()->width())
+        << state << ": " << area->parentWidget()->objectName().toStdString();
+  }
+}
+
+void expect_readable(QWidget& window, const std::string& state) {
+  expect_nothing_beside(window, state);
+  for (QWidget* w : window.findChildren<QWidget*>()) {
+    if (!w->isVisible() || is_left_out(*w) || w->width() < 8 || w->height() < 8) continue;
+    const std::vector<PaintedText> texts = texts_of(*w);
+    constexpr double slack = 2;  // px
+    const QRectF room = QRectF(w->rect()).adjusted(-slack, -slack, slack, slack);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      EXPECT_TRUE(room.contains(texts[i].place)) << state << ": cut off: " << told(texts[i]);
+      for (std::size_t j = 0; j < i; ++j) {
+        if (texts[i].text == texts[j].text) continue;  // a rim is the same text again
+        const QRectF both = texts[i].place.adjusted(1, 1, -1, -1).intersected(texts[j].place.adjusted(1, 1, -1, -1));
+        EXPECT_TRUE(both.isEmpty()) << state << ": over each other: " << told(texts[i]) << " and \""
+                                    << texts[j].text.toStdString() << "\"";
+      }
+    }
+  }
+}
+
+class PaintedTexts : public testing::TestWithParam<QSize> {};
+
+TEST_P(PaintedTexts, AreWholeAndApartInTheStory) {
+  const TemporaryFolder folder;
+  Desk desk;
+  desk.window.resize(GetParam());
+  QTest::qWait(50);
+  ASSERT_EQ(desk.window.size(), GetParam());
+  const auto look = [&](const char* state) {
+    desk.settle();
+    QTest::qWait(30);
+    expect_readable(desk.window, state);
+  };
+  look("start");
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of_sample(folder.path, "first_steps").string())));
+  look("label");
+  const auto go = [&](int n) { desk.key(Qt::Key_0 + n, Qt::ControlModifier); };
+  go(2);
+  look("calibrate, nothing played");
+  go(5);
+  look("export, nothing to export");
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of_sample(folder.path, "hidden_3").string())));
+  ExplainPage explain{desk};
+  ASSERT_TRUE(explain.open());
+  look("explain");
+  explain.look_at(0);
+  ASSERT_TRUE(desk.wait([&] { return desk.window.bench().predicted_error().has_value(); }));
+  look("explain, a card is looked at");
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  QTest::qWait(800);
+  look("explain, added");
+  go(3);
+  look("inspect");
+  go(2);
+  look("calibrate");
+  go(5);
+  look("export");
+  desk.key(Qt::Key_Question);
+  look("keys");
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PaintedTexts,
+                         testing::Values(QSize(1366, 768), QSize(1440, 900), QSize(1920, 1080), QSize(2560, 1440)),
+                         [](const auto& one) {
+                           return std::to_string(one.param.width()) + "x" + std::to_string(one.param.height());
+                         });
+
+}  // namespace
+}  // namespace handsight::test

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ways/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/random_robot.h"
+#include "simulation/simulated_session.h"
+#include "ways/change_evidence.h"
+
+namespace handsight {
+namespace {
+
+/// Two sessions of one robot that has these effects in both, and the change in the second.
+std::pair<Session, Session> two_sessions(std::uint64_t seed, const std::vector<std::string>& hidden,
+                                         const std::vector<std::string>& change) {
+  const Session like = fixture::seen_random_session(seed);
+  SimulationOptions o;
+  o.observations = 120;
+  o.seed = seed;
+  o.noise = 0.2;
+  o.farthest = 3;
+  o.declare_noise = false;
+  for (const std::string& text : hidden) add_effect_value(text, like.robot, o.effects);
+  std::pair<Session, Session> pair{simulate_session(like, o).session, {}};
+  for (const std::string& text : change) add_effect_value(text, like.robot, o.effects);
+  pair.second = simulate_session(like, o).session;
+  pair.first.observations.resize(60);
+  pair.second.observations.erase(pair.second.observations.begin(), pair.second.observations.begin() + 60);
+  return pair;
+}
+
+std::string moving_joint(std::uint64_t seed, std::size_t number) {
+  return fixture::seen_random_session(seed).joints.at(number);
+}
+
+/// What the model lacks on both sides alike: a spring and an eccentric encoder.
+std::vector<std::string> lacking(std::uint64_t seed) {
+  return {"joint_elasticity:" + moving_joint(seed, 1) + ".compliance=1.5e-4",
+          "encoder_eccentricity:" + moving_joint(seed, 2) + ".sine=3e-3",
+          "encoder_eccentricity:" + moving_joint(seed, 3) + ".cosine=2e-3"};
+}
+
+TEST(Comparison, WhatTheModelLacksInBothIsNotToldAsAChange) {
+  for (const std::uint64_t seed : {31u, 32u, 33u}) {
+    const auto [before, after] = two_sessions(seed, lacking(seed), {});
+    const Comparison c = compare(before, after);
+    EXPECT_EQ(c.verdict, ComparisonVerdict::unchanged) << seed << ": " << c.sentence;
+    EXPECT_FALSE(c.model_fits);
+  }
+}
+
+TEST(Comparison, AChangeIsNamedBesideWhatTheModelLacks) {
+  for (const std::uint64_t seed : {31u, 32u}) {
+    const auto [before, after] = two_sessions(seed, lacking(seed), {"camera_mount:rx=0.004", "camera_mount:y=0.002"});
+    const Comparison c = compare(before, after);
+    EXPECT_EQ(c.verdict, ComparisonVerdict::changed) << seed << ": " << c.sentence;
+    ASSERT_FALSE(c.changes.empty());
+    EXPECT_EQ(c.changes.front().id, "camera_mount");
+    ASSERT_EQ(c.changes.front().sigma.size(), 6);
+    const std::vector<double>& values = c.changes.front().terms.front().values;
+    // Four sigma: the shared errors are a model of what is lacking, not the truth.
+    EXPECT_NEAR(values[3], 0.004, 4 * c.changes.front().sigma[3]);
+    EXPECT_NEAR(values[1], 0.002, 4 * c.changes.front().sigma[1]);
+  }
+}
+
+TEST(Comparison, ARightModelIsNotMadeWider) {
+  const auto [before, after] = two_sessions(35, {}, {});
+  const Comparison c = compare(before, after);
+  EXPECT_EQ(c.verdict, ComparisonVerdict::unchanged) << c.sentence;
+  EXPECT_TRUE(c.model_fits);
+}
+
+TEST(ChangeEvidence, IsThatOfAKnownNormal) {
+  // One number with information 100 and score 50: ln BF = mean over scales s of exp(b^2 s^2 / (2 (1 + s^2 A))) / sqrt(1
+  // + s^2 A).
+  double sum = 0;
+  for (const double s : {0.1, 0.3, 1.0, 3.0})
+    sum += std::exp(0.5 * 2500 * s * s / (1 + 100 * s * s)) / std::sqrt(1 + 100 * s * s) / 4;
+  const Eigen::MatrixXd information = Eigen::MatrixXd::Constant(1, 1, 100);
+  EXPECT_NEAR(change_evidence(information, Eigen::VectorXd::Constant(1, 50)), std::log(sum), 1e-12);
+}
+
+}  // namespace
+}  // namespace handsight

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sessions from bags of ROS 2.
+#include "ways/bag_fixture.h"
+#include "ways/convert_fixture.h"
+
+namespace handsight {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+TEST_F(Convert, BagsWithTransformsArePairedByTimeWhereTheRobotStands) {
+  const Rigid tcp_from_target{rotation_from_rpy({0.3, -0.2, 0.9}), {0.02, 0.05, 0.1}};
+  const std::vector<Rigid> targets = target_poses(truth, tcp_from_target);
+  const Chain chain = chain_of(truth.session);
+  constexpr double start = 1.7e9, lag = 0.08;
+  {
+    fixture::BagWriter bag(folder.path / "bag");
+    const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState"),
+              tf = bag.topic("/tf", "tf2_msgs/msg/TFMessage"), log = bag.topic("/rosout", "rcl_interfaces/msg/Log");
+    bag.message(log, start, "nothing");
+    const auto& observations = truth.session.observations;
+    std::vector<std::pair<double, Eigen::VectorXd>> way;  // 1 s of way, 1 s of standing
+    for (double t = 0; t < 2.0 * 20; t += 0.02) {
+      const auto k = static_cast<std::size_t>(t / 2);
+      const double share = std::min(1.0, t - 2 * static_cast<double>(k));
+      const Eigen::VectorXd q =
+          observations[k].position + share * (observations[k + 1].position - observations[k].position);
+      // Two publishers: the wrist's joints come from another node, in another order.
+      bag.message(joints, start + t,
+                  fixture::joint_state(start + t, {"a3", "a2", "a1", "gripper"}, {q[2], q[1], q[0], 0.5}));
+      bag.message(joints, start + t, fixture::joint_state(start + t, {"a4", "a5", "a6"}, {q[3], q[4], q[5]}, true));
+      way.emplace_back(start + t, q);
+    }
+    for (std::size_t i = 0; i < way.size(); i += 3) {
+      const Rigid pose = sensor_from_tcp(chain_ends(chain, way[i].second), truth.mount_from_sensor) * tcp_from_target;
+      bag.message(tf, way[i].first + lag, fixture::transform(way[i].first + lag, "camera", "tag_7", pose));
+      bag.message(tf, way[i].first + lag, fixture::transform(way[i].first + lag, "base", "camera_link", Rigid{}));
+    }
+  }
+  options_.estimate_lag = true;
+  const Conversion c = converted({folder.path / "bag"});
+  EXPECT_THAT(c.notes, Contains(HasSubstr("0.08")));
+  EXPECT_THAT(c.notes, Contains(HasSubstr("the robot was moving")));
+  EXPECT_THAT(c.notes, Contains(HasSubstr("/rosout")));
+  EXPECT_THAT(c.notes, Contains(HasSubstr("1 joints that were published")));
+  ASSERT_GE(c.session.observations.size(), 18u);
+  ASSERT_LE(c.session.observations.size(), 21u);
+  const Fit f = fit(c.session);
+  EXPECT_LT(f.residual_rms, 1e-5);
+  EXPECT_LT((estimate(f).markers_in_tcp[0] - tcp_from_target.translation).norm(), 1e-5);
+}
+
+std::string camera_info(const Camera& c, const Matrix3& r, double p3) {
+  fixture::CdrWriter w;
+  w.header(5, "camera").number(static_cast<std::uint32_t>(c.height)).number(static_cast<std::uint32_t>(c.width));
+  w.text("plumb_bob").numbers({c.k1, c.k2, c.p1, c.p2, c.k3});
+  w.numbers({c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1}, false);
+  const Matrix3 by_rows = r.transpose();
+  w.numbers({by_rows.data(), by_rows.data() + 9}, false).numbers({800, 0, 400, p3, 0, 800, 300, 0, 0, 0, 1, 0}, false);
+  return w.number(std::uint32_t{0}).number(std::uint32_t{0}).bytes();
+}
+
+TEST_F(Convert, BagsWithImagesOfTwoCameras) {
+  Camera camera;
+  camera.width = 8;
+  camera.height = 6;
+  camera.fx = camera.fy = 10;
+  camera.cx = 4;
+  camera.cy = 3;
+  camera.k1 = -0.1;
+  {
+    fixture::BagWriter bag(folder.path / "bag");
+    const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState"),
+              left = bag.topic("/stereo/left/image_raw", "sensor_msgs/msg/Image"),
+              right = bag.topic("/stereo/right/image_raw", "sensor_msgs/msg/Image"),
+              left_info = bag.topic("/stereo/left/camera_info", "sensor_msgs/msg/CameraInfo"),
+              right_info = bag.topic("/stereo/right/camera_info", "sensor_msgs/msg/CameraInfo");
+    bag.message(left_info, 0, camera_info(camera, Matrix3::Identity(), 0));
+    bag.message(right_info, 0, camera_info(camera, rotation_from_rpy({0, 0.1, 0}), -800 * 0.12));
+    const auto image = [](double stamp, const std::string& encoding, std::uint32_t step) {
+      return fixture::CdrWriter()
+          .header(stamp, "left")
+          .number(std::uint32_t{6})
+          .number(std::uint32_t{8})
+          .text(encoding)
+          .number(std::uint8_t{0})
+          .number(step)
+          .raw(std::string(6 * step, 'x'))
+          .bytes();
+    };
+    for (int i = 0; i < 4; ++i) {
+      const double t = 100 + 2 * i;
+      for (double s = 0; s < 1.5; s += 0.02)
+        bag.message(
+            joints, t + s,
+            fixture::joint_state(t + s, {"a1", "a2", "a3", "a4", "a5", "a6"}, {0.1 * i, 0.2, 0.3, 0.4, 0.5, 0.6}));
+      bag.message(left, t + 0.5, image(t + 0.5, "mono8", 8));
+      if (i != 2) bag.message(right, t + 0.503, image(t + 0.503, "rgb8", 24));
+    }
+  }
+  const Conversion c = converted({folder.path / "bag"});
+  ASSERT_EQ(c.session.observations.size(), 3u);
+  EXPECT_THAT(c.notes, Contains(HasSubstr("1 of 4 left images have no right image")));
+  ASSERT_TRUE(c.session.rig);
+  EXPECT_NEAR(c.session.rig->at(1).camera_from_first.translation.norm(), 0.12, 1e-12);
+  EXPECT_EQ(c.session.rig->at(0).camera.k1, -0.1);
+  EXPECT_NEAR(c.session.observations[2].time, 6, 1e-6);
+  EXPECT_NEAR(c.session.observations[2].position[0], 0.3, 1e-12);
+  EXPECT_TRUE(std::filesystem::exists(options_.out / c.session.observations[1].images[0]));
+  EXPECT_TRUE(c.session.observations[1].images[1].ends_with(".ppm"));
+}
+
+TEST_F(Convert, DamagedBagsAreRefused) {
+  {
+    fixture::BagWriter bag(folder.path / "bag");
+    const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState");
+    std::string message = fixture::joint_state(1, {"a1", "a2"}, {0.1, 0.2});
+    bag.message(joints, 1, message.substr(0, message.size() / 2));
+  }
+  EXPECT_THAT(refusal({folder.path / "bag"}), HasSubstr("bag is damaged"));
+  EXPECT_THAT(refusal({write("no.db3", "SQLite format 3 it is not")}), HasSubstr("no ROS 2 bag"));
+  EXPECT_THAT(refusal({write("a.mcap", "\x89MCAP0\r\n")}), HasSubstr("ros2 bag convert"));
+}
+
+}  // namespace
+}  // namespace handsight
