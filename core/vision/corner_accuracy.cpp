@@ -23,8 +23,9 @@ constexpr double kMostBend = 0.01;    // 1/px
 constexpr double kFewCorners = 4;     // that the usual bend counts as
 constexpr double kFewPixels = 400;    // that white noise counts as
 constexpr double kMeasured = 0.85;    // of the variance, that rendered boards of all kinds show
-constexpr double kPlain = 30;         // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
-                                      // do not make: below it the position is better off without them
+constexpr double kPlain = 30;  // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
+                               // do not make: below it the position is better off without them
+constexpr double kPlainBend = 5e-4;  // 1/px, of all corners together: the lens bends edges
 constexpr double kLeastFactor = 0.7, kMostFactor = 12;
 constexpr std::array<std::array<int, 2>, kNeighbours> kSteps{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
 
@@ -201,6 +202,14 @@ double correlation_factor(const OddSystem& system, const Habits& habits) {
   return std::clamp(factor, kLeastFactor, kMostFactor);
 }
 
+bool are_bent(const Habits& habits) { return habits.bend > kPlainBend; }
+
+bool is_plain(const OddSystem& system) {
+  double chi2 = 0;
+  for (int i = 4; i < kOddUnknowns; ++i) chi2 += system.seen[i] * system.seen[i] / system.seen_variance[i];
+  return chi2 > kPlain;
+}
+
 std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits) {
   const double variance = system.variance * correlation_factor(system, habits);
   Vector information = usual_information(variance, kAddedSigma, habits.bend);
@@ -215,9 +224,7 @@ std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits)
   if (!invert<kOddUnknowns>(inverse)) return std::nullopt;
   const Vector step = inverse * side;
   LastStep last;
-  double chi2 = 0;
-  for (int i = 4; i < kOddUnknowns; ++i) chi2 += system.seen[i] * system.seen[i] / system.seen_variance[i];
-  last.is_needed = chi2 > kPlain;
+  last.is_needed = is_plain(system) || are_bent(habits);
   last.move = step.head<2>(), last.covariance = kMeasured * variance * inverse.topLeftCorner<2, 2>();
   if (!(last.covariance(0, 0) > 0 && last.covariance.determinant() > 0)) return std::nullopt;
   return last;

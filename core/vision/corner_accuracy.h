@@ -39,9 +39,14 @@ struct Habits {
   std::array<float, kNeighbours> influence{};     // the mean of OddSystem::influence, for those that have none
 };
 Habits habits_of(std::span<const OddSystem> systems);
+/// Whether the lens plainly bends edges.
+bool are_bent(const Habits& habits);
+
+/// Whether light is plainly added, or an edge plainly bent.
+bool is_plain(const OddSystem& system);
 
 struct LastStep {
-  bool is_needed = false;  // the unknowns that few corners need are plainly there: otherwise the move is chance
+  bool is_needed = false;                          // by this corner or by all together: otherwise the move is chance
   Eigen::Vector2d move = Eigen::Vector2d::Zero();  // px
   Eigen::Matrix2d covariance;                      // px^2
 };

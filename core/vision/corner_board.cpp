@@ -20,7 +20,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 
 Lattice::Node Lattice::node_of(const Suspect& s) {
   const auto along = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
-  return {s.position, {along(s.edges[0]), along(s.edges[1])}, s.half_contrast};
+  return {s.position, {along(s.edges[0]), along(s.edges[1])}, s.half_contrast, s.blur};
 }
 
 bool Lattice::are_of_one_board(const Node& a, const Node& b) {
@@ -80,6 +80,7 @@ std::array<int, 4> Lattice::neighbours(int number) const {
   std::array<double, 4> nearest{kReach, kReach, kReach, kReach};
   each_near(here.position, kReach, [&](int n) {
     const Eigen::Vector2d off = nodes_[n].position - here.position;
+    if (off.squaredNorm() > kReach * kReach) return;
     for (int edge = 0; edge < 2; ++edge) {
       const double along = here.along[edge].dot(off), distance = std::abs(along);
       const int place = 2 * edge + (along < 0);
@@ -97,7 +98,7 @@ std::vector<Foretold> Lattice::foretold_by(int number) const {
   for (int n = 0; n < 4; ++n) {
     if (near[n] < 0 || near[n ^ 1] >= 0) continue;
     const Eigen::Vector2d off = nodes_[number].position - nodes_[near[n]].position;
-    all.push_back({nodes_[number].position + off, off.norm(), number});
+    all.push_back({nodes_[number].position + off, off.norm(), number, nodes_[number].blur});
   }
   return all;
 }

@@ -15,6 +15,7 @@ struct Foretold {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
   double spacing = 0;                                  // px, to the corner that foretells it
   int witness = 0;                                     // number of that corner
+  double blur = 0;                                     // px, of that corner
 };
 
 /// Corners by where they are, and which are neighbours on a board.
@@ -41,7 +42,7 @@ class Lattice {
   struct Node {
     Eigen::Vector2d position;
     std::array<Eigen::Vector2d, 2> along;  // the edges
-    double half_contrast;
+    double half_contrast, blur;
   };
   static Node node_of(const Suspect& suspect);
   static bool are_of_one_board(const Node& a, const Node& b);

@@ -2,6 +2,7 @@
 #include "vision/corner_candidates.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -30,7 +31,7 @@ using Sums = Ring<std::int16_t, 5>;
 using Smoothed = Ring<std::int16_t, 4>;
 using Saddles = Ring<float, 3>;
 
-constexpr double kNear = 1.5, kFarthest = 5;  // half-resolution px, from the peak to where the gradient vanishes
+constexpr float kNear = 1.5f, kFarthest = 5;  // half-resolution px, from the peak to where the gradient vanishes
 constexpr int kTile = 128;                    // px
 constexpr std::size_t kMostOfTile = 400;      // a board of cells of 6 px has as many
 constexpr float kUnit = 16;                   // of the smoothed plane, per grey level
@@ -70,10 +71,12 @@ HANDSIGHT_LANES void saddle_row(const std::int16_t* up, const std::int16_t* at, 
   }
 }
 
-// Not 0 where `at` is a peak above `least`; of equals the upper one is one, then the left one. Eight at a time: reads 8
-// more than `count`.
+// Of each group of eight a bit for each column where `at` is a peak above `least`; of equals the upper one is one, then
+// the left one. Reads up to 8 more than `count`.
 HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* down, int count, float least,
-                                std::int32_t* peaks) {
+                                std::uint8_t* groups) {
+  constexpr Whole kBit{1, 2, 4, 8, 16, 32, 64, 128};
+  using FourWhole = std::int32_t __attribute__((vector_size(16)));
   for (int x = 0; x < count; x += kLanes) {
     Lanes s, other;
     load(at + x, s);
@@ -84,34 +87,42 @@ HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* d
       load(up + x + i, other), is_peak &= s > other;
       load(down + x + i, other), is_peak &= s >= other;
     }
-    std::memcpy(peaks + x, &is_peak, sizeof is_peak);
+    const Whole bits = is_peak & kBit;
+    FourWhole four, high;
+    std::memcpy(&four, &bits, sizeof four);
+    std::memcpy(&high, reinterpret_cast<const char*>(&bits) + sizeof four, sizeof high);
+    four |= high, four |= __builtin_shufflevector(four, four, 2, 3, 0, 1);
+    groups[x / kLanes] = static_cast<std::uint8_t>(four[0] | four[1]);
   }
 }
 
-// Calls act(x) for those that are not 0: few, so that four at a time are passed over.
+// Calls act(x) for each column below `count` whose bit is set: few, so that 64 at a time are passed over. There are 7
+// groups more.
 template <class Act>
-void each_peak(const std::int32_t* peaks, int count, const Act& act) {
-  for (int x = 0; x < count; x += 4) {
-    std::uint64_t four[2];
-    std::memcpy(four, peaks + x, sizeof four);
-    if (!(four[0] | four[1])) continue;
-    for (int i = x; i < std::min(x + 4, count); ++i)
-      if (peaks[i]) act(i);
+void each_peak(const std::uint8_t* groups, int count, const Act& act) {
+  for (int x = 0; x < count; x += 8 * kLanes) {
+    std::uint64_t bits;  // the first group's lowest
+    std::memcpy(&bits, groups + x / kLanes, sizeof bits);
+    if constexpr (std::endian::native == std::endian::big) bits = __builtin_bswap64(bits);
+    for (; bits != 0; bits &= bits - 1)
+      if (const int column = x + std::countr_zero(bits); column < count) act(column);
   }
 }
 
 // One Newton step to where the gradient vanishes; false where that is not near.
 bool saddle_point(Smoothed& smoothed, int x, int y, float saddle, Candidate& candidate) {
   const std::int16_t *up = smoothed.row(y - 1), *at = smoothed.row(y), *down = smoothed.row(y + 1);
-  const double gx = 0.5 * (at[x + 1] - at[x - 1]), gy = 0.5 * (down[x] - up[x]);
-  const double xx = at[x - 1] + at[x + 1] - 2 * at[x], yy = up[x] + down[x] - 2 * at[x];
-  const double xy = 0.25 * (up[x - 1] + down[x + 1] - up[x + 1] - down[x - 1]);
-  double dx = (yy * gx - xy * gy) / saddle, dy = (xx * gy - xy * gx) / saddle;
-  const double far = std::max(std::abs(dx), std::abs(dy));
-  if (far > kFarthest) return false;
+  const int twice = 2 * at[x];
+  const auto gx = static_cast<float>(at[x + 1] - at[x - 1]), gy = static_cast<float>(down[x] - up[x]);
+  const auto xx = static_cast<float>(at[x - 1] + at[x + 1] - twice), yy = static_cast<float>(up[x] + down[x] - twice);
+  const float xy = 0.25f * static_cast<float>(up[x - 1] + down[x + 1] - up[x + 1] - down[x - 1]);
+  const float half = 0.5f / saddle;
+  float dx = half * (yy * gx - xy * gy), dy = half * (xx * gy - xy * gx);
+  const float far = std::max(std::abs(dx), std::abs(dy));
+  if (!(far <= kFarthest)) return false;
   candidate.stationary = far <= kNear;
   if (!candidate.stationary) dx = dy = 0;  // a shadow's edge moves the point where the gradient vanishes, not the peak
-  candidate.position = {2 * (x + dx) + 0.5, 2 * (y + dy) + 0.5};
+  candidate.position = {2 * (x + static_cast<double>(dx)) + 0.5, 2 * (y + static_cast<double>(dy)) + 0.5};
   const float full = 0.25f / kUnit;  // half-resolution units to grey levels per px^2
   candidate.saddle = saddle * full * full;
   return true;
@@ -147,16 +158,18 @@ std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast
   // half-resolution px^2; 0.075 of the contrast is what one of 2.5 px blur has left at 53 deg, less 3 sigma of noise.
   // Noise of sigma 1 leaves 0.062 in Ixy.
   const float least = static_cast<float>(std::pow(kUnit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
+  candidates.reserve(static_cast<std::size_t>(width) * height / 64);
   Sums sums(width);
   Smoothed smoothed(width);
   Saddles saddles(width);
   std::vector<std::uint16_t> column_sums(width);
-  std::vector<std::int32_t> peaks(static_cast<std::size_t>(width) + 2 * kLanes);
+  std::vector<std::uint8_t> peaks(static_cast<std::size_t>(width) / kLanes + 1 + sizeof(std::uint64_t), 0);
   const auto find_in_row = [&](int y) {
-    find_peaks(saddles.row(y - 1) + 3, saddles.row(y) + 3, saddles.row(y + 1) + 3, width - 6, least, peaks.data() + 3);
-    each_peak(peaks.data() + 3, width - 6, [&](int n) {
+    const float* const at = saddles.row(y) + 3;
+    find_peaks(saddles.row(y - 1) + 3, at, saddles.row(y + 1) + 3, width - 6, least, peaks.data());
+    each_peak(peaks.data(), width - 6, [&](int n) {
       Candidate candidate;
-      if (saddle_point(smoothed, n + 3, y, saddles.row(y)[n + 3], candidate)) candidates.push_back(candidate);
+      if (saddle_point(smoothed, n + 3, y, at[n], candidate)) candidates.push_back(candidate);
     });
   };
   // Two smoothed rows and columns and three rows of saddles at each side do not exist: they stay 0.

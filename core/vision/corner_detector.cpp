@@ -19,8 +19,8 @@ constexpr int kLeastSize = 32;       // px
 constexpr int kCoarsePlaces = 1000;  // where a coarser image's noise is measured
 constexpr double kSame = 2;          // px: nearer ones are the same
 constexpr double kSharp = 2.4;       // px, of blur: what is less is fitted in this image, what is more in a coarser one
-constexpr double kMostLastMove = 0.5;  // px
-constexpr std::size_t kNoiseCorners = 24;  // that tell how alike neighbouring pixels' noise is
+constexpr double kMostLastMove = 0.5;      // px
+constexpr std::size_t kNoiseCorners = 12;  // that tell how alike neighbouring pixels' noise is
 
 // A corner, and the image that it was fitted in at last.
 struct Placed {
@@ -48,30 +48,47 @@ Placed refined(const std::vector<Level>& levels, const Found& found) {
   return {found, level};
 }
 
-// The last step of all that were fitted in one image; what they have in common tells more of each.
+// The last step of one corner; by how much its covariance changes, but for what that of all does.
+double take_last_step(const OddSystem& system, const Habits& habits, Found& found) {
+  Corner& corner = found.corner;
+  if (has_shadow(found.fit.model)) {
+    corner.covariance *= correlation_factor(system, habits);
+    return 0;
+  }
+  const auto last = last_step(system, habits);
+  if (!last || last->move.norm() > kMostLastMove) return 0;
+  if (last->is_needed) corner.position += last->move;
+  corner.covariance = last->covariance * found.doubt;
+  return last->covariance.trace() / found.fit.covariance.trace();
+}
+
+// Some corners tell what all that were fitted in one image have in common, and whether any needs the last step; where
+// none does only the covariances of the others change, as those of the some did.
 void take_last_steps(const Level& level, int number, std::vector<Placed>& corners) {
+  std::vector<Found*> here, owners;
+  for (Placed& placed : corners)
+    if (placed.level == number) here.push_back(&placed.found);
   std::vector<OddSystem> systems;
-  std::vector<Placed*> owners;
-  const auto here = static_cast<std::size_t>(
-      std::count_if(corners.begin(), corners.end(), [&](const Placed& placed) { return placed.level == number; }));
-  const std::size_t every = here / kNoiseCorners + 1;
-  for (Placed& placed : corners) {
-    if (placed.level != number) continue;
-    const auto system = odd_system(level.sight.image, placed.found.fit, systems.size() % every == 0);
-    if (system) systems.push_back(*system), owners.push_back(&placed);
-  }
+  const auto add = [&](Found& found, bool with_neighbours) {
+    const auto system = odd_system(level.sight.image, found.fit, with_neighbours);
+    if (system) systems.push_back(*system), owners.push_back(&found);
+  };
+  const std::size_t every = here.size() / kNoiseCorners + 1;
+  for (std::size_t i = 0; i < here.size(); i += every) add(*here[i], true);
+  const bool all = are_bent(habits_of(systems)) ||
+                   std::any_of(systems.begin(), systems.end(), [](const OddSystem& s) { return is_plain(s); });
+  const auto is_looked_at = [&](std::size_t i) { return all || i % every == 0 || has_shadow(here[i]->fit.model); };
+  for (std::size_t i = 0; i < here.size(); ++i)
+    if (is_looked_at(i) && i % every != 0) add(*here[i], false);
   const Habits habits = habits_of(systems);
+  double change = 0;
+  int changed = 0;
   for (std::size_t i = 0; i < systems.size(); ++i) {
-    Corner& corner = owners[i]->found.corner;
-    if (has_shadow(owners[i]->found.fit.model)) {
-      corner.covariance *= correlation_factor(systems[i], habits);
-      continue;
-    }
-    const auto last = last_step(systems[i], habits);
-    if (!last || last->move.norm() > kMostLastMove) continue;
-    if (last->is_needed) corner.position += last->move;
-    corner.covariance = last->covariance * owners[i]->found.doubt;
+    const double own = take_last_step(systems[i], habits, *owners[i]);
+    change += own, changed += own > 0;
   }
+  for (std::size_t i = 0; i < here.size() && changed > 0; ++i)
+    if (!is_looked_at(i)) here[i]->corner.covariance *= change / changed;
 }
 
 // What an image that was halved `times` times shows, as the whole one would.
@@ -116,14 +133,15 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
       find_corners(level, images[1]);
     } else {
       std::vector<Foretold> missing = levels[n - 1].missing;
-      for (Foretold& foretold : missing) foretold.position = in_halved(foretold.position, 1), foretold.spacing *= 0.5;
+      for (Foretold& foretold : missing)
+        foretold.position = in_halved(foretold.position, 1), foretold.spacing *= 0.5, foretold.blur *= 0.5;
       find_blurred_corners(levels[n - 1], known, missing, level, images[n + 1]);
     }
     for (const Found& found : level.found) {
       known.push_back(found.suspect);
       if (!found.is_alone) placed.push_back(refined(levels, found));
     }
-    for (Suspect& suspect : known) suspect.position = in_halved(suspect.position, 1);
+    for (Suspect& suspect : known) suspect.position = in_halved(suspect.position, 1), suspect.blur *= 0.5;
   }
   for (int n = 0; n < static_cast<int>(levels.size()); ++n) take_last_steps(levels[n], n, placed);
   std::vector<Corner> corners;

@@ -9,8 +9,10 @@
 namespace handsight {
 namespace {
 
-constexpr double kSame = 2;  // px: nearer ones are the same
-constexpr double kFew = 4;   // more saddles near that are none than are corners: few enough to look again
+constexpr double kSame = 2;       // px: nearer ones are the same
+constexpr double kBlurred = 1.5;  // px, of a corner that may have neighbours too blurred for this image
+constexpr double kFewToCentre = 1;
+constexpr double kFew = 4;  // more saddles near that are none than are corners: few enough to look again
 
 // Log-odds that a corner without a neighbour on a board must have, where it is found in a coarser image only: what is
 // out of focus behind makes many that look like it.
@@ -31,7 +33,7 @@ struct Finds {
 
 struct Left {
   const Candidate* candidate;
-  bool is_open;
+  bool was_fitted, is_open;
 };
 
 // Looks long at what the first look left, and at what it found but believes to be none: a shadow spoils a fit too.
@@ -43,32 +45,47 @@ void look_again(const Sight& sight, const SaddleField& field, const std::vector<
     const auto found = shadow_look(sight, suspect.candidate);
     if (found && found->suspect.own > suspect.own) finds.replace(i, *found);
   }
-  for (const auto& [candidate, is_open] : left) {
-    const auto found = is_worth_it(*candidate) ? long_look(sight, *candidate) : std::nullopt;
+  for (const auto& [candidate, was_fitted, is_open] : left) {
+    const double others = field.others(*candidate);
+    if (others > kFew) continue;
+    const auto found = long_look(sight, *candidate, {was_fitted, others <= kFewToCentre});
     if (found) finds.add(*found, *candidate);
   }
 }
 
-// Looks at the candidates of which `is_asked`, first quickly, then those that are left longer; keeps what is likelier
-// a corner than not among the others.
-template <class IsAsked>
-void take_likely(Level& level, SaddleField& field, const IsAsked& is_asked) {
+// What the first looks found and left.
+struct FirstLooks {
   Finds finds;
   std::vector<Left> left;
+  bool is_empty() const { return finds.suspects.empty() && left.empty(); }
+};
+
+template <class IsAsked>
+FirstLooks first_looks(const Level& level, const IsAsked& is_asked) {
+  FirstLooks looks;
   for (const Candidate& candidate : level.candidates) {
     if (!is_asked(candidate)) continue;
     const Look look = quick_look(level.sight, candidate);
     if (look.found)
-      finds.add(*look.found, candidate);
+      looks.finds.add(*look.found, candidate);
     else if (look.is_postponed)
-      left.push_back({&candidate, look.is_open});
-    if (look.is_open) field.set_probability(field.at(candidate.position), 0.5);
+      looks.left.push_back({&candidate, look.was_fitted, look.is_open});
   }
-  if (finds.suspects.empty() && left.empty()) return;
+  return looks;
+}
+
+// Looks longer at those that are left; keeps what is likelier a corner than not among the others.
+void take_likely(FirstLooks& looks, SaddleField& field, Level& level) {
+  if (looks.is_empty()) return;
+  const auto set_open = [&](double probability) {
+    for (const Left& rest : looks.left)
+      if (rest.is_open) field.set_probability(field.at(rest.candidate->position), probability);
+  };
+  Finds& finds = looks.finds;
+  set_open(0.5);
   weigh(finds.suspects, field);
-  look_again(level.sight, field, left, finds);
-  for (const Left& rest : left)
-    if (rest.is_open) field.set_probability(field.at(rest.candidate->position), 0);
+  look_again(level.sight, field, looks.left, finds);
+  set_open(0);
   weigh(finds.suspects, field);
   for (std::size_t i = 0; i < finds.all.size(); ++i)
     if (finds.suspects[i].log_odds > kLeastLogOdds) {
@@ -93,12 +110,18 @@ bool take_if_there(Lattice& lattice, const Foretold& foretold, Level& level) {
   return true;
 }
 
+// What a sharp corner foretells is sharp too: where no saddle is near it is in no coarser image.
+void leave(const Foretold& foretold, const SaddleField& field, Level& level) {
+  if (foretold.blur > kBlurred || field.has_near(foretold.position, reach_of(foretold)))
+    level.missing.push_back(foretold);
+}
+
 // Takes what the corners from number `first` on foretell, until nothing more comes.
-void take_foretold(Lattice& lattice, int first, Level& level) {
+void take_foretold(Lattice& lattice, const SaddleField& field, int first, Level& level) {
   for (int number = first; number < lattice.size(); ++number)
     for (const Foretold& foretold : lattice.foretold_by(number))
       if (!lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, foretold, level))
-        level.missing.push_back(foretold);
+        leave(foretold, field, level);
 }
 
 // A corner that has no neighbour on a board, as a marker's, must be the likelier one by itself. Numbers of the lattice
@@ -147,11 +170,12 @@ class FinerSaddles {
 void find_corners(Level& level, Image& half) {
   const Sight& sight = level.sight;
   level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, &half);
+  FirstLooks looks = first_looks(level, [](const Candidate&) { return true; });
   SaddleField field(sight.image.width, sight.image.height, level.candidates);
-  take_likely(level, field, [](const Candidate&) { return true; });
+  take_likely(looks, field, level);
   Lattice lattice(sight.image.width, sight.image.height);
   for (const Found& found : level.found) lattice.add(found.suspect);
-  take_foretold(lattice, 0, level);
+  take_foretold(lattice, field, 0, level);
 }
 
 void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known, const std::vector<Foretold>& missing,
@@ -159,9 +183,11 @@ void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known,
   const Sight& sight = level.sight;
   level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, &half);
   const FinerSaddles sharper(sight.image.width, sight.image.height, finer.candidates);
+  FirstLooks looks = first_looks(level, [&](const Candidate& candidate) { return !sharper.tell_against(candidate); });
+  if (looks.is_empty() && missing.empty()) return;
   SaddleField field(sight.image.width, sight.image.height, level.candidates);
   for (const Suspect& suspect : known) field.set_probability(field.at(suspect.position), 1);
-  take_likely(level, field, [&](const Candidate& candidate) { return !sharper.tell_against(candidate); });
+  take_likely(looks, field, level);
   if (level.found.empty() && missing.empty()) return;
   Lattice lattice(sight.image.width, sight.image.height);
   for (const Suspect& suspect : known) lattice.add(suspect);
@@ -170,8 +196,8 @@ void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known,
   for (const Foretold& foretold : missing)
     if (field.has_near(foretold.position, reach_of(foretold)) &&
         !lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, foretold, level))
-      level.missing.push_back(foretold);
-  take_foretold(lattice, first, level);
+      leave(foretold, field, level);
+  take_foretold(lattice, field, first, level);
   mark_alone(lattice, first, level);
 }
 

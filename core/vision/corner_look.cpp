@@ -15,8 +15,9 @@ constexpr double kMostSigma = 0.3;      // px: a corner that is not known better
 constexpr double kMostApart = 0.6;      // px, between the points of best symmetry and best fit
 constexpr double kMostAsymmetry = 0.3;  // half contrasts, beyond what the noise explains
 
-constexpr double kLikelyShade = 0.005;    // 1/px: light that changes faster may be a shadow's edge
-constexpr double kLeastOfShadow = 0.03;   // contrasts: opposite points differ by more where there is a shadow
+constexpr double kLikelyShade = 0.005;   // 1/px: light that changes faster may be a shadow's edge
+constexpr double kLeastOfShadow = 0.03;  // contrasts: opposite points differ by more where there is a shadow
+constexpr double kUsualShade = 0.005, kDoubtfulShade = 0.0015;  // 1/px
 constexpr double kNearShadow = 4;         // px: a shadow's edge nearer than that is hard to tell from the corner's own
 constexpr double kShadowVariance = 1.25;  // what straight soft edges leave unsaid of real ones
 
@@ -40,13 +41,15 @@ bool symmetry_suits(double depth, const CrossStructure& cross) {
 
 // What noise does not explain of the circles: that they are no four sectors, and that opposite points differ. Measured:
 // of what a fit shows to be none two in five are seen here already, of 1000 corners one is taken for none.
+constexpr double kLeastMove = 0.5;                           // px: less does not change what a fit finds
 constexpr double kMostMisfit = 0.108, kMostOffCentre = 0.3;  // where circles may be read off the corner
 bool sectors_suit(const CrossStructure& cross, double noise, double most = kMostMisfit) {
   const double relative = noise / std::abs(cross.half_contrast);
   const auto beyond = [&](double sign, double share) {  // `share` of the noise is in the sign
     return std::sqrt(std::max(sign * sign - share * share * relative * relative, 0.0));
   };
-  return beyond(sector_misfit(cross), 0.35) + 0.47 * beyond(cross.asymmetry, 0.45) < most;
+  const double left = most - 0.47 * beyond(cross.asymmetry, 0.45);
+  return left > 0 && beyond(sector_misfit(cross), 0.35) < left;
 }
 
 // The covariance tells what noise does to a fit whose model is right. Where a shadow's edge near the corner was not
@@ -54,7 +57,8 @@ bool sectors_suit(const CrossStructure& cross, double noise, double most = kMost
 // it was found nearer than 4 px it is hard to tell from the corner's own.
 double doubt_of(const CornerModel& model, double asymmetry) {
   const double relative = asymmetry / (0.035 * model.half_contrast);
-  if (!has_shadow(model)) return 1 + relative * relative + std::max(model.shade.norm() - 0.006, 0.0) / 0.002;
+  if (!has_shadow(model))
+    return 1 + relative * relative + std::max(model.shade.norm() - kUsualShade, 0.0) / kDoubtfulShade;
   const double near = std::max(kNearShadow - model.shadow.distance, 0.0);
   return kShadowVariance * (1 + relative * relative + near * near);
 }
@@ -67,7 +71,7 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
   const double own = corner_log_odds(signs_of(fit, sight.noise));
   if (log_odds_among(own, -2) < kLeastLogOdds) return std::nullopt;
   found.fit = fit;
-  found.suspect = {{}, fit.model.position, fit.model.edges, fit.model.half_contrast, own, own};
+  found.suspect = {{}, fit.model.position, fit.model.edges, fit.model.half_contrast, own, own, fit.model.blur};
   // The strength is that of the symmetry, and what the model calls a corner must be a point of symmetry too.
   const auto symmetric = symmetry_point(sight.image, fit.model.position, sight.options.sigma, kMostApart, 0,
                                         has_shadow(fit.model) ? &fit.model : nullptr);
@@ -103,9 +107,10 @@ std::optional<Found> corner_in_shadow(const Sight& sight, const Eigen::Vector2d&
 }
 
 // Circles that are read off the corner tell little: here they are read at the point of best symmetry.
-std::optional<Found> centred_look(const Sight& sight, const Eigen::Vector2d& start) {
+std::optional<Found> centred_look(const Sight& sight, const Eigen::Vector2d& start, bool was_fitted) {
   const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, 2.5, 2);
   if (!symmetric) return std::nullopt;
+  if (was_fitted && (symmetric->position - start).norm() < kLeastMove) return std::nullopt;
   const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);
   if (!cross || !sectors_suit(*cross, sight.noise)) return std::nullopt;
   return corner_in_light(sight, symmetric->position, *cross);
@@ -122,7 +127,7 @@ CrossStructure structure_of(const CornerModel& model) {
 }  // namespace
 
 Look quick_look(const Sight& sight, const Candidate& candidate) {
-  const Eigen::Vector2i pixel = candidate.position.array().round().cast<int>();
+  const Eigen::Vector2i pixel = (candidate.position.array() + 0.5).cast<int>();  // none is negative
   const auto lighting = may_be_cross(sight.image, pixel, sight.options.min_contrast, sight.noise);
   if (!lighting) return {};
   Look look{.is_postponed = true};
@@ -132,16 +137,16 @@ Look quick_look(const Sight& sight, const Candidate& candidate) {
   const double depth = relative_depth(candidate, *cross);
   if (!depth_suits(depth)) return look;
   look.is_open = !symmetry_suits(depth, *cross);
-  if (!look.is_open && sectors_suit(*cross, sight.noise))
-    look.found = corner_in_light(sight, candidate.position, *cross);
+  look.was_fitted = !look.is_open && sectors_suit(*cross, sight.noise);
+  if (look.was_fitted) look.found = corner_in_light(sight, candidate.position, *cross);
   return look;
 }
 
-std::optional<Found> long_look(const Sight& sight, const Candidate& candidate) {
+std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, const SecondLook& look) {
   const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast, Lighting::shadowed);
   if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
-  const bool may_be_centred = sectors_suit(*cross, sight.noise, kMostOffCentre);
-  const auto found = may_be_centred ? centred_look(sight, candidate.position) : std::nullopt;
+  const bool may_be_centred = look.may_centre && sectors_suit(*cross, sight.noise, kMostOffCentre);
+  const auto found = may_be_centred ? centred_look(sight, candidate.position, look.was_fitted) : std::nullopt;
   if (found || cross->asymmetry < kLeastOfShadow) return found;
   return corner_in_shadow(sight, candidate.position, *cross);
 }
@@ -161,7 +166,7 @@ std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start,
 
 std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
                                    const SuitsBoard& suits) {
-  const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, reach, 3);
+  const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, reach, 2);
   if (symmetric) {
     const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);
     if (cross && suits(*cross, symmetric->position))

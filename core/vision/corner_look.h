@@ -29,6 +29,7 @@ struct Found {
 /// What the first look at a candidate found; and whether a second one might tell more.
 struct Look {
   std::optional<Found> found;
+  bool was_fitted = false;    // in even light, where it is
   bool is_open = false;       // too asymmetric to be worth a fit yet
   bool is_postponed = false;  // open, or what made it none may be its centre, a shadow or its neighbours
 };
@@ -36,8 +37,14 @@ struct Look {
 /// What cannot be a corner is cheap to see of most: nothing is fitted that a cheap test speaks against.
 Look quick_look(const Sight& sight, const Candidate& candidate);
 
+/// How to look at a candidate again.
+struct SecondLook {
+  bool was_fitted = false;  // where it is, in even light, in vain
+  bool may_centre = true;   // by its symmetry
+};
+
 /// Where few saddles near are no corners: centred by its symmetry, with less asked of it, then beside a shadow.
-std::optional<Found> long_look(const Sight& sight, const Candidate& candidate);
+std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, const SecondLook& look);
 
 /// Beside a shadow only.
 std::optional<Found> shadow_look(const Sight& sight, const Candidate& candidate);

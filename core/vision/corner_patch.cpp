@@ -181,16 +181,32 @@ HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, C
   }
 }
 
+HANDSIGHT_LANES bool has_clipped(const float* values, int count) {
+  int clipped = 0;
+  for (int n = 0; n < count; ++n) clipped += (values[n] > kWhite) | (values[n] < kBlack);
+  return clipped > 0;
+}
+
 // What the sensor cuts off says no more than that there is at least as much, or as little: where the model agrees the
 // pixel has no weight.
-HANDSIGHT_LANES void leave_out_clipped(int begin, int end, CornerPatch& patch) {
-  for (int n = begin; n < end; ++n) {
-    const float value = patch.value[n], beyond = patch.residual[n];
-    const float keep = (value > kWhite && beyond < 0) || (value < kBlack && beyond > 0) ? 0.f : 1.f;
-    patch.weight[n] *= keep, patch.residual[n] *= keep;
-    for (CornerPatch::Row& row : patch.odd) row[n] *= keep;
-    for (CornerPatch::Row& row : patch.even) row[n] *= keep;
-    for (CornerPatch::Row& row : patch.shadow) row[n] *= keep;
+HANDSIGHT_LANES void leave_out_clipped(bool has_shadow, int begin, int end, CornerPatch& patch) {
+  for (int n = begin; n < end; n += kLanes) {
+    Lanes value, beyond, row, zero{};
+    load(&patch.value[n], value), load(&patch.residual[n], beyond);
+    const Whole left_out = ((value > kWhite) & (beyond < 0.f)) | ((value < kBlack) & (beyond > 0.f));
+    std::uint64_t any[kLanes / 2];
+    std::memcpy(any, &left_out, sizeof any);
+    if (!(any[0] | any[1] | any[2] | any[3])) continue;
+    const auto keep = [&](CornerPatch::Row& all) {
+      load(&all[n], row);
+      row = left_out ? zero : row;
+      store(row, &all[n]);
+    };
+    keep(patch.weight), keep(patch.residual);
+    for (CornerPatch::Row& all : patch.odd) keep(all);
+    for (CornerPatch::Row& all : patch.even) keep(all);
+    for (CornerPatch::Row& all : patch.shadow)
+      if (has_shadow) keep(all);
   }
 }
 
@@ -299,12 +315,8 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   if (there >= patch.count) return;
   patch.centre = centre, patch.gathered = radius;
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
-  std::uint8_t least = 255, most = 0;
-  for (int n = there; n < patch.count; ++n) {
-    const std::uint8_t value = middle[d.v_whole[n] * image.width + d.u_whole[n]];
-    patch.value[n] = value, least = std::min(least, value), most = std::max(most, value);
-  }
-  patch.is_clipped = (there > 0 && patch.is_clipped) || least < kBlack || most > kWhite;
+  for (int n = there; n < patch.count; ++n) patch.value[n] = middle[d.v_whole[n] * image.width + d.u_whole[n]];
+  patch.is_clipped = (there > 0 && patch.is_clipped) || has_clipped(&patch.value[there], patch.count - there);
   for (int n = patch.count; n < patch.padded; ++n) patch.value[n] = 0;
 }
 
@@ -319,7 +331,7 @@ void evaluate(const CornerModel& model, double radius, int begin, int end, Corne
     const ShadowConstants shadow(model.shadow, model.position - patch.centre.cast<double>());
     (has_wide_lanes() ? shade_in_wide : shade_in_lanes)(shadow, begin, end, patch);
   }
-  if (patch.is_clipped) leave_out_clipped(begin, end, patch);
+  if (patch.is_clipped) leave_out_clipped(has_shadow(model), begin, end, patch);
 }
 
 void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch) {
