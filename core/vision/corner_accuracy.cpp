@@ -25,6 +25,7 @@ constexpr double kFewPixels = 400;    // that white noise counts as
 constexpr double kMeasured = 0.85;    // of the variance, that rendered boards of all kinds show
 constexpr double kPlain = 30;  // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
                                // do not make: below it the position is better off without them
+constexpr double kMostAlike = 0.1;   // of neighbouring pixels: what interpolates colours makes edges look bent
 constexpr double kPlainBend = 5e-4;  // 1/px, of all corners together: the lens bends edges
 constexpr double kLeastFactor = 0.7, kMostFactor = 12;
 constexpr std::array<std::array<int, 2>, kNeighbours> kSteps{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
@@ -135,10 +136,8 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
     system.side(i) = products[kOddUnknowns][i];
   }
   system.shade = model.shade;
-  double weights = 0;
-  for (int n = 0; n < patch.count; ++n) weights += patch.weight[n] * patch.weight[n];
+  const double weights = squared_weights(patch);
   system.weights = weights;
-  // What is left when the odd unknowns are as they would be by themselves.
   const double first = std::max(fit.noise * fit.noise, kLeastNoise * kLeastNoise);
   Hessian informed = system.hessian;
   const Vector information = usual_information(first, kWide * kAddedSigma, kMostBend);
@@ -146,6 +145,14 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
   if (!invert<kOddUnknowns>(informed)) return std::nullopt;
   const Hessian& inverse = informed;
   const Vector step = inverse * system.side;
+  const auto settle = [&](double variance) {
+    system.variance = std::max(variance, kLeastNoise * kLeastNoise);
+    for (int i = 0; i < kOddUnknowns; ++i)
+      system.seen[i] = step(i), system.seen_variance[i] = system.variance * inverse(i, i);
+  };
+  settle(first);
+  if (!with_neighbours) return system;
+  // What is left when the odd unknowns are as they would be by themselves.
   for (int i = 0; i < kOddUnknowns; ++i)
     for (int n = 0; n < patch.padded; ++n) patch.residual[n] -= static_cast<float>(step(i)) * rows[i][n];
   Grid grid{};
@@ -153,12 +160,8 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
   const Eigen::Vector2i twice = (2 * (model.position - centre.cast<double>())).array().round().cast<int>();
   const Grid odd = odd_part(grid, reach, twice);
   const double unknowns = kOddUnknowns - (information.array() * inverse.diagonal().array()).sum();
-  const double squares = shifted_product(odd, reach, {0, 0});
-  const double variance = squares / std::max(0.5 * weights - unknowns, 4.0);
-  system.variance = std::max(variance, kLeastNoise * kLeastNoise);
-  for (int i = 0; i < kOddUnknowns; ++i)
-    system.seen[i] = step(i), system.seen_variance[i] = system.variance * inverse(i, i);
-  if (!with_neighbours) return system;
+  settle(shifted_product(odd, reach, {0, 0}) / std::max(0.5 * weights - unknowns, 4.0));
+  system.variance_ratio = system.variance / first;
   Grid by_u{}, by_v{};
   spread(patch.odd[0], patch.count, by_u), spread(patch.odd[1], patch.count, by_v);
   for (int k = 0; k < kNeighbours; ++k) {
@@ -173,9 +176,15 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
   return system;
 }
 
+void scale_variance(OddSystem& system, double factor) {
+  system.variance *= factor;
+  for (double& variance : system.seen_variance) variance *= factor;
+}
+
 Habits habits_of(std::span<const OddSystem> systems) {
   Habits habits;
   double bends = kFewCorners * kBendSigma * kBendSigma, corners = kFewCorners, pixels = kFewPixels;
+  double ratios = 0;
   int looked_at = 0;
   for (const OddSystem& system : systems) {
     for (int i = 6; i < 8; ++i) {
@@ -184,11 +193,13 @@ Habits habits_of(std::span<const OddSystem> systems) {
     }
     if (system.influence[0] == 0) continue;
     pixels += system.weights, ++looked_at;
+    ratios += system.variance_ratio;
     for (int k = 0; k < kNeighbours; ++k) {
       habits.correlation[k] += system.weights * system.products[k];
       habits.influence[k] += system.influence[k];
     }
   }
+  if (looked_at > 0) habits.variance = ratios / looked_at;
   for (float& influence : habits.influence) influence /= static_cast<float>(std::max(looked_at, 1));
   habits.bend = std::clamp(std::sqrt(std::max(bends, 0.0) / corners), 0.3 * kBendSigma, kMostBend);
   for (double& correlation : habits.correlation) correlation /= pixels;
@@ -202,7 +213,11 @@ double correlation_factor(const OddSystem& system, const Habits& habits) {
   return std::clamp(factor, kLeastFactor, kMostFactor);
 }
 
-bool are_bent(const Habits& habits) { return habits.bend > kPlainBend; }
+bool are_bent(const Habits& habits) {
+  const auto most = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double alike = *std::max_element(habits.correlation.begin(), habits.correlation.end(), most);
+  return habits.bend > kPlainBend && std::abs(alike) < kMostAlike;
+}
 
 bool is_plain(const OddSystem& system) {
   double chi2 = 0;

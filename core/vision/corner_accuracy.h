@@ -23,17 +23,23 @@ struct OddSystem {
   Eigen::Matrix<double, kOddUnknowns, 1> side;                // minus its gradient
   Eigen::Vector2d shade = Eigen::Vector2d::Zero();            // 1/px, that the fit has taken already
   double variance = 0;                                        // grey levels^2, of a pixel, by the odd residuals
+  double variance_ratio = 1;                                  // to that of all residuals
   double weights = 0;                                         // pixels that took part
   std::array<double, kOddUnknowns> seen{}, seen_variance{};   // of all unknowns, were nothing known of them beforehand
   std::array<float, kNeighbours> influence{};  // how alike the position's dependence on neighbouring pixels is
   std::array<float, kNeighbours> products{};   // of neighbouring residuals, mean over the variance
 };
 
-/// Nothing where the fit's disc leaves the image. Without neighbours half the time, and OddSystem::influence stays 0.
+/// Nothing where the fit's disc leaves the image. Without neighbours in a third of the time: the variance is that of
+/// the fit, and OddSystem::influence stays 0.
 std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bool with_neighbours = true);
+
+/// As if the noise's variance were this many times as large.
+void scale_variance(OddSystem& system, double factor);
 
 /// What the corners of one image have in common.
 struct Habits {
+  double variance = 1;                            // of the odd residuals over that of the fit's
   double bend = 3e-4;                             // 1/px, sigma of the edges' bends
   std::array<double, kNeighbours> correlation{};  // of the noise of neighbouring pixels
   std::array<float, kNeighbours> influence{};     // the mean of OddSystem::influence, for those that have none

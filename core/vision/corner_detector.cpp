@@ -72,14 +72,16 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
   const auto add = [&](Found& found, bool with_neighbours) {
     const auto system = odd_system(level.sight.image, found.fit, with_neighbours);
     if (system) systems.push_back(*system), owners.push_back(&found);
+    return system.has_value();
   };
   const std::size_t every = here.size() / kNoiseCorners + 1;
   for (std::size_t i = 0; i < here.size(); i += every) add(*here[i], true);
-  const bool all = are_bent(habits_of(systems)) ||
-                   std::any_of(systems.begin(), systems.end(), [](const OddSystem& s) { return is_plain(s); });
+  const Habits of_some = habits_of(systems);
+  const bool all =
+      are_bent(of_some) || std::any_of(systems.begin(), systems.end(), [](const OddSystem& s) { return is_plain(s); });
   const auto is_looked_at = [&](std::size_t i) { return all || i % every == 0 || has_shadow(here[i]->fit.model); };
   for (std::size_t i = 0; i < here.size(); ++i)
-    if (is_looked_at(i) && i % every != 0) add(*here[i], false);
+    if (is_looked_at(i) && i % every != 0 && add(*here[i], false)) scale_variance(systems.back(), of_some.variance);
   const Habits habits = habits_of(systems);
   double change = 0;
   int changed = 0;

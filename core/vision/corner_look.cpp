@@ -18,6 +18,7 @@ constexpr double kMostAsymmetry = 0.3;  // half contrasts, beyond what the noise
 constexpr double kLikelyShade = 0.005;   // 1/px: light that changes faster may be a shadow's edge
 constexpr double kLeastOfShadow = 0.03;  // contrasts: opposite points differ by more where there is a shadow
 constexpr double kUsualShade = 0.005, kDoubtfulShade = 0.0015;  // 1/px
+constexpr double kOddsOfShadow = 2;       // log-odds: with four unknowns more much looks like a corner
 constexpr double kNearShadow = 4;         // px: a shadow's edge nearer than that is hard to tell from the corner's own
 constexpr double kShadowVariance = 1.25;  // what straight soft edges leave unsaid of real ones
 
@@ -68,7 +69,7 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
   if (2 * std::abs(fit.model.half_contrast) < sight.options.min_contrast) return std::nullopt;
   if (fit.covariance.trace() > 2 * kMostSigma * kMostSigma) return std::nullopt;
   Found found;
-  const double own = corner_log_odds(signs_of(fit, sight.noise));
+  const double own = corner_log_odds(signs_of(fit, sight.noise)) - (has_shadow(fit.model) ? kOddsOfShadow : 0);
   if (log_odds_among(own, -2) < kLeastLogOdds) return std::nullopt;
   found.fit = fit;
   found.suspect = {{}, fit.model.position, fit.model.edges, fit.model.half_contrast, own, own, fit.model.blur};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSharp = 0.7;  // px, of blur: below it the pixel's own shape matters
 // Grey levels beyond which a pixel may be cut off; JPEG spreads the limit a little.
-constexpr float kWhite = 249.5f, kBlack = 1.5f;
+constexpr int kWhite = 249, kBlack = 2;
 
 // Offsets from the central pixel, nearest first: the first count[r] of them are the disc of r px without its four
 // outermost pixels. Those have no weight in a fit with a rim half a pixel inside, wherever in its pixel the corner is,
@@ -50,6 +50,18 @@ const Disc& disc() {
     return d;
   }();
   return made;
+}
+
+// From the central pixel to all others, in an image of this width; most patches follow others of the same image.
+const int* offsets_in(int width) {
+  thread_local int last = 0;
+  thread_local std::array<int, kMostPatchPixels> offsets;
+  if (width != last) {
+    const Disc& d = disc();
+    for (std::size_t n = 0; n < d.offsets.size(); ++n) offsets[n] = d.v_whole[n] * width + d.u_whole[n];
+    last = width;
+  }
+  return offsets.data();
 }
 
 // A blurred edge at distance d: its value in -1 to 1 and its derivatives by d and by the blur.
@@ -181,9 +193,13 @@ HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, C
   }
 }
 
-HANDSIGHT_LANES bool has_clipped(const float* values, int count) {
+// Grey levels as numbers; whether any is cut off.
+HANDSIGHT_LANES bool as_values(const std::uint8_t* pixels, int count, float* values) {
   int clipped = 0;
-  for (int n = 0; n < count; ++n) clipped += (values[n] > kWhite) | (values[n] < kBlack);
+  for (int n = 0; n < count; ++n) {
+    values[n] = pixels[n];
+    clipped += (pixels[n] > kWhite) | (pixels[n] < kBlack);
+  }
   return clipped > 0;
 }
 
@@ -193,7 +209,8 @@ HANDSIGHT_LANES void leave_out_clipped(bool has_shadow, int begin, int end, Corn
   for (int n = begin; n < end; n += kLanes) {
     Lanes value, beyond, row, zero{};
     load(&patch.value[n], value), load(&patch.residual[n], beyond);
-    const Whole left_out = ((value > kWhite) & (beyond < 0.f)) | ((value < kBlack) & (beyond > 0.f));
+    const Whole left_out = ((value > static_cast<float>(kWhite)) & (beyond < 0.f)) |
+                           ((value < static_cast<float>(kBlack)) & (beyond > 0.f));
     std::uint64_t any[kLanes / 2];
     std::memcpy(any, &left_out, sizeof any);
     if (!(any[0] | any[1] | any[2] | any[3])) continue;
@@ -315,8 +332,11 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   if (there >= patch.count) return;
   patch.centre = centre, patch.gathered = radius;
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
-  for (int n = there; n < patch.count; ++n) patch.value[n] = middle[d.v_whole[n] * image.width + d.u_whole[n]];
-  patch.is_clipped = (there > 0 && patch.is_clipped) || has_clipped(&patch.value[there], patch.count - there);
+  const int* const offsets = offsets_in(image.width);
+  std::array<std::uint8_t, kMostPatchPixels> pixels;
+  for (int n = there; n < patch.count; ++n) pixels[n] = middle[offsets[n]];
+  const bool is_clipped = as_values(&pixels[there], patch.count - there, &patch.value[there]);
+  patch.is_clipped = (there > 0 && patch.is_clipped) || is_clipped;
   for (int n = patch.count; n < patch.padded; ++n) patch.value[n] = 0;
 }
 
@@ -351,6 +371,17 @@ PatchSums sums(const CornerPatch& patch) {
   result.squares = even[20];
   result.weights = result.even[9];  // level with level
   return result;
+}
+
+HANDSIGHT_LANES float squared_weights(const CornerPatch& patch) {
+  constexpr Lanes kNumber{0, 1, 2, 3, 4, 5, 6, 7};
+  Lanes sum{}, weight, zero{};
+  for (int n = 0; n < patch.padded; n += kLanes) {
+    load(&patch.weight[n], weight);
+    weight = kNumber < static_cast<float>(patch.count - n) ? weight : zero;
+    sum += weight * weight;
+  }
+  return total(sum);
 }
 
 std::array<float, 10> odd_sums(const CornerPatch& patch) {

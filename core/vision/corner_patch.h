@@ -74,6 +74,9 @@ struct PatchSums {
 };
 PatchSums sums(const CornerPatch& patch);
 
+/// Sum of the squared weights.
+float squared_weights(const CornerPatch& patch);
+
 /// PatchSums::odd alone.
 std::array<float, 10> odd_sums(const CornerPatch& patch);
 

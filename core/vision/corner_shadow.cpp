@@ -164,7 +164,7 @@ Normal normal_equations(const CornerPatch& patch) {
     normal.side(i) = products[kUnknowns][i];
   }
   normal.squares = products[kUnknowns][kUnknowns];
-  for (int k = 0; k < patch.count; ++k) normal.weights += patch.weight[k] * patch.weight[k];
+  normal.weights = squared_weights(patch);
   return normal;
 }
 

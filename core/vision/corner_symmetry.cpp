@@ -29,7 +29,8 @@ struct Rows {
 // The window round a point and its rim of one pixel. `kStride` holds a row: 16 up to a radius of 6, else 48.
 template <int kStride>
 struct Window {
-  static constexpr int kMostSide = kStride == 16 ? 15 : 2 * kMostRadius + 3, kHalf = kMostSide / 2 + 1;
+  static constexpr int kWidth = kStride, kMostSide = kStride == 16 ? 15 : 2 * kMostRadius + 3,
+                       kHalf = kMostSide / 2 + 1;
   int radius = 0;
   Rows<kStride, kMostSide> value, light;
   Rows<kStride, kHalf + 1> sum;                           // with the opposite point, from the row above the middle on
@@ -109,16 +110,32 @@ HANDSIGHT_INLINE void weigh_by_light(Window<kStride>& window) {
 
 // The normalised Gaussian; each pair of opposite points once.
 template <int kStride>
-float gaussian_weights(double sigma, Window<kStride>& window) {
+struct Weights {
+  double sigma = 0;
+  std::array<float, kStride * Window<kStride>::kHalf> weight;
+  float sum = 0;
+};
+
+template <int kStride>
+Weights<kStride> gaussian_weights(double sigma) {
+  Weights<kStride> made;
+  made.sigma = sigma, made.weight.fill(0);
+  const int radius = window_radius(sigma);
   std::array<float, kMostRadius + 1> line;  // of one direction, so that the product is normalised
-  for (int i = 0; i <= window.radius; ++i)
+  for (int i = 0; i <= radius; ++i)
     line[i] = static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma)) / (std::sqrt(2 * M_PI) * sigma));
-  window.weight.fill(0);
-  float weights = 0;
-  for (int y = 0; y <= window.radius; ++y)
-    for (int x = y == 0 ? 1 : -window.radius; x <= window.radius; ++x)
-      weights += window.weight[y * kStride + window.rim() + x] = line[std::abs(x)] * line[y];
-  return weights;
+  for (int y = 0; y <= radius; ++y)
+    for (int x = y == 0 ? 1 : -radius; x <= radius; ++x)
+      made.sum += made.weight[y * kStride + radius + 1 + x] = line[std::abs(x)] * line[y];
+  return made;
+}
+
+// Of one image all windows have the same.
+template <int kStride>
+const Weights<kStride>& weights_of(double sigma) {
+  thread_local Weights<kStride> last;
+  if (last.sigma != sigma) last = gaussian_weights<kStride>(sigma);
+  return last;
 }
 
 // What is read beside rows weighs nothing, but must be a number.
@@ -190,7 +207,8 @@ std::optional<SymmetryPoint> point_in(AnyWindow& window, const Image& image, con
                                       double reach, int iterations, const CornerModel* lit) {
   window.radius = window_radius(sigma);
   clear_margins(window);
-  const float weights = gaussian_weights(sigma, window);
+  const auto& [same, weight, weights] = weights_of<AnyWindow::kWidth>(sigma);
+  window.weight = weight;
   Eigen::Vector2d at = start;
   for (int i = 0;; ++i) {
     std::array<float, kSums> sum;
