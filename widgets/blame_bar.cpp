@@ -48,6 +48,11 @@ void BlameBar::set_blame(std::optional<Blame> blame) {
   update();
 }
 
+void BlameBar::set_none_text(const QString& text) {
+  none_text_ = text;
+  update();
+}
+
 void BlameBar::set_sentence(const QString& sentence) {
   sentence_ = sentence;
   updateGeometry();
@@ -92,7 +97,7 @@ void BlameBar::paintEvent(QPaintEvent*) {
   } else {
     painter.setPen(c.ink3);
     painter.drawText(QRectF(0, bar.bottom() + 2, width(), kLegendHeight), Qt::AlignVCenter,
-                     QObject::tr("Whose fault: not known yet"));
+                     none_text_.isEmpty() ? QObject::tr("Whose fault: not known yet") : none_text_);
   }
   painter.setFont(text_font(TextRole::body));
   painter.setPen(c.ink1);

@@ -20,6 +20,8 @@ class BlameBar : public QWidget {
   explicit BlameBar(QWidget* parent = nullptr);
   void set_blame(std::optional<Blame> blame);
   const std::optional<Blame>& blame() const { return blame_; }
+  /// What stands in place of the shares where there are none.
+  void set_none_text(const QString& text);
   /// In words: what it is, what would make it right. Wraps.
   void set_sentence(const QString& sentence);
   QSize sizeHint() const override;
@@ -33,7 +35,7 @@ class BlameBar : public QWidget {
 
  private:
   std::optional<Blame> blame_;
-  QString sentence_;
+  QString sentence_, none_text_;
 };
 
 }  // namespace handsight::widgets

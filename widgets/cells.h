@@ -53,6 +53,4 @@ inline ShownSize told_size(const ObservationCell& cell) {
   return cell.size ? *cell.size : ShownSize{cell.rms_over_sigma, SizeUnit::sigma};
 }
 
-enum class ImageSide { left, right };
-
 }  // namespace handsight::widgets

@@ -24,7 +24,9 @@ class ThemedEngine : public QIconEngine {
   explicit ThemedEngine(QString name) : name_(std::move(name)) {}
   void paint(QPainter* painter, const QRect& area, QIcon::Mode mode, QIcon::State) override {
     const Colors& c = colors();
-    draw_icon(*painter, area, name_, mode == QIcon::Disabled ? c.control_edge : c.ink2);
+    const int side = std::min(area.width(), area.height());
+    draw_icon(*painter, QRect(area.topLeft(), QSize(side, side)), name_,
+              mode == QIcon::Disabled ? c.control_edge : c.ink2);
   }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
     QPixmap pixmap(size);
@@ -48,6 +50,13 @@ void draw_icon(QPainter& painter, const QRectF& area, const QString& name, const
   if (svg.isEmpty()) return;
   svg.replace("currentColor", ink.name().toLatin1());
   QSvgRenderer(svg).render(&painter, area);
+}
+
+QPixmap drawn_picture(const QString& name) {
+  has_icon(name);  // the resources are ready
+  QPixmap picture(QStringLiteral(":/pictures/%1.png").arg(name));
+  picture.setDevicePixelRatio(2);
+  return picture;
 }
 
 bool has_icon(const QString& name) { return !drawing(name).isEmpty(); }

@@ -14,6 +14,10 @@ QIcon icon(const QString& name);
 /// The same drawn into an area, in this ink.
 void draw_icon(QPainter& painter, const QRectF& area, const QString& name, const QColor& ink);
 
+/// A picture of resources/pictures by the name of its file, at twice the size at which it is shown; null where there is
+/// none.
+QPixmap drawn_picture(const QString& name);
+
 /// Is there an icon of this name?
 bool has_icon(const QString& name);
 

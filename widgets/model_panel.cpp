@@ -330,6 +330,8 @@ void ModelPanel::rebuild() {
   const QString typed = typing && typing->isModified() ? typing->text() : QString();
   const int cursor = typing ? typing->cursorPosition() : 0;
   for (QLineEdit* field : content_->findChildren<QLineEdit*>()) field->blockSignals(true);
+  // Else the focus would wander from row to row as they go, and the panel would scroll after it.
+  if (focused) focused->clearFocus();
   while (QLayoutItem* item = list_->takeAt(0)) {
     if (item->widget()) {
       // A check box's own click may be what led here: it must outlive its signal.

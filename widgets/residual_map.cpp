@@ -100,8 +100,10 @@ void ResidualMap::set_unit(SizeUnit unit) {
   replot();
 }
 
-void ResidualMap::set_side(std::optional<ImageSide> side) {
-  side_ = side;
+void ResidualMap::set_camera_names(const QStringList& names) { camera_names_ = names; }
+
+void ResidualMap::set_camera(std::optional<int> camera) {
+  camera_ = camera;
   fill();
   replot();
 }
@@ -175,12 +177,11 @@ QString ResidualMap::text_at(const QPointF& position) {
     emit observation_hovered(id);
   }
   if (!point) return {};
-  const QString text =
-      QObject::tr("obs %1, marker %2, %3: %4 %6 right, %5 %6 down")
-          .arg(point->observation)
-          .arg(point->marker)
-          .arg(point->side == ImageSide::left ? QObject::tr("left") : QObject::tr("right"),
-               fixed_text(point->residual.x(), 2), fixed_text(point->residual.y(), 2), unit_name(unit_));
+  const QString text = QObject::tr("obs %1, marker %2, %3: %4 %6 right, %5 %6 down")
+                           .arg(point->observation)
+                           .arg(point->marker)
+                           .arg(camera_names_.value(point->camera), fixed_text(point->residual.x(), 2),
+                                fixed_text(point->residual.y(), 2), unit_name(unit_));
   return unit_ == SizeUnit::millimetre ? text + QObject::tr(", across the line of sight") : text;
 }
 
@@ -198,7 +199,7 @@ void ResidualMap::brushed(const QRectF& in_plot) {
 std::vector<PlotColumn> ResidualMap::columns() const {
   std::vector<PlotColumn> all = {{QObject::tr("observation id"), {}},
                                  {QObject::tr("marker"), {}},
-                                 {QObject::tr("right image"), {}},
+                                 {QObject::tr("camera"), {}},
                                  {QStringLiteral("u (px)"), {}},
                                  {QStringLiteral("v (px)"), {}},
                                  {QObject::tr("residual u (%1)").arg(unit_name(unit_)), {}},
@@ -207,7 +208,7 @@ std::vector<PlotColumn> ResidualMap::columns() const {
     if (!is_shown(point)) continue;
     const std::array<double, 7> values = {static_cast<double>(point.observation),
                                           static_cast<double>(point.marker),
-                                          point.side == ImageSide::right ? 1.0 : 0.0,
+                                          static_cast<double>(point.camera),
                                           point.position.x(),
                                           point.position.y(),
                                           point.residual.x(),

@@ -2,6 +2,7 @@
 // Residuals over the image plane, through three lenses.
 #pragma once
 
+#include <QStringList>
 #include <memory>
 #include <optional>
 
@@ -14,7 +15,7 @@ namespace handsight::widgets {
 struct MapPoint {
   ObservationId observation = kNoObservation;
   int marker = 0;
-  ImageSide side = ImageSide::left;
+  int camera = 0;
   Vector2 position{0, 0};  // px
   Vector2 residual{0, 0};  // measured - predicted, right and down, in the map's unit
   std::optional<double> rms_over_sigma;
@@ -34,7 +35,8 @@ class ResidualMap : public PlotWidget {
   void set_points(std::vector<MapPoint> points);
   /// What the residuals are in: px; mm across the line of sight; sigma of one coordinate.
   void set_unit(SizeUnit unit);
-  void set_side(std::optional<ImageSide> side);  // nothing: both
+  void set_camera(std::optional<int> camera);       // the one whose residuals are shown; nothing: of all
+  void set_camera_names(const QStringList& names);  // by camera
   void set_lens(MapLens lens);
   MapLens lens() const { return lens_; }
   void set_regions(bool shown);
@@ -64,12 +66,13 @@ class ResidualMap : public PlotWidget {
   void fill_arrows();
   void fill_regions();
   void ring();
-  bool is_shown(const MapPoint& point) const { return !side_ || point.side == *side_; }
+  bool is_shown(const MapPoint& point) const { return !camera_ || point.camera == *camera_; }
   const MapPoint* point_at(const QPointF& position) const;
 
   std::vector<MapPoint> points_;
   int width_ = 640, height_ = 480;
-  std::optional<ImageSide> side_;
+  std::optional<int> camera_;
+  QStringList camera_names_;
   MapLens lens_ = MapLens::arrows;
   SizeUnit unit_ = SizeUnit::pixel;
   bool has_regions_ = true;

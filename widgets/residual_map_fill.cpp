@@ -86,7 +86,7 @@ void ResidualMap::fill_regions() {
     const Vector2 middle = corner + Vector2(width_ / double(2 * kColumns), height_ / double(2 * kRows));
     layers_->counts[k]->position->setCoords(corner.x(), corner.y());
     layers_->counts[k]->setText(QString::number(counts[k]));
-    layers_->counts[k]->setVisible(has_regions_ && !points_.empty());
+    layers_->counts[k]->setVisible(has_regions_ && !points_.empty() && lens_ != MapLens::arrows);
     if (has_regions_ && counts[k] >= 3) means.add_arrow(middle, middle + times * sums[k] / counts[k], width_ / 50.0);
   }
   layers_->means->setData(means.t, means.x, means.y, true);

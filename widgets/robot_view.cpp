@@ -34,6 +34,7 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName(QObject::tr("Robot in 3D"));
   parts_->empty_text = QObject::tr("No robot yet.");
+  connect(&parts_->reading_poll, &QTimer::timeout, this, &RobotView::finish_reading);
   parts_->gl.window()->AddRenderer(parts_->renderer);
   vtkNew<vtkLightKit> lights;
   lights->SetKeyLightWarmth(0.5);
@@ -41,16 +42,18 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   lights->SetKeyToFillRatio(2.2);
   lights->AddLightsToRenderer(parts_->renderer);
   parts_->buttons = new QWidget(this);
+  parts_->buttons->setAutoFillBackground(true);  // over the robot, where it reaches so far
+  parts_->buttons->setBackgroundRole(QPalette::Base);
   auto* row = new QHBoxLayout(parts_->buttons);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  const std::array<std::pair<const char*, StandardView>, 6> views = {
-      std::pair{"All", StandardView::all},     std::pair{"TCP", StandardView::tcp},
-      std::pair{"Front", StandardView::front}, std::pair{"Side", StandardView::left},
-      std::pair{"Top", StandardView::top},     std::pair{"Camera", StandardView::camera}};
+  const std::array<std::pair<QString, StandardView>, 6> views = {
+      std::pair{tr("All"), StandardView::all},     std::pair{tr("TCP"), StandardView::tcp},
+      std::pair{tr("Front"), StandardView::front}, std::pair{tr("Side"), StandardView::left},
+      std::pair{tr("Top"), StandardView::top},     std::pair{tr("Camera"), StandardView::camera}};
   for (const auto& [name, view] : views) {
     auto* button = new QToolButton(parts_->buttons);
-    button->setText(QString::fromLatin1(name));
+    button->setText(name);
     button->setToolTip(tr("Looks from there (F, 1 to 6, 0)"));
     button->setAutoRaise(true);
     button->setFont(text_font(TextRole::small));
@@ -69,15 +72,39 @@ QSize RobotView::minimumSizeHint() const { return {240, 200}; }
 void RobotView::set_robot(const Robot& robot, const std::filesystem::path& mesh_folder) {
   Parts& p = *parts_;
   p.robot = robot;
-  p.mesh_folder = mesh_folder;
-  p.robot_changed = true;
   p.posture.clear();
   p.bent.reset();
-  p.wants_fit = true;
-  // Read at once, so that notes() knows; shown at the next picture.
-  p.links.notes = make_robot_actors(robot, mesh_folder).notes;
+  if (p.reading.valid()) p.abandoned.push_back(std::move(p.reading));
+  take_meshes({});
+  if (!has_meshes(robot)) return;
+  constexpr std::chrono::milliseconds moment(30), poll(20);
+  p.reading = std::async(std::launch::async, [robot, mesh_folder] { return read_meshes(robot, mesh_folder); });
+  if (p.reading.wait_for(moment) == std::future_status::ready) return take_meshes(p.reading.get());
+  p.reading_poll.start(poll);
+}
+
+void RobotView::take_meshes(const ReadMeshes& meshes) {
+  Parts& p = *parts_;
+  p.read_links = make_robot_actors(p.robot, meshes);  // shown at the next picture
+  p.links.notes = p.read_links.notes;
+  p.robot_changed = p.wants_fit = true;
   change();
 }
+
+void RobotView::finish_reading() {
+  Parts& p = *parts_;
+  const auto is_ready = [](const std::future<ReadMeshes>& f) {
+    return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  std::erase_if(p.abandoned, is_ready);
+  if (p.reading.valid() && is_ready(p.reading)) {
+    take_meshes(p.reading.get());
+    emit notes_changed();
+  }
+  if (!p.reading.valid() && p.abandoned.empty()) p.reading_poll.stop();
+}
+
+bool RobotView::is_reading() const { return parts_->reading.valid(); }
 
 const std::vector<QString>& RobotView::notes() const { return parts_->links.notes; }
 
@@ -96,6 +123,11 @@ void RobotView::set_ghost(const std::optional<std::vector<Rigid>>& root_from_lin
 void RobotView::set_ghost_magnification(double times) {
   parts_->ghost_times = times;
   parts_->ghost_changed = true;
+  change();
+}
+
+void RobotView::set_interest(std::vector<Vector3> in_root) {
+  parts_->interest = std::move(in_root);
   change();
 }
 
@@ -183,6 +215,10 @@ std::optional<Vector3> RobotView::arrow_tip(ObservationId id) const {
 
 QImage RobotView::picture(double scale) {
   const double ratio = scale > 0 ? scale : devicePixelRatioF();
+  if (parts_->reading.valid()) {  // a picture is of the whole robot
+    parts_->reading.wait();
+    finish_reading();
+  }
   draw((QSizeF(size()) * ratio).toSize());
   QImage image = parts_->picture;
   if (image.isNull())

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "widgets/cells.h"
 
 namespace handsight::widgets {
+
+struct ReadMesh;
+using ReadMeshes = std::map<std::string, ReadMesh>;
 
 /// Everything in the root link's frame, m.
 struct SceneCamera {
@@ -62,12 +66,16 @@ class RobotView : public QWidget {
   /// Links are drawn by their visuals; meshes are looked for under `mesh_folder`. A link without any gets a plausible
   /// limb between its joints. Sentences about meshes that could not be shown are in notes().
   void set_robot(const Robot& robot, const std::filesystem::path& mesh_folder);
+  /// Meshes that take longer than a moment to read are shown when they are there; notes_changed tells.
   const std::vector<QString>& notes() const;
+  bool is_reading() const;
   /// One motion per link of the robot, in its order.
   void set_posture(const std::vector<Rigid>& root_from_link);
   /// The same with what the model bends; the ghost is drawn where posture + magnification * (ghost - posture) is.
   void set_ghost(const std::optional<std::vector<Rigid>>& root_from_link);
   void set_ghost_magnification(double times);
+  /// Places that are to be in sight where neither cameras nor the TCP are shown.
+  void set_interest(std::vector<Vector3> in_root);
   void set_cameras(std::vector<SceneCamera> cameras);
   void set_tcp(const std::optional<Rigid>& root_from_tcp);          // red, green, blue
   void set_tcp_est(const std::optional<Rigid>& root_from_tcp_est);  // cyan, yellow, magenta
@@ -92,6 +100,7 @@ class RobotView : public QWidget {
   QSize minimumSizeHint() const override;
 
  signals:
+  void notes_changed();
   void observation_selected(qint64 id);
   void observation_hovered(qint64 id);
   void joint_selected(const QString& joint);  // a link was clicked: the joint that carries it
@@ -112,6 +121,8 @@ class RobotView : public QWidget {
 
  private:
   struct Parts;
+  void take_meshes(const ReadMeshes& meshes);
+  void finish_reading();
   void change();  // the scene: the next painting draws it anew
   void draw(const QSize& size);
   void show_menu(const QPoint& position);

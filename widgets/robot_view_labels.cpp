@@ -31,6 +31,16 @@ QPointF free_place(const QPointF& wanted, const QSizeF& size, const std::vector<
   return wanted;
 }
 
+/// The longest of a frame's axes as it is seen, px.
+double length_on_screen(const RobotView& view, const Rigid& root_from_frame) {
+  const auto origin = view.to_screen(root_from_frame.translation);
+  double longest = 0;
+  for (int axis = 0; origin && axis < 3; ++axis)
+    if (const auto tip = view.to_screen(root_from_frame * Vector3(kAxisLength * Vector3::Unit(axis))))
+      longest = std::max(longest, std::hypot(tip->x() - origin->x(), tip->y() - origin->y()));
+  return longest;
+}
+
 }  // namespace
 
 void RobotView::paint_labels(QPainter& painter) {
@@ -55,16 +65,18 @@ void RobotView::paint_labels(QPainter& painter) {
     }
     taken.push_back(draw_plate(painter, place, text, c.ink1, c.panel));
   };
-  for (int axis = 0; axis < 3; ++axis) {
+  const bool is_near = p.tcp && length_on_screen(*this, *p.tcp) > 34;  // from afar letters would hide what they name
+  for (int axis = 0; is_near && axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     const Vector3 tip = 1.12 * kAxisLength * Vector3::Unit(axis);
-    if (p.tcp) plate(*p.tcp * tip, letters[i], QPointF(4, -7));
+    plate(*p.tcp * tip, letters[i], QPointF(4, -7));
     if (p.tcp_est) plate(*p.tcp_est * tip, letters[i] + QStringLiteral("′"), QPointF(4, 9));
   }
   for (std::size_t i = 0; i < p.cameras.size(); ++i)
     plate(p.cameras[i].root_from_camera.translation, p.cameras[i].name, QPointF(8, i == 1 ? 10 : -10));
   for (const SceneMarker& marker : p.markers)
-    if (marker.role == SceneMarkerRole::measured) plate(marker.in_root, QString::number(marker.marker), QPointF(9, -9));
+    if (is_near && marker.role == SceneMarkerRole::measured)
+      plate(marker.in_root, QString::number(marker.marker), QPointF(9, -9));
 
   // The root's axes as a small triad.
   const QPointF origin(30, height() - 32.0);

@@ -29,6 +29,13 @@ QColor shadow_color() {
   return {mix(ground.red(), ink.red()), mix(ground.green(), ink.green()), mix(ground.blue(), ink.blue())};
 }
 
+/// A link that is as dark as a dark ground would be lost on it.
+QColor off_the_ground(const QColor& color) {
+  constexpr int least = 88;
+  if (colors().panel.lightness() > 127 || color.lightness() >= least) return color;
+  return QColor::fromHsl(color.hslHue() < 0 ? 0 : color.hslHue(), color.hslSaturation(), least);
+}
+
 }  // namespace
 
 const SceneArrow* RobotView::Parts::arrow_of(ObservationId id) const {
@@ -56,7 +63,7 @@ void RobotView::Parts::make_robot() {
   remove_from(*renderer, ghost);
   remove_from(*renderer, shadow);
   std::vector<QString> notes = std::move(links.notes);
-  links = make_robot_actors(robot, mesh_folder);
+  links = std::exchange(read_links, {});
   ghost = make_ghost_actors(links, colors().candidate);
   shadow = make_shadow_actors(links, shadow_color());
   links.notes = std::move(notes);
@@ -74,7 +81,8 @@ void RobotView::Parts::set_colors() {
   for (const LinkActor& part : shadow.parts) set_color(*part.actor, shadow_color());
   const int selected_index = find_joint(robot, selected_joint.toStdString());
   const int tinted = selected_index < 0 ? -1 : robot.joints[static_cast<std::size_t>(selected_index)].child_link;
-  for (const LinkActor& part : links.parts) set_color(*part.actor, part.link == tinted ? colors().accent : part.color);
+  for (const LinkActor& part : links.parts)
+    set_color(*part.actor, part.link == tinted ? colors().accent : off_the_ground(part.color));
   theme_changed = false;
   marks_changed = arrows_changed = posture_changed = true;
 }
@@ -128,6 +136,7 @@ std::pair<Vector3, Vector3> RobotView::Parts::extent() const {
   };
   for (const SceneArrow& arrow : arrows) hold(arrow.from);
   for (const SceneCamera& camera : cameras) hold(camera.root_from_camera.translation);
+  for (const Vector3& place : interest) hold(place);
   if (tcp) hold(tcp->translation);
   const bool has_focus = low.x() <= high.x();
   constexpr double reach = 0.35;  // m: links this near belong to it

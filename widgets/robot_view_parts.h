@@ -6,7 +6,9 @@
 #include <vtkRenderer.h>
 
 #include <QImage>
+#include <QTimer>
 #include <array>
+#include <future>
 
 #include "widgets/robot_view.h"
 #include "widgets/scene/gl_window.h"
@@ -28,11 +30,14 @@ struct RobotView::Parts {
   QWidget* buttons = nullptr;
 
   Robot robot;
-  std::filesystem::path mesh_folder;
+  std::future<ReadMeshes> reading;                 // meshes that are on their way
+  std::vector<std::future<ReadMeshes>> abandoned;  // of robots that are no longer shown: nobody waits for them
+  QTimer reading_poll;
   std::vector<Rigid> posture;
   std::optional<std::vector<Rigid>> bent;
   double ghost_times = 20, arrow_times = 20;
   std::vector<SceneCamera> cameras;
+  std::vector<Vector3> interest;  // places that are to be in sight
   std::optional<Rigid> tcp, tcp_est;
   std::vector<SceneMarker> markers;
   std::vector<SceneArrow> arrows;
@@ -40,6 +45,7 @@ struct RobotView::Parts {
   ObservationId selected = kNoObservation, hovered = kNoObservation;
   QString selected_joint, empty_text;
 
+  RobotActors read_links;  // not yet in the scene
   RobotActors links, ghost, shadow;
   ActorGroup floor, camera_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
   // What has to be made anew before the next picture: actors may only go while the context is current.

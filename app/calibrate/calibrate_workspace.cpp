@@ -11,6 +11,7 @@
 #include "calibrate/own_pose_page.h"
 #include "calibrate/recall.h"
 #include "calibrate/transport.h"
+#include "frame/camera_strip.h"
 #include "frame/link_selection.h"
 #include "frame/observation_views.h"
 #include "widgets/convergence_plot.h"
@@ -69,6 +70,7 @@ void CalibrateWorkspace::make_layout() {
   right_->setObjectName("calibrate_right");
   scene_ = new widgets::RobotView(this);
   scene_->setObjectName("calibrate_scene");
+  connect(scene_, &widgets::RobotView::notes_changed, this, &CalibrateWorkspace::say_notes);
   board_ = new widgets::ConvergenceBoard(this);
   board_->set_empty_text(tr("Play, and the six parameters converge here."));
   decisions_ = new widgets::DecisionList(this);
@@ -105,6 +107,9 @@ void CalibrateWorkspace::make_layout() {
   layout->setContentsMargins(8, 0, 8, 8);
   layout->setSpacing(4);
   layout->addWidget(transport_);
+  cameras_ = new CameraStrip(bench_, left_, right_, this);
+  connect(cameras_, &CameraStrip::changed, this, &CalibrateWorkspace::refresh_observation);
+  layout->addWidget(cameras_);
   layout->addWidget(rows, 1);
   const auto magnify = [this](double times) {
     scene_->set_ghost_magnification(times);
@@ -183,9 +188,12 @@ void CalibrateWorkspace::connect_selection() {
       if (!bench_.selection.current().observation || marker < 0) return;
       bench_.selection.select({.observation = bench_.selection.current().observation,
                                .marker = marker,
-                               .camera = view == left_ ? CameraSide::left : CameraSide::right});
+                               .camera = cameras_->camera_of(view)});
     });
   }
+  connect(&bench_.images, &ImageSource::arrived, this, [this] {
+    if (is_active()) refresh_observation();
+  });
   connect(&bench_.selection, &Selection::changed, this, [this] {
     const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
     board_->set_selected(id);
@@ -223,8 +231,8 @@ void CalibrateWorkspace::connect_selection() {
 
 WorkStatus CalibrateWorkspace::status() const {
   const Session& s = bench_.document.session();
-  const bool is_labelled = std::any_of(s.observations.begin(), s.observations.end(),
-                                       [](const Observation& o) { return !o.sightings.empty(); });
+  const bool is_labelled = s.target || std::any_of(s.observations.begin(), s.observations.end(),
+                                                   [](const Observation& o) { return !o.sightings.empty(); });
   if (!is_labelled) return {WorkState::waiting, tr("waits for labels")};
   const auto taken = std::count_if(s.observations.begin(), s.observations.end(),
                                    [](const Observation& o) { return o.decision == Decision::accepted; });
@@ -245,9 +253,13 @@ void CalibrateWorkspace::set_robot() {
   const Session& s = bench_.document.session();
   const std::filesystem::path urdf = folder(s) / s.robot_file;
   scene_->set_robot(s.robot, urdf.parent_path());
-  for (const QString& note : scene_->notes()) emit bench_.document.noticed(note);
+  say_notes();
   own_pose_->set_session();
   robot_is_set_ = true;
+}
+
+void CalibrateWorkspace::say_notes() {
+  for (const QString& note : scene_->notes()) emit bench_.document.noticed(note);
 }
 
 void CalibrateWorkspace::activate() {
@@ -304,7 +316,7 @@ void CalibrateWorkspace::refresh_observation() {
   const PlayedStep* played = player_.step_of(o->id);
   const bool use_played = played && !played->row.markers.empty() && (player_.is_playing() || !bench_.document.model());
   const InspectionRow* row = use_played ? &played->row : bench_.row(o->id);
-  show_images(bench_, *o, row, *left_, *right_, true);
+  show_images(bench_, *o, row, cameras_->shown(), true);
   if (tabs_->currentWidget() == own_pose_) {
     own_pose_->show(*scene_);
   } else {

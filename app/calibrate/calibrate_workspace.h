@@ -19,6 +19,8 @@ class RobotView;
 
 namespace handsight::app {
 
+class CameraStrip;
+
 class ObjectivePage;
 class OneMarkerPage;
 class OwnPosePage;
@@ -51,12 +53,14 @@ class CalibrateWorkspace : public Workspace {
   void refresh_decisions();
   void refresh_decision_title(bool is_present);
   void set_robot();
+  void say_notes();
   /// The convergence of a session that was played before it was opened.
   void recall();
 
   Player player_;
   Transport* transport_;
   widgets::ImageView *left_, *right_;
+  CameraStrip* cameras_;
   widgets::RobotView* scene_ = nullptr;
   widgets::ConvergenceBoard* board_;
   widgets::DecisionList* decisions_;

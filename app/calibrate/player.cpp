@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/chain.h"
+#include "session/target_finding.h"
 
 namespace handsight::app {
 
@@ -12,8 +13,9 @@ struct Player::Run {
   Session session;  // a copy, as it was when the play began
   Chain chain;
   OnlineCalibration online;
-  Session frame;            // the session without its observations
-  std::vector<char> known;  // markers that some accepted observation showed
+  Session frame;                       // the session without its observations
+  std::vector<char> known;             // markers that some accepted observation showed
+  std::optional<TargetFinder> finder;  // of a session with a target: its points need no label
 
   explicit Run(const Session& from)
       : session(from),
@@ -21,6 +23,7 @@ struct Player::Run {
         online(session),
         frame(session),
         known(static_cast<std::size_t>(session.marker_count), 0) {
+    if (session.target && session.rig) finder.emplace(session);
     frame.observations.clear();
     frame.source.reset();
   }
@@ -70,18 +73,27 @@ PlayedStep played_step(Player::Run& run, std::size_t index, OnlineStep step) {
   return played;
 }
 
+/// By its target where it has one, else by its images or labels.
+OnlineStep decided(Player::Run& run, const Observation& o) {
+  if (run.finder && has_images(o) && o.decision != Decision::excluded) {
+    TargetFinding found = run.finder->find(o);
+    Observation seen = o;
+    seen.sightings = std::move(found.sightings);
+    return run.online.add(seen, nullptr, found.reason);
+  }
+  std::string refusal;
+  const auto images = read_pair(run.session, o, refusal);
+  if (refusal.empty()) return run.online.add(o, images ? &*images : nullptr);
+  OnlineStep step;
+  step.id = o.id;
+  step.reason = refusal;
+  return step;
+}
+
 /// The step of one observation, after those of earlier ones that are decided with it.
 void play_one(Player::Run& run, std::size_t index, std::vector<PlayedStep>& played) {
   const Observation& o = run.session.observations[index];
-  OnlineStep step;
-  std::string refusal;
-  const auto images = read_pair(run.session, o, refusal);
-  if (refusal.empty()) {
-    step = run.online.add(o, images ? &*images : nullptr);
-  } else {
-    step.id = o.id;
-    step.reason = refusal;
-  }
+  OnlineStep step = decided(run, o);
   const auto& all = run.session.observations;
   for (OnlineStep& revised : run.online.take_revised()) {
     const auto earlier = std::find_if(all.begin(), all.end(), [&](const Observation& x) { return x.id == revised.id; });

@@ -158,7 +158,8 @@ double Transport::magnification() const { return magnifications[ghost_->value()]
 
 bool Transport::is_labelled() const {
   const auto& all = bench_.document.session().observations;
-  return std::any_of(all.begin(), all.end(), [](const Observation& o) { return !o.sightings.empty(); });
+  return bench_.document.session().target ||
+         std::any_of(all.begin(), all.end(), [](const Observation& o) { return !o.sightings.empty(); });
 }
 
 QString Transport::progress_text() const {
@@ -183,8 +184,8 @@ void Transport::refresh() {
   play_->setIcon(widgets::icon(player_.is_playing() ? "pause" : "play"));
   play_->setText(player_.is_playing() ? tr("Pause") : is_over ? tr("Play again") : tr("Play"));
   for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
-  const bool has_images = open && !bench_.document.session().is_tracker();
-  watch_->setEnabled(has_images);
+  const auto& rig = bench_.document.session().rig;
+  watch_->setEnabled(open && rig && is_pair(*rig));  // arrivals come in pairs
   if (watch_->isChecked() && !live_.is_watching()) watch_->setChecked(false);
   progress_->setText(progress_text());
   progress_->setToolTip(progress_->text());

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "estimation/half_turns.h"
 #include "outputs.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
@@ -105,6 +106,9 @@ Session open_searched_session(const std::string& path) {
   });
   progress.reset();
   for (const std::string& note : search.notes) Output::note(note);
+  if (const int turned = undo_half_turns(session); turned > 0)
+    Output::note(fmt::format("The board was numbered the other way round in {} observations; the robot's motion tells.",
+                             turned));
   return session;
 }
 

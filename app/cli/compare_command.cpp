@@ -35,7 +35,7 @@ Json change_json(const Change& c) {
                             {"name", effect.parameters[p].name},
                             {"value", number(t.values[p])},
                             {"sigma", s < c.sigma.size() ? number(c.sigma[s]) : Json(nullptr)},
-                            {"unit", effect.parameters[p].unit}});
+                            {"unit", c.units[static_cast<std::size_t>(s)]}});
       ++s;
     }
   }

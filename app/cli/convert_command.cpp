@@ -4,6 +4,7 @@
 #include "command.h"
 #include "option_limits.h"
 #include "outputs.h"
+#include "target_option.h"
 #include "ways/convert.h"
 
 namespace handsight::cli {
@@ -13,13 +14,21 @@ struct Options {
   std::vector<std::string> files;
   std::string out, robot;
   ConvertOptions convert;
+  TargetOptions target;
   Output output;
 };
+
+std::string sensor_text(const Session& s) {
+  if (s.pose_sensor) return "poses of the target";
+  if (!s.rig) return fmt::format("{} points of a tracker", s.marker_count);
+  return fmt::format("{} {}", s.rig->count(), s.rig->count() == 1 ? "camera" : "cameras");
+}
 
 int run(const Options& o) {
   ConvertOptions options = o.convert;
   options.out = o.out;
   options.robot = o.robot;
+  if (is_given(o.target)) options.target = target_from(o.target);
   note_input(o.robot);
   std::vector<std::filesystem::path> files;
   for (const std::string& file : o.files) {
@@ -31,10 +40,11 @@ int run(const Options& o) {
   for (const std::string& note : made.notes) Output::note(note);
   for (const std::string& file : made.took) o.output.line(file);
   const Session& s = made.session;
-  o.output.line(fmt::format("{}: {} observations, {} joints, {}", o.out, s.observations.size(), s.joints.size(),
-                            s.rig ? "two cameras" : fmt::format("{} points of a tracker", s.marker_count)));
-  o.output.line(fmt::format("Next: handsight-cli check {0}, then {1} {0}", o.out,
-                            s.rig ? "label the first observation with handsight-cli label" : "handsight-cli fit"));
+  o.output.line(
+      fmt::format("{}: {} observations, {} joints, {}", o.out, s.observations.size(), s.joints.size(), sensor_text(s)));
+  o.output.line(
+      fmt::format("Next: handsight-cli check {0}, then {1} {0}", o.out,
+                  needs_label(s) ? "label the first observation with handsight-cli label" : "handsight-cli fit"));
   o.output.json({{"out", o.out},
                  {"observations", s.observations.size()},
                  {"joints", s.joints},
@@ -70,6 +80,7 @@ Command add_convert(CLI::App& app) {
   command->add_flag("--estimate-lag", o->convert.estimate_lag, "Find the lag from movements that both show");
   command->add_option("--still", o->convert.pairing.still_for, "s for which the robot must stand; 0: it may move")
       ->check(within(0, 60));
+  add_target_options(*command, o->target, true);
   add_json_option(*command, o->output);
   return {command, [o] { return run(*o); }};
 }

@@ -8,6 +8,7 @@
 #include "diagnosis/refitting.h"
 #include "diagnosis/robot_check.h"
 #include "effects/own_effect.h"
+#include "effects/units.h"
 #include "fit_output.h"
 #include "json_values.h"
 #include "option_limits.h"
@@ -25,7 +26,7 @@ Json parameters_json(const Session& session, const DiagnosisCandidate& c) {
                       {"name", effect.parameters[p].name},
                       {"value", number(c.terms[t].values[p])},
                       {"sigma", number(c.sigmas[t][p])},
-                      {"unit", effect.parameters[p].unit},
+                      {"unit", unit_at(effect, p, c.terms[t].joint, session.robot)},
                       {"plausible_size", effect.parameters[p].sigma}});
   }
   return list;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "effects/units.h"
 #include "json_values.h"
 
 namespace handsight::cli {
@@ -41,7 +42,7 @@ Json parameters_json(const Session& session, const std::vector<FittedEffect>& ef
            {"name", effect->parameters[p].name},
            {"value", e.term.values[p]},
            {"sigma", number(e.sigmas[p])},
-           {"unit", effect->parameters[p].unit}});
+           {"unit", unit_at(*effect, p, e.term.joint, session.robot)}});
   }
   return list;
 }
@@ -78,7 +79,7 @@ void print_effects(const Output& out, const Session& session, const Fit& fit) {
       out.line(fmt::format("  {:<22} {:<12} {:<11} {:>11.4g}{} {}", e.term.id, place, effect.parameters[p].name,
                            e.term.values[p],
                            e.sigmas[p] > 0 ? fmt::format(" +- {:<8.2g}", e.sigmas[p]) : std::string(" (held)    "),
-                           effect.parameters[p].unit));
+                           unit_at(effect, p, e.term.joint, session.robot)));
   }
 }
 
@@ -136,6 +137,11 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
   out.line(fit.covariance_kind == CovarianceKind::noise
                ? "  (sigmas from the noise; rotations about the TCP's x, y, z)"
                : "  (sigmas from how the observations differ: the model does not agree with them to the noise)");
+  if (const auto target = tcp_from_target(session, fit)) {
+    const Vector3 xyz = 1e3 * target->translation, angles = degrees * rpy_from_rotation(target->rotation);
+    out.line(fmt::format("The target's own frame in the TCP's: {:.4f} {:.4f} {:.4f} mm, rpy {:.4f} {:.4f} {:.4f} deg",
+                         xyz.x(), xyz.y(), xyz.z(), angles.x(), angles.y(), angles.z()));
+  }
   out.line();
   print_errors(out, fit, told);
   if (fit.objective == Objective::angle_axis)
@@ -166,6 +172,8 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
   result["noise_estimated_m"] = tracker ? estimated : null;
   result["chi2_per_dof"] = number(fit.chi2_per_dof);
   result["tcp_from_body"] = {{"matrix", motion(fit.tcp_from_body)}, {"covariance", matrix(fit.covariance)}};
+  const auto target = tcp_from_target(session, fit);
+  result["tcp_from_target"] = target ? motion(*target) : Json(nullptr);
   result["covariance_from"] = fit.covariance_kind == CovarianceKind::noise ? "noise" : "scatter";
   Json markers = Json::array();
   for (std::size_t m = 0; m < fit.markers_in_body.size(); ++m)

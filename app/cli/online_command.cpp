@@ -185,10 +185,11 @@ OnlineStep decided(OnlineCalibration& online, const Session& session, const Obse
 
 std::atomic<bool> is_interrupted = false;
 
-/// Takes what arrives in the session's folder until it is interrupted, or the time is over.
-void watch(Session& session, const Options& options, OnlineCalibration& online, Steps& steps,
-           const std::optional<TargetFinder>& finder) {
+/// Takes what arrives in the session's folder until it is interrupted, or the time is over; how many came.
+std::size_t watch(Session& session, const Options& options, OnlineCalibration& online, Steps& steps,
+                  const std::optional<TargetFinder>& finder) {
   Arrivals arrivals(session);
+  std::size_t arrived = 0;
   std::int64_t next_id = 0;
   for (const Observation& o : session.observations) next_id = std::max(next_id, o.id + 1);
   std::signal(SIGINT, [](int) { is_interrupted = true; });
@@ -203,6 +204,7 @@ void watch(Session& session, const Options& options, OnlineCalibration& online, 
     for (const std::string& remark : look.remarks) Output::note(remark);
     for (Observation& o : look.arrived) {
       o.id = next_id++;
+      ++arrived;
       if (options.save) session.observations.push_back(o);  // else nothing is kept: a watch may last for days
       const OnlineStep step = decided(online, session, o, steps, finder);
       for (const OnlineStep& revised : online.take_revised()) steps.take(revised);
@@ -217,6 +219,7 @@ void watch(Session& session, const Options& options, OnlineCalibration& online, 
     }
     if (look.arrived.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+  return arrived;
 }
 
 int run(const Options& options) {
@@ -238,12 +241,13 @@ int run(const Options& options) {
     steps.take(step);
     progress.at(k + 1);
   }
-  if (options.watch) watch(session, options, online, steps, finder);
+  std::size_t seen = session.observations.size();
+  if (options.watch) seen += watch(session, options, online, steps, finder);
   if (!steps.json_lines().empty()) write_output(options.output.json_file, steps.json_lines(), "--json");
   if (options.save && !options.watch) steps.save();
   options.output.line();
-  options.output.line(fmt::format("{} of {} observations taken{}", steps.taken(), session.observations.size(),
-                                  options.save ? "; saved in the session" : ""));
+  options.output.line(
+      fmt::format("{} of {} observations taken{}", steps.taken(), seen, options.save ? "; saved in the session" : ""));
   if (const auto open = online.mount_progress())
     options.output.line(
         fmt::format("The cameras' mount is still unknown: {} labelled and {} open observations do not agree on one.{}",
@@ -262,8 +266,9 @@ Command add_online(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("online", "Online calibration: observation by observation, each taken or rejected");
   add_session_option(*command, options->session);
-  command->add_flag("--watch", options->watch,
-                    "Go on with what arrives in the session's folder: joints.csv, and images/ or points.csv");
+  command->add_flag(
+      "--watch", options->watch,
+      "Go on with what arrives in the session's folder: joints.csv, and images/, points.csv or poses.csv");
   command->add_option("--for", options->watch_for, "s: how long to watch; 0 until interrupted")->check(within(0, 1e9));
   command->add_flag("--save", options->save, "Save decisions and found markers in the session");
   command

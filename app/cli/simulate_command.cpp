@@ -66,7 +66,7 @@ int run(const Options& o) {
   options.declare_noise = !o.undeclared && image.observations == 0;
   const SimulatedSession simulated = simulate_session(like, options);
   if (!o.live.empty()) {
-    if (like.rig) require_pair(like, "simulate --live");
+    if (like.rig && !like.target) require_pair(like, "simulate --live");
     if (like.rig) image.observations = options.observations;
     Progress progress("arriving", static_cast<std::size_t>(options.observations));
     simulate_live(simulated, options, robot_file, image, o.live, o.rate,

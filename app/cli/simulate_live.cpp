@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulate_live.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -42,7 +43,10 @@ void write_header(const Session& s, const fs::path& folder) {
   for (int m = 0; m < s.marker_count; ++m)
     for (const char axis : {'x', 'y', 'z'}) points += fmt::format(",m{}_{}", m, axis);
   append(folder / "joints.csv", joints);
-  if (s.is_tracker()) append(folder / "points.csv", points);
+  if (s.pose_sensor)
+    append(folder / "poses.csv", "number,x,y,z,qx,qy,qz,qw");
+  else if (s.is_tracker())
+    append(folder / "points.csv", points);
 }
 
 void write_points(const Session& s, const Observation& o, const fs::path& folder) {
@@ -53,6 +57,22 @@ void write_points(const Session& s, const Observation& o, const fs::path& folder
     line += seen == o.sightings.end() ? ",,," : joined(seen->point->data(), 3);
   }
   append(folder / "points.csv", line);
+}
+
+void write_pose(const Observation& o, const fs::path& folder) {
+  const Eigen::Quaterniond q(o.target_pose->rotation);
+  append(folder / "poses.csv",
+         fmt::format("{}{}{}", o.id, joined(o.target_pose->translation.data(), 3), joined(q.coeffs().data(), 4)));
+}
+
+/// What was measured, before the line of joints that calls for it.
+void write_measured(const Session& s, const Observation& o, const fs::path& whole, const fs::path& folder) {
+  for (const std::string& image : o.images)
+    if (!image.empty()) bring_image(whole / image, folder / image);
+  if (s.pose_sensor && o.target_pose)
+    write_pose(o, folder);
+  else if (s.is_tracker() && !s.pose_sensor)
+    write_points(s, o, folder);
 }
 
 }  // namespace
@@ -67,11 +87,11 @@ void simulate_live(const SimulatedSession& simulated, const SimulationOptions& o
   const Session all = read_session(whole);
   Session begun = all;
   begun.observations.resize(1);
-  begun.observations[0].sightings = simulated.session.observations[0].sightings;  // the first is labelled
+  if (!all.target) begun.observations[0].sightings = simulated.session.observations[0].sightings;  // it is labelled
   begun.source.reset();
   begun.file = folder / "session.xml";
   fs::create_directories(folder / "images");
-  fs::copy_file(whole / all.robot_file, folder / all.robot_file);
+  if (!all.robot.is_of_poses) fs::copy_file(whole / all.robot_file, folder / all.robot_file);
   for (const std::string& image : begun.observations[0].images)
     if (!image.empty()) bring_image(whole / image, folder / image);
   save_session(begun);
@@ -81,11 +101,9 @@ void simulate_live(const SimulatedSession& simulated, const SimulationOptions& o
     const Observation& o = all.observations[k];
     std::this_thread::sleep_until(start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                               std::chrono::duration<double>(static_cast<double>(k) / rate)));
-    for (const std::string& image : o.images)
-      if (!image.empty()) bring_image(whole / image, folder / image);
+    write_measured(all, o, whole, folder);
     append(folder / "joints.csv",
            fmt::format("{},{}{}", o.id, format_number(o.time), joined(o.position.data(), o.position.size())));
-    if (all.is_tracker()) write_points(all, o, folder);
     arrived(static_cast<int>(k));
   }
   fs::remove_all(whole);

@@ -10,6 +10,7 @@ ShownUnit shown_unit(const std::string& unit) {
   if (unit == "rad") return {1e3, "mrad"};
   if (unit == "rad/(N m)") return {1e6, QString::fromUtf8("µrad/(N m)")};
   if (unit == "m") return {1e3, "mm"};
+  if (unit == "m/N") return {1e6, QString::fromUtf8("µm/N")};
   if (unit == "s") return {1e3, "ms"};
   if (unit == "1") return {1, QString()};
   return {1, QString::fromStdString(unit)};

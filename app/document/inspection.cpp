@@ -11,13 +11,14 @@ std::optional<Vector2> pixel_in(const Sighting& s, int camera) {
   return seen ? std::optional(seen->pixel) : std::nullopt;
 }
 
-void predict(const Rig* rig, MarkerResidual& marker) {
-  if (!rig) return;
-  const Vector3& x = marker.predicted_in_sensor;
-  if (x.z() > 1e-6) marker.predicted_left = project(rig->at(0).camera, x);
-  if (rig->count() < 2) return;
-  const Vector3 in_right = rig->at(1).camera_from_first * x;
-  if (in_right.z() > 1e-6) marker.predicted_right = project(rig->at(1).camera, in_right);
+std::vector<ImageCorner> corners_of(const Rig* rig, const Sighting& s, const Vector3& predicted_in_sensor) {
+  std::vector<ImageCorner> corners;
+  for (int camera = 0; rig && camera < rig->count(); ++camera) {
+    corners.push_back({.measured = pixel_in(s, camera)});
+    const Vector3 in_camera = rig->at(camera).camera_from_first * predicted_in_sensor;
+    if (in_camera.z() > 1e-6) corners.back().predicted = project(rig->at(camera).camera, in_camera);
+  }
+  return corners;
 }
 
 void note_worst(const MarkerResidual& marker, InspectionRow& row) {
@@ -27,9 +28,10 @@ void note_worst(const MarkerResidual& marker, InspectionRow& row) {
     row.worst_marker = marker.marker;
     row.worst_camera = camera;
   };
-  if (marker.left && marker.predicted_left) look((*marker.left - *marker.predicted_left).norm(), 0);
-  if (marker.right && marker.predicted_right) look((*marker.right - *marker.predicted_right).norm(), 1);
-  if (!marker.left && !marker.right && marker.measured_in_sensor)
+  for (std::size_t i = 0; i < marker.corners.size(); ++i)
+    if (const ImageCorner& c = marker.corners[i]; c.is_compared())
+      look((*c.measured - *c.predicted).norm(), static_cast<int>(i));
+  if (!marker.is_seen() && marker.measured_in_sensor)
     look((*marker.measured_in_sensor - marker.predicted_in_sensor).norm(), -1);
 }
 
@@ -45,9 +47,9 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
     squared_variances += covariance.squaredNorm();
   };
   for (const Sighting& s : o.sightings) {
-    MarkerResidual marker{.marker = s.marker, .left = pixel_in(s, 0), .right = pixel_in(s, 1)};
+    MarkerResidual marker{.marker = s.marker};
     marker.predicted_in_sensor = sensor_from_tcp * marker_at(o, unknowns, s.marker);
-    predict(rig, marker);
+    marker.corners = corners_of(rig, s, marker.predicted_in_sensor);
     marker.measured_in_sensor = s.point;
     if (s.point) add_variance(Matrix3::Identity());
     if (rig)

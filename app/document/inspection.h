@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QString>
+#include <algorithm>
 #include <unordered_map>
 
 #include "diagnosis/blame.h"
@@ -11,13 +12,23 @@
 
 namespace handsight::app {
 
+/// One marker in one image, px: where it was seen, where the model predicts it (nothing behind the camera).
+struct ImageCorner {
+  std::optional<Vector2> measured, predicted;
+
+  bool is_compared() const { return measured && predicted; }
+};
+
 /// One marker of one observation, measured against predicted.
 struct MarkerResidual {
   int marker = 0;
-  std::optional<Vector2> left, right;                      // px, measured
-  std::optional<Vector2> predicted_left, predicted_right;  // px; nothing behind the camera
-  Vector3 predicted_in_sensor = Vector3::Zero();           // m
-  std::optional<Vector3> measured_in_sensor;               // m, triangulated or the tracker's
+  std::vector<ImageCorner> corners;               // by camera of the rig; none in tracker sessions
+  Vector3 predicted_in_sensor = Vector3::Zero();  // m
+  std::optional<Vector3> measured_in_sensor;      // m, triangulated or the tracker's
+
+  bool is_seen() const {
+    return std::any_of(corners.begin(), corners.end(), [](const ImageCorner& c) { return c.measured.has_value(); });
+  }
 };
 
 struct InspectionRow {
@@ -38,7 +49,7 @@ struct InspectionRow {
   Rigid root_from_tcp, root_from_sensor;
   std::vector<MarkerResidual> markers;
   int worst_marker = -1;
-  int worst_camera = -1;  // 0 left, 1 right
+  int worst_camera = -1;  // of the rig; -1: a tracker
   double worst_size = 0;  // px (m), length
   Blame blame;
   bool outlier = false;                    // stands out of the other observations

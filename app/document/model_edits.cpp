@@ -6,6 +6,7 @@
 #include "diagnosis/refitting.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
+#include "effects/units.h"
 
 namespace handsight::app {
 namespace {
@@ -97,6 +98,10 @@ std::optional<NumberPlace> find_number(ModelSettings& settings, const std::strin
   return std::nullopt;
 }
 
+ShownUnit shown_unit_of(const Document& document, const NumberPlace& n) {
+  return shown_unit(unit_at(effect_of(*n.term), n.parameter, n.term->joint, document.session().robot));
+}
+
 bool holds_all(const EffectTerm& term) {
   const Effect& effect = effect_of(term);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
@@ -141,16 +146,22 @@ Edit with_number_held(const Document& document, const std::string& id, std::size
                  held ? QObject::tr("held %1").arg(name) : QObject::tr("estimated %1 again").arg(name));
 }
 
+double shown_scale(const Document& document, const std::string& id, std::size_t number) {
+  ModelSettings settings = document.settings();
+  const auto place = find_number(settings, id, number);
+  return place ? shown_unit_of(document, *place).scale : 1;
+}
+
 Edit with_value(const Document& document, const std::string& id, std::size_t number, double value) {
   ModelSettings after = settings_with_values(document);
   const auto place = find_number(after, id, number);
   if (!place) return {};
   const Effect& effect = effect_of(*place->term);
   const bool is_in_held = !terms_of_effect(after.held, id).empty();
-  const EffectParameter& p = effect.parameters[place->parameter];
-  if (p.is_choice || (!is_in_held && is_free(effect, *place->term, place->parameter))) return {};
+  if (effect.parameters[place->parameter].is_choice || (!is_in_held && is_free(effect, *place->term, place->parameter)))
+    return {};
   place->term->values[place->parameter] = value;
-  const ShownUnit shown = shown_unit(p.unit);
+  const ShownUnit shown = shown_unit_of(document, *place);
   return edit_to(document, after,
                  QObject::tr("held %1 at %2 %3")
                      .arg(number_text(document, *place))

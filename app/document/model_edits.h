@@ -22,6 +22,9 @@ Edit with_effect_held(const Document& document, const std::string& id, bool held
 /// Its effect counts as ticked by hand then.
 Edit with_number_held(const Document& document, const std::string& id, std::size_t number, bool held);
 
+/// What a number of an effect is multiplied by to be shown: 1000 of what is in mm.
+double shown_scale(const Document& document, const std::string& id, std::size_t number);
+
 /// A held number set to another: the `number`-th of all its numbers, term by term, in the effect's own unit.
 Edit with_value(const Document& document, const std::string& id, std::size_t number, double value);
 

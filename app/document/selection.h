@@ -11,13 +11,11 @@
 
 namespace handsight::app {
 
-enum class CameraSide { left, right };
-
 /// One thing: an observation, and in it a marker, and of it one camera's image of it; or a joint.
 struct Selected {
   std::optional<std::int64_t> observation;
   std::optional<int> marker;
-  std::optional<CameraSide> camera;
+  std::optional<int> camera;  // of the rig
   std::optional<std::string> joint;
 
   bool operator==(const Selected&) const = default;

@@ -26,7 +26,7 @@ std::vector<TourStep> ExplainWorkspace::tour_steps() {
       {tr("Where does it fail? The residual of every observation against what it follows most. Noise would stay within "
           "the grey band; hold N to see how noise alone would look."),
        widget("pattern_large")},
-      {tr("Nine more views of the same residuals. Click one to see it large; Shift and drag to ask what some "
+      {tr("More views of the same residuals. Click one to see it large; Shift and drag to ask what some "
           "observations have in common."),
        widget("pattern_page")},
       {tr("What is missing? The likeliest cause comes first. Rest the pointer on the card: purple, dashed, everywhere, "

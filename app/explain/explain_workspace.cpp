@@ -183,7 +183,7 @@ WorkStatus ExplainWorkspace::status() const {
   const auto ratio = error_and_noise(*model).ratio();
   if (!ratio) return {WorkState::open, tr("noise unknown")};
   return *ratio < 1.25 ? WorkStatus{WorkState::done, tr("down at the noise")}
-                       : WorkStatus{WorkState::open, tr("%1 x the noise").arg(widgets::short_text(*ratio))};
+                       : WorkStatus{WorkState::open, tr("%1 × the noise").arg(widgets::short_text(*ratio))};
 }
 
 void ExplainWorkspace::activate() {

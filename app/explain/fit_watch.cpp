@@ -20,8 +20,7 @@ std::vector<widgets::CloudPoint> cloud_of(const std::vector<CornerResidual>& cor
   points.reserve(corners.size());
   for (const CornerResidual& c : corners) {
     const double scale = c.camera == by_tracker ? 1e3 : 1;
-    points.push_back({ids[static_cast<std::size_t>(c.place)], c.marker,
-                      c.camera == 1 ? widgets::ImageSide::right : widgets::ImageSide::left, scale * c.residual.x(),
+    points.push_back({ids[static_cast<std::size_t>(c.place)], c.marker, std::max(c.camera, 0), scale * c.residual.x(),
                       scale * c.residual.y()});
   }
   return points;

@@ -10,6 +10,7 @@
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/own_effect.h"
+#include "effects/units.h"
 #include "widgets/number_text.h"
 
 namespace handsight::app {
@@ -59,7 +60,7 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
   const std::string place = place_name(effect, hidden.joint, session.robot);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
     const EffectParameter& parameter = effect.parameters[p];
-    const ShownUnit unit = shown_unit(parameter.unit);
+    const ShownUnit unit = shown_unit(unit_at(effect, p, hidden.joint, session.robot));
     widgets::TruthRow row;
     row.what = place.empty() ? effect_of(hidden.id, {}) : QString::fromStdString(place);
     row.parameter = QString::fromStdString(parameter.name);
@@ -104,7 +105,7 @@ void add_what_was_not_hidden(const Session& session, const Truth& truth, const F
     const Effect& effect = effect_of(f.term);
     const std::string place = place_name(effect, f.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-      const ShownUnit unit = shown_unit(effect.parameters[p].unit);
+      const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.joint, session.robot));
       widgets::TruthRow row;
       row.what = name_of({f.term}, session);
       row.parameter = QString::fromStdString(effect.parameters[p].name);

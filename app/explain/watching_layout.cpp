@@ -70,7 +70,8 @@ void WatchingPane::make_layout() {
   robot_title_ = new QLabel(this);
   robot_title_->setObjectName("ghost_title");
   robot_title_->setFont(widgets::text_font(widgets::TextRole::small));
-  robot_title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  robot_title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+  robot_title_->setWordWrap(true);
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
   right->addWidget(robot_title_);

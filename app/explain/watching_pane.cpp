@@ -148,6 +148,7 @@ std::vector<widgets::CloudPoint> WatchingPane::in_unit(std::vector<widgets::Clou
 
 void WatchingPane::refresh_cloud() {
   const ModelVersionPointer now = bench_.document.shown_model();
+  if (const auto& rig = bench_.document.session().rig) cloud_->set_camera_names(camera_names_in_words(*rig));
   cloud_->set_predicted(false);
   if (!now || !now->fit) {
     cloud_->set_before({}, {});

@@ -19,6 +19,16 @@ double largest_motion(const std::vector<Rigid>& a, const std::vector<Rigid>& b) 
   return largest;
 }
 
+/// The hand, and what carries the sensor.
+std::vector<Vector3> places_of_interest(const Session& session, int index) {
+  const auto links = link_motions(session, session.observations[static_cast<std::size_t>(index)].position);
+  std::vector<Vector3> places;
+  for (const std::string& name : {session.tcp, session.mount.link})
+    if (const int link = find_link(session.robot, name); link >= 0)
+      places.push_back(links[static_cast<std::size_t>(link)].translation);
+  return places;
+}
+
 }  // namespace
 
 void WatchingPane::show_robot() {
@@ -30,6 +40,7 @@ void WatchingPane::show_robot() {
     robot_->set_robot(session.robot, (folder(session) / session.robot_file).parent_path());
     robot_is_set_ = true;
   }
+  robot_->set_interest(places_of_interest(session, index));
   if (!now || !now->fit) {
     straight_ = link_motions(session, session.observations[static_cast<std::size_t>(index)].position);
     robot_->set_posture(straight_);

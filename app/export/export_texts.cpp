@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
+#include "effects/units.h"
 #include "explain/explain_texts.h"
 #include "frame/model_effects.h"
 #include "widgets/number_text.h"
@@ -50,7 +51,7 @@ std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
     const Effect& effect = effect_of(f.term);
     const std::string place = place_name(effect, f.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-      const ShownUnit unit = shown_unit(effect.parameters[p].unit);
+      const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.joint, session.robot));
       const bool is_held = !(f.sigmas[p] > 0);
       const QStringList parts =
           widgets::with_sigma_text(unit.scale * f.term.values[p],

@@ -148,9 +148,8 @@ void ExportWorkspace::refresh_motion() {
 void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
   const auto& unused = model.report->rejected;
   excluded_title_->setText(
-      unused.empty()
-          ? tr("Every observation was used")
-          : tr("%1 not used").arg(counted(static_cast<qint64>(unused.size()), "%n observation(s)")));
+      unused.empty() ? tr("Every observation was used")
+                     : tr("%1 not used").arg(counted(static_cast<qint64>(unused.size()), "%n observation(s)")));
   excluded_->setVisible(!unused.empty());
   const auto fresh = fresh_poses(*model.inspection);
   const auto count = [&](auto test) { return std::count_if(fresh.begin(), fresh.end(), test); };

@@ -220,20 +220,22 @@ void add_robot(const Workbench& bench, const Observation& o, const Inspection& a
 void add_images(Workbench& bench, const Observation& o, std::vector<ReportPicture>& pictures) {
   if (!bench.document.session().rig || o.images[0].empty()) return;
   QWidget pair;
-  auto* left = new widgets::ImageView(&pair);
-  auto* right = new widgets::ImageView(&pair);
-  lay_out(pair, 660, 262);
-  left->setGeometry(0, 0, 327, 262);
-  right->setGeometry(333, 0, 327, 262);
-  left->show();
-  right->show();
+  const int count = std::min(2, bench.document.session().rig->count());
+  lay_out(pair, count == 2 ? 660 : 480, count == 2 ? 262 : 380);
+  std::vector<ShownCamera> shown;
+  for (int camera = 0; camera < count; ++camera) {
+    shown.push_back({new widgets::ImageView(&pair), camera});
+    const int wide = (pair.width() - 6 * (count - 1)) / count;
+    shown.back().view->setGeometry(camera * (wide + 6), 0, wide, pair.height());
+    shown.back().view->show();
+  }
   const InspectionRow* row = bench.row(o.id);
-  show_images(bench, o, row, *left, *right, true);
+  show_images(bench, o, row, shown, true, true);
   const double times = row ? round_magnification(row->worst_size, 40) : 1;
-  left->set_magnification(times);
-  right->set_magnification(times);
-  left->fit();
-  right->fit();
+  for (const ShownCamera& one : shown) {
+    one.view->set_magnification(times);
+    one.view->fit();
+  }
   pictures.push_back(
       {QObject::tr("Observation %1: markers measured and predicted, residuals times %2").arg(o.id).arg(times),
        painted(pair)});

@@ -38,8 +38,7 @@ ResidualSize size_of(const ErrorSummary& e, bool in_pixels, std::optional<double
 }
 
 ResidualSize size_of(const InspectionRow& row) {
-  const bool in_pixels =
-      std::any_of(row.markers.begin(), row.markers.end(), [](const auto& m) { return m.left || m.right; });
+  const bool in_pixels = std::any_of(row.markers.begin(), row.markers.end(), [](const auto& m) { return m.is_seen(); });
   return {.pixel = in_pixels ? row.rms : std::nullopt, .millimetre = scaled(row.rms_m, 1e3), .sigma = row.ratio};
 }
 
@@ -47,15 +46,13 @@ ResidualSize size_of(const MarkerResidual& marker, const Inspection& all) {
   ResidualSize size;
   double squares = 0;
   int rows = 0;
-  const auto add = [&](const std::optional<Vector2>& measured, const std::optional<Vector2>& predicted) {
-    if (!measured || !predicted) return;
-    const double length = (*measured - *predicted).norm();
+  for (const ImageCorner& c : marker.corners) {
+    if (!c.is_compared()) continue;
+    const double length = (*c.measured - *c.predicted).norm();
     size.pixel = std::max(size.pixel.value_or(0), length);
     squares += length * length;
     rows += 2;
-  };
-  add(marker.left, marker.predicted_left);
-  add(marker.right, marker.predicted_right);
+  }
   if (marker.measured_in_sensor) {
     const double length = (*marker.measured_in_sensor - marker.predicted_in_sensor).norm();
     size.millimetre = 1e3 * length;
@@ -65,23 +62,22 @@ ResidualSize size_of(const MarkerResidual& marker, const Inspection& all) {
   return size;
 }
 
-std::optional<Vector2> corner_in(SizeUnit unit, const MarkerResidual& marker, bool left, const StereoRig& rig,
+std::optional<Vector2> corner_in(SizeUnit unit, const MarkerResidual& marker, int camera, const Rig& rig,
                                  std::optional<double> noise) {
-  const auto& measured = left ? marker.left : marker.right;
-  const auto& predicted = left ? marker.predicted_left : marker.predicted_right;
-  if (!measured || !predicted) return std::nullopt;
-  const Vector2 residual = *measured - *predicted;
+  if (static_cast<std::size_t>(camera) >= marker.corners.size()) return std::nullopt;
+  const ImageCorner& corner = marker.corners[static_cast<std::size_t>(camera)];
+  if (!corner.is_compared()) return std::nullopt;
+  const Vector2 residual = *corner.measured - *corner.predicted;
   if (unit == SizeUnit::pixel) return residual;
   if (unit == SizeUnit::sigma) return noise && *noise > 0 ? std::optional<Vector2>(residual / *noise) : std::nullopt;
-  const Camera& camera = left ? rig.left : rig.right;
-  const Vector3 in_camera = left ? marker.predicted_in_sensor : rig.right_from_left * marker.predicted_in_sensor;
-  return 1e3 * in_camera.z() * residual.cwiseQuotient(Vector2(camera.fx, camera.fy));
+  const Camera& seen_by = rig.at(camera).camera;
+  const Vector3 in_camera = rig.at(camera).camera_from_first * marker.predicted_in_sensor;
+  return 1e3 * in_camera.z() * residual.cwiseQuotient(Vector2(seen_by.fx, seen_by.fy));
 }
 
-ResidualSize size_of_corner(const MarkerResidual& marker, bool left, const StereoRig& rig,
-                            std::optional<double> noise) {
+ResidualSize size_of_corner(const MarkerResidual& marker, int camera, const Rig& rig, std::optional<double> noise) {
   const auto length = [&](SizeUnit unit) {
-    const auto v = corner_in(unit, marker, left, rig, noise);
+    const auto v = corner_in(unit, marker, camera, rig, noise);
     return v ? std::optional(v->norm()) : std::nullopt;
   };
   // Sigma is of a coordinate, of which a corner has two.

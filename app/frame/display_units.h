@@ -22,12 +22,12 @@ struct ResidualSize {
 
 ResidualSize size_of(const ErrorSummary& error, bool in_pixels, std::optional<double> noise);
 ResidualSize size_of(const InspectionRow& row);
-/// One marker of it: in px the worse of its two corners.
+/// One marker of it: in px the worst of its corners.
 ResidualSize size_of(const MarkerResidual& marker, const Inspection& all);
 /// One corner: its residual (px), seen by this camera.
-ResidualSize size_of_corner(const MarkerResidual& marker, bool left, const StereoRig& rig, std::optional<double> noise);
+ResidualSize size_of_corner(const MarkerResidual& marker, int camera, const Rig& rig, std::optional<double> noise);
 /// The same as a vector in the image (right, down); nothing where it has no value in this unit.
-std::optional<Vector2> corner_in(widgets::SizeUnit unit, const MarkerResidual& marker, bool left, const StereoRig& rig,
+std::optional<Vector2> corner_in(widgets::SizeUnit unit, const MarkerResidual& marker, int camera, const Rig& rig,
                                  std::optional<double> noise);
 
 /// The errors of a version of the model, and what noise alone would make of them. `noise` of one coordinate (px or m)

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 #include <QToolButton>
 
 #include "document/counted.h"
@@ -46,11 +48,31 @@ QString excluded_note(const Workbench& bench) {
 
 }  // namespace
 
+namespace {
+
+/// A title that is shortened in its middle where there is no room for it.
+class TitleButton : public QToolButton {
+ public:
+  using QToolButton::QToolButton;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    constexpr int rim = 8;
+    QStylePainter painter(this);
+    QStyleOptionToolButton option;
+    initStyleOption(&option);
+    option.text = fontMetrics().elidedText(option.text, Qt::ElideMiddle, width() - rim);
+    painter.drawComplexControl(QStyle::CC_ToolButton, option);
+  }
+};
+
+}  // namespace
+
 Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QWidget* parent)
     : QWidget(parent), bench_(bench), actions_(actions) {
   setObjectName("header");
   const auto button = [this](const char* name, const QString& text, const QString& tip) {
-    auto* b = new QToolButton(this);
+    auto* b = new TitleButton(this);
     b->setObjectName(name);
     b->setText(text);
     b->setToolTip(tip);

@@ -18,6 +18,7 @@
 #include "frame/input_manners.h"
 #include "frame/link_selection.h"
 #include "frame/model_effects.h"
+#include "frame/observation_views.h"
 #include "frame/rail.h"
 #include "start/preferences.h"
 #include "start/session_places.h"
@@ -157,17 +158,16 @@ void MainWindow::refresh_crumbs() {
   QStringList crumbs;
   if (s.observation) crumbs << tr("obs %1").arg(*s.observation);
   if (s.marker) crumbs << tr("marker %1").arg(*s.marker);
-  if (s.camera) crumbs << (*s.camera == CameraSide::left ? tr("left") : tr("right"));
+  const auto& rig = bench_.document.session().rig;
+  if (s.camera && rig && *s.camera < rig->count()) crumbs << camera_name(*rig, *s.camera);
   if (s.joint) crumbs << QString::fromStdString(*s.joint);
   const InspectionRow* row = bench_.selected_row();
   if (!crumbs.isEmpty() && row && row->rms) {
     const Inspection& all = *bench_.inspection();
-    const auto& cameras = bench_.document.session().rig;
-    const auto rig = cameras && is_pair(*cameras) ? std::optional(stereo_of(*cameras)) : std::nullopt;
     ResidualSize size = size_of(*row);
     for (const MarkerResidual& m : row->markers) {
       if (!s.marker || m.marker != *s.marker) continue;
-      size = s.camera && rig ? size_of_corner(m, *s.camera == CameraSide::left, *rig, all.noise) : size_of(m, all);
+      size = s.camera && rig ? size_of_corner(m, *s.camera, *rig, all.noise) : size_of(m, all);
     }
     crumbs.last() += "  " + bench_.units.text(size);
   }

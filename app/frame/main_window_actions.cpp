@@ -167,7 +167,7 @@ void MainWindow::add_view_actions() {
   actions_.add({.id = "next_unit",
                 .group = everywhere,
                 .text = tr("Next unit of sizes"),
-                .tip = tr("sizes in px, in mm at the hand, in σ (residual over noise)"),
+                .tip = tr("sizes in px, in mm at the hand, in σ"),
                 .keys = {QKeySequence(Qt::Key_U)},
                 .run = [this] { bench_.units.next(); },
                 .is_possible = is_open});
@@ -216,7 +216,7 @@ void MainWindow::make_actions() {
   add_observation_actions();
   actions_.add({.id = "views_3d",
                 .group = tr("3D view"),
-                .text = tr("show everything, standard views, the cameras' view"),
+                .text = tr("all, standard views, from the camera"),
                 .gesture = tr("F, 1 … 6, 0")});
   actions_.fill(*menu_);
   after_choices_ = menu_->findChild<QAction*>(QString("before_section_%1").arg(static_cast<int>(of_help)));

@@ -23,6 +23,7 @@ bool is_decided(const Session& s) {
 
 /// Is there nothing that a play could start from: no labels, or images of which none is labelled?
 bool wants_labels(const Session& s) {
+  if (s.target || s.pose_sensor) return false;
   bool any_labels = false, any_images = false;
   for (const Observation& o : s.observations) {
     if (!o.images[0].empty() && !o.sightings.empty()) return false;

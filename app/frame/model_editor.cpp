@@ -6,18 +6,6 @@
 
 namespace handsight::app {
 
-namespace {
-
-/// The effect of this id: of the catalogue, or by formula in the model.
-const Effect* effect_in(const ModelSettings& settings, const std::string& id) {
-  for (const auto* terms : {&settings.held, &settings.estimated})
-    for (const EffectTerm& term : *terms)
-      if (term.id == id) return &effect_of(term);
-  return find_effect(id);
-}
-
-}  // namespace
-
 void ModelEditor::tick(const QString& id, bool in_model) {
   const std::string name = id.toStdString();
   const auto perform = [this](Edit edit) { bench_.document.perform(std::move(edit)); };
@@ -50,12 +38,10 @@ void ModelEditor::hold_number(const QString& id, int number, bool held) {
 }
 
 void ModelEditor::type(const QString& id, int number, double value) {
-  const Effect* effect = effect_in(bench_.document.settings(), id.toStdString());
-  if (!effect || number < 0 || effect->parameters.empty()) return;
-  const std::size_t parameter = static_cast<std::size_t>(number) % effect->parameters.size();
-  const double scale = shown_unit(effect->parameters[parameter].unit).scale;
-  bench_.document.perform(
-      with_value(bench_.document, id.toStdString(), static_cast<std::size_t>(number), value / scale));
+  if (number < 0) return;
+  const auto place = static_cast<std::size_t>(number);
+  const double scale = shown_scale(bench_.document, id.toStdString(), place);
+  bench_.document.perform(with_value(bench_.document, id.toStdString(), place, value / scale));
 }
 
 }  // namespace handsight::app

@@ -6,6 +6,7 @@
 #include "document/counted.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
+#include "effects/units.h"
 #include "widgets/number_text.h"
 
 namespace handsight::app {
@@ -130,7 +131,7 @@ std::vector<widgets::ModelParameter> effect_parameters(const Session& session, c
     const QString of = QString::fromStdString(place_name(effect, terms[t].joint, session.robot));
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& number = effect.parameters[p];
-      const ShownUnit unit = shown_unit(number.unit);
+      const ShownUnit unit = shown_unit(unit_at(effect, p, terms[t].joint, session.robot));
       widgets::ModelParameter row{.of = of, .name = number_title(number.name), .unit = unit.unit};
       row.value = unit.scale * terms[t].values[p];
       row.is_choice = number.is_choice;

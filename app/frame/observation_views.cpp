@@ -12,20 +12,23 @@ std::optional<double> corner_ratio(const Vector2& residual, std::optional<double
   return noise && *noise > 0 ? std::optional(residual.norm() / std::sqrt(2.0) / *noise) : std::nullopt;
 }
 
-std::optional<widgets::ImageAxes> axes_of(const StereoRig& rig, const Rigid& left_from_frame, bool left,
-                                          bool is_estimate) {
-  const Rigid camera_from_frame = left ? left_from_frame : rig.right_from_left * left_from_frame;
-  const Camera& camera = left ? rig.left : rig.right;
+std::optional<widgets::ImageAxes> axes_of(const RigCamera& seen_by, const Rigid& sensor_from_frame, bool is_estimate) {
+  const Rigid camera_from_frame = seen_by.camera_from_first * sensor_from_frame;
   widgets::ImageAxes axes{.is_estimate = is_estimate};
   const Vector3 origin = camera_from_frame.translation;
   if (origin.z() < 0.02) return std::nullopt;
-  axes.origin = project(camera, origin);
+  axes.origin = project(seen_by.camera, origin);
   for (int i = 0; i < 3; ++i) {
     const Vector3 tip = camera_from_frame * Vector3(0.05 * Vector3::Unit(i));
     if (tip.z() < 0.02) return std::nullopt;
-    axes.tips[static_cast<std::size_t>(i)] = project(camera, tip);
+    axes.tips[static_cast<std::size_t>(i)] = project(seen_by.camera, tip);
   }
   return axes;
+}
+
+const ImageCorner* corner_of(const MarkerResidual& marker, int camera) {
+  const auto i = static_cast<std::size_t>(camera);
+  return i < marker.corners.size() ? &marker.corners[i] : nullptr;
 }
 
 std::vector<int> links_beyond_last_joint(const Robot& robot, int tcp_link) {
@@ -41,82 +44,99 @@ std::vector<int> links_beyond_last_joint(const Robot& robot, int tcp_link) {
 
 }  // namespace
 
-std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left, const StereoRig& rig,
+QString camera_name(const Rig& rig, int camera) {
+  const std::string& name = rig.at(camera).name;
+  return name == "left" ? QObject::tr("left") : name == "right" ? QObject::tr("right") : QString::fromStdString(name);
+}
+
+QString camera_title(const Rig& rig, int camera) {
+  const std::string& name = rig.at(camera).name;
+  return name == "left" ? QObject::tr("Left") : name == "right" ? QObject::tr("Right") : QString::fromStdString(name);
+}
+
+QStringList camera_names_in_words(const Rig& rig) {
+  QStringList names;
+  for (int camera = 0; camera < rig.count(); ++camera) names << camera_name(rig, camera);
+  return names;
+}
+
+std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, int camera, const Rig& rig,
                                             std::optional<double> noise, const DisplayUnits& units) {
   std::vector<widgets::ImageMark> marks;
   for (const MarkerResidual& m : row.markers) {
-    const auto& measured = left ? m.left : m.right;
-    const auto& predicted = left ? m.predicted_left : m.predicted_right;
-    if (predicted) marks.push_back({.marker = m.marker, .position = *predicted, .role = widgets::MarkRole::predicted});
-    if (!measured) continue;
-    widgets::ImageMark mark{.marker = m.marker, .position = *measured};
-    if (predicted) {
-      mark.rms_over_sigma = corner_ratio(*measured - *predicted, noise);
+    const ImageCorner* corner = corner_of(m, camera);
+    if (!corner) continue;
+    if (corner->predicted)
+      marks.push_back({.marker = m.marker, .position = *corner->predicted, .role = widgets::MarkRole::predicted});
+    if (!corner->measured) continue;
+    widgets::ImageMark mark{.marker = m.marker, .position = *corner->measured};
+    if (corner->predicted) {
+      mark.rms_over_sigma = corner_ratio(*corner->measured - *corner->predicted, noise);
       mark.text = QObject::tr("marker %1, %2 from where it was predicted")
                       .arg(m.marker)
-                      .arg(units.text(size_of_corner(m, left, rig, noise)));
+                      .arg(units.text(size_of_corner(m, camera, rig, noise)));
     }
     marks.push_back(mark);
   }
   return marks;
 }
 
-std::vector<widgets::ImageArrow> image_arrows(const InspectionRow& row, bool left, std::optional<double> noise) {
+std::vector<widgets::ImageArrow> image_arrows(const InspectionRow& row, int camera, std::optional<double> noise) {
   std::vector<widgets::ImageArrow> arrows;
   for (const MarkerResidual& m : row.markers) {
-    const auto& measured = left ? m.left : m.right;
-    const auto& predicted = left ? m.predicted_left : m.predicted_right;
-    if (!measured || !predicted) continue;
-    const Vector2 residual = *measured - *predicted;
-    arrows.push_back({.from = *predicted, .residual = residual, .rms_over_sigma = corner_ratio(residual, noise)});
+    const ImageCorner* corner = corner_of(m, camera);
+    if (!corner || !corner->is_compared()) continue;
+    const Vector2 residual = *corner->measured - *corner->predicted;
+    arrows.push_back(
+        {.from = *corner->predicted, .residual = residual, .rms_over_sigma = corner_ratio(residual, noise)});
   }
   return arrows;
 }
 
-std::vector<widgets::ImageAxes> image_axes(const InspectionRow& row, const StereoRig& rig, bool left) {
+std::vector<widgets::ImageAxes> image_axes(const InspectionRow& row, const Rig& rig, int camera) {
   std::vector<widgets::ImageAxes> all;
-  const Rigid left_from_tcp = inverse(row.root_from_sensor) * row.root_from_tcp;
-  if (const auto tcp = axes_of(rig, left_from_tcp, left, false)) all.push_back(*tcp);
+  const Rigid sensor_from_tcp = inverse(row.root_from_sensor) * row.root_from_tcp;
+  if (const auto tcp = axes_of(rig.at(camera), sensor_from_tcp, false)) all.push_back(*tcp);
   if (row.tcp_from_tcp_est)
-    if (const auto est = axes_of(rig, left_from_tcp * *row.tcp_from_tcp_est, left, true)) all.push_back(*est);
+    if (const auto est = axes_of(rig.at(camera), sensor_from_tcp * *row.tcp_from_tcp_est, true)) all.push_back(*est);
   return all;
 }
 
-std::vector<widgets::ImageMark> label_marks(const Observation& observation, bool left) {
+std::vector<widgets::ImageMark> label_marks(const Observation& observation, int camera) {
   std::vector<widgets::ImageMark> marks;
   for (const Sighting& s : observation.sightings)
-    if (const CameraPoint* const seen = seen_by(s, left ? 0 : 1))
+    if (const CameraPoint* const seen = seen_by(s, camera))
       marks.push_back({.marker = s.marker, .position = seen->pixel});
   return marks;
 }
 
-void show_images(Workbench& bench, const Observation& observation, const InspectionRow* row, widgets::ImageView& left,
-                 widgets::ImageView& right, bool with_axes) {
+void show_images(Workbench& bench, const Observation& observation, const InspectionRow* row,
+                 const std::vector<ShownCamera>& shown_cameras, bool with_axes, bool at_once) {
   const Session& s = bench.document.session();
-  for (widgets::ImageView* view : {&left, &right}) {
-    const bool is_left = view == &left;
-    if (!s.rig || !is_pair(*s.rig)) {
+  for (const auto& [view, camera] : shown_cameras) {
+    if (!s.rig || camera >= s.rig->count()) {
       view->clear(QObject::tr("A tracker session has no images."));
       continue;
     }
-    const Camera& camera = is_left ? s.rig->at(0).camera : s.rig->at(1).camera;
-    const std::string& file = is_left ? observation.images[0] : observation.images[1];
-    const ShownImage shown = bench.images.image(s, observation, is_left);
-    const QString side = is_left ? QObject::tr("Left") : QObject::tr("Right");
+    const Camera& seen_by = s.rig->at(camera).camera;
+    const std::string& file = observation.images[static_cast<std::size_t>(camera)];
+    const ShownImage shown =
+        at_once ? bench.images.image_now(s, observation, camera) : bench.images.image(s, observation, camera);
+    const QString side = camera_title(*s.rig, camera);
     view->set_title(file.empty() ? side + QObject::tr(", no image")
-                                 : side + "  " + QString::fromStdString(std::filesystem::path(file).filename()));
+                                 : side + "  " + QString::fromStdString(std::filesystem::path(file).filename()) +
+                                       (shown.is_coming ? QObject::tr(", is being read …") : QString()));
     if (!shown.image.isNull()) {
       view->set_image(shown.image);
     } else if (!shown.refusal.isEmpty()) {
       view->clear(shown.refusal);
     } else {
-      view->show_frame(camera.width, camera.height);
+      view->show_frame(seen_by.width, seen_by.height);
     }
     const auto noise = bench.inspection() ? bench.inspection()->noise : std::nullopt;
-    view->set_marks(row ? image_marks(*row, is_left, stereo_of(*s.rig), noise, bench.units)
-                        : label_marks(observation, is_left));
-    view->set_arrows(row ? image_arrows(*row, is_left, noise) : std::vector<widgets::ImageArrow>{});
-    view->set_axes(row && with_axes ? image_axes(*row, stereo_of(*s.rig), is_left) : std::vector<widgets::ImageAxes>{});
+    view->set_marks(row ? image_marks(*row, camera, *s.rig, noise, bench.units) : label_marks(observation, camera));
+    view->set_arrows(row ? image_arrows(*row, camera, noise) : std::vector<widgets::ImageArrow>{});
+    view->set_axes(row && with_axes ? image_axes(*row, *s.rig, camera) : std::vector<widgets::ImageAxes>{});
     view->set_selected_marker(bench.selection.current().marker.value_or(-1));
   }
 }
@@ -140,10 +160,13 @@ void show_pose(const Document& document, const Observation& observation, const I
       row ? row->root_from_sensor
           : links[static_cast<std::size_t>(mount)] *
                 (model && model->fit ? estimate(*model->fit).mount_from_sensor : s.mount.mount_from_sensor);
-  if (s.rig && is_pair(*s.rig) && (s.mount.known || row))
-    view.set_cameras(
-        {{QObject::tr("left"), root_from_sensor, s.rig->at(0).camera},
-         {QObject::tr("right"), root_from_sensor * inverse(s.rig->at(1).camera_from_first), s.rig->at(1).camera}});
+  if (s.rig && (s.mount.known || row)) {
+    std::vector<widgets::SceneCamera> cameras;
+    for (int i = 0; i < s.rig->count(); ++i)
+      cameras.push_back(
+          {camera_name(*s.rig, i), root_from_sensor * inverse(s.rig->at(i).camera_from_first), s.rig->at(i).camera});
+    view.set_cameras(std::move(cameras));
+  }
   view.set_selected_observation(observation.id);
   std::vector<widgets::SceneMarker> markers;
   if (!row) {

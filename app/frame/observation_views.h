@@ -8,20 +8,34 @@
 
 namespace handsight::app {
 
+/// "left", "right" in the user's language, else as the session names the camera.
+QString camera_name(const Rig& rig, int camera);
+/// The same as a title: "Left".
+QString camera_title(const Rig& rig, int camera);
+/// All of them, by camera.
+QStringList camera_names_in_words(const Rig& rig);
+
 /// Measured and predicted markers of one image.
-std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, bool left, const StereoRig& rig,
+std::vector<widgets::ImageMark> image_marks(const InspectionRow& row, int camera, const Rig& rig,
                                             std::optional<double> noise, const DisplayUnits& units);
 /// Residual arrows of one image.
-std::vector<widgets::ImageArrow> image_arrows(const InspectionRow& row, bool left, std::optional<double> noise);
+std::vector<widgets::ImageArrow> image_arrows(const InspectionRow& row, int camera, std::optional<double> noise);
 /// TCP and, where it is known, TCPest, with axes of 5 cm.
-std::vector<widgets::ImageAxes> image_axes(const InspectionRow& row, const StereoRig& rig, bool left);
+std::vector<widgets::ImageAxes> image_axes(const InspectionRow& row, const Rig& rig, int camera);
 
 /// Labels alone, where there is no estimate yet.
-std::vector<widgets::ImageMark> label_marks(const Observation& observation, bool left);
+std::vector<widgets::ImageMark> label_marks(const Observation& observation, int camera);
 
-/// Both images of an observation with everything that is known of it; `row` may be null.
-void show_images(Workbench& bench, const Observation& observation, const InspectionRow* row, widgets::ImageView& left,
-                 widgets::ImageView& right, bool with_axes);
+/// A camera's image and where it is shown.
+struct ShownCamera {
+  widgets::ImageView* view = nullptr;
+  int camera = 0;
+};
+
+/// Images of an observation with everything that is known of it; `row` may be null. One that is still being read stands
+/// as an empty frame until then, unless it is wanted `at_once`.
+void show_images(Workbench& bench, const Observation& observation, const InspectionRow* row,
+                 const std::vector<ShownCamera>& shown, bool with_axes, bool at_once = false);
 
 /// The robot in the observation's pose with its cameras, TCP, TCPest and markers; `row` may be null. The ghost is the
 /// hand where it was measured.

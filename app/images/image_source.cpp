@@ -3,7 +3,10 @@
 
 #include <QBuffer>
 #include <QImageReader>
+#include <chrono>
+#include <condition_variable>
 #include <cstring>
+#include <mutex>
 #include <opencv2/imgproc.hpp>
 
 #include "base/error.h"
@@ -71,15 +74,91 @@ Image grey_image(const QImage& image) {
   return copy_rows(grey);
 }
 
-ShownImage ImageSource::image(const Session& session, const Observation& observation, bool left) {
-  const std::string& name = left ? observation.images[0] : observation.images[1];
-  if (name.empty() || !session.rig || !is_pair(*session.rig)) return {};
+/// A file that is being read; shared by the window's thread and the reader's.
+struct ImageSource::Reading {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool is_done = false;
+  ShownImage shown;
+};
+
+namespace {
+
+constexpr int moment_ms = 30;  // what nobody notices
+constexpr int as_long_as_it_takes = -1;
+
+}  // namespace
+
+ImageSource::ImageSource(QObject* parent) : QObject(parent), cache_(96 * 1024) { pool_.setMaxThreadCount(1); }
+
+ImageSource::~ImageSource() {
+  pool_.clear();
+  pool_.waitForDone();
+}
+
+void ImageSource::clear() {
+  pool_.clear();
+  cache_.clear();
+  late_.clear();
+  reading_.clear();
+}
+
+void ImageSource::keep(const QString& key, const ShownImage& shown) {
+  if (shown.image.isNull()) return;
+  cache_.insert(key, new QImage(shown.image), std::max<qsizetype>(1, shown.image.sizeInBytes() / 1024));
+}
+
+ShownImage ImageSource::image(const Session& session, const Observation& observation, int camera) {
+  return read(session, observation, camera, moment_ms);
+}
+
+ShownImage ImageSource::image_now(const Session& session, const Observation& observation, int camera) {
+  return read(session, observation, camera, as_long_as_it_takes);
+}
+
+ShownImage ImageSource::read(const Session& session, const Observation& observation, int camera, int patience_ms) {
+  if (!session.rig || camera >= session.rig->count()) return {};
+  const std::string& name = observation.images[static_cast<std::size_t>(camera)];
+  if (name.empty()) return {};
   const std::filesystem::path file = folder(session) / name;
   const QString key = QString::fromStdString(file.string());
-  if (const QImage* known = cache_.object(key)) return {*known, {}};
-  ShownImage shown = read_shown_image(file, name, left ? session.rig->at(0).camera : session.rig->at(1).camera);
-  if (!shown.image.isNull())
-    cache_.insert(key, new QImage(shown.image), std::max<qsizetype>(1, shown.image.sizeInBytes() / 1024));
+  if (const QImage* known = cache_.object(key)) {
+    late_.remove(key);
+    return {*known, {}};
+  }
+  if (late_.contains(key)) return late_.take(key);
+  std::shared_ptr<Reading>& reading = reading_[key];
+  const bool is_new = !reading;
+  if (is_new) {
+    reading = std::make_shared<Reading>();
+    pool_.start([this, file, name, key, reading, lens = session.rig->at(camera).camera] {
+      ShownImage shown = read_shown_image(file, name, lens);
+      {
+        const std::lock_guard lock(reading->mutex);
+        reading->shown = std::move(shown);
+        reading->is_done = true;
+      }
+      reading->changed.notify_all();
+      QMetaObject::invokeMethod(this, [this, key, reading] {
+        if (reading_.value(key) != reading) return;  // fetched in time, or another session is open
+        reading_.remove(key);
+        keep(key, reading->shown);
+        late_.insert(key, reading->shown);
+        emit arrived();
+      });
+    });
+  }
+  const std::shared_ptr<Reading> wanted = reading;
+  std::unique_lock lock(wanted->mutex);
+  const auto is_done = [&] { return wanted->is_done; };
+  if (patience_ms < 0)
+    wanted->changed.wait(lock, is_done);
+  else if (is_new)
+    wanted->changed.wait_for(lock, std::chrono::milliseconds(patience_ms), is_done);
+  if (!wanted->is_done) return {.is_coming = true};
+  const ShownImage shown = wanted->shown;
+  reading_.remove(key);
+  keep(key, shown);
   return shown;
 }
 

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <QCache>
+#include <QHash>
 #include <QImage>
+#include <QObject>
 #include <QString>
+#include <QThreadPool>
 #include <filesystem>
+#include <memory>
 
 #include "session/session.h"
 #include "vision/image.h"
@@ -16,6 +20,7 @@ namespace handsight::app {
 struct ShownImage {
   QImage image;
   QString refusal;
+  bool is_coming = false;  // it is being read: `ImageSource::arrived` says when to ask again
 };
 
 /// Reads an image file as it is stored (not turned by what its EXIF block says). `name` is what the sentence calls it;
@@ -25,16 +30,35 @@ ShownImage read_shown_image(const std::filesystem::path& file, const std::string
 /// Grey as the engine wants it: colours by thesis (4.1), 16 bit scaled to 8.
 Image grey_image(const QImage& image);
 
-/// Images of the session at hand; for the window's thread.
-class ImageSource {
+/// Images of the session at hand; for the window's thread, which never waits long for a disk: files are read in
+/// another.
+class ImageSource : public QObject {
+  Q_OBJECT
+
  public:
-  ImageSource() : cache_(96 * 1024) {}
-  /// The left or right image of an observation, from memory where it was shown before.
-  ShownImage image(const Session& session, const Observation& observation, bool left);
-  void clear() { cache_.clear(); }
+  explicit ImageSource(QObject* parent = nullptr);
+  ~ImageSource() override;
+  /// A camera's image of an observation, from memory where it was shown before; nothing where there is none. What takes
+  /// longer than a moment to read is coming.
+  ShownImage image(const Session& session, const Observation& observation, int camera);
+  /// The same, however long it takes: for pictures on paper.
+  ShownImage image_now(const Session& session, const Observation& observation, int camera);
+  bool is_busy() const { return !reading_.isEmpty(); }
+  void clear();
+
+ signals:
+  /// An image that was coming is there.
+  void arrived();
 
  private:
-  QCache<QString, QImage> cache_;  // cost in KiB
+  struct Reading;
+  void keep(const QString& key, const ShownImage& shown);
+  ShownImage read(const Session& session, const Observation& observation, int camera, int patience_ms);
+
+  QCache<QString, QImage> cache_;                     // cost in KiB
+  QHash<QString, ShownImage> late_;                   // came after they were asked for, and were not fetched yet
+  QHash<QString, std::shared_ptr<Reading>> reading_;  // by file
+  QThreadPool pool_;
 };
 
 }  // namespace handsight::app

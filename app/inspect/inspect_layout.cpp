@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -8,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "frame/camera_strip.h"
 #include "inspect/inspect_workspace.h"
 #include "widgets/blame_bar.h"
 #include "widgets/histogram_plot.h"
@@ -66,10 +68,12 @@ QWidget* InspectWorkspace::make_map() {
   group({tr("Size"), tr("Arrows"), tr("Direction")}, 1,
         [this](int id) { map_->set_lens(static_cast<widgets::MapLens>(id)); });
   row->addStretch(1);
-  group({tr("Left"), tr("Right"), tr("Both")}, 2, [this](int id) {
-    map_->set_side(id == 2 ? std::nullopt
-                           : std::optional(id == 0 ? widgets::ImageSide::left : widgets::ImageSide::right));
-  });
+  map_camera_ = new QComboBox(page);
+  map_camera_->setObjectName("map_camera");
+  map_camera_->setAccessibleName(tr("Camera"));
+  row->addWidget(map_camera_);
+  connect(map_camera_, &QComboBox::currentIndexChanged, this,
+          [this](int i) { map_->set_camera(i > 0 ? std::optional(i - 1) : std::nullopt); });
   layout->addLayout(row);
   layout->addWidget(map_, 1);
   return page;
@@ -115,9 +119,16 @@ void InspectWorkspace::make_layout() {
   tabs_->addTab(make_threshold(), tr("Histogram"));
   tabs_->addTab(make_map(), tr("Over the image"));
 
-  auto* images = new QSplitter(Qt::Horizontal, this);
-  images->addWidget(left_);
-  images->addWidget(right_);
+  auto* pair = new QSplitter(Qt::Horizontal, this);
+  pair->addWidget(left_);
+  pair->addWidget(right_);
+  cameras_ = new CameraStrip(bench_, left_, right_, this);
+  auto* images = new QWidget(this);
+  auto* images_layout = new QVBoxLayout(images);
+  images_layout->setContentsMargins(0, 0, 0, 0);
+  images_layout->setSpacing(4);
+  images_layout->addWidget(cameras_);
+  images_layout->addWidget(pair, 1);
   auto* blame = new QWidget(this);
   auto* blame_layout = new QVBoxLayout(blame);
   blame_layout->setContentsMargins(0, 0, 0, 0);
@@ -139,7 +150,7 @@ void InspectWorkspace::make_layout() {
   columns->setSizes({400, 640});
   columns->setStretchFactor(0, 37);
   columns->setStretchFactor(1, 63);
-  for (QSplitter* s : {images, lower, rows, columns}) {
+  for (QSplitter* s : {pair, lower, rows, columns}) {
     s->setChildrenCollapsible(false);
     s->setHandleWidth(8);
   }

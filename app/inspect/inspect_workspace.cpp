@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inspect/inspect_workspace.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
 #include <algorithm>
 
+#include "frame/camera_strip.h"
 #include "frame/link_selection.h"
 #include "frame/observation_views.h"
 #include "inspect/inspection_rows.h"
@@ -17,6 +19,7 @@
 #include "widgets/observation_table.h"
 #include "widgets/residual_map.h"
 #include "widgets/robot_view.h"
+#include "widgets/theme.h"
 
 namespace handsight::app {
 
@@ -56,26 +59,27 @@ void InspectWorkspace::connect_table() {
     if (!row || row->worst_marker < 0) return;
     for (const MarkerResidual& m : row->markers) {
       if (m.marker != row->worst_marker) continue;
-      if (m.left) left_->show_point(*m.left, 4);
-      if (m.right) right_->show_point(*m.right, 4);
+      if (row->worst_camera >= 0) cameras_->show_camera(row->worst_camera);
+      for (const auto& [view, camera] : cameras_->shown())
+        if (static_cast<std::size_t>(camera) < m.corners.size())
+          if (const auto& seen = m.corners[static_cast<std::size_t>(camera)].measured) view->show_point(*seen, 4);
     }
   });
 }
 
 void InspectWorkspace::connect_images() {
   using widgets::ImageView;
+  connect(cameras_, &CameraStrip::changed, this, &InspectWorkspace::refresh_observation);
   for (ImageView* view : {left_, right_}) {
-    const bool is_left = view == left_;
     connect(view, &ImageView::read_out, &bench_, &Workbench::pointed_at);
-    connect(view, &ImageView::marker_selected, this, [this, is_left](int marker) {
+    connect(view, &ImageView::marker_selected, this, [this, view](int marker) {
       const auto id = bench_.selection.current().observation;
       if (!id || marker < 0) return;
-      bench_.selection.select(
-          {.observation = id, .marker = marker, .camera = is_left ? CameraSide::left : CameraSide::right});
+      bench_.selection.select({.observation = id, .marker = marker, .camera = cameras_->camera_of(view)});
     });
     connect(view, &ImageView::marker_dragged, this,
-            [this, is_left](int marker, const Vector2& px, bool finished, Qt::KeyboardModifiers keys) {
-              relabel_in_place(is_left, marker, px, finished, keys.testFlag(Qt::AltModifier));
+            [this, view](int marker, const Vector2& px, bool finished, Qt::KeyboardModifiers keys) {
+              relabel_in_place(cameras_->camera_of(view), marker, px, finished, keys.testFlag(Qt::AltModifier));
             });
     connect(view, &ImageView::marker_removed, this, &InspectWorkspace::remove_marker);
     connect(view, &ImageView::marker_renumbered, this, &InspectWorkspace::renumber);
@@ -83,21 +87,22 @@ void InspectWorkspace::connect_images() {
       left_->set_hovered_marker(marker);
       right_->set_hovered_marker(marker);
     });
-    connect(view, &ImageView::marker_nudged, this, [this, is_left](int marker, const Vector2& delta) {
+    connect(view, &ImageView::marker_nudged, this, [this, view](int marker, const Vector2& delta) {
       const Observation* o = bench_.selected_observation();
       if (!o) return;
+      const int camera = cameras_->camera_of(view);
       for (const Sighting& s : o->sightings)
-        if (const CameraPoint* const px = seen_by(s, is_left ? 0 : 1); s.marker == marker && px)
-          return relabel_in_place(is_left, marker, px->pixel + delta, true, true);
+        if (const CameraPoint* const px = seen_by(s, camera); s.marker == marker && px)
+          return relabel_in_place(camera, marker, px->pixel + delta, true, true);
     });
   }
 }
 
 /// While it is dragged only the mark moves; what is let go is the action.
-void InspectWorkspace::relabel_in_place(bool left, int marker, const Vector2& px, bool finished, bool free) {
+void InspectWorkspace::relabel_in_place(int camera, int marker, const Vector2& px, bool finished, bool free) {
   const Observation* o = bench_.selected_observation();
   if (!o || o->sightings.empty()) return;
-  widgets::ImageView& view = left ? *left_ : *right_;
+  widgets::ImageView& view = cameras_->camera_of(left_) == camera ? *left_ : *right_;
   if (!finished) {
     std::vector<widgets::ImageMark> marks = view.marks();
     for (widgets::ImageMark& m : marks)
@@ -107,7 +112,7 @@ void InspectWorkspace::relabel_in_place(bool left, int marker, const Vector2& px
   ObservationState after = state_of(*o);
   for (Sighting& s : after.sightings) {
     if (s.marker != marker) continue;
-    see(s, left ? 0 : 1, free ? px : snapped(view.image(), px).value_or(px));  // without the sigma of what it was
+    see(s, camera, free ? px : snapped(view.image(), px).value_or(px));  // without the sigma of what it was
     s.by = MarkedBy::hand;
   }
   relabel(tr("moved marker %1 of observation %2").arg(marker).arg(o->id), o->id, after);
@@ -206,6 +211,9 @@ void InspectWorkspace::connect_bench() {
     if (is_active()) refresh_rows();
     is_stale_ = true;
   });
+  connect(&bench_.images, &ImageSource::arrived, this, [this] {
+    if (is_active()) refresh_observation();
+  });
   connect(&bench_.selection, &Selection::changed, this, [this] {
     if (!is_active()) return;
     const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
@@ -296,7 +304,7 @@ void InspectWorkspace::refresh_plots() {
     beyond_text_->setText(tr("Drag the threshold: what lies beyond it can be excluded."));
     exclude_beyond_->setEnabled(false);
   }
-  if (s.rig) map_->set_image_size(s.rig->at(0).camera.width, s.rig->at(0).camera.height);
+  refresh_cameras();
   map_->set_points(map_points(bench_));
   map_->fit();
   if (!all) return;
@@ -305,6 +313,21 @@ void InspectWorkspace::refresh_plots() {
   for (const InspectionRow& row : all->rows)
     if (row.is_used && row.rms_m) typical = std::max(typical, *row.rms_m);
   scene_->set_arrow_magnification(round_magnification(typical, 0.1));
+}
+
+/// The choice of cameras over the image plane: of more than one.
+void InspectWorkspace::refresh_cameras() {
+  const auto& rig = bench_.document.session().rig;
+  const QStringList names = rig ? camera_names_in_words(*rig) : QStringList();
+  map_camera_->setVisible(names.size() > 1);
+  if (rig) map_->set_image_size(rig->at(0).camera.width, rig->at(0).camera.height);
+  map_->set_camera_names(names);
+  const QStringList wanted = QStringList(names.size() == 2 ? tr("both") : tr("all cameras")) + names;
+  QStringList offered;
+  for (int i = 0; i < map_camera_->count(); ++i) offered << map_camera_->itemText(i);
+  if (offered == wanted) return;
+  map_camera_->clear();
+  map_camera_->addItems(wanted);
 }
 
 void InspectWorkspace::refresh_observation() {
@@ -322,15 +345,18 @@ void InspectWorkspace::refresh_observation() {
     return x.decision == Decision::excluded || (x.decision == Decision::rejected && !x.sightings.empty());
   }));
   look_->setEnabled(row && row->worst_marker >= 0);
-  relabel_->setEnabled(o && !o->images[0].empty());
+  const auto& rig = bench_.document.session().rig;
+  relabel_->setEnabled(o && !o->images[0].empty() && rig && is_pair(*rig));
   blame_->set_sentence(blame_sentence(row, o, bench_.document.session().rig.has_value()));
+  const bool is_noise = row && row->ratio && *row->ratio < widgets::noise_limit(row->coordinates);
+  blame_->set_none_text(is_noise ? tr("Nothing stands out of the noise") : QString());
   blame_->set_blame(row ? shown_blame(row->blame, !bench_.document.session().rig) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));
     right_->clear({});
     return;
   }
-  show_images(bench_, *o, row, *left_, *right_, true);
+  show_images(bench_, *o, row, cameras_->shown(), true);
   const double times = row ? round_magnification(row->worst_size, 60) : 1;
   left_->set_magnification(times);
   right_->set_magnification(times);

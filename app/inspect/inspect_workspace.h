@@ -4,6 +4,7 @@
 
 #include "frame/workspace.h"
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QTabWidget;
@@ -18,6 +19,8 @@ class RobotView;
 }  // namespace handsight::widgets
 
 namespace handsight::app {
+
+class CameraStrip;
 
 class InspectWorkspace : public Workspace {
   Q_OBJECT
@@ -45,7 +48,8 @@ class InspectWorkspace : public Workspace {
   void refresh_units();
   void refresh_observation();
   void refresh_plots();
-  void relabel_in_place(bool left, int marker, const Vector2& px, bool finished, bool free);
+  void refresh_cameras();
+  void relabel_in_place(int camera, int marker, const Vector2& px, bool finished, bool free);
   void relabel(const QString& sentence, std::int64_t id, const ObservationState& after);
   void remove_marker(int marker);
   void renumber(int marker, int to);
@@ -54,11 +58,13 @@ class InspectWorkspace : public Workspace {
 
   widgets::ObservationTable* table_;
   widgets::ImageView *left_, *right_;
+  CameraStrip* cameras_;
   widgets::BlameBar* blame_;
   widgets::RobotView* scene_;
   widgets::HistogramPlot* histogram_;
   widgets::ResidualMap* map_;
   QTabWidget* tabs_;
+  QComboBox* map_camera_;  // whose residuals are shown over the image
   QPushButton *exclude_, *include_, *look_, *relabel_, *exclude_beyond_;
   QLabel *magnified_, *beyond_text_;
   std::vector<std::int64_t> beyond_;

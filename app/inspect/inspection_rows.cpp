@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "frame/observation_views.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -27,6 +28,7 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
   const auto cells = bench.cells();
   const auto& observations = bench.document.session().observations;
   const bool pixels = !bench.document.session().is_tracker();
+  const auto& rig = bench.document.session().rig;
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const Observation& o = observations[i];
     const InspectionRow* row = bench.row(o.id);
@@ -37,10 +39,10 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
       r.angle_deg = scaled(row->angle, 57.29577951308232);
       r.rms_over_sigma = row->ratio;
       r.coordinates = row->coordinates;
-      if (row->worst_marker >= 0)
-        r.worst = QString::number(row->worst_marker) + (row->worst_camera == 0   ? QObject::tr(", left")
-                                                        : row->worst_camera == 1 ? QObject::tr(", right")
-                                                                                 : QString());
+      if (row->worst_marker >= 0) {
+        r.worst = QString::number(row->worst_marker);
+        if (rig && rig->count() > 1 && row->worst_camera >= 0) r.worst += ", " + camera_name(*rig, row->worst_camera);
+      }
       if (bench.inspection()->noise && *bench.inspection()->noise > 0)
         r.worst_over_sigma = row->worst_size / std::sqrt(pixels ? 2.0 : 3.0) / *bench.inspection()->noise;
     }
@@ -54,21 +56,20 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
 std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   std::vector<widgets::MapPoint> points;
   const Inspection* all = bench.inspection();
-  const auto& session_rig = bench.document.session().rig;
-  const auto rig = session_rig && is_pair(*session_rig) ? std::optional(stereo_of(*session_rig)) : std::nullopt;
+  const auto& rig = bench.document.session().rig;
   if (!all || !rig) return points;
   for (const InspectionRow& row : all->rows) {
     if (!row.is_used) continue;
     for (const MarkerResidual& m : row.markers)
-      for (const bool left : {true, false}) {
-        const auto residual = corner_in(bench.units.unit(), m, left, *rig, all->noise);
+      for (int camera = 0; camera < rig->count(); ++camera) {
+        const auto residual = corner_in(bench.units.unit(), m, camera, *rig, all->noise);
         if (!residual) continue;
         points.push_back({.observation = row.id,
                           .marker = m.marker,
-                          .side = left ? widgets::ImageSide::left : widgets::ImageSide::right,
-                          .position = left ? *m.left : *m.right,
+                          .camera = camera,
+                          .position = *m.corners[static_cast<std::size_t>(camera)].measured,
                           .residual = *residual,
-                          .rms_over_sigma = size_of_corner(m, left, *rig, all->noise).sigma});
+                          .rms_over_sigma = size_of_corner(m, camera, *rig, all->noise).sigma});
       }
   }
   return points;

@@ -6,6 +6,7 @@
 #include <QLabel>
 
 #include "document/counted.h"
+#include "frame/observation_views.h"
 #include "vision/corner_detector.h"
 #include "widgets/image_view.h"
 #include "widgets/loupe.h"
@@ -36,6 +37,11 @@ LabelWorkspace::LabelWorkspace(Workbench& bench, QWidget* parent) : Workspace(be
     observation_ = -1;
     if (is_active()) show_observation();
   });
+  connect(&bench.images, &ImageSource::arrived, this, [this] {
+    if (!was_coming_) return;
+    observation_ = -1;
+    if (is_active()) show_observation();
+  });
   connect(&bench, &Workbench::relabel_requested, this, [this](qint64 id) {
     bench_.selection.select_observation(id);
     observation_ = -1;
@@ -58,6 +64,7 @@ WorkStatus LabelWorkspace::status() const {
                                [](const Observation& o) { return !o.sightings.empty(); });
   if (labelled > 0) return {WorkState::done, tr("%1 by hand").arg(labelled)};
   if (any) return {WorkState::done, tr("labels came with it")};
+  if (s.target) return {WorkState::done, tr("needs no labels")};
   return {WorkState::open, tr("%1 wanted").arg(counted(std::min(3, s.marker_count), "%n marker(s)"))};
 }
 
@@ -86,7 +93,7 @@ void LabelWorkspace::show_observation() {
   const Session& s = bench_.document.session();
   labeller_.start(s, *o, corners_of_ == o->id ? corners_ : CornersOfPair{}, bench_.document.draft_of(o->id));
   if (!labeller_.markers().contains(marker_)) marker_ = -1;
-  const ShownImage left = bench_.images.image(s, *o, true), right = bench_.images.image(s, *o, false);
+  const ShownImage left = bench_.images.image(s, *o, 0), right = bench_.images.image(s, *o, 1);
   const QString none = s.is_tracker() ? tr("A tracker session has no images; its markers are points already.")
                                       : tr("Observation %1 has no images to label.").arg(o->id);
   const auto show = [&](widgets::ImageView* view, widgets::Loupe* loupe, const ShownImage& shown, const QString& side,
@@ -95,16 +102,23 @@ void LabelWorkspace::show_observation() {
     loupe->set_image(shown.image);
     loupe->set_center({});
     if (shown.image.isNull()) {
-      view->clear(shown.refusal.isEmpty() ? none : shown.refusal);
+      view->clear(shown.is_coming ? tr("The image is being read …") : shown.refusal.isEmpty() ? none : shown.refusal);
     } else {
       view->set_image(shown.image);
-      if (!is_same) view->fit();
+      if (!is_same || was_coming_) view->fit();
     }
   };
-  show(left_, left_loupe_, left, tr("Left"), o->images[0]);
-  show(right_, right_loupe_, right, tr("Right"), o->images[1]);
+  const bool is_labelled_here = !s.rig || is_pair(*s.rig);
+  const bool is_coming = left.is_coming || right.is_coming;
+  show(left_, left_loupe_, left, s.rig ? camera_title(*s.rig, 0) : QString(), o->images[0]);
+  const bool has_second = !s.rig || s.rig->count() > 1;
+  show(right_, right_loupe_, right, s.rig && has_second ? camera_title(*s.rig, 1) : QString(), o->images[1]);
+  was_coming_ = is_coming;
+  for (QWidget* w : std::initializer_list<QWidget*>{right_, right_loupe_, together_}) w->setVisible(has_second);
+  for (widgets::ImageView* view : {left_, right_}) view->set_labelling(is_labelled_here);
+  hint_->setVisible(is_labelled_here);
   refresh();
-  if (corners_of_ != o->id && !left.image.isNull() && !right.image.isNull()) find_corners(o->id);
+  if (is_labelled_here && corners_of_ != o->id && !left.image.isNull() && !right.image.isNull()) find_corners(o->id);
 }
 
 void LabelWorkspace::find_corners(std::int64_t id) {
@@ -152,6 +166,10 @@ void LabelWorkspace::refresh() {
   for (const auto& [number, m] : labeller_.markers()) {
     left_marks.push_back({.marker = number, .position = m.left.position});
     if (m.right) right_marks.push_back({.marker = number, .position = m.right->position});
+  }
+  if (const auto& rig = bench_.document.session().rig; rig && !is_pair(*rig) && bench_.selected_observation()) {
+    left_marks = label_marks(*bench_.selected_observation(), 0);
+    right_marks = label_marks(*bench_.selected_observation(), 1);
   }
   left_->set_marks(std::move(left_marks));
   right_->set_marks(std::move(right_marks));
@@ -209,6 +227,9 @@ void LabelWorkspace::refresh_panel() {
   } else if (!labeller_.refusal().isEmpty()) {
     state.verdict = widgets::TriangleVerdict::bad;
     state.sentence = labeller_.refusal();
+  } else if (const auto& rig = bench_.document.session().rig; rig && !is_pair(*rig)) {
+    state.can_use = false;
+    state.sentence = tr("Markers are clicked in sessions of two cameras. These labels came with the session.");
   } else if (!has_images) {
     state.sentence = tr("Nothing to label here.");
   } else if (missing == labeller_.wanted()) {
@@ -312,7 +333,8 @@ void LabelWorkspace::next_observation() {
   const int index = bench_.document.index_of(observation_);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Observation& o = all[(static_cast<std::size_t>(std::max(0, index)) + k) % all.size()];
-    if (o.images[0].empty() || o.images[1].empty()) continue;
+    const auto& rig = bench_.document.session().rig;
+    if (o.images[0].empty() || (rig && rig->count() > 1 && o.images[1].empty())) continue;
     bench_.selection.select_observation(o.id);
     return;
   }

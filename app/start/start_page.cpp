@@ -183,6 +183,7 @@ void StartPage::refresh() {
   make->setObjectName("start_new");
   for (QPushButton* b : {open, make}) {
     b->setIcon(widgets::icon(b == open ? "open" : "new_session"));
+    b->setIconSize(QSize(24, 16));  // the drawing is square: some air before the words
     b->setMinimumSize(b->sizeHint().width() + 32, 36);
     buttons->addWidget(b);
   }
@@ -227,7 +228,9 @@ void StartPage::refresh() {
       auto* row = new PlaceButton(sample.title, sample.sentence, column);
       const QString id = QString::fromStdString(sample.name);
       row->setObjectName("sample_" + id);
-      row->set_picture(thumbnail_of(sample.folder, devicePixelRatioF()), "explain");
+      QPixmap picture = thumbnail_of(sample.folder, devicePixelRatioF());
+      if (picture.isNull()) picture = widgets::drawn_picture(id);
+      row->set_picture(picture, "explain");
       connect(row, &QAbstractButton::clicked, this, [this, id] { emit sample_chosen(id); });
       grid->addWidget(row, i / 2, i % 2);
     }

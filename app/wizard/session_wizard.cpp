@@ -17,7 +17,10 @@
 #include "robot/urdf.h"
 #include "session/csv.h"
 #include "session/stereo_calibration.h"
+#include "ways/brought.h"
 #include "widgets/theme.h"
+#include "wizard/target_form.h"
+#include "wizard/wizard_scene.h"
 
 namespace handsight::app {
 namespace {
@@ -37,6 +40,11 @@ std::optional<Vector3> three_numbers(const QLineEdit* edit) {
   return Vector3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
+QString with_notes(QString sentence, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) sentence += " " + QString::fromStdString(note);
+  return sentence;
+}
+
 }  // namespace
 
 void SessionWizard::run(MainWindow& window) {
@@ -49,25 +57,50 @@ void SessionWizard::say(const Part& part, const QString& sentence, bool is_refus
   QPalette palette = part.sentence->palette();
   palette.setColor(QPalette::WindowText, is_refusal ? widgets::colors().bad : widgets::colors().ink2);
   part.sentence->setPalette(palette);
-  part.sentence->setText(is_refusal ? "✗ " + sentence : sentence);
+  part.sentence->setVisible(!sentence.isEmpty() && !part.path->isHidden());
+  part.sentence->setText(is_refusal ? QString::fromUtf8("✗ ") + sentence : sentence);
+}
+
+std::vector<std::filesystem::path> SessionWizard::image_folders() const {
+  std::vector<std::filesystem::path> folders;
+  for (const Part* part : {&left_, &right_})
+    if (!part->path->text().trimmed().isEmpty()) folders.push_back(path_of(part->path));
+  if (known() != markers)
+    for (const auto& folder : paths_of(more_.path)) folders.push_back(folder);
+  return folders;
+}
+
+QString SessionWizard::images_sentence() const {
+  int whole = 0;
+  QStringList alone;
+  for (const InstantImages& instant : images_) {
+    const auto there = std::find_if_not(instant.files.begin(), instant.files.end(),
+                                        [](const std::filesystem::path& file) { return file.empty(); });
+    const bool is_whole =
+        std::none_of(instant.files.begin(), instant.files.end(), [](const auto& file) { return file.empty(); });
+    whole += is_whole;
+    if (!is_whole) alone << QString::fromStdString(there->filename().string());
+  }
+  const std::size_t cameras = images_.empty() ? 0 : images_.front().files.size();
+  QString sentence = cameras == 1   ? counted(whole, "%n image(s)")
+                     : cameras == 2 ? counted(whole, "%n pair(s)")
+                                    : counted(whole, "%n instant(s) that all cameras saw");
+  if (!alone.isEmpty())
+    sentence += tr("; without a partner: %1").arg(alone.mid(0, 3).join(", ") + (alone.size() > 3 ? " …" : ""));
+  return sentence + ".";
 }
 
 void SessionWizard::read_images() {
-  pairs_.clear();
-  const Part& where = right_.path->text().isEmpty() ? left_ : right_;
-  say(left_, {}, false);
-  say(right_, {}, false);
-  if (!left_.path->text().isEmpty() && !right_.path->text().isEmpty()) try {
-      pairs_ = find_image_pairs(path_of(left_.path), path_of(right_.path));
-      QStringList alone;
-      for (const ImageFiles& pair : pairs_)
-        if (pair.left.empty() || pair.right.empty())
-          alone << QString::fromStdString((pair.left.empty() ? pair.right : pair.left).filename().string());
-      const int whole = static_cast<int>(pairs_.size()) - static_cast<int>(alone.size());
-      QString sentence = counted(whole, "%n pair(s)");
-      if (!alone.isEmpty())
-        sentence += tr("; without a partner: %1").arg(alone.mid(0, 3).join(", ") + (alone.size() > 3 ? " …" : ""));
-      say(where, sentence + ".", false);
+  images_.clear();
+  for (const Part* part : {&left_, &right_, &more_}) say(*part, {}, false);
+  const auto folders = image_folders();
+  const bool are_enough = known() == markers ? folders.size() == 2 : !folders.empty();
+  const Part& where = !more_.path->text().isEmpty() && known() != markers ? more_
+                      : right_.path->text().isEmpty()                     ? left_
+                                                                          : right_;
+  if (known() != poses && are_enough) try {
+      images_ = find_images(folders);
+      say(where, images_sentence(), false);
     } catch (const InputError& error) {
       say(where, QString::fromStdString(error.what()), true);
     }
@@ -93,11 +126,12 @@ void SessionWizard::read_robot() {
   for (QComboBox* box : {tcp_, mount_link_}) {
     const QSignalBlocker silent(box);
     box->clear();
-    box->setEnabled(read_robot_.has_value());
     if (!read_robot_) continue;
     for (const std::string& link : link_names(*read_robot_)) box->addItem(QString::fromStdString(link));
     box->setCurrentIndex(box == tcp_ ? box->count() - 1 : 0);
   }
+  show_robot();
+  choose_links();
   read_angles();
 }
 
@@ -112,9 +146,7 @@ void SessionWizard::read_angles() {
         std::vector<std::string> notes;
         joints_ = joints_of_table(path_of(angles_.path), *read_robot_);
         positions_ = read_poses(path_of(angles_.path), joints_, &notes);
-        QString sentence = tr("%1 poses of %2 joints.").arg(positions_.size()).arg(joints_.size());
-        for (const std::string& note : notes) sentence += " " + QString::fromStdString(note);
-        say(angles_, sentence, false);
+        say(angles_, with_notes(tr("%1 poses of %2 joints.").arg(positions_.size()).arg(joints_.size()), notes), false);
       } catch (const InputError& error) {
         say(angles_, QString::fromStdString(error.what()), true);
       }
@@ -124,16 +156,38 @@ void SessionWizard::read_angles() {
 }
 
 void SessionWizard::read_calibration() {
-  rig_.reset();
+  rig_.cameras.clear();
   say(calibration_, {}, false);
   if (!calibration_.path->text().isEmpty()) try {
       std::vector<std::string> notes;
-      rig_ = read_stereo_calibration(paths_of(calibration_.path), &notes);
-      QString sentence = tr("Cameras %1 mm apart.").arg(1e3 * rig_->right_from_left.translation.norm(), 0, 'f', 1);
-      for (const std::string& note : notes) sentence += " " + QString::fromStdString(note);
-      say(calibration_, sentence, false);
+      rig_ = read_rig_calibration(paths_of(calibration_.path), &notes);
+      const QString sentence =
+          rig_.count() == 1 ? tr("One camera of %1 px focal length.").arg(rig_.at(0).camera.fx, 0, 'f', 0)
+          : rig_.count() == 2
+              ? tr("Cameras %1 mm apart.").arg(1e3 * rig_.at(1).camera_from_first.translation.norm(), 0, 'f', 1)
+              : tr("%1 cameras.").arg(rig_.count());
+      say(calibration_, with_notes(sentence, notes), false);
     } catch (const InputError& error) {
       say(calibration_, QString::fromStdString(error.what()), true);
+    }
+  refresh();
+}
+
+void SessionWizard::read_poses_of_target() {
+  target_poses_.clear();
+  say(poses_, {}, false);
+  if (known() == poses && !poses_.path->text().isEmpty()) try {
+      const Brought brought = bring({path_of(poses_.path)}, nullptr, false);
+      if (brought.poses.empty())
+        throw InputError(tr("%1: holds no poses; expected columns x y z qx qy qz qw, a line for each instant.")
+                             .arg(poses_.path->text())
+                             .toStdString());
+      target_poses_ = brought.poses.front().series.poses;
+      say(poses_,
+          with_notes(counted(static_cast<int>(target_poses_.size()), "%n pose(s) of the target") + ".", brought.notes),
+          false);
+    } catch (const InputError& error) {
+      say(poses_, QString::fromStdString(error.what()), true);
     }
   refresh();
 }
@@ -157,8 +211,11 @@ std::optional<Rigid> SessionWizard::mount() const {
 }
 
 std::optional<NewSession> SessionWizard::parts() const {
-  if (pairs_.empty() || !read_robot_ || !rig_ || positions_.empty() || target_.path->text().isEmpty() || !mount())
-    return std::nullopt;
+  const bool has_cameras = known() != poses;
+  if (!read_robot_ || positions_.empty() || target_.path->text().isEmpty() || !mount()) return std::nullopt;
+  if (has_cameras ? images_.empty() || rig_.count() == 0 : target_poses_.empty()) return std::nullopt;
+  const bool has_target = has_cameras && known() != markers;
+  if (has_target && !form_->target()) return std::nullopt;
   NewSession s;
   s.folder = path_of(target_.path);
   s.title = title_->text().trimmed().toStdString();
@@ -166,39 +223,55 @@ std::optional<NewSession> SessionWizard::parts() const {
   s.tcp = tcp_->currentText().toStdString();
   s.mount = mount_link_->currentText().toStdString();
   s.mount_is_known = mount_is_known_->isChecked();
-  s.mount_from_left = *mount();
-  s.rig = *rig_;
-  for (const ImageFiles& pair : pairs_) {
-    // A calibration without the images' size takes that of the first pair.
-    if (s.rig.left.width == 0 && !pair.left.empty()) {
-      const QSize size = QImageReader(QString::fromStdString(pair.left.string())).size();
-      s.rig.left.width = size.width();
-      s.rig.left.height = size.height();
-    }
-    if (s.rig.right.width == 0 && !pair.right.empty()) {
-      const QSize size = QImageReader(QString::fromStdString(pair.right.string())).size();
-      s.rig.right.width = size.width();
-      s.rig.right.height = size.height();
-    }
-  }
-  s.marker_count = markers_->value();
+  s.mount_from_sensor = *mount();
   s.joints = joints_;
   s.positions = positions_;
-  s.images = pairs_;
+  s.marker_count = markers_->value();
+  if (has_target) s.target = form_->target();
+  if (!has_cameras) {
+    s.target_poses = target_poses_;
+    return s;
+  }
+  s.rig = rig_;
+  s.images = images_;
+  // A calibration without the images' size takes that of the first image.
+  for (const InstantImages& instant : images_)
+    for (std::size_t c = 0; c < std::min(s.rig.cameras.size(), instant.files.size()); ++c) {
+      Camera& camera = s.rig.cameras[c].camera;
+      if (camera.width > 0 || instant.files[c].empty()) continue;
+      const QSize size = QImageReader(QString::fromStdString(instant.files[c].string())).size();
+      camera.width = size.width();
+      camera.height = size.height();
+    }
   return s;
 }
 
+QString SessionWizard::what_does_not_fit() const {
+  const std::size_t measured = known() == poses ? target_poses_.size() : images_.size();
+  if (mount_is_known_->isChecked() && !mount()) return tr("The camera's place is three numbers in m and three in rad.");
+  if (read_robot_ && joints_between(*read_robot_, mount_link_->currentIndex(), tcp_->currentIndex()) == 0)
+    return tr("No joint moves between camera and target: choose other links.");
+  if (measured > 0 && !positions_.empty() && measured != positions_.size())
+    return (known() == poses
+                ? tr("There are %1 lines of joint angles for %2 poses: each instant needs one of each, in "
+                     "the same order.")
+                : tr("There are %1 lines of joint angles for %2 images: each instant needs one of each, in "
+                     "the same order."))
+        .arg(positions_.size())
+        .arg(measured);
+  if (known() == poses || images_.empty() || rig_.count() == 0) return {};
+  const auto cameras = static_cast<int>(images_.front().files.size());
+  if (cameras != rig_.count())
+    return tr("There are images of %1 and a calibration of %2.")
+        .arg(counted(cameras, "%n camera(s)"), counted(rig_.count(), "%n camera(s)"));
+  return {};
+}
+
 void SessionWizard::refresh() {
-  QString sentence;
-  if (!pairs_.empty() && !positions_.empty() && pairs_.size() != positions_.size())
-    sentence =
-        tr("There are %1 lines of joint angles for %2 images: each instant needs one of each, in the same order.")
-            .arg(positions_.size())
-            .arg(pairs_.size());
-  if (mount_is_known_->isChecked() && !mount())
-    sentence = tr("The camera's place is three numbers in m and three in rad.");
+  const QString sentence = what_does_not_fit();
   refusal_->setText(sentence);
   make_->setEnabled(sentence.isEmpty() && parts().has_value());
+  refresh_scene();
 }
 
 void SessionWizard::make() {
@@ -207,7 +280,8 @@ void SessionWizard::make() {
   try {
     const Session made = make_session(*all);
     // What arrives there later belongs to this session too.
-    remember_live_sources(made.file, {path_of(left_.path), path_of(right_.path), path_of(angles_.path)});
+    if (made.rig && made.rig->count() == 2)
+      remember_live_sources(made.file, {path_of(left_.path), path_of(right_.path), path_of(angles_.path)});
     accept();
     window_.open(QString::fromStdString(made.file.string()));
   } catch (const std::exception& error) {

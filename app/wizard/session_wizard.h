@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A new session from image folders, URDF, joint angles and an OpenCV stereo calibration: every part is read as it is
-// named, and what does not fit is said beside it.
+// A new session: three questions with drawings (where is the camera, where is the target, what is known of it), then
+// what there is of files. Each is read as it is named, and what does not fit is said beside it; a view shows the robot
+// with camera and target on the links that were chosen.
 #pragma once
 
 #include <QDialog>
@@ -16,9 +17,15 @@ class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
+namespace handsight::widgets {
+class PictureChoice;
+class RobotView;
+}  // namespace handsight::widgets
+
 namespace handsight::app {
 
 class MainWindow;
+class TargetForm;
 
 class SessionWizard : public QDialog {
   Q_OBJECT
@@ -31,20 +38,46 @@ class SessionWizard : public QDialog {
   explicit SessionWizard(MainWindow& window);
   /// A line with a name, a path, a button to choose it, and a sentence below.
   struct Part {
+    QLabel* caption = nullptr;
     QLineEdit* path = nullptr;
+    QPushButton* browse = nullptr;
     QLabel* sentence = nullptr;
   };
   enum class Choice { folder, file, files };
+  enum CameraPlace { on_stand, on_link, on_hand };
+  enum TargetPlace { with_hand, on_table };
+  enum Known { markers, chessboard, charuco, aprilgrid, tags, printed, poses };
+
+  QWidget* make_questions();
+  QWidget* make_scene();
+  QLabel* add_heading(const QString& text);
   Part add_part(const char* name, const QString& label, const QString& hint, Choice choice, const QString& filter = {});
+  void add_files();
   void add_robot_rows();
   void add_mount_rows();
-  void add_target_rows();
+  void add_markers_row();
+  void add_session_rows();
+  void connect_all();
+  void show_part(const Part& part, bool visible);
+
+  Known known() const;
+  void ask_camera_place();
+  void ask_target_place();
+  void ask_known();
+  void choose_links();
   void read_robot();
   void read_images();
   void read_angles();
   void read_calibration();
+  void read_poses_of_target();
   void read_target();
   void refresh();
+  void show_robot();
+  void refresh_scene();
+  std::vector<std::filesystem::path> image_folders() const;
+  QString images_sentence() const;
+  QString what_does_not_fit() const;
+  QString links_sentence() const;
   std::optional<Rigid> mount() const;
   std::optional<NewSession> parts() const;
   void make();
@@ -52,19 +85,24 @@ class SessionWizard : public QDialog {
 
   MainWindow& window_;
   QGridLayout* grid_;
-  Part left_, right_, angles_, robot_, calibration_, target_;
+  widgets::PictureChoice *camera_place_, *target_place_, *known_;
+  TargetForm* form_;
+  Part left_, right_, more_, angles_, robot_, calibration_, poses_, target_;
   QComboBox *tcp_, *mount_link_;
   QCheckBox* mount_is_known_;
   QLineEdit *mount_xyz_, *mount_rpy_, *title_;
+  QLabel* markers_caption_;
   QSpinBox* markers_;
-  QLabel* refusal_;
+  QLabel *refusal_, *links_said_;
   QPushButton* make_;
+  widgets::RobotView* scene_;
 
-  std::vector<ImageFiles> pairs_;
+  std::vector<InstantImages> images_;
   std::optional<Robot> read_robot_;
-  std::optional<StereoRig> rig_;
+  Rig rig_;
   std::vector<std::string> joints_;  // of the table of angles
   std::vector<Eigen::VectorXd> positions_;
+  std::vector<Rigid> target_poses_;
 };
 
 }  // namespace handsight::app

@@ -8,41 +8,42 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "frame/main_window.h"
+#include "widgets/robot_view.h"
 #include "widgets/theme.h"
 #include "wizard/session_wizard.h"
+#include "wizard/target_form.h"
 
 namespace handsight::app {
 
 SessionWizard::SessionWizard(MainWindow& window) : QDialog(&window), window_(window) {
   setObjectName("wizard");
-  setWindowTitle(tr("New session from images"));
-  resize(760, 680);
+  setWindowTitle(tr("New session"));
+  const QSize screen = window.screen()->availableSize();
+  resize(QSize(1040, 780).boundedTo(screen - QSize(24, 48)));
   auto* content = new QWidget;
-  grid_ = new QGridLayout(content);
+  auto* column = new QVBoxLayout(content);
+  column->addWidget(make_questions());
+  grid_ = new QGridLayout;
   grid_->setHorizontalSpacing(8);
   grid_->setVerticalSpacing(4);
   grid_->setColumnStretch(1, 1);
-  left_ = add_part("wizard_left", tr("Left images"), tr("folder"), Choice::folder);
-  right_ = add_part("wizard_right", tr("Right images"), tr("folder; may be the same"), Choice::folder);
-  robot_ = add_part("wizard_robot", tr("Robot"), tr("URDF file"), Choice::file, tr("URDF (*.urdf *.xml)"));
-  add_robot_rows();
-  angles_ = add_part("wizard_angles", tr("Joint angles"), tr("CSV: a line for each image pair, rad"), Choice::file,
-                     tr("Tables (*.csv *.txt)"));
-  calibration_ = add_part("wizard_calibration", tr("Stereo calibration"), tr("OpenCV's YAML or XML; several by ;"),
-                          Choice::files, tr("OpenCV (*.yml *.yaml *.xml *.json)"));
-  add_mount_rows();
-  add_target_rows();
-  grid_->setRowStretch(grid_->rowCount(), 1);
+  column->addLayout(grid_);
+  column->addStretch(1);
+  add_files();
 
-  auto* scroll = new QScrollArea(this);
+  auto* scroll = new QScrollArea;
+  scroll->setObjectName("wizard_scroll");
   scroll->setWidget(content);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 20);
   refusal_ = new QLabel(this);
   refusal_->setObjectName("wizard_refusal");
   refusal_->setWordWrap(true);
@@ -50,20 +51,55 @@ SessionWizard::SessionWizard(MainWindow& window) : QDialog(&window), window_(win
   make_ = buttons->addButton(tr("Make the session"), QDialogButtonBox::ActionRole);
   make_->setObjectName("wizard_make");
   make_->setDefault(true);
-  buttons->addButton(QDialogButtonBox::Cancel);
+  buttons->addButton(QDialogButtonBox::Cancel)->setIcon({});
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(make_, &QPushButton::clicked, this, &SessionWizard::make);
+  auto* halves = new QHBoxLayout;
+  halves->setSpacing(widgets::kWideGap);
+  halves->addWidget(scroll, 3);
+  halves->addWidget(make_scene(), 2);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(scroll, 1);
+  layout->addLayout(halves, 1);
   layout->addWidget(refusal_);
   layout->addWidget(buttons);
-  connect(left_.path, &QLineEdit::textChanged, this, &SessionWizard::read_images);
-  connect(right_.path, &QLineEdit::textChanged, this, &SessionWizard::read_images);
+  connect_all();
+  ask_known();
+}
+
+void SessionWizard::connect_all() {
+  for (const Part* part : {&left_, &right_, &more_})
+    connect(part->path, &QLineEdit::textChanged, this, &SessionWizard::read_images);
   connect(robot_.path, &QLineEdit::textChanged, this, &SessionWizard::read_robot);
   connect(angles_.path, &QLineEdit::textChanged, this, &SessionWizard::read_angles);
   connect(calibration_.path, &QLineEdit::textChanged, this, &SessionWizard::read_calibration);
+  connect(poses_.path, &QLineEdit::textChanged, this, &SessionWizard::read_poses_of_target);
   connect(target_.path, &QLineEdit::textChanged, this, &SessionWizard::read_target);
-  refresh();
+  connect(form_, &TargetForm::changed, this, &SessionWizard::refresh);
+}
+
+QLabel* SessionWizard::add_heading(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setFont(widgets::text_font(widgets::TextRole::title));
+  grid_->addWidget(label, grid_->rowCount(), 0, 1, 3);
+  return label;
+}
+
+void SessionWizard::add_files() {
+  add_heading(tr("Files"));
+  robot_ = add_part("wizard_robot", tr("Robot"), tr("URDF file"), Choice::file, tr("URDF (*.urdf *.xml)"));
+  add_robot_rows();
+  angles_ = add_part("wizard_angles", tr("Joint angles"), tr("CSV: a line for each instant, rad"), Choice::file,
+                     tr("Tables (*.csv *.txt)"));
+  left_ = add_part("wizard_left", tr("Left images"), tr("folder"), Choice::folder);
+  right_ = add_part("wizard_right", tr("Right images"), tr("folder; may be the same"), Choice::folder);
+  more_ = add_part("wizard_more", tr("More cameras"), tr("folders; several by ;"), Choice::folder);
+  calibration_ = add_part("wizard_calibration", tr("Stereo calibration"), tr("OpenCV's YAML or XML; several by ;"),
+                          Choice::files, tr("OpenCV (*.yml *.yaml *.xml *.json)"));
+  poses_ = add_part("wizard_poses", tr("Poses of the target"), tr("CSV or YAML: x y z qx qy qz qw"), Choice::file,
+                    tr("Tables (*.csv *.txt *.yaml *.yml)"));
+  add_markers_row();
+  add_mount_rows();
+  add_session_rows();
 }
 
 SessionWizard::Part SessionWizard::add_part(const char* name, const QString& label, const QString& hint, Choice choice,
@@ -77,27 +113,34 @@ SessionWizard::Part SessionWizard::add_part(const char* name, const QString& lab
   part.sentence = new QLabel;
   part.sentence->setObjectName(QString(name) + "_sentence");
   part.sentence->setWordWrap(true);
+  part.sentence->hide();
   part.sentence->setFont(widgets::text_font(widgets::TextRole::small));
-  auto* browse = new QPushButton(tr("Choose…"));
-  browse->setAutoDefault(false);
-  auto* caption = new QLabel(label);
-  caption->setBuddy(part.path);
-  grid_->addWidget(caption, row, 0);
+  part.browse = new QPushButton(tr("Choose…"));
+  part.browse->setAutoDefault(false);
+  part.caption = new QLabel(label);
+  part.caption->setBuddy(part.path);
+  grid_->addWidget(part.caption, row, 0);
   grid_->addWidget(part.path, row, 1);
-  grid_->addWidget(browse, row, 2);
+  grid_->addWidget(part.browse, row, 2);
   grid_->addWidget(part.sentence, row + 1, 1, 1, 2);
-  connect(browse, &QPushButton::clicked, this, [this, part, label, choice, filter] {
+  connect(part.browse, &QPushButton::clicked, this, [this, part, choice, filter] {
+    const QString title = part.caption->text();
     QStringList chosen;
     if (choice == Choice::folder) {
-      chosen << QFileDialog::getExistingDirectory(this, label, part.path->text());
+      chosen << QFileDialog::getExistingDirectory(this, title, part.path->text());
     } else if (choice == Choice::file) {
-      chosen << QFileDialog::getOpenFileName(this, label, part.path->text(), filter);
+      chosen << QFileDialog::getOpenFileName(this, title, part.path->text(), filter);
     } else {
-      chosen = QFileDialog::getOpenFileNames(this, label, {}, filter);
+      chosen = QFileDialog::getOpenFileNames(this, title, {}, filter);
     }
     if (!chosen.join("").isEmpty()) part.path->setText(chosen.join(";"));
   });
   return part;
+}
+
+void SessionWizard::show_part(const Part& part, bool visible) {
+  for (QWidget* w : std::initializer_list<QWidget*>{part.caption, part.path, part.browse}) w->setVisible(visible);
+  part.sentence->setVisible(visible && !part.sentence->text().isEmpty());
 }
 
 void SessionWizard::add_robot_rows() {
@@ -109,17 +152,19 @@ void SessionWizard::add_robot_rows() {
   for (QComboBox* box : {tcp_, mount_link_}) {
     box->setEnabled(false);
     box->setFocusPolicy(Qt::StrongFocus);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(12);
     connect(box, &QComboBox::currentIndexChanged, this, &SessionWizard::refresh);
   }
-  grid_->addWidget(new QLabel(tr("TCP link")), row, 0);
-  grid_->addWidget(tcp_, row, 1);
-  grid_->addWidget(new QLabel(tr("Camera link")), row + 1, 0);
-  grid_->addWidget(mount_link_, row + 1, 1);
+  grid_->addWidget(new QLabel(tr("Camera on link")), row, 0);
+  grid_->addWidget(mount_link_, row, 1);
+  grid_->addWidget(new QLabel(tr("Target on link")), row + 1, 0);
+  grid_->addWidget(tcp_, row + 1, 1);
 }
 
 void SessionWizard::add_mount_rows() {
   const int row = grid_->rowCount();
-  mount_is_known_ = new QCheckBox(tr("I know where the left camera sits on its link"));
+  mount_is_known_ = new QCheckBox;
   mount_is_known_->setObjectName("wizard_mount_known");
   mount_is_known_->setToolTip(tr("Left out, it is found from the observations."));
   mount_xyz_ = new QLineEdit;
@@ -128,7 +173,7 @@ void SessionWizard::add_mount_rows() {
   mount_rpy_ = new QLineEdit;
   mount_rpy_->setObjectName("wizard_mount_rpy");
   mount_rpy_->setPlaceholderText(tr("roll pitch yaw, rad"));
-  grid_->addWidget(mount_is_known_, row, 1, 1, 2);
+  grid_->addWidget(mount_is_known_, row, 0, 1, 3);
   grid_->addWidget(mount_xyz_, row + 1, 1);
   grid_->addWidget(mount_rpy_, row + 2, 1);
   for (QLineEdit* edit : {mount_xyz_, mount_rpy_}) {
@@ -142,20 +187,27 @@ void SessionWizard::add_mount_rows() {
   });
 }
 
-void SessionWizard::add_target_rows() {
+void SessionWizard::add_markers_row() {
   const int row = grid_->rowCount();
   markers_ = new QSpinBox;
   markers_->setObjectName("wizard_markers");
   markers_->setRange(1, 64);
   markers_->setValue(3);
   markers_->setFocusPolicy(Qt::StrongFocus);
+  markers_caption_ = new QLabel(tr("Number of markers"));
+  grid_->addWidget(markers_caption_, row, 0);
+  grid_->addWidget(markers_, row, 1, Qt::AlignLeft);
+}
+
+void SessionWizard::add_session_rows() {
+  add_heading(tr("The session"));
+  const int row = grid_->rowCount();
   title_ = new QLineEdit;
   title_->setObjectName("wizard_title");
   title_->setPlaceholderText(tr("Right hand, 12 March"));
-  grid_->addWidget(new QLabel(tr("Markers on the hand")), row, 0);
-  grid_->addWidget(markers_, row, 1, Qt::AlignLeft);
-  grid_->addWidget(new QLabel(tr("Title")), row + 1, 0);
-  grid_->addWidget(title_, row + 1, 1);
+  title_->setMinimumHeight(widgets::kControlHeight);
+  grid_->addWidget(new QLabel(tr("Title")), row, 0);
+  grid_->addWidget(title_, row, 1);
   target_ = add_part("wizard_target", tr("Session folder"), tr("made where it is not there"), Choice::folder);
 }
 

@@ -12,10 +12,37 @@ struct Distorted {
   Eigen::Matrix2d jacobian;  // by x', y'
 };
 
+/// The radial factor and how it changes: by r2, and by k1 and k2.
+struct Radial {
+  double value, slope, by_k1, by_k2;
+};
+
+Radial fisheye_factor(const Camera& c, double r2) {
+  if (r2 < 1e-8) return {1 + r2 * (c.k1 - 1.0 / 3), c.k1 - 1.0 / 3, r2, r2 * r2};  // the series of the rest
+  const double r = std::sqrt(r2), t = std::atan(r), t2 = t * t;
+  const double bent = t * (1 + t2 * (c.k1 + t2 * (c.k2 + t2 * (c.k3 + t2 * c.k4))));
+  const double by_angle = 1 + t2 * (3 * c.k1 + t2 * (5 * c.k2 + t2 * (7 * c.k3 + t2 * 9 * c.k4)));
+  const double slope = (by_angle / (1 + r2) - bent / r) / (2 * r2);
+  return {bent / r, slope, t * t2 / r, t * t2 * t2 / r};
+}
+
+Radial rational_factor(const Camera& c, double r2) {
+  const double above = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3)), below = 1 + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6));
+  const double above_slope = c.k1 + r2 * (2 * c.k2 + r2 * 3 * c.k3);
+  const double below_slope = c.k4 + r2 * (2 * c.k5 + r2 * 3 * c.k6);
+  return {above / below, (above_slope - above / below * below_slope) / below, r2 / below, r2 * r2 / below};
+}
+
+Radial radial_of(const Camera& c, double r2) {
+  if (c.is_fisheye) return fisheye_factor(c, r2);
+  if (!is_plain(c)) return rational_factor(c, r2);
+  return {1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3)), c.k1 + r2 * (2 * c.k2 + r2 * 3 * c.k3), r2, r2 * r2};
+}
+
 Distorted distort(const Camera& c, double x, double y) {
   const double r2 = x * x + y * y;
-  const double radial = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
-  const double radial_slope = 2 * (c.k1 + r2 * (2 * c.k2 + r2 * 3 * c.k3));  // d radial / d r2 * 2
+  const Radial factor = radial_of(c, r2);
+  const double radial = factor.value, radial_slope = 2 * factor.slope;
   Distorted d;
   d.point = {x * radial + 2 * c.p1 * x * y + c.p2 * (r2 + 2 * x * x),
              y * radial + c.p1 * (r2 + 2 * y * y) + 2 * c.p2 * x * y};
@@ -47,9 +74,11 @@ Eigen::Matrix<double, 2, 8> pixel_by_camera_numbers(const Camera& c, const Vecto
   const double y = p.y() / p.z();
   const double r2 = x * x + y * y;
   const Vector2 distorted = distort(c, x, y).point;
-  Eigen::Matrix<double, 2, 4> distorted_by_terms;                        // k1, k2, p1, p2
-  distorted_by_terms << x * r2, x * r2 * r2, 2 * x * y, r2 + 2 * x * x,  //
-      y * r2, y * r2 * r2, r2 + 2 * y * y, 2 * x * y;
+  const Radial by = radial_of(c, r2);
+  Eigen::Matrix<double, 2, 4> distorted_by_terms;                               // k1, k2, p1, p2
+  distorted_by_terms << x * by.by_k1, x * by.by_k2, 2 * x * y, r2 + 2 * x * x,  //
+      y * by.by_k1, y * by.by_k2, r2 + 2 * y * y, 2 * x * y;
+  if (c.is_fisheye) distorted_by_terms.rightCols<2>().setZero();
   Eigen::Matrix2d pixel_by_distorted;
   pixel_by_distorted << c.fx, c.skew, 0, c.fy;
   Eigen::Matrix<double, 2, 8> m;
@@ -63,12 +92,14 @@ namespace {
 /// The tangent of the angle to the axis up to which `project` is taken as it is: 1.2 times the farthest corner's.
 double cone_of(const Camera& c) {
   if (c.width <= 0 || c.height <= 0) return 3;
+  if (c.is_fisheye) return 10;
   return 1.2 * std::hypot(std::max(c.cx, c.width - c.cx) / c.fx, std::max(c.cy, c.height - c.cy) / c.fy);
 }
 
 /// Without divisions and roots: asked at every measurement of every step.
 bool is_in_cone(const Camera& c, const Vector3& p) {
   if (!(p.z() > 0)) return false;
+  if (c.is_fisheye) return p.head<2>().squaredNorm() <= cone_of(c) * cone_of(c) * p.z() * p.z();
   if (c.width <= 0 || c.height <= 0) return p.head<2>().squaredNorm() <= 9 * p.z() * p.z();
   const double u = c.fy * std::max(c.cx, c.width - c.cx), v = c.fx * std::max(c.cy, c.height - c.cy);
   const double scale = c.fx * c.fy / 1.2;
@@ -93,10 +124,16 @@ Beyond beyond_cone(const Camera& c, const Vector3& p) {
   return b;
 }
 
-/// Where the distortion would fold the image back it goes on outward all the same.
-double radial_slope_beyond(const Camera& c, double t2) {
-  return std::max(1 + t2 * (3 * c.k1 + t2 * (5 * c.k2 + t2 * 7 * c.k3)), 0.2);
+/// How the distance from the axis grows at the cone: t radial(t^2) by t. Of a fisheye it hardly grows any more.
+double radial_slope_at(const Camera& c, double t2) {
+  if (is_plain(c)) return 1 + t2 * (3 * c.k1 + t2 * (5 * c.k2 + t2 * 7 * c.k3));
+  const Radial radial = radial_of(c, t2);
+  return radial.value + 2 * t2 * radial.slope;
 }
+
+/// Where the distortion would fold the image back it goes on outward all the same.
+double least_slope(const Camera& c) { return c.is_fisheye ? 1e-3 : 0.2; }
+double radial_slope_beyond(const Camera& c, double t2) { return std::max(radial_slope_at(c, t2), least_slope(c)); }
 
 Vector2 tangential(const Camera& c, const Vector2& d) {
   return {2 * c.p1 * d.x() * d.y() + c.p2 * (1 + 2 * d.x() * d.x()),
@@ -105,7 +142,7 @@ Vector2 tangential(const Camera& c, const Vector2& d) {
 
 Vector2 distorted_beyond(const Camera& c, const Beyond& b) {
   const double t2 = b.t * b.t;
-  const double radial = b.t * (1 + t2 * (c.k1 + t2 * (c.k2 + t2 * c.k3))) + b.extra * radial_slope_beyond(c, t2);
+  const double radial = b.t * radial_of(c, t2).value + b.extra * radial_slope_beyond(c, t2);
   return b.direction * radial + (t2 + 2 * b.t * b.extra) * tangential(c, b.direction);
 }
 
@@ -118,7 +155,7 @@ Vector2 project_anywhere(const Camera& c, const Vector3& p, Matrix23& pixel_by_p
   const Beyond b = beyond_cone(c, p);
   const double t2 = b.t * b.t, square = t2 + 2 * b.t * b.extra;
   const Vector2 d = b.direction, q = tangential(c, d);
-  const double radial = b.t * (1 + t2 * (c.k1 + t2 * (c.k2 + t2 * c.k3))) + b.extra * radial_slope_beyond(c, t2);
+  const double radial = b.t * radial_of(c, t2).value + b.extra * radial_slope_beyond(c, t2);
   Eigen::Matrix2d q_by_direction;
   q_by_direction << 2 * c.p1 * d.y() + 4 * c.p2 * d.x(), 2 * c.p1 * d.x(),  //
       2 * c.p2 * d.y(), 4 * c.p1 * d.y() + 2 * c.p2 * d.x();
@@ -139,13 +176,16 @@ Eigen::Matrix<double, 2, 8> pixel_by_camera_numbers_anywhere(const Camera& c, co
   if (is_in_cone(c, p)) return pixel_by_camera_numbers(c, p);
   const Beyond b = beyond_cone(c, p);
   const double t2 = b.t * b.t, square = t2 + 2 * b.t * b.extra;
-  const bool folds = 1 + t2 * (3 * c.k1 + t2 * (5 * c.k2 + t2 * 7 * c.k3)) < 0.2;
+  // Beyond the cone the slope of other lenses than Brown's is taken as it is.
+  const bool folds = !is_plain(c) || radial_slope_at(c, t2) < least_slope(c);
+  const Radial by = radial_of(c, t2);
   const Vector2 d = b.direction, distorted = distorted_beyond(c, b);
   Eigen::Matrix<double, 2, 4> by_terms;  // k1, k2, p1, p2
-  by_terms.col(0) = d * (b.t * t2 + (folds ? 0 : 3 * t2 * b.extra));
-  by_terms.col(1) = d * (b.t * t2 * t2 + (folds ? 0 : 5 * t2 * t2 * b.extra));
+  by_terms.col(0) = d * (b.t * by.by_k1 + (folds ? 0 : 3 * t2 * b.extra));
+  by_terms.col(1) = d * (b.t * by.by_k2 + (folds ? 0 : 5 * t2 * t2 * b.extra));
   by_terms.col(2) = square * Vector2(2 * d.x() * d.y(), 1 + 2 * d.y() * d.y());
   by_terms.col(3) = square * Vector2(1 + 2 * d.x() * d.x(), 2 * d.x() * d.y());
+  if (c.is_fisheye) by_terms.rightCols<2>().setZero();
   Eigen::Matrix<double, 2, 8> m;
   m.leftCols<4>() << distorted.x(), 0, 1, 0, 0, distorted.y(), 0, 1;
   m.rightCols<4>() = pixel_by_distorted(c) * by_terms;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera model of docs/conventions.md: pinhole with skew, radial k1 k2 k3 and tangential p1 p2 as in OpenCV.
+// The camera model of docs/conventions.md: pinhole with skew, radial k1 k2 k3 and tangential p1 p2 as in OpenCV, its
+// rational terms k4 k5 k6, or OpenCV's fisheye.
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -16,13 +18,38 @@ using Matrix23 = Eigen::Matrix<double, 2, 3>;
 /// xd = x' (1 + k1 r2 + k2 r2^2 + k3 r2^3) + 2 p1 x' y' + p2 (r2 + 2 x'^2),
 /// yd = y' (1 + ...) + p1 (r2 + 2 y'^2) + 2 p2 x' y'; u = fx xd + skew yd + cx, v = fy yd + cy (thesis 4.29-4.33,
 /// with the third radial and the tangential terms added). Pixels; the centre of the top left pixel is (0, 0).
+/// With k4 k5 k6 the radial factor is divided by 1 + k4 r2 + k5 r2^2 + k6 r2^3. Of a fisheye, t the angle to the axis:
+/// xd = x' / r td, yd = y' / r td, td = t (1 + k1 t^2 + k2 t^4 + k3 t^6 + k4 t^8), no p1 p2 k5 k6; what is beside or
+/// behind it (90 degrees and more) is not seen.
 template <class T>
 struct CameraT {
   int width = 0;
   int height = 0;
   T fx{}, fy{}, skew{}, cx{}, cy{}, k1{}, k2{}, p1{}, p2{}, k3{};
+  bool is_fisheye = false;
+  T k4{}, k5{}, k6{};
 };
 using Camera = CameraT<double>;
+
+/// Brown's model without the rational terms.
+template <class T>
+bool is_plain(const CameraT<T>& c) {
+  return !c.is_fisheye && c.k4 == T(0) && c.k5 == T(0) && c.k6 == T(0);
+}
+
+/// What normalised coordinates with this square of their length are multiplied by, tangential terms apart.
+template <class T>
+T radial_factor(const CameraT<T>& c, const T& r2) {
+  if (c.is_fisheye) {
+    using std::atan;
+    using std::sqrt;
+    if (r2 < T(1e-16)) return T(1);
+    const T r = sqrt(r2), t = atan(r), t2 = t * t;
+    return t / r * (T(1) + t2 * (c.k1 + t2 * (c.k2 + t2 * (c.k3 + t2 * c.k4))));
+  }
+  const T above = T(1) + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
+  return is_plain(c) ? above : above / (T(1) + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6)));
+}
 
 /// Image point (px) of a point in the camera's frame (m). Defined for every z != 0; ask `is_visible` first where
 /// it matters.
@@ -31,7 +58,7 @@ Eigen::Matrix<T, 2, 1> project(const CameraT<T>& camera, const Vector3T<T>& x_in
   const T x = x_in_camera.x() / x_in_camera.z();
   const T y = x_in_camera.y() / x_in_camera.z();
   const T r2 = x * x + y * y;
-  const T radial = T(1) + r2 * (camera.k1 + r2 * (camera.k2 + r2 * camera.k3));
+  const T radial = radial_factor(camera, r2);
   const T xd = x * radial + T(2) * camera.p1 * x * y + camera.p2 * (r2 + T(2) * x * x);
   const T yd = y * radial + camera.p1 * (r2 + T(2) * y * y) + T(2) * camera.p2 * x * y;
   return {camera.fx * xd + camera.skew * yd + camera.cx, camera.fy * yd + camera.cy};

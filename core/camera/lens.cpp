@@ -61,23 +61,37 @@ std::optional<Vector3> lift(const Lens& lens, const Vector2& pixel) {
 
 std::optional<Camera> camera_of(const Lens& lens) {
   const auto& n = lens.numbers;
-  for (std::size_t i = 9; i < n.size(); ++i)
-    if (n[i] != 0) return std::nullopt;
+  Camera c{.width = lens.width,
+           .height = lens.height,
+           .fx = n[0],
+           .fy = n[1],
+           .cx = n[2],
+           .cy = n[3],
+           .k1 = n[4],
+           .k2 = n[5]};
+  if (lens.model == &fisheye_lens) {
+    c.is_fisheye = true;
+    c.k3 = n[6];
+    c.k4 = n[7];
+    return c;
+  }
   if (lens.model != &brown_lens && lens.model != &rational_lens) return std::nullopt;
-  return Camera{.width = lens.width,
-                .height = lens.height,
-                .fx = n[0],
-                .fy = n[1],
-                .cx = n[2],
-                .cy = n[3],
-                .k1 = n[4],
-                .k2 = n[5],
-                .p1 = n[6],
-                .p2 = n[7],
-                .k3 = n[8]};
+  c.p1 = n[6];
+  c.p2 = n[7];
+  c.k3 = n[8];
+  if (lens.model == &rational_lens) {
+    c.k4 = n[9];
+    c.k5 = n[10];
+    c.k6 = n[11];
+  }
+  return c;
 }
 
 Lens lens_of(const Camera& c) {
+  if (c.is_fisheye) return {&fisheye_lens, c.width, c.height, {c.fx, c.fy, c.cx, c.cy, c.k1, c.k2, c.k3, c.k4}};
+  if (!is_plain(c))
+    return {
+        &rational_lens, c.width, c.height, {c.fx, c.fy, c.cx, c.cy, c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6}};
   return {&brown_lens, c.width, c.height, {c.fx, c.fy, c.cx, c.cy, c.k1, c.k2, c.p1, c.p2, c.k3}};
 }
 

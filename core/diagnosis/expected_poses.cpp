@@ -88,7 +88,7 @@ std::vector<Sighting> shown(const Problem& problem, const ProblemObservation& o,
   std::vector<Sighting> seen = o.sightings;
   if (problem.source->chain.is_one_target) {
     const Matrix3 turn = sensor_from_tcp.rotation * tcp_from_body.rotation;
-    for (Sighting& s : seen) s.along = turn.col(measured_axis(s.marker));
+    for (Sighting& s : seen) s.along = measured_along(turn, s.marker);
   }
   if (!problem.rig || problem.rig->count() <= 2) return seen;
   for (Sighting& s : seen) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/robot_check.h"
+#include "effects/units.h"
 
 namespace handsight {
 namespace {
@@ -34,7 +35,7 @@ std::string numbers_text(const DiagnosisCandidate& c, const Session& session) {
       if (++listed_ones > 6) return text + ", ...";
       text += fmt::format("{}{}{} {:.3g} +- {:.1g} {}", text.empty() ? "" : ", ", effect.parameters[p].name,
                           place.empty() ? "" : " of " + place, c.terms[t].values[p], c.sigmas[t][p],
-                          effect.parameters[p].unit);
+                          unit_at(effect, p, c.terms[t].joint, session.robot));
     }
   }
   return text;

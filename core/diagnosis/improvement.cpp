@@ -11,6 +11,7 @@
 #include "diagnosis/sampled.h"
 #include "diagnosis/slips.h"
 #include "diagnosis/upkeep.h"
+#include "effects/units.h"
 
 namespace handsight {
 namespace {
@@ -27,7 +28,7 @@ std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& term
       if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * plausible_size(parameter, chain)) continue;
       const std::string place = place_name(effect, term.joint, chain.robot);
       list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
-                                 parameter.unit));
+                                 unit_at(effect, p, term.joint, chain.robot)));
     }
   }
   return list;

@@ -8,6 +8,7 @@
 #include "diagnosis/observation_rows.h"
 #include "diagnosis/proof_sites.h"
 #include "diagnosis/weighing.h"
+#include "effects/units.h"
 
 namespace handsight {
 namespace {
@@ -47,7 +48,8 @@ std::vector<Number> numbers_of(Standing& s, const std::vector<EffectTerm>& terms
       if (column < 0) continue;
       const EffectParameter& parameter = effect.parameters[p];
       const double sigma = t < sigmas.size() && p < sigmas[t].size() ? sigmas[t][p] : 0;
-      list.push_back({{t, p, parameter.name, parameter.unit, terms[t].values[p], sigma, 0},
+      list.push_back({{t, p, parameter.name, unit_at(effect, p, terms[t].joint, s.problem.source->chain.robot),
+                       terms[t].values[p], sigma, 0},
                       proof_site(s.problem, terms[t], p),
                       column,
                       std::nullopt});

@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "effects/own_effect.h"
+#include "effects/units.h"
 
 namespace handsight {
 namespace {
@@ -264,7 +265,7 @@ ProofSite proof_site(const Problem& p, const EffectTerm& term, std::size_t param
   }
   if (!site.entry) {
     site.quantity = number.name;
-    site.unit = number.unit;
+    site.unit = unit_at(effect, parameter, term.joint, p.source->chain.robot);
     site.share = ones;
   }
   const Followed by = followed(p, effect, term.joint, site.share);

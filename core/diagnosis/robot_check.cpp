@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "diagnosis/robot_readings.h"
+#include "effects/units.h"
 
 namespace handsight {
 namespace {
@@ -145,7 +146,7 @@ class Prediction {
                            "from the model's",
                            value(*best),
                            sigma(*best),
-                           p.unit,
+                           unit_at(effect, numbers[*best].parameter, c_.terms[numbers[*best].term].joint, chain_.robot),
                            std::nullopt};
   }
 

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "effects/term_numbers.h"
+#include "effects/units.h"
 #include "estimation/prediction.h"
 
 namespace handsight {
@@ -57,7 +58,8 @@ void set_effects(const Session& session, const Fit& fit, Calibration& c) {
       const std::string of = place_name(effect, fitted.term.joint, session.robot);
       for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
         const EffectParameter& parameter = effect.parameters[p];
-        written.parameters.push_back({of, parameter.name, fitted.term.values[p], fitted.sigmas[p], parameter.unit});
+        written.parameters.push_back({of, parameter.name, fitted.term.values[p], fitted.sigmas[p],
+                                      unit_at(effect, p, fitted.term.joint, session.robot)});
         place_of.push_back(first_of_term[t] + static_cast<Eigen::Index>(p));
       }
     }

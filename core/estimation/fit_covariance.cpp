@@ -99,18 +99,24 @@ bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution
   return !test || test->p > 1e-3;  // where nothing is left, nothing speaks against it
 }
 
+/// What the scatter of observations about a fit is drawn out by: they are few, and the fit has followed them
+/// (Cameron and Miller 2015, A practitioner's guide to cluster-robust inference, eq. 11).
+double scatter_correction(const Fit& fit) {
+  const auto observations = static_cast<double>(fit.problem.observations.size());
+  return observations / (observations - 1) * (fit.rows - 1) / std::max(fit.rows - fit.unknowns, 1);
+}
+
 /// With a loss: its curvature about the moment of its scores, of sightings where the noise is all that differs, of
 /// observations where more does.
 void set_loss_covariance(const FitOptions& options, bool fits, Fit& fit) {
   Problem weighted = fit.problem;
   const LossMoments moments = loss_moments(weighted, fit.solution.unknowns, options.loss, fit.loss_noise);
-  const auto count = static_cast<double>(fit.problem.observations.size());
   const bool by_observation = !fits && fit.problem.observations.size() >= fewest_for_scatter;
   Solution curved = fit.solution;
   curved.normal.information = moments.curvature;
   fit.parameter_covariance =
       by_observation
-          ? count / (count - 1) * sandwich_covariance(curved, clustered_middle(weighted, fit.solution.unknowns))
+          ? scatter_correction(fit) * sandwich_covariance(curved, clustered_middle(weighted, fit.solution.unknowns))
           : sandwich_covariance(curved, moments.scores);
 }
 
@@ -136,8 +142,8 @@ void set_covariances(const Problem& images, const FitOptions& options, bool decl
   if (fits && fit.objective == Objective::image) {
     fit.parameter_covariance = *fit.noise * *fit.noise * bread;
   } else if (!fits && count >= fewest_for_scatter) {
-    const double correction = static_cast<double>(count) / static_cast<double>(count - 1);
-    fit.parameter_covariance = correction * bread * clustered_middle(fit.problem, fit.solution.unknowns) * bread;
+    fit.parameter_covariance =
+        scatter_correction(fit) * bread * clustered_middle(fit.problem, fit.solution.unknowns) * bread;
   } else if (fit.objective == Objective::image) {
     fit.parameter_covariance = free_scale * bread;
   } else {

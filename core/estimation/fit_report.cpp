@@ -60,7 +60,7 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
   if (images.rig && images.shape && residuals.lengths.empty()) add_lengths_of_pose(images, o, unknowns, residuals);
   if (const auto pose = pose_residual(images, o, unknowns)) {
     residuals.lengths.push_back(pose->place.norm());
-    residuals.length_squares_of_noise += 1.5;  // a place's coordinate is the mean of two measurements
+    residuals.length_squares_of_noise += 3;
   }
   return residuals;
 }
@@ -235,9 +235,12 @@ std::vector<char> outliers(const std::vector<Residuals>& all, std::optional<doub
 
 std::vector<Unused> unused(const Session& session) {
   std::vector<Unused> list;
+  const char* const shows_nothing = session.target || session.pose_sensor ? "its target was not found"
+                                    : session.is_tracker()                ? "no marker was measured"
+                                                                          : "no marker is labelled";
   for (const Observation& o : session.observations) {
     if (is_used(o)) continue;
-    std::string reason = "no marker is labelled";
+    std::string reason = shows_nothing;
     if (o.decision == Decision::rejected) reason = "rejected: " + (o.reason.empty() ? "no reason given" : o.reason);
     if (o.decision == Decision::excluded) reason = "excluded: " + (o.reason.empty() ? "no reason given" : o.reason);
     list.push_back({o.id, reason});
@@ -246,6 +249,18 @@ std::vector<Unused> unused(const Session& session) {
 }
 
 }  // namespace
+
+std::optional<Rigid> tcp_from_target(const Session& session, const Fit& fit) {
+  if (!session.target || !session.shape || session.shape->piece_count() != 1) return std::nullopt;
+  const std::vector<Vector3>&own = session.shape->markers, &in_tcp = estimate(fit).markers_in_tcp;
+  const auto count = static_cast<Eigen::Index>(own.size());
+  if (count < 3 || in_tcp.size() != own.size()) return std::nullopt;
+  Eigen::VectorXd weights(count);
+  for (Eigen::Index m = 0; m < count; ++m) weights[m] = fit.problem.marker_is_seen[static_cast<std::size_t>(m)] ? 1 : 0;
+  if (weights.sum() < 3) return std::nullopt;
+  return align_points(Eigen::Map<const Eigen::Matrix3Xd>(in_tcp[0].data(), 3, count),
+                      Eigen::Map<const Eigen::Matrix3Xd>(own[0].data(), 3, count), weights);
+}
 
 std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemObservation& o,
                                           const Unknowns& unknowns) {

@@ -68,4 +68,8 @@ inline int fold_of(int rank) { return rank / 4 % 5; }
 std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemObservation& observation,
                                           const Unknowns& unknowns);
 
+/// Where a target of one piece lies in the TCP's frame: its own frame (targets/target.h) by its markers as the fit has
+/// them. Nothing for markers, tags without a common frame, and sensors of poses, whose body is the target's frame.
+std::optional<Rigid> tcp_from_target(const Session& session, const Fit& fit);
+
 }  // namespace handsight

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "estimation/half_turns.h"
 #include "estimation/noise.h"
 #include "estimation/shape_start.h"
 #include "estimation/target_pose.h"
@@ -29,6 +30,7 @@ OnlineTarget::OnlineTarget(const Session& session, const OnlineOptions& options)
       usual_sigma_(usual_sigma(session) > 0 ? usual_sigma(session)
                                             : declared_noise_.value_or(chain_.rig ? 0.15 : 3e-4)) {
   check(session.shape.has_value(), "a target without a known shape");
+  looks_the_same_turned_ = session.target && looks_the_same_turned(*session.target);
   problem_.rig = chain_.rig;
   problem_.shape = session.shape;
   problem_.marker_count = chain_.marker_count;
@@ -66,10 +68,31 @@ std::string OnlineTarget::target_refusal(const ProblemObservation& posture) {
   return {};
 }
 
+/// The board lies as the estimate has it, not the other way round.
+void OnlineTarget::undo_half_turn(ProblemObservation& posture, OnlineStep& step) const {
+  if (!looks_the_same_turned_ || !fit_) return;
+  const auto seen = target_pose(problem_.rig_or_null(), posture.sightings, problem_.shape->markers);
+  if (!seen) return;
+  const Unknowns& u = fit_->unknowns();
+  const Vector3 expected =
+      sensor_from_tcp_at(posture, u.mount_from_sensor).rotation * (u.markers_in_tcp[1] - u.markers_in_tcp[0]);
+  const Vector3 measured =
+      seen->pose.sensor_from_body.rotation * (problem_.shape->markers[1] - problem_.shape->markers[0]);
+  if (expected.dot(measured) >= 0) return;
+  turn_by_half(posture.sightings, problem_.marker_count);
+  turn_by_half(step.sightings, problem_.marker_count);
+}
+
 void OnlineTarget::start() {
   Problem known = problem_;
   known.observations = waiting_;
   if (mount_.estimate && !mount_.known && waiting_.size() < fewest_for_mount) return;
+  if (looks_the_same_turned_) {
+    const std::vector<char> turned = half_turned(known, mount_);
+    for (std::size_t k = 0; k < turned.size(); ++k)
+      if (turned[k]) turn_by_half(waiting_[k].sightings, problem_.marker_count);
+    known.observations = waiting_;
+  }
   const auto values = start_values(known, mount_);
   if (!values) return;
   // Of measured points the start is not yet rigid.
@@ -141,6 +164,7 @@ OnlineStep OnlineTarget::add(const Observation& observation, const std::string& 
   if (step.reason.empty()) step.reason = refusal;
   if (step.reason.empty() && posture.sightings.empty())
     step.reason = problem_.rig ? "it has no image, and no point of the target is given" : "its target was not measured";
+  if (step.reason.empty()) undo_half_turn(posture, step);
   if (step.reason.empty()) step.reason = target_refusal(posture);
   if (step.reason.empty()) {
     step.accepted = true;

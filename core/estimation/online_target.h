@@ -22,6 +22,7 @@ class OnlineTarget {
 
  private:
   std::string target_refusal(const ProblemObservation& posture);
+  void undo_half_turn(ProblemObservation& posture, OnlineStep& step) const;
   void start();
   void start_anew();
   BodySides sides() const;
@@ -33,6 +34,7 @@ class OnlineTarget {
   Problem problem_;
   std::optional<double> declared_noise_;
   double usual_sigma_;
+  bool looks_the_same_turned_ = false;  // a chessboard whose two ends cannot be told apart
   std::optional<HeldFit> fit_;
   std::vector<ProblemObservation> waiting_;  // until an unknown mount can be found
   Eigen::VectorXd last_position_;

@@ -130,10 +130,15 @@ SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const V
   n.rows = row_count(sighting);
   if (sighting.point) {
     const double weight = point_weight(sighting) * point_weight(sighting);
-    const Matrix3 across =
-        sighting.along ? Matrix3(*sighting.along * sighting.along->transpose()) : Matrix3(Matrix3::Identity());
-    const Vector3 error = across * (*sighting.point - x_in_sensor);
-    n.information = weight * across;
+    const Vector3 error = *sighting.point - x_in_sensor;
+    if (sighting.along) {
+      const double along = sighting.along->dot(error);
+      n.information = weight * *sighting.along * sighting.along->transpose();
+      n.gradient = weight * along * *sighting.along;
+      n.cost = weight * along * along;
+      return n;
+    }
+    n.information = weight * Matrix3::Identity();
     n.gradient = weight * error;
     n.cost = weight * error.squaredNorm();
     return n;

@@ -84,21 +84,96 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
+void check_count(std::size_t positions, std::size_t measured, const char* what) {
+  if (positions == measured) return;
+  throw InputError(
+      fmt::format("There are {} lines of joint angles for {} {}; each instant needs one of each, in the same order.",
+                  positions, measured, what));
+}
+
+void check_cameras(const NewSession& parts) {
+  for (const RigCamera& c : parts.rig.cameras)
+    if (c.camera.width <= 0 || c.camera.height <= 0)
+      throw InputError(fmt::format("The size of the images is not known; the {}calibration does not name it.",
+                                   parts.rig.count() == 2 ? "stereo " : ""));
+  for (const InstantImages& instant : parts.images)
+    if (static_cast<int>(instant.files.size()) != parts.rig.count())
+      throw InputError(fmt::format("There are images of {} cameras and a calibration of {}; each camera needs both.",
+                                   instant.files.size(), parts.rig.count()));
+}
+
 void check_parts(const NewSession& parts, const Robot& robot) {
   if (fs::exists(parts.folder / "session.xml"))
     throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(parts.folder)));
-  if (parts.positions.size() != parts.images.size())
-    throw InputError(
-        fmt::format("There are {} lines of joint angles for {} images; each instant needs one of each, in "
-                    "the same order.",
-                    parts.positions.size(), parts.images.size()));
+  const bool has_cameras = parts.rig.count() > 0;
+  if (has_cameras)
+    check_count(parts.positions.size(), parts.images.size(), "images");
+  else
+    check_count(parts.positions.size(), parts.target_poses.size(), "poses of the target");
   if (parts.positions.empty()) throw InputError("A session needs at least one observation; there is no pose.");
   for (const std::string& link : {parts.tcp, parts.mount})
     if (find_link(robot, link) < 0)
       throw InputError(fmt::format("{}: has no link {}.", shown_path(parts.urdf), in_quotes(link)));
-  for (const Camera* c : {&parts.rig.left, &parts.rig.right})
-    if (c->width <= 0 || c->height <= 0)
-      throw InputError("The size of the images is not known; the stereo calibration does not name it.");
+  check_cameras(parts);
+}
+
+/// The folder of each camera's images in the session: one for all unless their names are the same.
+std::vector<fs::path> folders_of_images(const NewSession& parts) {
+  bool twins = false;
+  for (const InstantImages& instant : parts.images)
+    for (std::size_t i = 0; i < instant.files.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        twins = twins || (!instant.files[i].empty() && instant.files[i].filename() == instant.files[j].filename());
+  std::vector<fs::path> folders;
+  for (const RigCamera& camera : parts.rig.cameras)
+    folders.push_back(twins ? fs::path("images") / camera.name : fs::path("images"));
+  return folders;
+}
+
+/// The images of one instant into the session. A pair of anonymous markers is whole or not at all.
+void bring_images(const NewSession& parts, const InstantImages& instant, const std::vector<fs::path>& into,
+                  Observation& o, std::vector<std::string>* notes) {
+  const auto is_missing = [](const fs::path& file) { return file.empty(); };
+  const bool is_whole = std::none_of(instant.files.begin(), instant.files.end(), is_missing);
+  if (!is_whole && !parts.target && parts.rig.count() == 2) {
+    const auto there = std::find_if_not(instant.files.begin(), instant.files.end(), is_missing);
+    if (notes && there != instant.files.end())
+      notes->push_back(fmt::format("{} has no partner and is left out; observation {} has no images.",
+                                   there->filename().string(), o.id));
+    return;
+  }
+  for (std::size_t c = 0; c < instant.files.size(); ++c)
+    if (!instant.files[c].empty()) o.images[c] = bring_into(instant.files[c], parts.folder, into[c]);
+}
+
+Session observed_session(const NewSession& parts, const Robot& robot, std::vector<std::string>* notes) {
+  Session s;
+  s.file = parts.folder / "session.xml";
+  s.title = parts.title;
+  s.robot_file = bring_into(parts.urdf, parts.folder, "");
+  s.tcp = parts.tcp;
+  s.mount = {parts.mount, parts.mount_from_sensor, !parts.mount_is_known, parts.mount_is_known};
+  if (parts.rig.count() > 0)
+    s.rig = parts.rig;
+  else
+    s.pose_sensor = PoseSensor{};
+  s.marker_count = parts.marker_count;
+  if (parts.target) set_target(s, *parts.target);
+  s.joints = parts.joints;
+  const std::vector<fs::path> into = folders_of_images(parts);
+  for (std::size_t i = 0; i < parts.positions.size(); ++i) {
+    Observation o;
+    o.id = static_cast<std::int64_t>(i);
+    o.time = static_cast<double>(i);
+    o.position = parts.positions[i];
+    if (s.rig)
+      bring_images(parts, parts.images[i], into, o, notes);
+    else
+      o.target_pose = parts.target_poses[i];
+    s.observations.push_back(std::move(o));
+  }
+  s.robot = robot;
+  return s;
 }
 
 }  // namespace
@@ -116,6 +191,27 @@ std::vector<ImageFiles> find_image_pairs(const fs::path& left_folder, const fs::
   }
   std::vector<ImageFiles> list;
   for (auto& [number, pair] : pairs) list.push_back(std::move(pair));
+  return list;
+}
+
+std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs) {
+  std::vector<InstantImages> list;
+  for (const ImageFiles& pair : pairs) list.push_back({pair.number, {pair.left, pair.right}});
+  return list;
+}
+
+std::vector<InstantImages> find_images(const std::vector<fs::path>& folders) {
+  if (folders.size() == 2) return instants_of(find_image_pairs(folders[0], folders[1]));
+  std::map<std::int64_t, InstantImages> instants;
+  for (std::size_t c = 0; c < folders.size(); ++c)
+    for (const auto& [number, file] : images_by_number(folders[c], std::nullopt)) {
+      InstantImages& instant = instants[number];
+      instant.number = number;
+      instant.files.resize(folders.size());
+      instant.files[c] = file;
+    }
+  std::vector<InstantImages> list;
+  for (auto& [number, instant] : instants) list.push_back(std::move(instant));
   return list;
 }
 
@@ -168,32 +264,7 @@ Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
   fs::create_directories(parts.folder, error);
   if (error)
     throw InputError(fmt::format("{}: the folder cannot be made ({}).", shown_path(parts.folder), error.message()));
-  Session s;
-  s.file = parts.folder / "session.xml";
-  s.title = parts.title;
-  s.robot_file = bring_into(parts.urdf, parts.folder, "");
-  s.tcp = parts.tcp;
-  s.mount = {parts.mount, parts.mount_from_left, !parts.mount_is_known, parts.mount_is_known};
-  s.rig = rig_of(parts.rig);
-  s.marker_count = parts.marker_count;
-  s.joints = parts.joints;
-  for (std::size_t i = 0; i < parts.positions.size(); ++i) {
-    Observation o;
-    o.id = static_cast<std::int64_t>(i);
-    o.time = static_cast<double>(i);
-    o.position = parts.positions[i];
-    const ImageFiles& pair = parts.images[i];
-    if (!pair.left.empty() && !pair.right.empty()) {
-      const bool twins = pair.left.filename() == pair.right.filename();
-      o.images[0] = bring_into(pair.left, parts.folder, twins ? "images/left" : "images");
-      o.images[1] = bring_into(pair.right, parts.folder, twins ? "images/right" : "images");
-    } else if (notes) {
-      notes->push_back(fmt::format("{} has no partner and is left out; observation {} has no images.",
-                                   (pair.left.empty() ? pair.right : pair.left).filename().string(), i));
-    }
-    s.observations.push_back(std::move(o));
-  }
-  s.robot = robot;
+  const Session s = observed_session(parts, robot, notes);
   replace_file(s.file, session_text(s));
   try {
     return read_session(s.file);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A new session from what a user has: folders of images, a URDF, joint angles, a stereo calibration.
+// A new session from what a user has: folders of images or a table of poses, a URDF, joint angles, a calibration.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,23 +23,38 @@ struct ImageFiles {
 std::vector<ImageFiles> find_image_pairs(const std::filesystem::path& left_folder,
                                          const std::filesystem::path& right_folder);
 
+/// The images of one instant by camera; missing ones are empty.
+struct InstantImages {
+  std::int64_t number = 0;  // the last number in the files' names
+  std::vector<std::filesystem::path> files;
+};
+
+std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs);
+
+/// The images of each camera's folder, by the last number in their names, ascending; two folders as `find_image_pairs`
+/// has it. InputError where a folder has no image or a number twice.
+std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>& folders);
+
 struct NewSession {
   std::filesystem::path folder;  // where the session is made; may be there, but without a session.xml
   std::string title;
   std::filesystem::path urdf;
   std::string tcp, mount;  // links
   bool mount_is_known = false;
-  Rigid mount_from_left;  // where it is known
-  StereoRig rig;          // with image sizes
+  Rigid mount_from_sensor;  // where it is known
+  Rig rig;                  // with image sizes; no camera: a sensor that tells poses
   int marker_count = 3;
+  std::optional<Target> target;     // whose points are the markers
   std::vector<std::string> joints;  // the order of `positions`
   std::vector<Eigen::VectorXd> positions;
-  std::vector<ImageFiles> images;  // one for each position, in the same order
+  std::vector<InstantImages> images;  // of cameras: one for each position, in the same order
+  std::vector<Rigid> target_poses;    // of a sensor that tells poses: sensor_from_target, one for each position
 };
 
 /// Writes the folder: the URDF and the images (copied where they lie elsewhere), session.xml last. An observation whose
-/// pair is not whole has no images and is named in the notes. InputError where something does not fit together, named
-/// before anything is written; the session that is returned is the one that was read back.
+/// pair is not whole has no images and is named in the notes; with a target, and with more than two cameras, the images
+/// that are there count. InputError where something does not fit together, named before anything is written; the
+/// session that is returned is the one that was read back.
 Session make_session(const NewSession& parts, std::vector<std::string>* notes = nullptr);
 
 /// The path by which a session names a file: relative to its folder. Copied into `into` (in that folder) where it lies

@@ -38,7 +38,7 @@ struct Sighting {
   int marker = 0;                                                  // 0 to marker_count - 1
   boost::container::small_vector<CameraPoint, 2> in_cameras = {};  // in order of camera, each at most once
   std::optional<Vector3> point = {};                               // m, in the tracker's frame
-  std::optional<Vector3> along = {};  // unit, in that frame: only this coordinate of the point is measured
+  std::optional<Vector3> along = {};  // in that frame: only the product with the point is measured
   MarkedBy by = MarkedBy::import;
   std::optional<double> point_sigma = {};  // m, of each coordinate; absent: the session's usual one
   /// The sigma of a measurement whose residuals are taken as they are (px, m): those of surer ones are drawn out, those

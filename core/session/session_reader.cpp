@@ -44,7 +44,9 @@ Mount read_mount(const XmlNode& device, const char* tag, Ignored& ignored) {
 }
 
 Camera read_camera(const XmlNode& node, Ignored& ignored, std::initializer_list<std::string_view> inside = {}) {
-  note_unknown(ignored, node, {"name", "width", "height", "fx", "fy", "skew", "cx", "cy", "k1", "k2", "p1", "p2", "k3"},
+  note_unknown(ignored, node,
+               {"name", "width", "height", "model", "fx", "fy", "skew", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "k4",
+                "k5", "k6"},
                inside);
   constexpr int largest_side = 1'000'000;
   const auto distortion = [&](const char* attribute) {
@@ -63,6 +65,15 @@ Camera read_camera(const XmlNode& node, Ignored& ignored, std::initializer_list<
   camera.p1 = distortion("p1");
   camera.p2 = distortion("p2");
   camera.k3 = distortion("k3");
+  camera.is_fisheye = find_choice(node, "model", {"brown", "fisheye"}).value_or(0) == 1;
+  camera.k4 = distortion("k4");
+  camera.k5 = distortion("k5");
+  camera.k6 = distortion("k6");
+  const bool has_others = camera.p1 != 0 || camera.p2 != 0 || camera.k5 != 0 || camera.k6 != 0;
+  if (camera.is_fisheye && has_others)
+    refuse(node,
+           "has model=\"fisheye\" with one of p1, p2, k5, k6, expected k1 k2 k3 k4: those of Brown's model mean "
+           "something else.");
   return camera;
 }
 
@@ -209,11 +220,12 @@ void read_target_element(const XmlNode& node, Session& session, Ignored& ignored
   set_target(session, target);
   read_noise(node, session);
   if (looks_the_same_turned(target))
-    session.notes.push_back(
-        fmt::format("{}, line {}: this chessboard looks the same after half a turn; where the robot does not tell the "
-                    "two apart its "
-                    "points are numbered wrongly. One of an even and an odd number of corners cannot be mistaken.",
-                    shortened(node.file, 80), node.line()));
+    session.notes.push_back(fmt::format(
+        "{}, line {}: this chessboard looks the same after half a turn; the robot's motion tells how it lies from one "
+        "observation to the next, but not which end is the first. One of an even and an odd number of corners cannot "
+        "be "
+        "mistaken.",
+        shortened(node.file, 80), node.line()));
 }
 
 /// What the sensor looks at: markers, a target, or a target whose whole pose it tells.

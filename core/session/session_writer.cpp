@@ -34,7 +34,12 @@ XMLElement& write_camera(XMLElement& parent, const std::string& name, const Came
   const std::pair<const char*, double> numbers[] = {
       {"fx", camera.fx}, {"fy", camera.fy}, {"skew", camera.skew}, {"cx", camera.cx}, {"cy", camera.cy},
       {"k1", camera.k1}, {"k2", camera.k2}, {"p1", camera.p1},     {"p2", camera.p2}, {"k3", camera.k3}};
-  for (const auto& [attribute, number] : numbers) set(element, attribute, number);
+  if (camera.is_fisheye) element.SetAttribute("model", "fisheye");
+  for (const auto& [attribute, number] : numbers)
+    if (!camera.is_fisheye || attribute[0] != 'p') set(element, attribute, number);
+  if (camera.is_fisheye || camera.k4 != 0 || camera.k5 != 0 || camera.k6 != 0) set(element, "k4", camera.k4);
+  if (camera.k5 != 0 || camera.k6 != 0) set(element, "k5", camera.k5);
+  if (camera.k6 != 0) set(element, "k6", camera.k6);
   return element;
 }
 

@@ -2,6 +2,7 @@
 #include "session/stereo_calibration.h"
 
 #include <algorithm>
+#include <cctype>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -78,6 +79,16 @@ void read_one(const std::string& text, const std::string& path, Found& found) {
   read_size(file, found);
 }
 
+/// k1 k2 p1 p2 k3 k4 k5 k6, as many as there are. False where one beyond `most` is not zero.
+bool take_distortion(Camera& camera, const std::vector<double>& numbers, std::size_t most) {
+  double* into[] = {&camera.k1, &camera.k2, &camera.p1, &camera.p2, &camera.k3, &camera.k4, &camera.k5, &camera.k6};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i >= most && numbers[i] != 0) return false;
+    if (i < most) *into[i] = numbers[i];
+  }
+  return true;
+}
+
 Camera camera_of(const StorageEntry& k, const std::optional<StorageEntry>& distortion, const char* side,
                  const Found& found, const std::string& files) {
   const bool is_square = k.rows == 3 && k.cols == 3;
@@ -99,18 +110,11 @@ Camera camera_of(const StorageEntry& k, const std::optional<StorageEntry>& disto
       throw InputError(fmt::format("{}: the {} camera matrix holds {:g}; expected at most {:g} px.", files, side,
                                    number, bounds::pixel.highest));
   if (!distortion) return camera;
-  double* into[] = {&camera.k1, &camera.k2, &camera.p1, &camera.p2, &camera.k3};
-  for (std::size_t i = 0; i < distortion->numbers.size(); ++i) {
-    const double value = distortion->numbers[i];
-    if (i < 5) {
-      *into[i] = value;
-    } else if (value != 0) {
-      throw InputError(
-          fmt::format("{}: the {} camera has {} distortion terms (rational, thin prism or tilted); calibrate "
-                      "it with five (k1 k2 p1 p2 k3).",
-                      files, side, distortion->numbers.size()));
-    }
-  }
+  if (!take_distortion(camera, distortion->numbers, 5))
+    throw InputError(
+        fmt::format("{}: the {} camera has {} distortion terms (rational, thin prism or tilted); calibrate "
+                    "it with five (k1 k2 p1 p2 k3).",
+                    files, side, distortion->numbers.size()));
   return camera;
 }
 
@@ -139,7 +143,106 @@ Rigid right_from_left_of(const Found& found, const std::string& files, std::vect
   return motion;
 }
 
+constexpr std::initializer_list<const char*> one_matrix = {"camera_matrix", "cameraMatrix", "K", "mtx"},
+                                             one_distortion = {"distortion_coefficients", "distCoeffs", "D", "dist"};
+
+/// `name: "value"` of any of the texts; empty where there is none.
+std::string text_entry(const std::vector<StereoCalibrationText>& texts, const std::string& name) {
+  for (const StereoCalibrationText& one : texts) {
+    const std::size_t at = one.text.find(name + ": \"");
+    if (at == std::string::npos) continue;
+    const std::size_t begin = at + name.size() + 3;
+    return one.text.substr(begin, std::min(one.text.find('"', begin), one.text.size()) - begin);
+  }
+  return {};
+}
+
+bool is_name(const std::string& text) {
+  return !text.empty() && text.size() <= 100 &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+}
+
+/// Everything of camera k (1, 2, ...) of a rig but where it is.
+Camera numbered_camera(const Storage& all, int k, const std::string& model, const std::string& files) {
+  constexpr const char* places[max_cameras] = {"first", "second", "third",   "fourth",
+                                               "fifth", "sixth",  "seventh", "eighth"};
+  const std::string number = std::to_string(k);
+  const char* const which = places[k - 1];
+  auto matrix = find_matrix(all, files, {("M" + number).c_str()});
+  auto distortion = find_matrix(all, files, {("D" + number).c_str()});
+  if (k == 1) {
+    take(matrix, find_matrix(all, files, one_matrix));
+    take(distortion, find_matrix(all, files, one_distortion));
+  }
+  Found found;
+  read_size(all, found);
+  const auto own = [&](const std::string& name, int& into) {
+    const auto entry = all.find(name + number);
+    if (entry != all.end() && entry->second.numbers.size() == 1) into = as_side(entry->second.numbers[0]);
+  };
+  own("image_width_", found.width);
+  own("image_height_", found.height);
+  Camera camera = camera_of(*matrix, std::nullopt, which, found, files);
+  const std::vector<double> numbers = distortion ? distortion->numbers : std::vector<double>();
+  camera.is_fisheye = model == "fisheye";
+  if (camera.is_fisheye && numbers.size() == 4) {
+    camera.k1 = numbers[0], camera.k2 = numbers[1], camera.k3 = numbers[2], camera.k4 = numbers[3];
+  } else if (camera.is_fisheye || !take_distortion(camera, numbers, 8)) {
+    throw InputError(fmt::format("{}: the {} camera has {} distortion terms; expected {}.", files, which,
+                                 numbers.size(),
+                                 camera.is_fisheye ? "the four of a fisheye (k1 k2 k3 k4)"
+                                                   : "five (k1 k2 p1 p2 k3) or eight with the rational ones"));
+  }
+  return camera;
+}
+
+Rigid motion_of_camera(const Storage& all, int k, const std::string& files, std::vector<std::string>* notes) {
+  const std::string ending = k == 2 ? "" : "_" + std::to_string(k);
+  Found found;
+  found.rotation = find_matrix(all, files, {("R" + ending).c_str()});
+  found.translation = find_matrix(all, files, {("T" + ending).c_str()});
+  if (!found.rotation || !found.translation || found.translation->numbers.size() != 3)
+    throw InputError(
+        fmt::format("{}: has no R{} and T{} of camera {}; name the file that says where it is to the first.", files,
+                    ending, ending, k));
+  return right_from_left_of(found, files, notes);
+}
+
 }  // namespace
+
+Rig read_rig_calibration(const std::vector<std::filesystem::path>& files, std::vector<std::string>* notes) {
+  std::vector<StereoCalibrationText> texts;
+  for (const auto& path : files) texts.push_back({read_file(path), shown_path(path.filename())});
+  return parse_rig_calibration(texts, notes);
+}
+
+Rig parse_rig_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<std::string>* notes) {
+  Storage all;
+  std::string files;
+  for (const StereoCalibrationText& one : texts) {
+    all.merge(parse_opencv_storage(one.text, one.file));
+    files += (files.empty() ? "" : ", ") + one.file;
+  }
+  int count = 0;
+  while (count < max_cameras && all.contains("M" + std::to_string(count + 1))) ++count;
+  if (count == 0 && find_matrix(all, files, one_matrix)) count = 1;
+  if (count == 0) return rig_of(parse_stereo_calibration(texts, notes));
+  Rig rig;
+  for (int k = 1; k <= count; ++k) {
+    const std::string number = std::to_string(k);
+    const std::string given = text_entry(texts, "camera_name_" + number);
+    RigCamera camera{count == 1 ? "camera" : "camera_" + number,
+                     numbered_camera(all, k, text_entry(texts, "lens_model_" + number), files),
+                     {}};
+    if (count == 2)
+      camera.name = k == 1 ? "left" : "right";
+    else if (is_name(given) && find_camera(rig, given) < 0)
+      camera.name = given;
+    if (k > 1) camera.camera_from_first = motion_of_camera(all, k, files, notes);
+    rig.cameras.push_back(std::move(camera));
+  }
+  return rig;
+}
 
 StereoRig read_stereo_calibration(const std::vector<std::filesystem::path>& files, std::vector<std::string>* notes) {
   std::vector<StereoCalibrationText> texts;

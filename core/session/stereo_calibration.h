@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stereo calibrations as OpenCV writes them (cv::FileStorage: YAML, XML or JSON).
+// Calibrations of cameras as OpenCV writes them (cv::FileStorage: YAML, XML or JSON).
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "camera/camera.h"
+#include "camera/rig.h"
 
 namespace handsight {
 
@@ -23,5 +23,13 @@ StereoRig read_stereo_calibration(const std::vector<std::filesystem::path>& file
                                   std::vector<std::string>* notes = nullptr);
 StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& texts,
                                    std::vector<std::string>* notes = nullptr);
+
+/// The rig of one to eight cameras from what `rig_yaml` and OpenCV write: M1 D1 image_width image_height (of one camera
+/// also camera_matrix, cameraMatrix, K or mtx, and distortion_coefficients, distCoeffs, D or dist), M2 D2 R T, and for
+/// more R_3 T_3 ..., of X_k = R X_1 + T. D holds 4 or 5 of Brown's numbers, 8 with the rational terms, or the 4 of a
+/// fisheye where `lens_model_k` says so. Names are those of camera_name_k; of two cameras left and right. Pairs of
+/// other names as `read_stereo_calibration` has it.
+Rig read_rig_calibration(const std::vector<std::filesystem::path>& files, std::vector<std::string>* notes = nullptr);
+Rig parse_rig_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<std::string>* notes = nullptr);
 
 }  // namespace handsight

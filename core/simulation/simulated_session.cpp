@@ -137,14 +137,14 @@ Rigid measured_pose(const SimulatedSession& s, std::size_t k, double lever, Rand
   }
   const Rigid tcp_from_target = align_points(in_tcp, in_target, Eigen::VectorXd::Ones(pose_markers));
   Rigid pose = inverse(s.root_from_sensor[k]) * s.root_from_tcp[k] * tcp_from_target;
-  const double sigma = s.noise / std::sqrt(2.0);
+  const double sigma = s.noise;
   pose.translation += sigma * random.gaussian3();
   pose.rotation = pose.rotation * rotation_from_vector<double>(sigma / lever * random.gaussian3());
   return pose;
 }
 
 void measure_poses(const Session& like, const SimulationOptions& options, SimulatedSession& s) {
-  const double lever = pose_lever(*like.pose_sensor), sigma = s.noise / std::sqrt(2.0);
+  const double lever = pose_lever(*like.pose_sensor), sigma = s.noise;
   for (std::size_t k = 0; k < s.session.observations.size(); ++k)
     s.session.observations[k].target_pose = measured_pose(s, k, lever, Random(options.seed).child(noise_stream + k));
   const bool is_told = options.declare_noise && sigma > 0;

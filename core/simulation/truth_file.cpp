@@ -3,6 +3,7 @@
 
 #include "base/files.h"
 #include "base/numbers.h"
+#include "effects/units.h"
 #include "estimation/body_frame.h"
 #include "simulation/simulated_session.h"
 
@@ -39,7 +40,7 @@ void add_effects(tinyxml2::XMLElement& parent, const SimulatedSession& simulated
                                           : place_name(*effect, term.joint, simulated.session.robot).c_str());
       parameter->SetAttribute("name", effect->parameters[p].name.c_str());
       parameter->SetAttribute("value", format_number(term.values[p]).c_str());
-      parameter->SetAttribute("unit", effect->parameters[p].unit.c_str());
+      parameter->SetAttribute("unit", unit_at(*effect, p, term.joint, simulated.session.robot).c_str());
     }
   }
 }

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ways/arrivals.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "session/pose_points.h"
 #include "vision/image_file.h"
 #include "vision/image_header.h"
 
@@ -50,6 +54,27 @@ std::optional<std::size_t> place_of(const std::vector<std::string>& columns, con
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+std::optional<std::int64_t> whole_number(const std::vector<std::string>& columns,
+                                         const std::vector<std::string>& cells) {
+  const auto at = place_of(columns, "number");
+  return at ? parse_integer(cells[*at]) : std::nullopt;
+}
+
+/// The finite numbers of these columns, of lengths or less; nothing where one is missing.
+template <int n>
+std::optional<Eigen::Matrix<double, n, 1>> numbers_of(const std::vector<std::string>& columns,
+                                                      const std::vector<std::string>& cells,
+                                                      const std::array<std::string, n>& names) {
+  Eigen::Matrix<double, n, 1> numbers;
+  for (int i = 0; i < n; ++i) {
+    const auto at = place_of(columns, names[static_cast<std::size_t>(i)]);
+    const auto value = at ? parse_number(cells[*at]) : std::nullopt;
+    if (!value || !bounds::length.hold(*value)) return std::nullopt;
+    numbers[i] = *value;
+  }
+  return numbers;
+}
+
 /// Nearly always the latest.
 void know_time(std::vector<double>& ascending, double time) {
   ascending.insert(std::upper_bound(ascending.begin(), ascending.end(), time), time);
@@ -66,10 +91,13 @@ bool is_whole(const fs::path& file) {
 Arrivals::Arrivals(const Session& session)
     : folder_(folder(session)),
       joints_(session.joints),
-      is_tracker_(session.is_tracker()),
+      tells_poses_(session.pose_sensor.has_value()),
       markers_(session.marker_count),
       joint_lines_{"joints.csv"},
-      point_lines_{"points.csv"} {
+      measured_lines_{session.pose_sensor ? "poses.csv" : "points.csv"} {
+  if (session.rig)
+    for (const std::string& name : camera_names(*session.rig)) cameras_.push_back(lower(name));
+  if (session.pose_sensor) lever_ = pose_lever(*session.pose_sensor);
   for (const Observation& o : session.observations) {
     for (const std::string& image : o.images)
       if (!image.empty()) known_files_.insert(image);
@@ -146,49 +174,78 @@ void Arrivals::take_joints(Look& look) {
 }
 
 void Arrivals::take_points(Look& look) {
-  for (const std::vector<std::string>& cells : new_lines(point_lines_, look)) {
-    const auto number_at = place_of(point_lines_.columns, "number");
-    const auto number = number_at ? parse_integer(cells[*number_at]) : std::nullopt;
+  for (const std::vector<std::string>& cells : new_lines(measured_lines_, look)) {
+    const auto& columns = measured_lines_.columns;
+    const auto number = whole_number(columns, cells);
     if (!number) continue;
     std::vector<Sighting> seen;
     for (int m = 0; m < markers_; ++m) {
-      Vector3 point;
-      bool is_whole = true;
-      for (int i = 0; i < 3; ++i) {
-        const auto at = place_of(point_lines_.columns, fmt::format("m{}_{}", m, "xyz"[i]));
-        const auto value = at ? parse_number(cells[*at]) : std::nullopt;
-        is_whole = is_whole && value && bounds::length.hold(*value);
-        if (is_whole) point[i] = *value;
-      }
-      if (is_whole) seen.push_back({.marker = m, .point = point});
+      const auto point =
+          numbers_of<3>(columns, cells, {fmt::format("m{}_x", m), fmt::format("m{}_y", m), fmt::format("m{}_z", m)});
+      if (point) seen.push_back({.marker = m, .point = *point});
     }
     if (seen.empty())
-      set_aside(fmt::format("The line of number {} of {}", *number, point_lines_.file), "it has no whole point", look);
+      set_aside(fmt::format("The line of number {} of {}", *number, measured_lines_.file), "it has no whole point",
+                look);
     else
       points_[*number] = std::move(seen);
   }
 }
 
-void Arrivals::take_images(Look&) {
+void Arrivals::take_poses(Look& look) {
+  constexpr double off = 0.01;  // of a quaternion's length
+  for (const std::vector<std::string>& cells : new_lines(measured_lines_, look)) {
+    const auto& columns = measured_lines_.columns;
+    const auto number = whole_number(columns, cells);
+    if (!number) continue;
+    const auto place = numbers_of<3>(columns, cells, {"x", "y", "z"});
+    const auto turn = numbers_of<4>(columns, cells, {"qx", "qy", "qz", "qw"});
+    if (place && turn && std::abs(turn->norm() - 1) < off)
+      target_poses_[*number] = {Eigen::Quaterniond(*turn).normalized().toRotationMatrix(), *place};
+    else
+      set_aside(fmt::format("The line of number {} of {}", *number, measured_lines_.file),
+                "it has no finite x y z and no qx qy qz qw of length 1", look);
+  }
+}
+
+/// The camera that a file's name names; of two names in it the one that the other is part of.
+std::optional<std::size_t> Arrivals::camera_of(const std::string& stem) const {
+  if (cameras_.size() == 1) return 0;
+  std::optional<std::size_t> found;
+  for (std::size_t c = 0; c < cameras_.size(); ++c) {
+    if (stem.find(cameras_[c]) == std::string::npos) continue;
+    if (!found || cameras_[c].find(cameras_[*found]) != std::string::npos)
+      found = c;
+    else if (cameras_[*found].find(cameras_[c]) == std::string::npos)
+      return std::nullopt;
+  }
+  return found;
+}
+
+void Arrivals::take_images() {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder_ / "images", error)) {
     const std::string name = entry.path().filename().string(), file = "images/" + name;
     if (name.starts_with(".") || known_files_.count(file)) continue;
-    const std::int64_t number = number_of(entry.path().stem().string());
-    const std::string stem = lower(entry.path().stem().string());
-    const bool left = stem.find("left") != std::string::npos, right = stem.find("right") != std::string::npos;
-    if (number < 0 || left == right) continue;
-    images_[number][left ? 0 : 1] = file;
+    std::string stem = lower(entry.path().stem().string());
+    const auto camera = camera_of(stem);
+    if (!camera) continue;
+    // A camera's name may end in a number of its own.
+    if (const std::size_t at = stem.find(cameras_[*camera]); at != std::string::npos)
+      stem.replace(at, cameras_[*camera].size(), " ");
+    if (const std::int64_t number = number_of(stem); number >= 0) images_[number][*camera] = file;
   }
 }
 
 bool Arrivals::add_images(std::int64_t number, Observation& o, Look& look) {
   const auto found = images_.find(number);
-  if (found == images_.end() || found->second[0].empty() || found->second[1].empty()) return false;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const std::string& file = found->second[side];
+  if (found == images_.end()) return false;
+  for (std::size_t c = 0; c < cameras_.size(); ++c)
+    if (found->second[c].empty()) return false;
+  for (std::size_t c = 0; c < cameras_.size(); ++c) {
+    const std::string& file = found->second[c];
     if (is_whole(folder_ / file)) {
-      o.images[side] = file;
+      o.images[c] = file;
       continue;
     }
     const auto now = std::chrono::steady_clock::now();
@@ -199,32 +256,51 @@ bool Arrivals::add_images(std::int64_t number, Observation& o, Look& look) {
   return true;
 }
 
+/// False where it is not there yet.
+bool Arrivals::add_measured(std::int64_t number, Observation& o, Look& look) {
+  if (!cameras_.empty()) return add_images(number, o, look);
+  if (tells_poses_) {
+    const auto pose = target_poses_.find(number);
+    if (pose == target_poses_.end()) return false;
+    o.target_pose = pose->second;
+    show_pose(o, lever_);
+    return true;
+  }
+  const auto points = points_.find(number);
+  if (points == points_.end()) return false;
+  o.sightings = points->second;
+  return true;
+}
+
+void Arrivals::forget(std::int64_t number, const Observation& o) {
+  points_.erase(number);
+  target_poses_.erase(number);
+  images_.erase(number);
+  for (const std::string& image : o.images) {
+    if (image.empty()) continue;
+    known_files_.insert(image);
+    half_since_.erase(image);
+  }
+}
+
 Arrivals::Look Arrivals::look() {
   Look look;
   take_joints(look);
-  if (is_tracker_)
-    take_points(look);
+  if (!cameras_.empty())
+    take_images();
+  else if (tells_poses_)
+    take_poses(look);
   else
-    take_images(look);
+    take_points(look);
   for (auto pose = poses_.begin(); pose != poses_.end();) {
     Observation o;
     o.position = pose->second.position;
     o.time = pose->second.time;
-    const auto points = points_.find(pose->first);
-    bool is_there = is_tracker_ ? points != points_.end() : add_images(pose->first, o, look);
-    if (!is_there) {
+    if (!add_measured(pose->first, o, look)) {
       ++pose;
       continue;
     }
-    if (is_tracker_) {
-      o.sightings = std::move(points->second);
-      points_.erase(points);
-    } else {
-      known_files_.insert(o.images.begin(), o.images.begin() + 2);
-      half_since_.erase(o.images[0]);
-      half_since_.erase(o.images[1]);
-      images_.erase(pose->first);
-    }
+    forget(pose->first, o);
     know_time(known_times_, o.time);
     next_time_ = std::max(next_time_, o.time + 1);
     look.arrived.push_back(std::move(o));

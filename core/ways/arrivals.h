@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a robot's program writes into a session's folder while it moves: joints.csv, and beside it images/ or
-// points.csv.
+// What a robot's program writes into a session's folder while it moves: joints.csv, and beside it images/, points.csv
+// or poses.csv.
 #pragma once
 
 #include <chrono>
@@ -14,9 +14,11 @@
 namespace handsight {
 
 /// Looks into a folder again and again. joints.csv has a header `number, [time,] JOINT ...` and a line a pose; the
-/// images of pose 12 are those in images/ whose names hold 12 as their last number and left or right; a tracker's
-/// points are the line of that number in points.csv (`number,m0_x,m0_y,m0_z,...`). Only whole lines and whole images
-/// are taken; what is half written is looked at again, and set aside with a sentence where it stays so for two seconds.
+/// images of pose 12 are those in images/ whose names hold a camera's name (of one camera, any) and, that apart, 12 as
+/// their last number; a tracker's points are the line of that number in points.csv (`number,m0_x,m0_y,m0_z,...`), poses
+/// of a target that in poses.csv (`number,x,y,z,qx,qy,qz,qw`). A pose comes in once every camera has its image. Only
+/// whole lines and whole images are taken; what is half written is looked at again, and set aside with a sentence where
+/// it stays so for two seconds.
 class Arrivals {
  public:
   /// `session` gives joints, cameras or tracker, and what has arrived already.
@@ -43,18 +45,25 @@ class Arrivals {
   std::vector<std::vector<std::string>> new_lines(Lines& lines, Look& look);
   void take_joints(Look& look);
   void take_points(Look& look);
-  void take_images(Look& look);
+  void take_poses(Look& look);
+  void take_images();
   void set_aside(const std::string& what, const std::string& why, Look& look);
+  std::optional<std::size_t> camera_of(const std::string& lower_stem) const;
   bool add_images(std::int64_t number, Observation& observation, Look& look);
+  bool add_measured(std::int64_t number, Observation& observation, Look& look);
+  void forget(std::int64_t number, const Observation& observation);
 
   std::filesystem::path folder_;
   std::vector<std::string> joints_;
-  bool is_tracker_ = false;
+  std::vector<std::string> cameras_;  // their names in small letters; empty: a tracker or a sensor of poses
+  bool tells_poses_ = false;
   int markers_ = 0;
-  Lines joint_lines_, point_lines_;
+  double lever_ = 0;  // m, of a sensor of poses
+  Lines joint_lines_, measured_lines_;
   std::map<std::int64_t, Pose> poses_;                    // that wait for what was measured
   std::map<std::int64_t, std::vector<Sighting>> points_;  // that wait for their pose
-  std::map<std::int64_t, std::array<std::string, 2>> images_;
+  std::map<std::int64_t, Rigid> target_poses_;            // likewise
+  std::map<std::int64_t, std::array<std::string, max_cameras>> images_;
   std::map<std::string, std::chrono::steady_clock::time_point> half_since_;
   std::set<std::string> known_files_, said_;
   std::vector<double> known_times_;  // ascending

@@ -196,7 +196,7 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
       }
     }
   }
-  if (!storages.empty()) b.rig = read_stereo_calibration(storages, &b.notes);
+  if (!storages.empty()) b.rig = read_rig_calibration(storages, &b.notes);
   return b;
 }
 

@@ -47,7 +47,7 @@ struct Brought {
   std::vector<NamedPoses> poses;
   std::optional<PointSeries> points;
   std::optional<HandEyeSamples> samples;
-  std::optional<StereoRig> rig;
+  std::optional<Rig> rig;
   std::vector<RosCamera> cameras;
   std::vector<std::filesystem::path> image_folders;
   std::filesystem::path bag;

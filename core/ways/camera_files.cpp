@@ -2,7 +2,9 @@
 #include "ways/camera_files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <span>
 
 #include "base/bounds.h"
 #include "base/error.h"
@@ -30,27 +32,35 @@ void check_numbers(const Camera& c, const std::string& file) {
                                    bounds::focal_length.lowest, bounds::focal_length.highest));
   for (const double p : {c.cx, c.cy, c.skew})
     if (!bounds::pixel.hold(p)) throw InputError(fmt::format("{}: holds {:g}, no place in an image.", file, p));
-  for (const double d : {c.k1, c.k2, c.p1, c.p2, c.k3})
+  for (const double d : {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6})
     if (!bounds::distortion.hold(d)) throw InputError(fmt::format("{}: holds {:g}, no lens bends so.", file, d));
   if (c.width <= 0 || c.height <= 0 || c.width > 100000 || c.height > 100000)
     throw InputError(file + ": does not say how large the images are; expected image_width and image_height.");
 }
 
+/// The lens by what ROS and Kalibr call its model.
 void set_distortion(Camera& c, const std::vector<double>& d, const std::string& model, const std::string& file) {
-  const bool is_plain =
-      model.empty() || model == "plumb_bob" || model == "radtan" || model == "rational_polynomial" || model == "none";
-  if (!is_plain)
+  c.is_fisheye = model == "equidistant" || model == "fisheye";
+  const bool is_rational = model == "rational_polynomial" || (model.empty() && d.size() == 8);
+  const bool is_plain = model.empty() || model == "plumb_bob" || model == "radtan" || model == "none";
+  if (!c.is_fisheye && !is_rational && !is_plain)
     throw InputError(
         fmt::format("{}: the lens is of the model {}, which sessions do not have; calibrate with plumb_bob "
-                    "(k1 k2 p1 p2 k3).",
+                    "(k1 k2 p1 p2 k3), rational_polynomial or equidistant.",
                     file, in_quotes(model)));
-  double* const into[] = {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3};
+  double* const plain[] = {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3, &c.k4, &c.k5, &c.k6};
+  double* const fisheye[] = {&c.k1, &c.k2, &c.k3, &c.k4};
+  const std::span<double* const> into = c.is_fisheye  ? std::span<double* const>(fisheye)
+                                        : is_rational ? std::span<double* const>(plain)
+                                                      : std::span<double* const>(plain, 5);
   for (std::size_t i = 0; i < d.size(); ++i) {
-    if (i < 5)
+    if (i < into.size())
       *into[i] = d[i];
     else if (d[i] != 0)
-      throw InputError(fmt::format("{}: the lens has {} distortion terms; calibrate it with five (k1 k2 p1 p2 k3).",
-                                   file, d.size()));
+      throw InputError(fmt::format("{}: the lens has {} distortion terms; calibrate it with {}.", file, d.size(),
+                                   c.is_fisheye  ? "the four of a fisheye"
+                                   : is_rational ? "eight (k1 k2 p1 p2 k3 k4 k5 k6)"
+                                                 : "five (k1 k2 p1 p2 k3)"));
   }
 }
 
@@ -145,51 +155,72 @@ StereoRig rig_of(const RosCamera& left, const RosCamera& right) {
   return rig;
 }
 
-StereoRig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes) {
-  if (!yaml["cam1"]) throw InputError(file + ": holds one camera alone; a session needs two, or a tracker.");
-  StereoRig rig;
-  rig.left = kalibr_camera(yaml["cam0"], file + ", cam0");
-  rig.right = kalibr_camera(yaml["cam1"], file + ", cam1");
-  const std::vector<double> t = required(yaml["cam1"], "T_cn_cnm1", 16, file + ", cam1");
+namespace {
+
+/// T_cn_cnm1: from the camera before to this one.
+Rigid motion_from_before(const YAML::Node& camera, const std::string& file) {
+  const std::vector<double> t = required(camera, "T_cn_cnm1", 16, file);
   Matrix3 rotation;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) rotation(i, k) = t[static_cast<std::size_t>(4 * i + k)];
   if (!((rotation * rotation.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < 1e-2))
-    throw InputError(file + ", cam1: T_cn_cnm1 holds no rotation; expected the motion from cam0 to cam1.");
-  rig.right_from_left = {nearest_rotation(rotation), Vector3(t[3], t[7], t[11])};
-  if (yaml["cam2"])
-    notes.push_back(fmt::format("{}: of its cameras cam0 and cam1 are taken, the others are left out.", file));
+    throw InputError(file + ": T_cn_cnm1 holds no rotation; expected the motion from the camera before.");
+  return {nearest_rotation(rotation), Vector3(t[3], t[7], t[11])};
+}
+
+}  // namespace
+
+Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes) {
+  Rig rig;
+  for (int k = 0; yaml[fmt::format("cam{}", k)]; ++k) {
+    if (k == max_cameras) {
+      notes.push_back(fmt::format("{}: of its cameras the first {} are taken, the others are left out.", file, k));
+      break;
+    }
+    const std::string name = fmt::format("cam{}", k);
+    RigCamera camera{name, kalibr_camera(yaml[name], file + ", " + name), {}};
+    if (k > 0)
+      camera.camera_from_first =
+          motion_from_before(yaml[name], file + ", " + name) * rig.cameras.back().camera_from_first;
+    rig.cameras.push_back(std::move(camera));
+  }
+  if (rig.count() == 2) rig.at(0).name = "left", rig.at(1).name = "right";
   return rig;
 }
 
-void fit_to_images(StereoRig& rig, int width, int height, std::vector<std::string>& notes) {
-  for (Camera* c : {&rig.left, &rig.right}) {
-    const char* const name = c == &rig.left ? "left" : "right";
-    if (c->width == width && c->height == height) continue;
-    if (c->width <= 0) {
-      c->width = width;
-      c->height = height;
-      continue;
-    }
-    if (c->width != height || c->height != width)
-      throw InputError(
-          fmt::format("The images are {} x {} px, the calibration of the {} camera is of {} x {} px: name "
-                      "the calibration of these images, or images of this size.",
-                      width, height, name, c->width, c->height));
-    if (c->cx > width || c->cy > height ||
-        std::abs(c->cx - height / 2.0) + std::abs(c->cy - width / 2.0) <
-            std::abs(c->cx - width / 2.0) + std::abs(c->cy - height / 2.0))
-      throw InputError(
-          fmt::format("The images are {} x {} px and the calibration of the {} camera is of {} x {} px, its "
-                      "centre at {:.0f}, {:.0f}: the images were turned by a quarter after it was "
-                      "calibrated; turn them back.",
-                      width, height, name, c->width, c->height, c->cx, c->cy));
-    std::swap(c->width, c->height);
-    notes.push_back(
-        fmt::format("The calibration of the {} camera has width and height swapped; {} x {} px of the images "
-                    "is taken.",
-                    name, width, height));
+Rig rig_of(const RosCamera& camera) {
+  std::string name;
+  for (const char c : camera.name)
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') name += c;
+  return {{{name.empty() || name.size() > 60 ? "camera" : name, camera.camera, {}}}};
+}
+
+void fit_to_images(RigCamera& camera, int width, int height, std::vector<std::string>& notes) {
+  Camera& c = camera.camera;
+  if (c.width == width && c.height == height) return;
+  if (c.width <= 0) {
+    c.width = width;
+    c.height = height;
+    return;
   }
+  if (c.width != height || c.height != width)
+    throw InputError(
+        fmt::format("The images are {} x {} px, the calibration of the {} camera is of {} x {} px: name "
+                    "the calibration of these images, or images of this size.",
+                    width, height, camera.name, c.width, c.height));
+  if (c.cx > width || c.cy > height ||
+      std::abs(c.cx - height / 2.0) + std::abs(c.cy - width / 2.0) <
+          std::abs(c.cx - width / 2.0) + std::abs(c.cy - height / 2.0))
+    throw InputError(
+        fmt::format("The images are {} x {} px and the calibration of the {} camera is of {} x {} px, its "
+                    "centre at {:.0f}, {:.0f}: the images were turned by a quarter after it was "
+                    "calibrated; turn them back.",
+                    width, height, camera.name, c.width, c.height, c.cx, c.cy));
+  std::swap(c.width, c.height);
+  notes.push_back(
+      fmt::format("The calibration of the {} camera has width and height swapped; {} x {} px of the images "
+                  "is taken.",
+                  camera.name, width, height));
 }
 
 }  // namespace handsight

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "camera/camera.h"
+#include "camera/rig.h"
 #include "ways/cdr.h"
 #include "ways/yaml_text.h"
 
@@ -25,18 +25,22 @@ struct RosCamera {
 bool is_camera_info(const YAML::Node& yaml);
 bool is_camchain(const YAML::Node& yaml);
 
-/// InputError where it is incomplete, of a lens that sessions have no model for, or not calibrated (zeros).
+/// Lenses: plumb_bob (radtan) with up to five numbers, rational_polynomial with eight, equidistant (fisheye) with four.
+/// InputError where it is incomplete, of another lens, or not calibrated (zeros).
 RosCamera read_camera_info(const YAML::Node& yaml, const std::string& file);
 RosCamera camera_from_message(const ros::CameraInfo& message, const std::string& file);
 
 /// The rig that two cameras of ROS make by their rectification. InputError where neither names a baseline.
 StereoRig rig_of(const RosCamera& left, const RosCamera& right);
 
-/// cam0 and cam1 of Kalibr's camchain (T_cn_cnm1). Those beyond are named in `notes`.
-StereoRig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes);
+/// cam0, cam1, ... of Kalibr's camchain (T_cn_cnm1), as many as a rig holds; two are called left and right.
+Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes);
 
-/// InputError, or turned into what it must be with a sentence in `notes`, where images of this size cannot be of these
-/// cameras: width and height swapped.
-void fit_to_images(StereoRig& rig, int width, int height, std::vector<std::string>& notes);
+/// A rig of this one camera.
+Rig rig_of(const RosCamera& camera);
+
+/// InputError, or turned into what it must be with a sentence in `notes`, where images of this size cannot be of this
+/// camera: width and height swapped.
+void fit_to_images(RigCamera& camera, int width, int height, std::vector<std::string>& notes);
 
 }  // namespace handsight

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "effects/units.h"
 
 namespace handsight {
 namespace {
@@ -59,10 +60,10 @@ std::vector<ChangeUnit> change_units(const Problem& problem) {
 double ln_prior_odds(const std::string& group) { return group == "joint_elasticity" ? std::log(0.1) : 0; }
 
 std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms, const Eigen::VectorXd& sigma,
-                        bool is_tracker) {
+                        const Chain& chain) {
   const std::vector<double>& v = terms.front().values;
   const std::string& id = unit.group;
-  const char* const device = is_tracker ? "tracker" : "camera";
+  const char* const device = chain.rig ? "camera" : "tracker";
   if (id == "camera_mount")
     return fmt::format("The {} turned by {} and moved by {} on its mount", device,
                        size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));
@@ -74,12 +75,17 @@ std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& t
                        size_text(v, sigma, 3, degrees, "degrees"));
   if (id == "marker_slip")
     return fmt::format("Of the markers {} alone slipped, by {}", unit.where, size_text(v, sigma, 0, 1e3, "mm"));
-  if (id == "joint_offset")
-    return fmt::format("Joint {} lost its zero: it stands {:.3g} +- {:.2g} degrees further than it reads", unit.where,
-                       v[0] * degrees, sigma[0] * degrees);
+  const std::string own_unit = unit_at(effect_of(terms.front()), 0, terms.front().joint, chain.robot);
+  if (id == "joint_offset") {
+    const bool slides = own_unit == "m";
+    const double scale = slides ? 1e3 : degrees;
+    return fmt::format("Joint {} lost its zero: it stands {:.3g} +- {:.2g} {} further than it reads", unit.where,
+                       v[0] * scale, sigma[0] * scale, slides ? "mm" : "degrees");
+  }
   if (id == "payload") return fmt::format("The hand carries {:.3g} +- {:.2g} kg more than it did", v[0], sigma[0]);
   if (id == "joint_elasticity")
-    return fmt::format("Joint {} gives way by {:.3g} +- {:.2g} rad/(N m) more than it did", unit.where, v[0], sigma[0]);
+    return fmt::format("Joint {} gives way by {:.3g} +- {:.2g} {} more than it did", unit.where, v[0], sigma[0],
+                       own_unit);
   return std::string("The cameras' lenses are not what they were (") +
          (terms.front().id == "lens_distortion" ? "distortion" : "focal lengths or centres") + ")";
 }

@@ -25,6 +25,6 @@ double ln_prior_odds(const std::string& group);
 
 /// "The camera mount turned by 0.12 +- 0.01 degrees and moved by 1.3 mm".
 std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& values, const Eigen::VectorXd& sigma,
-                        bool is_tracker);
+                        const Chain& chain);
 
 }  // namespace handsight

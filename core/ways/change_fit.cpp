@@ -8,6 +8,7 @@
 
 #include "diagnosis/candidates.h"
 #include "diagnosis/evidence.h"
+#include "effects/units.h"
 #include "ways/change_evidence.h"
 
 namespace handsight {
@@ -223,11 +224,22 @@ class Comparer {
     constexpr double held = 1 / (change_scale * change_scale);
     const double gained = none_squares_ - (r.squares - held * r.change.squaredNorm());
     const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(count, count);
+    const double evidence = change_evidence_at(covariance.ldlt().solve(one) - held * one, r.change, gained);
+    if (!std::isfinite(evidence) || !covariance.allFinite()) return;  // the linearised answer stands
     Found& f = found_[u];
-    f.ln_bayes_factor = change_evidence_at(covariance.ldlt().solve(one) - held * one, r.change, gained);
+    f.ln_bayes_factor = evidence;
     f.explained = gained;
     f.terms = r.terms;
     f.sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(sizes_);
+  }
+
+  std::vector<std::string> units_of(const std::vector<EffectTerm>& terms) const {
+    std::vector<std::string> units;
+    for (const EffectTerm& t : terms)
+      for (std::size_t p = 0; p < t.values.size(); ++p)
+        if (!effect_of(t).parameters[p].is_choice)
+          units.push_back(unit_at(effect_of(t), p, t.joint, after_.problem.source->chain.robot));
+    return units;
   }
 
   std::vector<Change> grouped() const {
@@ -241,7 +253,13 @@ class Comparer {
     }
     std::vector<Change> changes;
     for (const auto& [group, u] : best) {
-      Change c{group, {}, found_[u].terms, found_[u].sigma, ln_mean_exp(factors[group]), found_[u].explained};
+      Change c{group,
+               {},
+               found_[u].terms,
+               found_[u].sigma,
+               units_of(found_[u].terms),
+               ln_mean_exp(factors[group]),
+               found_[u].explained};
       if (!units_[u].where.empty()) c.where = {units_[u].where};
       changes.push_back(std::move(c));
     }

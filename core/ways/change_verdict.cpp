@@ -43,7 +43,6 @@ void judge(const ComparedSides& sides, Comparison& c) {
   const RankedChanges first = ranked(sides, c);
   c.changes = first.changes;
   c.threshold = first.threshold;
-  const bool is_tracker = !sides.after.problem.rig.has_value();
   if (c.changes.empty() || ln_odds(c.changes.front()) < c.threshold) {
     c.verdict = ComparisonVerdict::unchanged;
     c.sentence = "Nothing has changed that these poses show: cameras, hand and arm are as they were.";
@@ -55,7 +54,7 @@ void judge(const ComparedSides& sides, Comparison& c) {
   const RankedChanges second = ranked_changes(first.sides, best.terms);
   const bool several = !second.changes.empty() && ln_odds(second.changes.front()) >= c.threshold + ln_20;
   c.verdict = several ? ComparisonVerdict::several : ComparisonVerdict::changed;
-  c.sentence = change_text(unit_of(best), best.terms, best.sigma, is_tracker);
+  c.sentence = change_text(unit_of(best), best.terms, best.sigma, sides.after.problem.source->chain);
   if (several)
     c.sentence += fmt::format("; and more than one thing has changed: {} too, or something that is not in the list.",
                               second.changes.front().id);

@@ -34,6 +34,15 @@ void share_mount(Session& a, Session& b) {
   known.mount.estimate = true;
 }
 
+/// What is no answer cannot have changed.
+void require_answer(const CleanFit& clean, const char* which) {
+  if (clean.fit.converged()) return;
+  throw InputError(fmt::format(
+      "The two cannot be compared: the fit of the {} session finds no answer; run `handsight-cli fit` on it, "
+      "exclude the observations that it says stand out, and compare again.",
+      which));
+}
+
 /// The same numbers to the last bit, as one calibration gives them.
 bool are_alike(const Rig& a, const Rig& b) {
   for (int c = 0; c < a.count(); ++c) {
@@ -76,6 +85,8 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   FitOptions options;
   options.estimated = effects;
   const CleanFit clean_a = clean_model(a, options), clean_b = clean_model(b, options);
+  require_answer(clean_a, "first");
+  require_answer(clean_b, "second");
   Comparison c;
   for (const auto* clean : {&clean_a, &clean_b})
     if (!clean->wrong.empty())

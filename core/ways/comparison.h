@@ -15,7 +15,8 @@ struct Change {
   std::string id;                  // camera_mount, stereo_rig, lens, body_slip, marker_slip, joint_offset, payload, ...
   std::vector<std::string> where;  // joints or markers
   std::vector<EffectTerm> terms;   // with values
-  Eigen::VectorXd sigma;           // of the values in their order
+  Eigen::VectorXd sigma;           // of the values in their order, choices left out
+  std::vector<std::string> units;  // theirs
   double ln_bayes_factor = 0;      // against nothing having changed; the mean over the places where it may sit
   double explained = 0;            // chi-squared that it takes away
 };

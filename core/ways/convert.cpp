@@ -55,12 +55,7 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, con
   if (!b.image_folders.empty()) return from_images(*robot, b, o, std::move(c));
   if (!b.joints) throw InputError("There are no joint readings; name a table (CSV) of them, a column a joint.");
   if (b.points) return from_points(*robot, *b.joints, *b.points, {}, o, std::move(c));
-  if (b.poses.size() == 1) {
-    c.notes.push_back(poses_note);
-    const PoseSeries& target = b.poses[0].series;
-    return from_points(*robot, *b.joints, {target.times, points_of_poses(target)},
-                       target.times.empty() ? std::vector<double>() : speeds_of(target), o, std::move(c));
-  }
+  if (b.poses.size() == 1) return from_poses(*robot, *b.joints, b.poses[0].series, o, std::move(c));
   throw InputError(
       "There is nothing that a sensor measured: no images, no points, no poses of a target. Name their folder "
       "or file too.");
@@ -81,10 +76,6 @@ Conversion convert(const std::vector<fs::path>& given, const ConvertOptions& o) 
   c = assemble(robot, b, o, std::move(c));
   for (const std::string& doubt : session_doubts(c.session)) c.notes.push_back(doubt);
   return c;
-}
-
-std::vector<Vector3> virtual_points() {
-  return {Vector3::Zero(), 0.1 * Vector3::UnitX(), 0.1 * Vector3::UnitY(), 0.1 * Vector3::UnitZ()};
 }
 
 }  // namespace handsight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session from what a user has. One sensor measures in each: images of two cameras, points, or poses of a target.
+// A session from what a user has. One sensor measures in each: images of cameras, points, or poses of a target.
 #pragma once
 
 #include "session/session.h"
@@ -12,10 +12,11 @@ struct ConvertOptions {
   std::filesystem::path robot;  // URDF; empty: among the files, in the bag, or none (poses of the flange alone)
   std::string tcp, mount;       // links; mount empty: the root link
   std::string title;
-  bool degrees = false;      // joint tables whose header does not say so
-  bool eye_on_base = false;  // easy_handeye's files that do not say where the camera is
-  int markers = 3;           // of sessions with images
-  std::string target_frame;  // of a bag's /tf: the target that a detector publishes
+  bool degrees = false;          // joint tables whose header does not say so
+  bool eye_on_base = false;      // easy_handeye's files that do not say where the camera is
+  int markers = 3;               // of sessions with images and anonymous markers
+  std::optional<Target> target;  // what images show, where its points name themselves
+  std::string target_frame;      // of a bag's /tf: the target that a detector publishes
   bool estimate_lag = false;
   PairingOptions pairing;
 };
@@ -28,8 +29,5 @@ struct Conversion {
 
 /// Makes the session's folder. InputError where the files do not make a session: what is missing and what to do.
 Conversion convert(const std::vector<std::filesystem::path>& files, const ConvertOptions& options);
-
-/// The four points of a target's frame that stand for its pose: its origin and 0.1 m along each axis.
-std::vector<Vector3> virtual_points();
 
 }  // namespace handsight

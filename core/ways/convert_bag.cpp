@@ -30,10 +30,10 @@ std::string target_frame_of(const BagContents& bag, const std::string& wanted) {
                   likely.empty() ? "no" : "several", shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
 }
 
-/// Left and right of the bag's image topics, and their cameras; nothing where there are none.
+/// The bag's image topics, by camera, and their rig.
 struct BagRig {
-  const BagImages *left, *right;
-  StereoRig rig;
+  std::vector<const BagImages*> topics;
+  Rig rig;
 };
 
 const RosCamera* camera_beside(const BagContents& bag, const std::string& topic) {
@@ -46,62 +46,94 @@ const RosCamera* camera_beside(const BagContents& bag, const std::string& topic)
   return nullptr;
 }
 
-std::optional<BagRig> find_bag_rig(const BagContents& bag, const Brought& b) {
+std::optional<BagRig> find_bag_pair(const BagContents& bag, const Brought& b) {
   const BagImages *left = nullptr, *right = nullptr;
   for (const BagImages& images : bag.images) {
     if (says(images.topic, {"left", "infra1"}) && !left) left = &images;
     if (says(images.topic, {"right", "infra2"}) && !right) right = &images;
   }
   if (!left || !right) return std::nullopt;
-  if (b.rig) return BagRig{left, right, *b.rig};
+  if (b.rig && is_pair(*b.rig)) return BagRig{{left, right}, *b.rig};
   const RosCamera *l = camera_beside(bag, left->topic), *r = camera_beside(bag, right->topic);
   if (!l || !r) return std::nullopt;
-  return BagRig{left, right, rig_of(*l, *r)};
+  return BagRig{{left, right}, rig_of(rig_of(*l, *r))};
 }
 
-/// Places of images of both sides that were taken together.
+/// Two cameras, or with a target the only one whose calibration is known.
+std::optional<BagRig> find_bag_rig(const BagContents& bag, const Brought& b, const ConvertOptions& o) {
+  if (const auto pair = find_bag_pair(bag, b)) return pair;
+  if (!o.target) return std::nullopt;
+  std::vector<BagRig> single;
+  for (const BagImages& images : bag.images) {
+    if (b.rig && b.rig->count() == 1 && bag.images.size() == 1)
+      single.push_back({{&images}, *b.rig});
+    else if (const RosCamera* camera = camera_beside(bag, images.topic))
+      single.push_back({{&images}, rig_of(*camera)});
+  }
+  if (single.size() == 1) return single.front();
+  std::string topics;
+  for (const BagImages& images : bag.images) topics += (topics.empty() ? "" : ", ") + images.topic;
+  throw InputError(
+      fmt::format("The bag has {} image topics with a calibration beside them where one is expected{}; record one "
+                  "camera with its CameraInfo, or a left and a right one.",
+                  single.size(), topics.empty() ? "" : " (" + shortened(topics, 200) + ")"));
+}
+
+/// Places of images of all topics that were taken together: by topic, one a time.
 struct Together {
-  std::vector<std::size_t> left, right;
+  std::vector<std::vector<std::size_t>> places;
   std::vector<double> times;
 };
-Together taken_together(const BagImages& left, const BagImages& right) {
+
+std::optional<std::size_t> nearest_within(const std::vector<double>& times, double wanted, double apart) {
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (std::abs(times[k] - wanted) <= apart &&
+        (!best || std::abs(times[k] - wanted) < std::abs(times[*best] - wanted)))
+      best = k;
+  return best;
+}
+
+Together taken_together(const std::vector<const BagImages*>& topics) {
   constexpr double apart = 0.01;  // s
   Together t;
-  for (std::size_t i = 0; i < left.times.size(); ++i) {
-    std::size_t best = right.times.size();
-    for (std::size_t k = 0; k < right.times.size(); ++k)
-      if (std::abs(right.times[k] - left.times[i]) <= apart &&
-          (best == right.times.size() ||
-           std::abs(right.times[k] - left.times[i]) < std::abs(right.times[best] - left.times[i])))
-        best = k;
-    if (best == right.times.size()) continue;
-    t.left.push_back(i);
-    t.right.push_back(best);
-    t.times.push_back(left.times[i]);
+  t.places.resize(topics.size());
+  for (const double time : topics.front()->times) {
+    std::vector<std::size_t> found;
+    for (const BagImages* topic : topics)
+      if (const auto place = nearest_within(topic->times, time, apart)) found.push_back(*place);
+    if (found.size() < topics.size()) continue;
+    for (std::size_t c = 0; c < topics.size(); ++c) t.places[c].push_back(found[c]);
+    t.times.push_back(time);
   }
   return t;
 }
 
-Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const BagRig& rig,
+Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const BagRig& found,
                            const std::filesystem::path& file, const ConvertOptions& o, Conversion c) {
   SessionParts parts;
   require_links(robot, o, parts, c.notes);
-  const Together pairs = taken_together(*rig.left, *rig.right);
-  if (pairs.times.size() < rig.left->times.size())
+  const Together together = taken_together(found.topics);
+  const std::size_t all = found.topics.front()->times.size();
+  if (together.times.size() < all)
     c.notes.push_back(fmt::format("{} of {} left images have no right image within 10 ms and are left out.",
-                                  rig.left->times.size() - pairs.times.size(), rig.left->times.size()));
-  const Paired p = pair_events(bag.joints, pairs.times, pairs.times.size(), {}, o, c.notes);
+                                  all - together.times.size(), all));
+  const Paired p = pair_events(bag.joints, together.times, together.times.size(), {}, o, c.notes);
   std::filesystem::create_directories(o.out / "images");
-  const auto left = write_bag_images(file, *rig.left, chosen(pairs.left, p.events), o.out / "images", "left"),
-             right = write_bag_images(file, *rig.right, chosen(pairs.right, p.events), o.out / "images", "right");
-  std::vector<ImageFiles> images;
-  for (std::size_t i = 0; i < left.size(); ++i)
-    images.push_back({static_cast<std::int64_t>(i), o.out / "images" / left[i], o.out / "images" / right[i]});
+  std::vector<InstantImages> images(p.events.size());
+  for (std::size_t camera = 0; camera < found.topics.size(); ++camera) {
+    const auto written = write_bag_images(file, *found.topics[camera], chosen(together.places[camera], p.events),
+                                          o.out / "images", found.rig.cameras[camera].name);
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      images[i].number = static_cast<std::int64_t>(i);
+      images[i].files.push_back(o.out / "images" / written[i]);
+    }
+  }
   parts.joints = {bag.joints.names, {}, p.positions};
-  parts.times = chosen(pairs.times, p.events);
-  StereoRig cameras = rig.rig;
-  fit_to_first_image(cameras, images, c.notes);
-  c.session = write_stereo_session(parts, cameras, images, o, c.notes);
+  parts.times = chosen(together.times, p.events);
+  Rig rig = found.rig;
+  fit_to_first_images(rig, images, c.notes);
+  c.session = write_camera_session(parts, rig, images, o, c.notes);
   return c;
 }
 
@@ -116,15 +148,13 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Brought& b, con
     throw InputError(
         "The bag has no sensor_msgs/JointState with joints of this robot; record /joint_states too, or name "
         "the robot that it was recorded with.");
-  if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b) : std::nullopt)
+  if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b, o) : std::nullopt)
     return from_bag_images(*robot, bag, *rig, b.bag, o, std::move(c));
   const std::string child = target_frame_of(bag, o.target_frame);
   const BagFrame& frame = bag.frames.at(child);
   c.notes.push_back(
       fmt::format("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
-  c.notes.push_back(poses_note);
-  return from_points(*robot, bag.joints, {frame.series.times, points_of_poses(frame.series)}, speeds_of(frame.series),
-                     o, std::move(c));
+  return from_poses(*robot, bag.joints, frame.series, o, std::move(c));
 }
 
 }  // namespace handsight

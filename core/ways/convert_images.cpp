@@ -10,59 +10,86 @@
 namespace handsight {
 namespace {
 
-/// The size of the first image of a folder.
-std::optional<ImageSize> size_of_images(const std::vector<ImageFiles>& pairs) {
-  for (const ImageFiles& pair : pairs)
-    if (!pair.left.empty()) return image_size(read_file(pair.left));
+/// The size of a camera's first image.
+std::optional<ImageSize> size_of_images(const std::vector<InstantImages>& instants, std::size_t camera) {
+  for (const InstantImages& instant : instants)
+    if (!instant.files[camera].empty()) return image_size(read_file(instant.files[camera]));
   return std::nullopt;
 }
 
-/// Pairs and joint lines, by count or by the images' numbers.
-void match_images(std::vector<ImageFiles>& pairs, const JointSeries& joints) {
-  if (pairs.size() == joints.positions.size()) return;
-  throw InputError(
-      fmt::format("There are {} pairs of images and {} lines of joint readings; expected one line for each "
-                  "pair, in the order of the images' numbers. The first pair has the number {}, the last {}.",
-                  pairs.size(), joints.positions.size(), pairs.front().number, pairs.back().number));
+/// Instants and joint lines, by count.
+void match_images(const std::vector<InstantImages>& instants, const JointSeries& joints, int cameras) {
+  if (instants.size() == joints.positions.size()) return;
+  throw InputError(fmt::format(
+      "There are {} {} and {} lines of joint readings; expected one line for each, in the order of the images' "
+      "numbers. The first has the number {}, the last {}.",
+      instants.size(), cameras == 2 ? "pairs of images" : "instants with images", joints.positions.size(),
+      instants.front().number, instants.back().number));
 }
 
-StereoRig rig_of_brought(const Brought& b) {
+Rig rig_of_brought(const Brought& b) {
   if (b.rig) return *b.rig;
+  if (b.cameras.size() == 1) return rig_of(b.cameras[0]);
   if (b.cameras.size() == 2) {
     const bool swapped = says(b.cameras[0].name + b.cameras[0].file, {"right"});
-    return rig_of(b.cameras[swapped ? 1 : 0], b.cameras[swapped ? 0 : 1]);
+    return rig_of(rig_of(b.cameras[swapped ? 1 : 0], b.cameras[swapped ? 0 : 1]));
   }
   throw InputError(
       b.cameras.empty()
-          ? "There are images, and no calibration of the two cameras; name OpenCV's, Kalibr's or two of ROS."
-          : "There is a calibration of one camera alone; a session with images needs two cameras and the way "
-            "from one to the other.");
+          ? "There are images, and no calibration of the cameras; name OpenCV's, Kalibr's or those of ROS, or make one "
+            "with `handsight-cli cameras`."
+          : "Files of ROS do not say how more than two cameras lie to each other; name Kalibr's camchain, or make a "
+            "calibration with `handsight-cli cameras`.");
+}
+
+/// The folder of each camera: by its name, of two by left and right, else as they were given.
+std::vector<std::filesystem::path> folders_by_camera(const Rig& rig, std::vector<std::filesystem::path> folders) {
+  if (rig.count() == 2 && folders.size() == 1) return {folders[0], folders[0]};
+  if (static_cast<int>(folders.size()) != rig.count())
+    throw InputError(
+        fmt::format("There are {} folders of images and a calibration of {} cameras ({}); name one folder "
+                    "for each camera, in this order or with its name in the folder's.",
+                    folders.size(), rig.count(), listed_names(rig)));
+  std::vector<std::filesystem::path> ordered;
+  for (const RigCamera& camera : rig.cameras)
+    for (const auto& folder : folders)
+      if (says(folder.filename().string(), {camera.name.c_str()})) ordered.push_back(folder);
+  std::vector<std::filesystem::path> once = ordered;
+  std::sort(once.begin(), once.end());
+  const bool each_once = ordered.size() == folders.size() && std::adjacent_find(once.begin(), once.end()) == once.end();
+  return each_once ? ordered : folders;
 }
 
 }  // namespace
 
-void fit_to_first_image(StereoRig& rig, const std::vector<ImageFiles>& images, std::vector<std::string>& notes) {
-  if (const auto size = size_of_images(images))
-    fit_to_images(rig, static_cast<int>(size->width), static_cast<int>(size->height), notes);
+void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<std::string>& notes) {
+  for (int c = 0; c < rig.count(); ++c)
+    if (const auto size = size_of_images(images, static_cast<std::size_t>(c)))
+      fit_to_images(rig.at(c), static_cast<int>(size->width), static_cast<int>(size->height), notes);
+}
+
+void require_target(const Rig& rig, const ConvertOptions& o) {
+  if (o.target || is_pair(rig)) return;
+  throw InputError(fmt::format(
+      "With {} {} something must be shown whose points name themselves: say what with --target, for example "
+      "\"charuco columns=8 rows=6 square=0.03 marker=0.022 dictionary=DICT_5X5_100\"; markers without names "
+      "need two cameras.",
+      rig.count(), rig.count() == 1 ? "camera" : "cameras"));
 }
 
 Conversion from_images(const FieldUrdf& robot, const Brought& b, const ConvertOptions& o, Conversion c) {
-  if (b.image_folders.size() > 2)
-    throw InputError("There are more than two folders of images; name the left one and the right one.");
   if (!b.joints)
-    throw InputError("There are images, and no table of joint readings; name a CSV with a line for each pair.");
+    throw InputError("There are images, and no table of joint readings; name a CSV with a line for each instant.");
   SessionParts parts;
   require_links(robot, o, parts, c.notes);
-  const bool swapped = b.image_folders.size() == 2 && says(b.image_folders[0].filename().string(), {"right"});
-  std::vector<ImageFiles> pairs =
-      find_image_pairs(b.image_folders[swapped ? 1 : 0],
-                       b.image_folders.size() == 2 ? b.image_folders[swapped ? 0 : 1] : b.image_folders[0]);
-  match_images(pairs, *b.joints);
-  StereoRig rig = rig_of_brought(b);
-  fit_to_first_image(rig, pairs, c.notes);
+  Rig rig = rig_of_brought(b);
+  require_target(rig, o);
+  const std::vector<InstantImages> images = find_images(folders_by_camera(rig, b.image_folders));
+  match_images(images, *b.joints, rig.count());
+  fit_to_first_images(rig, images, c.notes);
   parts.joints = *b.joints;
   parts.times = b.joints->times;
-  c.session = write_stereo_session(parts, rig, pairs, o, c.notes);
+  c.session = write_camera_session(parts, rig, images, o, c.notes);
   return c;
 }
 

@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "ways/convert_pairing.h"
 #include "ways/convert_ways.h"
-#include "ways/flange_robot.h"
 
 namespace handsight {
 namespace {
@@ -23,6 +22,10 @@ bool is_of_flange(const std::string& file) {
 bool is_of_target(const std::string& file) {
   return says(file, {"target", "marker", "tag", "board", "cam", "track", "mocap", "object"});
 }
+
+constexpr char sensor_note[] =
+    "The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is known "
+    "write it into <pose_sensor>: sigma (m) and sigma_angle (rad).";
 
 }  // namespace
 
@@ -51,18 +54,32 @@ Conversion from_flange(const PoseSeries& flange, const PoseSeries& target, bool 
                     "in the same order.",
                     flange.poses.size(), target.poses.size()));
   SessionParts parts;
-  parts.urdf_text = flange_robot_urdf();
-  parts.joints = flange_joints(flange);
+  const Robot robot = poses_robot();
+  for (const Joint& joint : robot.joints) parts.joints.names.push_back(joint.name);
+  for (const Rigid& pose : flange.poses) parts.joints.positions.emplace_back(position_of(pose));
   parts.tcp = eye_in_hand ? "base" : "flange";
   parts.mount = eye_in_hand ? "flange" : "base";
   parts.times = target.times;
-  parts.points = points_of_poses(target);
+  parts.target_poses = target.poses;
   c.notes.push_back(
-      "No robot is known, only where its flange is: a made-up robot of three slides and three turns stands for it. "
-      "What "
-      "is said of its joints means nothing for the real one's.");
-  c.notes.push_back(poses_note);
-  c.session = write_tracker_session(parts, o);
+      "No robot is known, only where its flange is: what bends or is off in its joints cannot be told apart; name its "
+      "URDF and a table of joint readings for that.");
+  c.notes.push_back(sensor_note);
+  c.session = write_measured_session(parts, o);
+  return c;
+}
+
+Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, const PoseSeries& target,
+                      const ConvertOptions& o, Conversion c) {
+  SessionParts parts;
+  require_links(robot, o, parts, c.notes);
+  const std::vector<double> speeds = target.times.empty() ? std::vector<double>() : speeds_of(target);
+  const Paired p = pair_events(joints, target.times, target.poses.size(), speeds, o, c.notes);
+  parts.joints = {joints.names, {}, p.positions};
+  parts.times = chosen(target.times, p.events);
+  parts.target_poses = chosen(target.poses, p.events);
+  c.notes.push_back(sensor_note);
+  c.session = write_measured_session(parts, o);
   return c;
 }
 
@@ -91,7 +108,7 @@ Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const 
   for (const auto& row : parts.points)
     for (const auto& point : row) unseen += !point.has_value();
   if (unseen > 0) c.notes.push_back(fmt::format("{} points were not seen by the device; they are left out.", unseen));
-  c.session = write_tracker_session(parts, o);
+  c.session = write_measured_session(parts, o);
   return c;
 }
 

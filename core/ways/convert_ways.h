@@ -27,15 +27,22 @@ std::pair<PoseSeries, PoseSeries> flange_and_target(const std::vector<NamedPoses
 Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const PointSeries& points,
                        const std::vector<double>& speeds, const ConvertOptions& options, Conversion conversion);
 
-/// Folders of images of two cameras.
+/// Of a sensor that tells the target's pose.
+Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, const PoseSeries& target,
+                      const ConvertOptions& options, Conversion conversion);
+
+/// Folders of images of one to eight cameras.
 Conversion from_images(const FieldUrdf& robot, const Brought& brought, const ConvertOptions& options,
                        Conversion conversion);
 
-/// A bag of ROS 2, with images of two cameras or with the target's frames.
+/// A bag of ROS 2, with images of two cameras (of one with a target) or with the target's frames.
 Conversion from_bag(const std::optional<FieldUrdf>& robot, const Brought& brought, const ConvertOptions& options,
                     Conversion conversion);
 
-/// The cameras' sizes and centres as the first of these images has them.
-void fit_to_first_image(StereoRig& rig, const std::vector<ImageFiles>& images, std::vector<std::string>& notes);
+/// The cameras' sizes as the first of these images of each has them.
+void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<std::string>& notes);
+
+/// InputError where nothing can be found in the images of this rig: without a target markers have no names.
+void require_target(const Rig& rig, const ConvertOptions& options);
 
 }  // namespace handsight

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "effects/own_effect.h"
+#include "effects/units.h"
 
 namespace handsight {
 namespace {
@@ -40,7 +41,7 @@ void add_effects(std::vector<NumberChange>& all, const Robot& robot, const std::
           const auto i = static_cast<Eigen::Index>(p);
           if (!e.parameters[p].is_choice)
             add_number(all, fmt::format("{}{}: {}", t.id, where.empty() ? "" : " of " + where, e.parameters[p].name),
-                       e.parameters[p].unit.c_str(), t.values[p], o.values[p],
+                       unit_at(e, p, t.joint, robot).c_str(), t.values[p], o.values[p],
                        variance_a[first_a + i] + variance_b[first_b + i]);
         }
       first_b += static_cast<Eigen::Index>(o.values.size());

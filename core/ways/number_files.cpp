@@ -83,13 +83,18 @@ std::string opencv_matrix(const std::string& name, const Eigen::MatrixXd& m) {
 }
 
 std::string opencv_camera(const Camera& c, const std::string& index) {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(3, 3), distortion(1, 5);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(3, 3), distortion(1, c.is_fisheye ? 4 : is_plain(c) ? 5 : 8);
   matrix(0, 0) = c.fx;
   matrix(0, 1) = c.skew;
   matrix(0, 2) = c.cx;
   matrix(1, 1) = c.fy;
   matrix(1, 2) = c.cy;
-  distortion << c.k1, c.k2, c.p1, c.p2, c.k3;
+  if (c.is_fisheye)
+    distortion << c.k1, c.k2, c.k3, c.k4;  // of cv::fisheye
+  else if (is_plain(c))
+    distortion << c.k1, c.k2, c.p1, c.p2, c.k3;
+  else
+    distortion << c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6;
   return opencv_matrix("M" + index, matrix) + opencv_matrix("D" + index, distortion);
 }
 

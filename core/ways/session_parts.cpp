@@ -44,45 +44,44 @@ void require_link(const Robot& robot, const std::string& name, const char* optio
                                shortened(fmt::format("{}", fmt::join(link_names(robot), " ")), 300)));
 }
 
-}  // namespace
-
-std::vector<std::vector<std::optional<Vector3>>> points_of_poses(const PoseSeries& series) {
-  std::vector<std::vector<std::optional<Vector3>>> all;
-  for (const Rigid& pose : series.poses) {
-    auto& points = all.emplace_back();
-    for (const Vector3& p : virtual_points()) points.push_back(pose * p);
-  }
-  return all;
+void add_points(const std::vector<std::optional<Vector3>>& points, Session& s, Observation& o) {
+  for (std::size_t m = 0; m < points.size(); ++m)
+    if (points[m]) o.sightings.push_back({.marker = static_cast<int>(m), .point = points[m]});
+  s.marker_count = std::max(s.marker_count, static_cast<int>(points.size()));
 }
 
-Session write_tracker_session(const SessionParts& parts, const ConvertOptions& o) {
+}  // namespace
+
+Session write_measured_session(const SessionParts& parts, const ConvertOptions& o) {
+  const bool is_flange = parts.urdf_text.empty();
   Session s;
-  s.robot = parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
+  s.robot = is_flange ? poses_robot() : parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
   require_link(s.robot, parts.tcp, "--tcp");
   require_link(s.robot, parts.mount, "--mount");
   s.file = o.out / "session.xml";
   s.title = title_of(o);
-  s.robot_file = "robot.urdf";
+  if (!is_flange) s.robot_file = "robot.urdf";
   s.tcp = parts.tcp;
   s.mount = {parts.mount, Rigid{}, true, false};
   s.joints = parts.joints.names;
-  for (std::size_t i = 0; i < parts.points.size(); ++i) {
+  if (!parts.target_poses.empty()) s.pose_sensor = PoseSensor{};
+  for (std::size_t i = 0; i < parts.joints.positions.size(); ++i) {
     Observation& observation = s.observations.emplace_back();
     observation.id = static_cast<std::int64_t>(i);
     observation.time = time_of(parts, i);
     observation.position = parts.joints.positions[i];
-    for (std::size_t m = 0; m < parts.points[i].size(); ++m)
-      if (parts.points[i][m])
-        observation.sightings.push_back({.marker = static_cast<int>(m), .point = parts.points[i][m]});
-    s.marker_count = std::max(s.marker_count, static_cast<int>(parts.points[i].size()));
+    if (s.pose_sensor)
+      observation.target_pose = parts.target_poses[i];
+    else
+      add_points(parts.points[i], s, observation);
   }
   make_folder(o.out);
-  replace_file(o.out / "robot.urdf", parts.urdf_text);
+  if (!is_flange) replace_file(o.out / "robot.urdf", parts.urdf_text);
   replace_file(s.file, session_text(s));
   return read_back(s.file);
 }
 
-Session write_stereo_session(const SessionParts& parts, const StereoRig& rig, const std::vector<ImageFiles>& images,
+Session write_camera_session(const SessionParts& parts, const Rig& rig, const std::vector<InstantImages>& images,
                              const ConvertOptions& o, std::vector<std::string>& notes) {
   const Robot robot = parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
   require_link(robot, parts.tcp, "--tcp");
@@ -97,6 +96,7 @@ Session write_stereo_session(const SessionParts& parts, const StereoRig& rig, co
   made.mount = parts.mount;
   made.rig = rig;
   made.marker_count = o.markers;
+  made.target = o.target;
   made.joints = parts.joints.names;
   made.positions = parts.joints.positions;
   made.images = images;

@@ -8,23 +8,18 @@
 namespace handsight {
 
 struct SessionParts {
-  std::string urdf_text;
+  std::string urdf_text;  // empty: the robot is unknown, its flange's pose stands for it
   std::string tcp, mount;
-  JointSeries joints;         // one an observation
-  std::vector<double> times;  // s; empty: one second apart
-  std::vector<std::vector<std::optional<Vector3>>> points;
+  JointSeries joints;                                       // one an observation
+  std::vector<double> times;                                // s; empty: one second apart
+  std::vector<std::vector<std::optional<Vector3>>> points;  // of a tracker
+  std::vector<Rigid> target_poses;                          // of a sensor that tells poses: sensor_from_target
 };
 
-inline constexpr char poses_note[] =
-    "The target's pose is held as four points of a tracker: its frame's origin and 0.1 m along each axis. They share "
-    "their errors, so that the sigmas are a little too small.";
-
-/// The virtual points of each pose in the sensor's frame.
-std::vector<std::vector<std::optional<Vector3>>> points_of_poses(const PoseSeries& sensor_from_target);
-
-/// Write the folder, robot.urdf first and session.xml last; the session that is returned was read back.
-Session write_tracker_session(const SessionParts& parts, const ConvertOptions& options);
-Session write_stereo_session(const SessionParts& parts, const StereoRig& rig, const std::vector<ImageFiles>& images,
+/// Write the folder, robot.urdf (where there is one) first and session.xml last; the session that is returned was read
+/// back.
+Session write_measured_session(const SessionParts& parts, const ConvertOptions& options);
+Session write_camera_session(const SessionParts& parts, const Rig& rig, const std::vector<InstantImages>& images,
                              const ConvertOptions& options, std::vector<std::string>& notes);
 
 }  // namespace handsight

@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "base/xml.h"
+#include "effects/units.h"
 #include "robot/xml_rigid.h"
 
 namespace handsight {
@@ -77,12 +78,12 @@ struct Sayable {
   std::vector<std::string> not_said;
 };
 
-std::string numbers_of(const EffectTerm& term) {
+std::string numbers_of(const EffectTerm& term, const Robot& robot) {
   const Effect& effect = effect_of(term);
   std::string text;
   for (std::size_t p = 0; p < term.values.size(); ++p)
     text += fmt::format("{}{} {:.4g} {}", p ? ", " : "", effect.parameters[p].name, term.values[p],
-                        effect.parameters[p].unit);
+                        unit_at(effect, p, term.joint, robot));
   return text;
 }
 
@@ -97,8 +98,8 @@ Sayable sayable(const CalibratedRobot& robot) {
     if (is_constant) said.push_back(term);
     if (is_constant && !has_more_than_a_urdf_says(moved_sites(c, {term}))) continue;
     const std::string where = place_name(effect_of(term), term.joint, robot.chain.robot);
-    s.not_said.push_back(
-        fmt::format("{}{} ({})", term.id, where.empty() ? "" : " of " + where, shortened(numbers_of(term), 300)));
+    s.not_said.push_back(fmt::format("{}{} ({})", term.id, where.empty() ? "" : " of " + where,
+                                     shortened(numbers_of(term, robot.chain.robot), 300)));
   }
   s.sites = moved_sites(c, said);
   s.sites.robot.joints.resize(robot.chain.robot.joints.size());

@@ -313,8 +313,8 @@
         <translation>%1 mit %2</translation>
     </message>
     <message>
-        <source>%1 x the noise</source>
-        <translation>%1 x Rauschen</translation>
+        <source>%1 × the noise</source>
+        <translation>%1 × Rauschen</translation>
     </message>
     <message>
         <source>%1, %2 mm at the hand</source>
@@ -772,20 +772,12 @@
         <translation>Nach ihren Seiten sind dies die Marker %1 der anderen Beobachtungen: umnummeriert.</translation>
     </message>
     <message>
-        <source>CSV: a line for each image pair, rad</source>
-        <translation>CSV: eine Zeile je Bildpaar, rad</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>
     <message>
         <source>Camera</source>
         <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>Camera link</source>
-        <translation>Kameraglied</translation>
     </message>
     <message>
         <source>Camera mount</source>
@@ -1400,8 +1392,8 @@
         <translation>Marker</translation>
     </message>
     <message>
-        <source>Markers on the hand</source>
-        <translation>Marker an der Hand</translation>
+        <source>Markers are clicked in sessions of two cameras. These labels came with the session.</source>
+        <translation>Marker werden in Sitzungen mit zwei Kameras angeklickt. Diese Beschriftung kam mit der Sitzung.</translation>
     </message>
     <message>
         <source>Mass: the force at the TCP, as a mass, that pulls it toward the measured marker. Before and after: how far the marker is off. Angle: between that and what the springs can do at all.</source>
@@ -1440,10 +1432,6 @@
         <translation>N, B gehalten</translation>
     </message>
     <message>
-        <source>New session from images</source>
-        <translation>Neue Sitzung aus Bildern</translation>
-    </message>
-    <message>
         <source>New session from images…</source>
         <translation>Neue Sitzung aus Bildern…</translation>
     </message>
@@ -1460,7 +1448,7 @@
         <translation>Nächste Einheit der Größen</translation>
     </message>
     <message>
-        <source>Nine more views of the same residuals. Click one to see it large; Shift and drag to ask what some observations have in common.</source>
+        <source>More views of the same residuals. Click one to see it large; Shift and drag to ask what some observations have in common.</source>
         <translation>Weitere Ansichten desselben Rests. Ein Klick macht eine groß; Umschalt und Ziehen fragt, was Beobachtungen gemeinsam haben.</translation>
     </message>
     <message>
@@ -2024,6 +2012,10 @@
         <translation>Modell zeigen (M)</translation>
     </message>
     <message>
+        <source>Shows the image of this camera</source>
+        <translation>Zeigt das Bild dieser Kamera</translation>
+    </message>
+    <message>
         <source>Shows the plot against it</source>
         <translation>Zeigt das Diagramm dagegen</translation>
     </message>
@@ -2130,10 +2122,6 @@
     <message>
         <source>TCP at %1, %2, %3 mm (± %4, %5, %6)</source>
         <translation>TCP bei %1, %2, %3 mm (± %4, %5, %6)</translation>
-    </message>
-    <message>
-        <source>TCP link</source>
-        <translation>TCP-Glied</translation>
     </message>
     <message>
         <source>TCP→Body</source>
@@ -2748,6 +2736,14 @@
         <translation>gegen %1</translation>
     </message>
     <message>
+        <source>all cameras</source>
+        <translation>alle Kameras</translation>
+    </message>
+    <message>
+        <source>all, standard views, from the camera</source>
+        <translation>alles, Standardansichten, von der Kamera</translation>
+    </message>
+    <message>
         <source>an effect is missing</source>
         <translation>eine Ursache fehlt</translation>
     </message>
@@ -2802,6 +2798,10 @@
     <message>
         <source>both</source>
         <translation>beide</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
     </message>
     <message>
         <source>cameras</source>
@@ -3086,6 +3086,10 @@
     <message>
         <source>moved marker %1 of observation %2</source>
         <translation>Marker %1 von Beobachtung %2 verschoben</translation>
+    </message>
+    <message>
+        <source>needs no labels</source>
+        <translation>braucht keine</translation>
     </message>
     <message>
         <source>needs no play</source>
@@ -3400,6 +3404,10 @@
         <translation>Sigma von %1 (%2)</translation>
     </message>
     <message>
+        <source>sizes in px, in mm at the hand, in σ</source>
+        <translation>Größen in px, in mm an der Hand, in σ</translation>
+    </message>
+    <message>
         <source>sizes in px, in mm at the hand, in σ (residual over noise)</source>
         <translation>Größen in px, in mm an der Hand, in σ (Rest durch Rauschen)</translation>
     </message>
@@ -3566,6 +3574,437 @@
     <message>
         <source>±</source>
         <translation>±</translation>
+    </message>
+    <message>
+        <source>inner corners</source>
+        <translation>innere Ecken</translation>
+    </message>
+    <message>
+        <source>tags</source>
+        <translation>Tags</translation>
+    </message>
+    <message>
+        <source>squares</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Feldes</translation>
+    </message>
+    <message>
+        <source>Side of a tag</source>
+        <translation>Seite eines Tags</translation>
+    </message>
+    <message>
+        <source>Gap between tags / side</source>
+        <translation>Lücke zwischen Tags / Seite</translation>
+    </message>
+    <message>
+        <source>Dictionary</source>
+        <translation>Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Numbers of the tags</source>
+        <translation>Nummern der Tags</translation>
+    </message>
+    <message>
+        <source>Save a sheet to print…</source>
+        <translation>Blatt zum Drucken speichern…</translation>
+    </message>
+    <message>
+        <source>Save a sheet to print</source>
+        <translation>Blatt zum Drucken speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Print it at 100 %, check its ruler, and glue it to something flat.</source>
+        <translation>Mit 100 % drucken, das Lineal darauf prüfen und auf etwas Ebenes kleben.</translation>
+    </message>
+    <message>
+        <source>It looks the same after half a turn: one column more or less tells its ends apart.</source>
+        <translation>Um eine halbe Drehung gedreht sieht es gleich aus: eine Spalte mehr oder weniger unterscheidet seine Enden.</translation>
+    </message>
+    <message>
+        <source>Saved as %1: %2, %3 × %4 mm. Print it at 100 % and check its ruler.</source>
+        <translation>Gespeichert als %1: %2, %3 × %4 mm. Mit 100 % drucken und das Lineal darauf prüfen.</translation>
+    </message>
+    <message>
+        <source>One camera of %1 px focal length.</source>
+        <translation>Eine Kamera mit %1 px Brennweite.</translation>
+    </message>
+    <message>
+        <source>%1 cameras.</source>
+        <translation>%1 Kameras.</translation>
+    </message>
+    <message>
+        <source>%1: holds no poses; expected columns x y z qx qy qz qw, a line for each instant.</source>
+        <translation>%1: enthält keine Lagen; erwartet sind Spalten x y z qx qy qz qw, eine Zeile je Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>No joint moves between camera and target: choose other links.</source>
+        <translation>Zwischen Kamera und Ziel bewegt sich kein Gelenk: andere Glieder wählen.</translation>
+    </message>
+    <message>
+        <source>There are %1 lines of joint angles for %2 poses: each instant needs one of each, in the same order.</source>
+        <translation>Es sind %1 Zeilen mit Gelenkwinkeln für %2 Lagen: Jeder Zeitpunkt braucht beides, in derselben Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>There are images of %1 and a calibration of %2.</source>
+        <translation>Es gibt Bilder von %1 und eine Kalibrierung von %2.</translation>
+    </message>
+    <message>
+        <source>On a stand</source>
+        <translation>Auf einem Stativ</translation>
+    </message>
+    <message>
+        <source>It stands beside the robot and does not move.</source>
+        <translation>Sie steht neben dem Roboter und bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>On the robot</source>
+        <translation>Am Roboter</translation>
+    </message>
+    <message>
+        <source>On its head or any other link that is not the one with the target.</source>
+        <translation>Auf dem Kopf oder einem anderen Glied, nicht dem mit dem Ziel.</translation>
+    </message>
+    <message>
+        <source>On the hand</source>
+        <translation>An der Hand</translation>
+    </message>
+    <message>
+        <source>It moves with the hand and looks at a target that stands still.</source>
+        <translation>Sie bewegt sich mit der Hand und sieht ein Ziel, das stillsteht.</translation>
+    </message>
+    <message>
+        <source>It is held or mounted; the hand carries it.</source>
+        <translation>Es wird gehalten oder ist befestigt; die Hand trägt es.</translation>
+    </message>
+    <message>
+        <source>On the table</source>
+        <translation>Auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>It stands still beside the robot.</source>
+        <translation>Es steht still neben dem Roboter.</translation>
+    </message>
+    <message>
+        <source>Markers without numbers</source>
+        <translation>Marker ohne Nummern</translation>
+    </message>
+    <message>
+        <source>Corners of two colours that you click once; two cameras.</source>
+        <translation>Zweifarbige Ecken, die einmal angeklickt werden; zwei Kameras.</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Found by itself where the whole board is in sight.</source>
+        <translation>Wird von selbst gefunden, wo das ganze Brett zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco-Brett</translation>
+    </message>
+    <message>
+        <source>Found by itself, also where a part of it is hidden.</source>
+        <translation>Wird von selbst gefunden, auch wo ein Teil verdeckt ist.</translation>
+    </message>
+    <message>
+        <source>AprilGrid</source>
+        <translation>AprilGrid</translation>
+    </message>
+    <message>
+        <source>A grid of AprilTags, as Kalibr prints it.</source>
+        <translation>Ein Gitter von AprilTags, wie Kalibr es druckt.</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Tags</translation>
+    </message>
+    <message>
+        <source>ArUco or AprilTags, each where you put it.</source>
+        <translation>ArUco oder AprilTags, jeder wo er hingestellt wurde.</translation>
+    </message>
+    <message>
+        <source>Printed from here</source>
+        <translation>Von hier gedruckt</translation>
+    </message>
+    <message>
+        <source>A good board for a start, as a PDF to print.</source>
+        <translation>Ein gutes Brett für den Anfang, als PDF zum Drucken.</translation>
+    </message>
+    <message>
+        <source>Poses from another program</source>
+        <translation>Lagen aus anderem Programm</translation>
+    </message>
+    <message>
+        <source>A table of where the target is, in place of images.</source>
+        <translation>Eine Tabelle, wo das Ziel ist, an Stelle von Bildern.</translation>
+    </message>
+    <message>
+        <source>Where is the camera?</source>
+        <translation>Wo ist die Kamera?</translation>
+    </message>
+    <message>
+        <source>Where is the target?</source>
+        <translation>Wo ist das Ziel?</translation>
+    </message>
+    <message>
+        <source>What do you know of it?</source>
+        <translation>Was ist davon bekannt?</translation>
+    </message>
+    <message>
+        <source>The robot stands here as soon as its URDF is named.</source>
+        <translation>Hier steht der Roboter, sobald seine URDF genannt ist.</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Second camera</source>
+        <translation>Zweite Kamera</translation>
+    </message>
+    <message>
+        <source>folder; if there is one</source>
+        <translation>Ordner; wenn es eine gibt</translation>
+    </message>
+    <message>
+        <source>Camera calibration</source>
+        <translation>Kamerakalibrierung</translation>
+    </message>
+    <message>
+        <source>I know where the sensor sits on its link</source>
+        <translation>Ich weiß, wo der Sensor auf seinem Glied sitzt</translation>
+    </message>
+    <message>
+        <source>I know where the first camera sits on its link</source>
+        <translation>Ich weiß, wo die erste Kamera auf ihrem Glied sitzt</translation>
+    </message>
+    <message>
+        <source>Camera on %1, target on %2: %3 between them.</source>
+        <translation>Kamera auf %1, Ziel auf %2: dazwischen %3.</translation>
+    </message>
+    <message>
+        <source>Where exactly the two sit is found from the observations.</source>
+        <translation>Wo genau beide sitzen, ergeben die Beobachtungen.</translation>
+    </message>
+    <message>
+        <source>New session</source>
+        <translation>Neue Sitzung</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>CSV: a line for each instant, rad</source>
+        <translation>CSV: eine Zeile je Zeitpunkt, rad</translation>
+    </message>
+    <message>
+        <source>More cameras</source>
+        <translation>Weitere Kameras</translation>
+    </message>
+    <message>
+        <source>folders; several by ;</source>
+        <translation>Ordner; mehrere durch ;</translation>
+    </message>
+    <message>
+        <source>Poses of the target</source>
+        <translation>Lagen des Ziels</translation>
+    </message>
+    <message>
+        <source>CSV or YAML: x y z qx qy qz qw</source>
+        <translation>CSV oder YAML: x y z qx qy qz qw</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.yaml *.yml)</source>
+        <translation>Tabellen (*.csv *.txt *.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Camera on link</source>
+        <translation>Kamera auf Glied</translation>
+    </message>
+    <message>
+        <source>Target on link</source>
+        <translation>Ziel auf Glied</translation>
+    </message>
+    <message>
+        <source>Number of markers</source>
+        <translation>Anzahl der Marker</translation>
+    </message>
+    <message>
+        <source>The session</source>
+        <translation>Die Sitzung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s)</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n instant(s) that all cameras saw</source>
+        <translation>
+            <numerusform>%n Zeitpunkt, den alle Kameras sahen</numerusform>
+            <numerusform>%n Zeitpunkte, die alle Kameras sahen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pose(s) of the target</source>
+        <translation>
+            <numerusform>%n Lage des Ziels</numerusform>
+            <numerusform>%n Lagen des Ziels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n camera(s)</source>
+        <translation>
+            <numerusform>%n Kamera</numerusform>
+            <numerusform>%n Kameras</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n moving joint(s)</source>
+        <translation>
+            <numerusform>%n bewegtes Gelenk</numerusform>
+            <numerusform>%n bewegte Gelenke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, is being read …</source>
+        <translation>, wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The image is being read …</source>
+        <translation>Das Bild wird gelesen …</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Nothing stands out of the noise</source>
+        <translation>Nichts ragt aus dem Rauschen</translation>
+    </message>
+    <message>
+        <source>%1: held out %2, fitted %3. %4</source>
+        <translation>%1: ungesehen %2, angepasst %3. %4</translation>
+    </message>
+    <message>
+        <source>%1: not added</source>
+        <translation>%1: nicht hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Cannot be told from %1 on these poses.</source>
+        <translation>In diesen Posen nicht zu unterscheiden von: %1.</translation>
+    </message>
+    <message>
+        <source>Check: %1</source>
+        <translation>Probe: %1</translation>
+    </message>
+    <message>
+        <source>These poses could not show it, if it were there.</source>
+        <translation>Diese Posen könnten es nicht zeigen, wenn es da wäre.</translation>
+    </message>
+    <message>
+        <source>Try it on the robot and type what it shows.</source>
+        <translation>Am Roboter versuchen und eintippen, was er zeigt.</translation>
+    </message>
+    <message>
+        <source>adequate</source>
+        <translation>angemessen</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>mehrdeutig</translation>
+    </message>
+    <message>
+        <source>and %1 more numbers</source>
+        <translation>und %1 weitere Zahlen</translation>
+    </message>
+    <message>
+        <source>cause missing</source>
+        <translation>Ursache fehlt</translation>
+    </message>
+    <message>
+        <source>change %1 %2</source>
+        <translation>Änderung %1 %2</translation>
+    </message>
+    <message>
+        <source>fits, but worse</source>
+        <translation>passt, aber schlechter</translation>
+    </message>
+    <message>
+        <source>in the model</source>
+        <translation>im Modell</translation>
+    </message>
+    <message>
+        <source>looking …</source>
+        <translation>sucht …</translation>
+    </message>
+    <message>
+        <source>no sign</source>
+        <translation>kein Anzeichen</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
+    <message>
+        <source>same as</source>
+        <translation>gleich wie</translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>too few</source>
+        <translation>zu wenige</translation>
+    </message>
+    <message>
+        <source>unseen on these poses</source>
+        <translation>in diesen Posen unsichtbar</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>wo</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation>warum</translation>
+    </message>
+    <message>
+        <source>would help</source>
+        <translation>würde helfen</translation>
     </message>
 </context>
 </TS>

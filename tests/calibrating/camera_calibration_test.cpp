@@ -161,6 +161,32 @@ TEST(CameraCalibration, YamlReadsBackBitForBit) {
   EXPECT_LT((read.right_from_left.rotation - rig.from_first[1].rotation).norm(), 1e-12);
 }
 
+TEST(CameraCalibration, RigsOfOneToThreeCamerasOfAnyLensReadBack) {
+  const std::vector<std::string> names{"front", "side", "rear"};
+  for (const LensModel* model : lens_models())
+    for (int count = 1; count <= 3; ++count) {
+      CameraRig rig = rig_of(*model, count);
+      for (Lens& lens : rig.lenses)
+        for (std::size_t k = 9; k < lens.numbers.size(); ++k) lens.numbers[k] = 0.01 * static_cast<double>(k);
+      const Rig read = parse_rig_calibration({{rig_yaml(rig, names), "rig.yaml"}});
+      ASSERT_EQ(read.count(), count) << model->name;
+      for (int i = 0; i < count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        EXPECT_EQ(read.at(i).camera.width, 640);
+        EXPECT_EQ(read.at(i).name, count == 2 ? (i == 0 ? "left" : "right") : names[k]);
+        const Vector3 x(0.1, -0.2, 0.9);
+        EXPECT_LT((project(read.at(i).camera, x) - project(rig.lenses[k], x)).norm(), 1e-9) << model->name;
+        EXPECT_EQ(read.at(i).camera_from_first.translation, rig.from_first[k].translation);
+      }
+    }
+}
+
+TEST(CameraCalibration, ARigWithoutTheWayToACameraIsRefused) {
+  std::string text = rig_yaml(rig_of(brown_lens, 3), {"a", "b", "c"});
+  text.replace(text.find("T_3"), 3, "U_3");
+  EXPECT_THROW(parse_rig_calibration({{text, "rig.yaml"}}), InputError);
+}
+
 /// OpenCV's own 13 stereo pairs: 0.217 px with OpenCV 4.6; to be at most 0.175.
 TEST(CameraCalibration, OpenCVsStereoPairs) {
   const std::filesystem::path folder = HANDSIGHT_SHARED_DIR "/real/opencv_stereo";

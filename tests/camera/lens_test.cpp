@@ -107,8 +107,11 @@ TEST(Lens, BrownIsTheCameraOfTheRestOfTheProgram) {
   ASSERT_TRUE(camera);
   for (const Vector3& x : points(0.6)) EXPECT_LT((project(lens, x) - project(*camera, x)).norm(), 1e-10);
   EXPECT_EQ(lens_of(*camera).numbers, lens.numbers);
-  EXPECT_FALSE(camera_of(sample(rational_lens)));
-  EXPECT_FALSE(camera_of(sample(fisheye_lens)));
+  for (const LensModel* model : {&rational_lens, &fisheye_lens}) {
+    const Lens other = sample(*model);
+    for (const Vector3& x : points(0.6)) EXPECT_LT((project(other, x) - project(*camera_of(other), x)).norm(), 1e-10);
+    EXPECT_EQ(lens_of(*camera_of(other)).numbers, other.numbers);
+  }
 }
 
 }  // namespace

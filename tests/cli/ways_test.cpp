@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "cli/cli_runner.h"
+#include "session/session_xml.h"
 #include "temporary_folder.h"
 
 namespace handsight {
@@ -232,6 +233,20 @@ TEST_F(Ways, OnlineWatchTakesWhatArrivesAndSurvivesARestart) {
        found = saved.find("<observation ", found + 1))
     ++count;
   EXPECT_EQ(count, 21u) << "each came once";
+}
+
+/// One camera and a board, nothing labelled: what arrives is found in the images.
+TEST_F(Ways, OnlineWatchTakesImagesOfOneCameraAndABoard) {
+  const auto played = run_cli(folder.path, {"simulate", "--like", sample("rigs/one_camera_board"), "--live", at("live"),
+                                            "--rate", "1000", "--observations", "14", "--seed", "4"});
+  ASSERT_EQ(played.exit_code, 0) << played.errors;
+  const auto watched = run_cli(folder.path, {"online", at("live"), "--watch", "--for", "2", "--save"});
+  EXPECT_EQ(watched.exit_code, 0) << watched.errors << watched.output;
+  EXPECT_NE(watched.output.find(" of 14 observations taken; saved"), std::string::npos) << watched.output;
+  EXPECT_GE(read_session(at("live")).observations.size(), 14u);
+  int used = 0;
+  for (const Observation& o : read_session(at("live")).observations) used += o.decision == Decision::accepted;
+  EXPECT_GE(used, 11) << watched.output;
 }
 
 }  // namespace

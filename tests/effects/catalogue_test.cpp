@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "effects/effect.h"
+#include "effects/units.h"
 #include "fixtures/arms.h"
 #include "robot/urdf.h"
 
@@ -183,6 +183,27 @@ TEST(Catalogue, JointsThatTheMeasurementCannotDependOnAreNoPlaces) {
   EXPECT_EQ(places(""), (std::set<std::string>{"turn", "bend"}));
   EXPECT_EQ(places("<stiffness value=\"100\"/>"), (std::set<std::string>{"turn", "bend", "grip", "swing"}));
   EXPECT_EQ(places("<mimic joint=\"drive\"/>"), (std::set<std::string>{"turn", "bend", "drive"}));
+}
+
+TEST(Catalogue, NumbersOfSlidingJointsAreInMetres) {
+  Robot robot = fixture::six_axis_arm();
+  const int slides = find_joint(robot, "a2"), turns = find_joint(robot, "a3");
+  robot.joints[static_cast<std::size_t>(slides)].kind = JointKind::prismatic;
+  const auto unit = [&](const char* id, const char* number, int place) {
+    const Effect& effect = *find_effect(id);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (effect.parameters[p].name == number) return unit_at(effect, p, place, robot);
+    return std::string("no such number");
+  };
+  EXPECT_EQ(unit("joint_offset", "offset", turns), "rad");
+  EXPECT_EQ(unit("joint_offset", "offset", slides), "m");
+  EXPECT_EQ(unit("joint_elasticity", "compliance", turns), "rad/(N m)");
+  EXPECT_EQ(unit("joint_elasticity", "compliance", slides), "m/N");
+  EXPECT_EQ(unit("backlash", "gap", slides), "m");
+  EXPECT_EQ(unit("friction_hysteresis", "gap", slides), "m");
+  // What turns or bends beside the joint stays what it is.
+  EXPECT_EQ(unit("link_geometry", "ru", slides), "rad");
+  EXPECT_EQ(unit("link_elasticity", "compliance", slides), "rad/(N m)");
 }
 
 TEST(EffectText, IsReadWithItsPlaceAndValue) {

@@ -57,7 +57,7 @@ TEST(PosePoints, SixResidualsAreThePose) {
   EXPECT_LT((error.place - motion.head<3>()).norm(), 1e-10);
   EXPECT_LT((error.turn - motion.tail<3>()).norm(), 1e-10);
   EXPECT_NEAR(residuals.squaredNorm(),
-              2 * motion.head<3>().squaredNorm() + 2 * lever * lever * motion.tail<3>().squaredNorm(), 1e-15);
+              motion.head<3>().squaredNorm() + lever * lever * motion.tail<3>().squaredNorm(), 1e-15);
 }
 
 TEST(Poses, TheTargetIsWhereItIsAndAsSureAsIsSaid) {

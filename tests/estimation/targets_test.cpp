@@ -8,6 +8,7 @@
 #include "estimation/export.h"
 #include "estimation/fit.h"
 #include "estimation/fit_report.h"
+#include "estimation/half_turns.h"
 #include "estimation/online.h"
 #include "estimation/target_pose.h"
 #include "session/calibration_xml.h"
@@ -192,6 +193,33 @@ TEST(Targets, OnlineRejectsPointsThatDoNotLieAsOnTheTarget) {
   }
 }
 
+TEST(Targets, ChessboardsThatLookTheSameTurnedAreToldByTheRobotsMotion) {
+  Target chess;
+  chess.kind = TargetKind::chessboard;
+  chess.columns = 8;
+  chess.rows = 6;
+  chess.square = 0.025;
+  for (const bool mount_is_known : {true, false}) {
+    SimulatedSession s = simulated(target_session(chess), 12);
+    if (!mount_is_known) s.session = with_unknown_mount(s.session);
+    const Fit truth = fit(s.session);
+    for (std::size_t k = 0; k < s.session.observations.size(); k += 3)
+      turn_by_half(s.session.observations[k].sightings, s.session.marker_count);
+    Session online_session = s.session;
+    EXPECT_EQ(undo_half_turns(s.session), 10);
+    const Fit f = fit(s.session);
+    EXPECT_LT(small_motion_between(f.tcp_from_body, truth.tcp_from_body).norm(), 1e-9);
+    OnlineCalibration online(online_session);
+    OnlineStep last;
+    for (const Observation& o : online_session.observations) {
+      last = online.add(o, nullptr);
+      EXPECT_TRUE(last.accepted);
+    }
+    const Rigid apart = inverse(truth.tcp_from_body) * last.tcp_from_body;
+    EXPECT_LT(apart.translation.norm(), 1e-6) << "the middle is the same both ways round";
+  }
+}
+
 TEST(Targets, AreExportedAndReadBack) {
   const SimulatedSession s = simulated(target_session(fixture::charuco(12, 9, 0.015)), 11, {}, 20);
   const Fit f = fit(s.session);
@@ -199,6 +227,18 @@ TEST(Targets, AreExportedAndReadBack) {
   const std::string text = calibration_text(calibration_of(s.session, f, told, {}, "test"));
   const Calibration again = parse_calibration(text, "calibration.xml");
   EXPECT_EQ(again.markers.size(), 88u);
+}
+
+TEST(TargetFit, ABoardsOwnFrameIsToldBesideTheBodys) {
+  for (const Session& like : {target_session(), fixture::eye_in_hand_session()}) {
+    const SimulatedSession s = simulated(like, 12);
+    const auto frame = tcp_from_target(s.session, fit(s.session));
+    ASSERT_TRUE(frame);
+    for (std::size_t m = 0; m < s.markers_in_tcp.size(); ++m)
+      EXPECT_LT((*frame * s.session.shape->markers[m] - s.markers_in_tcp[m]).norm(), 5e-4);
+  }
+  const SimulatedSession tags = simulated(target_session(fixture::tags()), 12);
+  EXPECT_FALSE(tcp_from_target(tags.session, fit(tags.session))) << "they have no frame together";
 }
 
 }  // namespace

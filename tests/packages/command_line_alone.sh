@@ -25,7 +25,8 @@ debs=("$folder"/packages/*.deb)
 depends=$(dpkg-deb -f "${debs[0]}" Depends)
 [[ $depends == *libopencv-core* && $depends == *libmuparser* && $depends == *libc6* ]] || fail "dependencies are missing: $depends"
 [[ $depends != *qt6* && $depends != *vtk* ]] || fail "the command line needs the window's libraries: $depends"
-[ "$(dpkg-deb --ctrl-tarfile "${debs[0]}" | tar t | sort | tr '\n' ' ')" = "./ ./control ./md5sums " ] || fail "it runs scripts"
+controls=$(dpkg-deb --ctrl-tarfile "${debs[0]}" | tar t | grep -v '/$' | sort | tr '\n' ' ')
+[ "$controls" = "./control ./md5sums " ] || fail "it runs scripts: $controls"
 
 dpkg-deb -x "${debs[0]}" "$folder/root"
 cli=$folder/root/usr/bin/handsight-cli

@@ -29,13 +29,13 @@ class NewSessionTest : public testing::Test {
     s.tcp = "right_hand";
     s.mount = "head_tcp";
     const Session like = read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps");
-    s.rig = stereo_of(*like.rig);
+    s.rig = *like.rig;
     s.joints = like.joints;
     for (int i = 0; i < 2; ++i) s.positions.push_back(like.observations[static_cast<std::size_t>(i)].position);
     touch("a/l7.png");
     touch("b/l7.png");
     touch("a/l9.png");
-    s.images = find_image_pairs(folder.path / "a", folder.path / "b");
+    s.images = find_images({folder.path / "a", folder.path / "b"});
     return s;
   }
   TemporaryFolder folder;
@@ -85,6 +85,58 @@ TEST_F(NewSessionTest, IsWrittenWholeWithItsImagesAndRobot) {
   EXPECT_EQ(made.observations[1].position, parts().positions[1]);
 }
 
+/// One camera and a board: every image counts, and nothing waits for a label.
+TEST_F(NewSessionTest, OfOneCameraAndABoardNothingIsToBeLabelled) {
+  NewSession s = parts();
+  s.rig.cameras.resize(1);
+  s.rig.at(0).name = "front";
+  s.images = find_images({folder.path / "a"});
+  s.target = Target{.kind = TargetKind::chessboard, .columns = 6, .rows = 5, .square = 0.02};
+  const Session made = make_session(s);
+  ASSERT_TRUE(made.rig);
+  EXPECT_EQ(made.rig->count(), 1);
+  EXPECT_EQ(made.rig->at(0).name, "front");
+  EXPECT_EQ(made.marker_count, 30);
+  ASSERT_TRUE(made.target);
+  EXPECT_DOUBLE_EQ(made.target->square, 0.02);
+  EXPECT_EQ(made.observations[1].images[0], "images/l9.png");
+  EXPECT_FALSE(needs_label(made));
+}
+
+TEST_F(NewSessionTest, OfThreeCamerasTheImagesThatAreThereCount) {
+  NewSession s = parts();
+  s.rig.cameras.push_back(s.rig.at(1));
+  for (int i = 0; i < 3; ++i) s.rig.at(i).name = fmt::format("c{}", i);
+  std::filesystem::create_directories(folder.path / "c");
+  touch("c/l9.png");
+  s.images = find_images({folder.path / "a", folder.path / "b", folder.path / "c"});
+  ASSERT_EQ(s.images.size(), 2U);
+  const Session made = make_session(s);
+  EXPECT_EQ(made.observations[0].images[0], "images/c0/l7.png");
+  EXPECT_EQ(made.observations[0].images[2], "");
+  EXPECT_EQ(made.observations[1].images[1], "");
+  EXPECT_EQ(made.observations[1].images[2], "images/c2/l9.png");
+  s.folder = folder.path / "other";
+  s.rig.cameras.pop_back();
+  EXPECT_THROW(make_session(s), InputError) << "images of three cameras, a calibration of two";
+}
+
+/// Poses of another program in place of images.
+TEST_F(NewSessionTest, PosesStandInPlaceOfImages) {
+  NewSession s = parts();
+  s.rig.cameras.clear();
+  s.images.clear();
+  s.target_poses = {Rigid{rotation_from_rpy(Vector3(0.1, 0.2, 0.3)), Vector3(0, 0.1, 0.8)}};
+  EXPECT_THROW(make_session(s), InputError) << "one pose for two positions";
+  s.target_poses.push_back(Rigid{rotation_from_rpy(Vector3(0.2, 0.2, 0.3)), Vector3(0.1, 0.1, 0.7)});
+  const Session made = make_session(s);
+  ASSERT_TRUE(made.pose_sensor);
+  EXPECT_FALSE(made.rig);
+  ASSERT_TRUE(made.observations[1].target_pose);
+  EXPECT_TRUE(made.observations[1].target_pose->translation.isApprox(Vector3(0.1, 0.1, 0.7)));
+  EXPECT_FALSE(needs_label(made));
+}
+
 TEST_F(NewSessionTest, WhatDoesNotFitIsRefusedBeforeAnythingIsWritten) {
   NewSession s = parts();
   s.positions.pop_back();
@@ -94,7 +146,7 @@ TEST_F(NewSessionTest, WhatDoesNotFitIsRefusedBeforeAnythingIsWritten) {
   s.tcp = "third_hand";
   EXPECT_THROW(make_session(s), InputError);
   s = parts();
-  s.rig.left.width = 0;
+  s.rig.at(0).camera.width = 0;
   EXPECT_THROW(make_session(s), InputError);
   EXPECT_FALSE(std::filesystem::exists(s.folder));
   make_session(parts());

@@ -143,5 +143,27 @@ TEST(RigSession, RefusesWhatIsWrong) {
       HasSubstr("stands beside the <cameras>"));
 }
 
+TEST(RigSession, LensesOfOtherModelsAreReadAndWritten) {
+  Session wide = parse_session(
+      changed(one_camera, "cy=\"240\"", "cy=\"240\" model=\"fisheye\" k1=\"0.1\" k4=\"-0.02\""), "session.xml");
+  EXPECT_TRUE(wide.notes.empty());
+  EXPECT_TRUE(wide.rig->at(0).camera.is_fisheye);
+  EXPECT_EQ(wide.rig->at(0).camera.k4, -0.02);
+  Session rational =
+      parse_session(changed(one_camera, "cy=\"240\"", "cy=\"240\" k4=\"0.3\" k6=\"0.01\""), "session.xml");
+  EXPECT_TRUE(rational.notes.empty());
+  for (Session* s : {&wide, &rational}) {
+    s->source.reset();
+    const Camera again = parse_session(session_text(*s), "session.xml").rig->at(0).camera,
+                 &before = s->rig->at(0).camera;
+    EXPECT_EQ(again.is_fisheye, before.is_fisheye);
+    EXPECT_EQ(Vector3(again.k4, again.k5, again.k6), Vector3(before.k4, before.k5, before.k6));
+    EXPECT_EQ(again.k1, before.k1);
+  }
+  EXPECT_THAT(refusal(changed(one_camera, "cy=\"240\"", "cy=\"240\" model=\"fisheye\" p1=\"0.1\"")),
+              HasSubstr("k1 k2 k3 k4"));
+  EXPECT_THAT(refusal(changed(one_camera, "cy=\"240\"", "cy=\"240\" model=\"pinhole\"")), HasSubstr("fisheye"));
+}
+
 }  // namespace
 }  // namespace handsight

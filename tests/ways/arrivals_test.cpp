@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "session/pose_points.h"
 #include "ways/ways_fixtures.h"
 
 namespace handsight {
@@ -115,6 +116,49 @@ TEST_F(ArrivalsInAFolder, AnImageThatStaysHalfIsSetAsideWithASentence) {
   std::this_thread::sleep_for(std::chrono::milliseconds(2100));
   EXPECT_THAT(arrivals.look().remarks, ElementsAre(HasSubstr("001_right.pgm is set aside")));
   EXPECT_THAT(arrivals.look().remarks, IsEmpty()) << "said once";
+}
+
+TEST_F(ArrivalsInAFolder, ImagesGoToTheCameraThatTheirNameNames) {
+  Session session = cameras();
+  session.rig->at(0).name = "cam1";
+  session.rig->at(1).name = "cam12";
+  Arrivals arrivals(session);
+  append("joints.csv", std::string(header) + "7,1,0,0,0,0,0,0\n");
+  const std::string image = "P5\n2 2\n255\nabcd";
+  append("images/0007_cam12.pgm", image);
+  EXPECT_THAT(arrivals.look().arrived, IsEmpty()) << "cam1 has none yet";
+  append("images/cam1_0007.pgm", image);
+  const Arrivals::Look look = arrivals.look();
+  ASSERT_THAT(look.arrived, SizeIs(1));
+  EXPECT_EQ(look.arrived[0].images[0], "images/cam1_0007.pgm");
+  EXPECT_EQ(look.arrived[0].images[1], "images/0007_cam12.pgm");
+}
+
+TEST_F(ArrivalsInAFolder, OfOneCameraAnyNameWithANumberWillDo) {
+  Session session = cameras();
+  session.rig->cameras.resize(1);
+  Arrivals arrivals(session);
+  append("joints.csv", std::string(header) + "12,1,0,0,0,0,0,0\n");
+  append("images/frame 0012.pgm", "P5\n2 2\n255\nabcd");
+  const Arrivals::Look look = arrivals.look();
+  ASSERT_THAT(look.arrived, SizeIs(1));
+  EXPECT_EQ(look.arrived[0].images[0], "images/frame 0012.pgm");
+}
+
+TEST_F(ArrivalsInAFolder, PosesOfATargetComeWhole) {
+  Session session = tracker();
+  session.pose_sensor = PoseSensor{};
+  show_poses(session, pose_lever(*session.pose_sensor));
+  Arrivals arrivals(session);
+  append("joints.csv", std::string(header) + "1,1,0,0,0,0,0,0\n2,2,0,0,0,0,0,0\n");
+  append("poses.csv", "number,x,y,z,qx,qy,qz,qw\n1,0.1,0.2,0.3,0,0,0.6,0.8\n2,0.1,0.2,0.3,0,0,0,0\n");
+  const Arrivals::Look look = arrivals.look();
+  ASSERT_THAT(look.arrived, SizeIs(1));
+  ASSERT_TRUE(look.arrived[0].target_pose.has_value());
+  EXPECT_EQ(look.arrived[0].target_pose->translation, Vector3(0.1, 0.2, 0.3));
+  EXPECT_NEAR(look.arrived[0].target_pose->rotation(0, 0), 1 - 2 * 0.36, 1e-12);
+  EXPECT_THAT(look.arrived[0].sightings, SizeIs(pose_markers));
+  EXPECT_THAT(look.remarks, ElementsAre(HasSubstr("length 1")));
 }
 
 }  // namespace

@@ -71,6 +71,20 @@ TEST(Comparison, ARightModelIsNotMadeWider) {
   EXPECT_TRUE(c.model_fits);
 }
 
+TEST(Comparison, ASessionWithoutAnAnswerIsRefusedByName) {
+  auto [before, after] = two_sessions(36, {}, {});
+  // The camera's mount turned right round: every marker that it saw would lie behind it.
+  after.mount.estimate = before.mount.estimate = false;
+  after.mount.mount_from_sensor.rotation *= Vector3(1, -1, -1).asDiagonal();
+  ASSERT_FALSE(fit(after).converged());
+  try {
+    compare(before, after);
+    FAIL() << "compared";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("second session finds no answer"), std::string::npos) << e.what();
+  }
+}
+
 TEST(ChangeEvidence, IsThatOfAKnownNormal) {
   // One number with information 100 and score 50: ln BF = mean over scales s of exp(b^2 s^2 / (2 (1 + s^2 A))) / sqrt(1
   // + s^2 A).

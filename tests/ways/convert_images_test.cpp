@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions from images, and from what other programs know of cameras.
+#include "fixtures/targets.h"
 #include "ways/convert_fixture.h"
 
 namespace handsight {
@@ -76,7 +77,7 @@ projection_matrix:
   EXPECT_EQ(ros.session.rig->at(0).camera.p2, 0.002);
   EXPECT_THAT(refusal(with({write("r.yaml", with_base("0.0")), write("l.yaml", with_base("0.0"))})),
               HasSubstr("neither names the distance"));
-  EXPECT_THAT(refusal(with({write("l.yaml", with_base("0.0"))})), HasSubstr("one camera alone"));
+  EXPECT_THAT(refusal(with({write("l.yaml", with_base("0.0"))})), HasSubstr("--target"));
   const std::string chain = R"(cam0:
   camera_model: pinhole
   intrinsics: [10.0, 11.0, 4.0, 3.0]
@@ -100,7 +101,50 @@ cam1:
   radtan.replace(radtan.find("MODEL"), 5, "radtan");
   fisheye.replace(fisheye.find("MODEL"), 5, "equidistant");
   EXPECT_EQ(converted(with({write("c.yaml", radtan)})).session.rig->at(1).camera_from_first.translation.x(), -0.11);
-  EXPECT_THAT(refusal(with({write("c.yaml", fisheye)})), HasSubstr("equidistant"));
+  const Conversion round = converted(with({write("c.yaml", fisheye)}));
+  const Camera& c = round.session.rig->at(1).camera;
+  EXPECT_FALSE(round.session.rig->at(0).camera.is_fisheye);
+  EXPECT_TRUE(c.is_fisheye);
+  EXPECT_EQ(c.k3, 0.001);
+  EXPECT_EQ(c.k4, 0.002);
+  std::string omni = chain;
+  omni.replace(omni.find("MODEL"), 5, "fov");
+  EXPECT_THAT(refusal(with({write("c.yaml", omni)})), HasSubstr("model \"fov\""));
+}
+
+/// Boards name their points: one camera will do, or three.
+TEST_F(Convert, ABoardBeforeOneCameraOrThree) {
+  const auto camera_text = [](const std::string& motion) {
+    return "  camera_model: pinhole\n  intrinsics: [10.0, 11.0, 4.0, 3.0]\n  distortion_model: radtan\n"
+           "  distortion_coeffs: [0, 0, 0, 0]\n  resolution: [8, 6]\n" +
+           motion;
+  };
+  const std::string aside =
+      "  T_cn_cnm1:\n  - [1, 0, 0, -0.1]\n  - [0, 1, 0, 0]\n  - [0, 0, 1, 0.02]\n  - [0, 0, 0, 1]\n";
+  for (int i = 0; i < 2; ++i)
+    for (const char* camera : {"cam0", "cam1", "cam2"})
+      write(fmt::format("{}/{:03}.pgm", camera, i), "P5\n8 6\n255\n" + std::string(48, 'x'));
+  const auto table = write("j.csv", "a1,a2,a3,a4,a5,a6\n0,0.1,0.2,0.3,0.4,0.5\n1,0.1,0.2,0.3,0.4,0.5\n");
+  const auto one = write("one.yaml", "cam0:\n" + camera_text("")),
+             three = write("three.yaml", "cam0:\n" + camera_text("") + "cam1:\n" + camera_text(aside) + "cam2:\n" +
+                                             camera_text(aside));
+  EXPECT_THAT(refusal({folder.path / "cam0", table, one}), HasSubstr("--target"));
+  options_.target = fixture::charuco();
+  const Conversion single = converted({folder.path / "cam0", table, one});
+  EXPECT_EQ(single.session.rig->count(), 1);
+  ASSERT_TRUE(single.session.target);
+  EXPECT_FALSE(needs_label(single.session));
+  EXPECT_EQ(single.session.observations[1].images[0], "images/001.pgm");
+  // Folders go to the cameras that they are named after, whatever their order.
+  const Conversion many = converted({folder.path / "cam2", folder.path / "cam0", folder.path / "cam1", table, three});
+  ASSERT_EQ(many.session.rig->count(), 3);
+  EXPECT_EQ(many.session.observations[0].images[1], "images/cam1/000.pgm");
+  EXPECT_EQ(many.session.observations[0].images[2], "images/cam2/000.pgm");
+  // Of Kalibr each camera's motion is from the one before.
+  EXPECT_NEAR(many.session.rig->at(2).camera_from_first.translation.x(), -0.2, 1e-12);
+  EXPECT_NEAR(many.session.rig->at(2).camera_from_first.translation.z(), 0.04, 1e-12);
+  EXPECT_THAT(refusal({folder.path / "cam0", folder.path / "cam1", table, three}),
+              HasSubstr("2 folders of images and a calibration of 3 cameras (cam0, cam1 and cam2)"));
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ std::string pose_line(const Rigid& pose, const char* between = ",") {
                      q.w());
 }
 
-TEST_F(Convert, PosesOfATargetBecomeFourPoints) {
+TEST_F(Convert, PosesOfATargetCountWhole) {
   const Rigid tcp_from_target{rotation_from_rpy({0.3, -0.2, 0.9}), {0.02, 0.05, 0.1}};
   std::string csv = "x,y,z,qx,qy,qz,qw\n", tum = "# a trajectory\n", yaml = "poses:\n";
   int i = 0;
@@ -112,13 +112,12 @@ TEST_F(Convert, PosesOfATargetBecomeFourPoints) {
   for (const auto& [name, text] :
        {std::pair("target.csv", csv), std::pair("target.txt", tum), std::pair("t.yaml", yaml)}) {
     const Conversion c = converted({write("j.csv", joints_csv()), write(name, text)});
-    EXPECT_THAT(c.notes, Contains(HasSubstr("four points of a tracker"))) << name;
+    EXPECT_TRUE(c.session.pose_sensor.has_value()) << name;
+    EXPECT_THAT(c.notes, Contains(HasSubstr("counts whole, place and turn"))) << name;
     const Fit f = fit(c.session);
     EXPECT_LT(f.residual_rms, 1e-7) << name;
-    // Markers 0 and 1 lie on the target's x axis: its pose in the TCP frame follows.
-    const Vector3 along = (estimate(f).markers_in_tcp[1] - estimate(f).markers_in_tcp[0]) / 0.1;
-    EXPECT_LT((along - tcp_from_target.rotation.col(0)).norm(), 1e-6) << name;
-    EXPECT_LT((estimate(f).markers_in_tcp[0] - tcp_from_target.translation).norm(), 1e-7) << name;
+    // Of a sensor that tells poses the body's frame is the target's own.
+    EXPECT_LT(small_motion_between(tcp_from_target, f.tcp_from_body).norm(), 1e-6) << name;
   }
 }
 
@@ -161,7 +160,9 @@ TEST_F(Convert, EasyHandEyeSamplesOfBothKinds) {
     std::filesystem::remove_all(options_.out);
     const Conversion c =
         convert({write("a.samples", samples_text(in_hand ? "eye_in_hand" : "eye_on_base", robot, tracking))}, options_);
-    EXPECT_THAT(c.notes, Contains(HasSubstr("made-up robot")));
+    EXPECT_THAT(c.notes, Contains(HasSubstr("only where its flange is")));
+    EXPECT_TRUE(c.session.robot.is_of_poses);
+    EXPECT_FALSE(std::filesystem::exists(options_.out / "robot.urdf")) << "there is none";
     const Fit f = fit(c.session);
     EXPECT_LT(f.residual_rms, 1e-7) << in_hand;
     const Rigid& expected = in_hand ? hand_from_camera : base_from_camera;

@@ -76,8 +76,8 @@ std::vector<CloudPoint> cloud(int observations, double size) {
   for (int i = 0; i < observations; ++i) {
     const double down = size * std::sin(2.4 * i), across = 0.3 * size * std::cos(1.7 * i);
     for (int marker = 0; marker < 3; ++marker)
-      for (const ImageSide side : {ImageSide::left, ImageSide::right})
-        points.push_back({i, marker, side, across + noise(random), down + noise(random)});
+      for (const int camera : {0, 1})
+        points.push_back({i, marker, camera, across + noise(random), down + noise(random)});
   }
   return points;
 }

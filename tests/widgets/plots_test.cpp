@@ -154,8 +154,7 @@ TEST(ResidualMap, ExaggerationIsARoundNumber) {
   ResidualMap map;
   map.set_image_size(640, 480);
   std::vector<MapPoint> points;
-  for (int i = 0; i < 50; ++i)
-    points.push_back({i, 0, ImageSide::left, Vector2(10 * i, 5 * i), Vector2(0.3, -0.2), 1.5});
+  for (int i = 0; i < 50; ++i) points.push_back({i, 0, 0, Vector2(10 * i, 5 * i), Vector2(0.3, -0.2), 1.5});
   map.set_points(points);
   EXPECT_DOUBLE_EQ(map.exaggeration(), 100);  // 640 / 12 / 0.36 = 148
   test::show(map, {420, 340});

@@ -74,7 +74,8 @@ TEST(ResidualCloud, NoiseIsGreyAndErrorsAreNot) {
 TEST(ResidualCloud, ClickSelectsAndTheRightPaneMovesToItsNewState) {
   ResidualCloud pair;
   pair.set_noise(0.2);
-  std::vector<CloudPoint> before = {{7, 1, ImageSide::left, 8, 0}, {9, 0, ImageSide::right, -6, 3}};
+  pair.set_camera_names({"left", "right"});
+  std::vector<CloudPoint> before = {{7, 1, 0, 8, 0}, {9, 0, 1, -6, 3}};
   pair.set_before(before, "before");
   test::show(pair, {500, 280});
   std::vector<CloudPoint> after = before;

@@ -203,5 +203,29 @@ TEST(RobotViewMeshes, ThatLieAboutTheirPointsAreASentence) {
   EXPECT_TRUE(view.notes()[2].contains("is not in the robot's folder"));
 }
 
+/// A large mesh does not hold up the window: the robot stands there without it, and has it when it has been read.
+TEST(RobotViewMeshes, ThatAreLargeComeLater) {
+  QTemporaryDir folder;
+  const std::filesystem::path home = folder.path().toStdString();
+  std::string mesh;
+  for (int i = 0; i < 300000; ++i) mesh += fmt::format("v {} 0.125 0.25\n", i % 100);
+  for (int i = 3; i < 300000; ++i) mesh += fmt::format("f {} {} {}\n", i - 2, i - 1, i);
+  replace_file(home / "large.obj", mesh + "f 1 2 99999999\n");
+  RobotView view;
+  QSignalSpy told(&view, &RobotView::notes_changed);
+  view.set_robot(parse_urdf("<robot name=\"r\"><link name=\"l\"><visual><geometry><mesh filename=\"large.obj\"/>"
+                            "</geometry></visual></link></robot>",
+                            "r.urdf", nullptr),
+                 home);
+  EXPECT_TRUE(view.is_reading());
+  EXPECT_TRUE(view.notes().empty());
+  view.set_posture({Rigid{}});
+  test::show(view, {300, 200});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_reading(); }, 60000));
+  EXPECT_EQ(told.size(), 1);
+  ASSERT_EQ(view.notes().size(), 1u);
+  EXPECT_TRUE(view.notes()[0].contains("large.obj, line")) << view.notes()[0].toStdString();
+}
+
 }  // namespace
 }  // namespace handsight::widgets

@@ -76,15 +76,14 @@ std::vector<MapPoint> SampleData::map_points() const {
     const Rigid sensor_from_tcp = sensor_from_tcp_at(o, estimate(fit).mount_from_sensor);
     for (const Sighting& s : o.sightings) {
       const Vector3 x = sensor_from_tcp * estimate(fit).markers_in_tcp[static_cast<std::size_t>(s.marker)];
-      const auto add = [&](ImageSide side, const CameraPoint* seen, const Vector2& predicted) {
+      const auto add = [&](int camera, const CameraPoint* seen, const Vector2& predicted) {
         if (!seen) return;
         const Vector2 residual = seen->pixel - predicted;
-        points.push_back({session.observations[static_cast<std::size_t>(o.index)].id, s.marker, side, seen->pixel,
+        points.push_back({session.observations[static_cast<std::size_t>(o.index)].id, s.marker, camera, seen->pixel,
                           residual, residual.norm() / std::sqrt(2.0) / noise});
       };
-      add(ImageSide::left, seen_by(s, 0), project(session.rig->at(0).camera, x));
-      add(ImageSide::right, seen_by(s, 1),
-          project(session.rig->at(1).camera, Vector3(session.rig->at(1).camera_from_first * x)));
+      add(0, seen_by(s, 0), project(session.rig->at(0).camera, x));
+      add(1, seen_by(s, 1), project(session.rig->at(1).camera, Vector3(session.rig->at(1).camera_from_first * x)));
     }
   }
   return points;

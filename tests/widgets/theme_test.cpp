@@ -4,11 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <QPainter>
-
-#include <QPainter>
 #include <cmath>
 
-#include "widgets/icons.h"
 #include "widgets/icons.h"
 #include "widgets/number_text.h"
 

@@ -49,7 +49,7 @@ class CardButton : public QPushButton {
 CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setMinimumWidth(360);
+  setMinimumWidth(320);
   const auto button = [this](const QString& name, auto&& signal) {
     auto* made = new CardButton(this);
     made->setObjectName(name);

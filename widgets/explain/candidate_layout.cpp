@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMargin = 10, kDrawing = 96, kSizeRow = 18, kErrorRow = 20, kLeast = 168;
 constexpr double kFieldHeight = 24, kFieldWidth = 116;
-constexpr int kMostSizes = 4;
+constexpr int kMostSizes = 4, most_words_lines = 5, most_evidence_lines = 3, most_where_lines = 3;
 
 QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::CandidateCard", text); }
 
@@ -59,15 +59,15 @@ void paint_honest(QPainter& painter, const CardState& state, const CardLayout& l
   painter.drawText(layout.drawing, Qt::AlignCenter, look.sign);
 }
 
-void paint_title(QPainter& painter, const CardState& state, QRectF area) {
+void paint_title(QPainter& painter, const CardState& state, const CardLayout& l) {
   painter.setFont(text_font(TextRole::title));
   painter.setPen(colors().ink1);
-  draw_text(painter, area, Qt::AlignLeft | Qt::AlignVCenter, state.title);
-  area.setLeft(area.left() + QFontMetricsF(painter.font()).horizontalAdvance(state.title) + kGap);
-  if (state.where.isEmpty() || area.width() < 24) return;
-  painter.setFont(body());
+  if (l.title.height() > 24)
+    draw_lines(painter, painter.font(), l.title, state.title, 2);
+  else
+    draw_text(painter, l.title, Qt::AlignLeft | Qt::AlignVCenter, state.title);
   painter.setPen(colors().ink2);
-  draw_text(painter, area, Qt::AlignLeft | Qt::AlignVCenter, state.where);
+  draw_lines(painter, body(), l.where, state.where, most_where_lines);
 }
 
 /// The error that is left as a bar on a log scale that ends at the noise, today's as an outline round it.
@@ -143,8 +143,11 @@ void paint_size(QPainter& painter, const ModelParameter& p, const QString& name,
   const Colors& c = colors();
   QString value = with_sigma_text(p.value, p.sigma);
   if (p.value && !p.unit.isEmpty()) value += QChar(0x00A0) + p.unit;
-  const double bar = 64, most = row.width() - bar - 2 * kGap - 44;
   painter.setFont(number_font(TextRole::small));
+  // A long name takes room from the bar, down to half of it.
+  const double wanted = QFontMetricsF(painter.font()).horizontalAdvance(value) + 2 +
+                        QFontMetricsF(small()).horizontalAdvance(name) + 2 * kGap;
+  const double bar = std::clamp(row.width() - wanted, 32.0, 64.0), most = row.width() - bar - 2 * kGap - 44;
   const double needed = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value) + 2, most);
   painter.setPen(c.ink1);
   const QRectF middle(row.right() - bar - kGap - needed, row.top(), needed, row.height());
@@ -154,7 +157,7 @@ void paint_size(QPainter& painter, const ModelParameter& p, const QString& name,
   const QRectF left(row.left(), row.top(), middle.left() - kGap - row.left(), row.height());
   // Names of joints differ at their ends.
   draw_text(painter, left, Qt::AlignLeft | Qt::AlignVCenter,
-            QFontMetricsF(painter.font()).elidedText(name, Qt::ElideMiddle, left.width()));
+            QFontMetricsF(painter.font()).elidedText(name, Qt::ElideLeft, left.width()));
   if (p.plausible && *p.plausible > 0)
     paint_plausible(painter, p, QRectF(row.right() - bar, row.center().y() - 3, bar, 6));
 }
@@ -202,7 +205,8 @@ CardLayout lay_out(const CardState& state, double width) {
   CardLayout l;
   l.drawing = {kMargin, kMargin, kDrawing, kDrawing};
   double left = l.drawing.right() + 12, wide = width - left - kMargin;
-  l.title = {left, kMargin - 2, wide, 22};
+  const double title = lines_height(text_font(TextRole::title), state.title, wide, 2);
+  l.title = {left, kMargin - 2, wide, std::max(title, 22.0)};
   double y = l.title.bottom() + 2;
   const auto text = [&](const QFont& font, const QString& said_text, int most_lines) {
     const double high = lines_height(font, said_text, wide, most_lines);
@@ -210,14 +214,23 @@ CardLayout lay_out(const CardState& state, double width) {
     if (high > 0) y += high + 3;
     return area;
   };
+  // Beside the title where that has room: names of joints are never shortened for it.
+  const double beside =
+      l.title.left() + QFontMetricsF(text_font(TextRole::title)).horizontalAdvance(state.title) + kGap;
+  const double room = l.title.right() - beside;
+  if (!state.where.isEmpty() && l.title.height() <= 24 &&
+      QFontMetricsF(body()).horizontalAdvance(state.where) + 2 < room)
+    l.where = {beside, l.title.top() + 3, room, l.title.height() - 3};
+  else
+    l.where = text(body(), state.where, most_where_lines);
   const bool is_honest = state.kind != CardKind::candidate;
-  l.words = text(body(), state.words, is_honest ? 6 : 2);
+  l.words = text(body(), state.words, is_honest ? 6 : most_words_lines);
   if (state.error.now && state.error.left) {
     l.error = {left, y, wide, kErrorRow};
     y += kErrorRow + 3;
   }
   l.caution = text(small(), state.caution, 2);
-  l.evidence = text(small(), state.evidence, 2);
+  l.evidence = text(small(), state.evidence, most_evidence_lines);
   const std::size_t shown = std::min<std::size_t>(state.sizes.size(), kMostSizes);
   const std::size_t rows = shown + (state.sizes.size() > shown ? 1 : 0);
   for (std::size_t i = 0; i < rows; ++i, y += kSizeRow) l.sizes.push_back({left, y, wide, kSizeRow});
@@ -255,14 +268,14 @@ void paint_card(QPainter& painter, const CardState& state, const CardLayout& l) 
     paint_effect(painter, l.drawing, state.effect, c);
   else
     paint_honest(painter, state, l);
-  paint_title(painter, state, l.title);
+  paint_title(painter, state, l);
   painter.setPen(c.ink1);
-  draw_lines(painter, body(), l.words, state.words, state.kind == CardKind::candidate ? 2 : 6);
+  draw_lines(painter, body(), l.words, state.words, state.kind == CardKind::candidate ? most_words_lines : 6);
   if (!l.error.isEmpty()) paint_error(painter, state.error, l.error);
   painter.setPen(c.care);
   draw_lines(painter, small(), l.caution, state.caution, 2);
   painter.setPen(c.ink2);
-  draw_lines(painter, small(), l.evidence, state.evidence, 2);
+  draw_lines(painter, small(), l.evidence, state.evidence, most_evidence_lines);
   for (std::size_t i = 0; i < l.sizes.size(); ++i) {
     if (i < kMostSizes)
       paint_size(painter, state.sizes[i], name_of(state.sizes[i], state.sizes), l.sizes[i]);

@@ -11,7 +11,7 @@ namespace handsight::widgets {
 
 /// Empty rectangles where a part is missing. Widget coordinates.
 struct CardLayout {
-  QRectF drawing, title, words, error, evidence, told_from, check, caution, buttons;
+  QRectF drawing, title, where, words, error, evidence, told_from, check, caution, buttons;
   QRectF prediction, measured_label, field, unit, answer;  // of a check with a number
   std::vector<QRectF> sizes;
   double height = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/explain/candidate_list.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -71,6 +72,10 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   foot_->addWidget(why_not_);
   foot_->addStretch(1);
   layout->addLayout(foot_);
+  second_foot_ = new QHBoxLayout;
+  second_foot_->setContentsMargins(0, 0, kGap, 4);
+  second_foot_->addStretch(1);
+  layout->addLayout(second_foot_);
   connect(scroll_->verticalScrollBar(), &QScrollBar::valueChanged, this, &CandidateList::show_add);
   connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, &CandidateList::show_add);
   connect(why_not_, &QPushButton::clicked, this, &CandidateList::why_not_requested);
@@ -140,11 +145,15 @@ void CandidateList::show_cards(const std::vector<CardState>& in_order) {
     if (found != old.end()) old.erase(found);
     CardState shown_state = state;
     if (!can_add_) shown_state.can_add = false, shown_state.why_not = tr("A fit runs.");
+    if (!can_add_ && card->isAncestorOf(QApplication::focusWidget())) setFocus();  // before its button goes grey
     card->set_state(std::move(shown_state));
     now.push_back(card);
   }
   for (CandidateCard* card : old) {  // its own click may be what led here: it must outlive its signal
     let_go(card->state().id);
+    // Else the focus would wander through the window, and what it comes to would scroll.
+    QWidget* const focused = QApplication::focusWidget();
+    if (card == focused || card->isAncestorOf(focused)) setFocus();
     list_->removeWidget(card);
     card->hide();
     card->deleteLater();
@@ -176,10 +185,26 @@ void CandidateList::mark_main() {
 void CandidateList::add_at_foot(QWidget* widget) {
   widget->setFixedHeight(kControlHeight);
   foot_->insertWidget(foot_->count() - 1, widget);
+  at_foot_.push_back(widget);
+}
+
+/// What has no room beside the first two buttons gets a line of its own.
+void CandidateList::lay_out_foot() {
+  int wanted = add_->sizeHint().width() + why_not_->sizeHint().width() + 3 * kGap;
+  for (const QWidget* w : at_foot_) wanted += w->isHidden() ? 0 : w->sizeHint().width() + kGap;
+  const bool has_second = wanted > width();
+  if (has_second == has_second_foot_) return;
+  has_second_foot_ = has_second;
+  for (QWidget* w : at_foot_) {
+    QHBoxLayout* const row = has_second ? second_foot_ : foot_;
+    (has_second ? foot_ : second_foot_)->removeWidget(w);
+    row->insertWidget(row->count() - 1, w);
+  }
 }
 
 /// The first card's button, or another one in its place where that is out of sight.
 void CandidateList::show_add() {
+  lay_out_foot();
   QPushButton* own = cards_.empty() ? nullptr : cards_.front()->add_button();
   const bool can_add = own && cards_.front()->state().kind == CardKind::candidate && own->isVisibleTo(this);
   const QRect there = can_add ? QRect(own->mapTo(scroll_->viewport(), QPoint()), own->size()) : QRect();

@@ -68,9 +68,12 @@ class CandidateList : public QWidget {
   bool can_add_ = true;
   QLabel *title_, *progress_, *empty_;
   void show_add();
+  void lay_out_foot();
 
   QPushButton *resort_, *why_not_, *add_;
-  QHBoxLayout* foot_;
+  QHBoxLayout *foot_, *second_foot_;
+  std::vector<QWidget*> at_foot_;
+  bool has_second_foot_ = false;
   QScrollArea* scroll_;
   QWidget* content_;
   QVBoxLayout* list_;

@@ -216,9 +216,8 @@ void ResidualCloud::mouseMoveEvent(QMouseEvent* event) {
   const ObservationId id = point ? point->observation : kNoObservation;
   if (point)
     emit read_out(tr("obs %1, marker %2, %3: %4, %5 %6")
-                      .arg(QString::number(id), QString::number(point->marker),
-                           point->side == ImageSide::left ? tr("left") : tr("right"), fixed_text(point->du, 2),
-                           fixed_text(point->dv, 2), unit_name(unit_)));
+                      .arg(QString::number(id), QString::number(point->marker), camera_names_.value(point->camera),
+                           fixed_text(point->du, 2), fixed_text(point->dv, 2), unit_name(unit_)));
   else if (hovered_ >= 0)
     emit read_out({});
   if (id == hovered_) return;

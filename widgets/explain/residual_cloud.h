@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QImage>
+#include <QStringList>
 #include <QTimer>
 #include <QVariantAnimation>
 #include <QWidget>
@@ -19,7 +20,7 @@ namespace handsight::widgets {
 struct CloudPoint {
   ObservationId observation = kNoObservation;
   int marker = 0;
-  ImageSide side = ImageSide::left;
+  int camera = 0;
   double du = 0, dv = 0;
 };
 
@@ -32,6 +33,7 @@ class ResidualCloud : public QWidget {
  public:
   explicit ResidualCloud(QWidget* parent = nullptr);
   void set_noise(std::optional<double> sigma);
+  void set_camera_names(const QStringList& names) { camera_names_ = names; }  // by camera
   /// px at first; the axes are locked anew where it changes.
   void set_unit(SizeUnit unit);
   void set_before(std::vector<CloudPoint> points, const QString& title);
@@ -98,6 +100,7 @@ class ResidualCloud : public QWidget {
   std::vector<ObservationId> highlighted_;
   std::optional<double> noise_;
   SizeUnit unit_ = SizeUnit::pixel;
+  QStringList camera_names_;
   double reach_ = 0;
   bool is_linear_ = false, is_predicted_ = false, is_swapped_ = false;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;

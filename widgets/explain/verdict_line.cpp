@@ -127,20 +127,23 @@ void VerdictLine::paint_state(QPainter& painter, const QRectF& area) const {
 }
 
 void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {
+  QString sentence = verdict_.sentence;
+  for (const char* unit : {" %", " px", " mm"})
+    sentence.replace(unit, QChar(0x00A0) + QString(unit).mid(1));  // no line ends between
   painter.setPen(colors().ink1);
   QFont font = text_font(TextRole::title);
-  const int most = verdict_.progress.isEmpty() ? 3 : 2;
+  int most = verdict_.progress.isEmpty() ? 3 : 2;
   const auto fits = [&] {
-    return lines_height(font, verdict_.sentence, area.width(), most + 1) <=
-           (most + 0.5) * QFontMetricsF(font).lineSpacing();
+    return lines_height(font, sentence, area.width(), most + 1) <= (most + 0.5) * QFontMetricsF(font).lineSpacing();
   };
   if (!fits()) font.setWeight(QFont::Normal);
   if (!fits()) font = text_font(TextRole::body);  // long: smaller rather than cut off
+  if (!fits()) font = text_font(TextRole::small), ++most;
   const int lines = most;
-  const double high = lines_height(font, verdict_.sentence, area.width(), lines);
+  const double high = lines_height(font, sentence, area.width(), lines);
   const double note = verdict_.progress.isEmpty() ? 0 : 18;
   const double top = area.center().y() - (high + note) / 2;
-  draw_lines(painter, font, QRectF(area.left(), top, area.width(), high), verdict_.sentence, lines);
+  draw_lines(painter, font, QRectF(area.left(), top, area.width(), high), sentence, lines);
   if (verdict_.progress.isEmpty()) return;
   painter.setFont(text_font(TextRole::small));
   painter.setPen(colors().ink3);

@@ -47,21 +47,27 @@ vtkSmartPointer<vtkPolyData> surface_of(const Mesh& mesh) {
   return normals->GetOutput();
 }
 
-/// Nothing, and a sentence in the notes, where it cannot be shown.
-vtkSmartPointer<vtkPolyData> mesh_surface(const std::string& written, const fs::path& folder,
-                                          std::vector<QString>& notes) {
+ReadMesh read_one(const std::string& written, const fs::path& folder) {
   const auto file = find_mesh(written, folder);
-  if (!file) {
-    notes.push_back(QObject::tr("The mesh %1 is not in the robot's folder. The link is drawn without it.")
-                        .arg(QString::fromStdString(shortened(written, 100))));
-    return nullptr;
-  }
+  if (!file)
+    return {{},
+            QObject::tr("The mesh %1 is not in the robot's folder. The link is drawn without it.")
+                .arg(QString::fromStdString(shortened(written, 100)))};
   try {
-    return surface_of(read_mesh(*file));
-  } catch (const InputError& error) {
-    notes.push_back(QObject::tr("A mesh cannot be shown. %1").arg(QString::fromStdString(error.what())));
-    return nullptr;
+    return {read_mesh(*file), {}};
+  } catch (const std::exception& error) {
+    return {{}, QObject::tr("A mesh cannot be shown. %1").arg(QString::fromStdString(error.what()))};
   }
+}
+
+/// Nothing where it was not read, and a sentence in the notes where it cannot be shown.
+vtkSmartPointer<vtkPolyData> mesh_surface(const std::string& written, const ReadMeshes& meshes,
+                                          std::vector<QString>& notes) {
+  const auto found = meshes.find(written);
+  if (found == meshes.end()) return nullptr;
+  if (found->second.refusal.isEmpty()) return surface_of(found->second.mesh);
+  notes.push_back(found->second.refusal);
+  return nullptr;
 }
 
 vtkSmartPointer<vtkPolyData> transformed(vtkAlgorithm& source, vtkTransform& transform) {
@@ -72,7 +78,7 @@ vtkSmartPointer<vtkPolyData> transformed(vtkAlgorithm& source, vtkTransform& tra
   return filter->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const fs::path& folder, std::vector<QString>& notes) {
+vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const ReadMeshes& meshes, std::vector<QString>& notes) {
   vtkNew<vtkTransform> transform;
   switch (shape.kind) {
     case ShapeKind::box: {
@@ -96,7 +102,7 @@ vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const fs::path& f
     case ShapeKind::mesh:
       break;
   }
-  const auto mesh = mesh_surface(shape.mesh_file, folder, notes);
+  const auto mesh = mesh_surface(shape.mesh_file, meshes, notes);
   if (!mesh) return nullptr;
   transform->Scale(shape.size.x(), shape.size.y(), shape.size.z());
   vtkNew<vtkTransformPolyDataFilter> filter;
@@ -106,16 +112,40 @@ vtkSmartPointer<vtkPolyData> shape_surface(const Shape& shape, const fs::path& f
   return filter->GetOutput();
 }
 
-/// Limbs from a link's origin to the joints that it carries: capsules, round at both ends.
-vtkSmartPointer<vtkPolyData> limbs(const Robot& robot, int link) {
+/// What the shapes of a link cover, in its own frame.
+struct Covered {
+  Vector3 low = Vector3::Constant(1e300), high = Vector3::Constant(-1e300);
+
+  bool is_nothing() const { return low.x() > high.x(); }
+  void add(vtkPolyData& surface, const Rigid& link_from_shape) {
+    double bounds[6];
+    surface.GetBounds(bounds);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3 at =
+          link_from_shape * Vector3(bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)]);
+      low = low.cwiseMin(at);
+      high = high.cwiseMax(at);
+    }
+  }
+  bool holds(const Vector3& place) const {
+    const Vector3 slack = 0.15 * (high - low) + Vector3::Constant(0.01);
+    return ((place - low + slack).minCoeff() >= 0) && ((high + slack - place).minCoeff() >= 0);
+  }
+  double radius() const { return 0.5 * (high - low).minCoeff(); }
+};
+
+/// Limbs from a link's origin to the joints that it carries and that its shapes do not reach: capsules, round at both
+/// ends.
+vtkSmartPointer<vtkPolyData> limbs(const Robot& robot, int link, const Covered& covered) {
   vtkNew<vtkAppendPolyData> all;
   bool has_any = false;
   for (const Joint& joint : robot.joints) {
     if (joint.parent_link != link) continue;
     const Vector3 end = (joint.parent_from_joint * joint.joint_from_child).translation;
     const double length = end.norm();
-    if (length < 0.01) continue;
-    const double radius = std::clamp(0.15 * length, 0.012, 0.06);
+    if (length < 0.01 || (!covered.is_nothing() && covered.holds(end))) continue;
+    const double wanted = covered.is_nothing() ? 0.15 * length : 0.6 * covered.radius();
+    const double radius = std::clamp(wanted, 0.012, 0.06);
     all->AddInputData(rod(Vector3::Zero(), end, radius));
     all->AddInputData(ball(Vector3::Zero(), radius));
     all->AddInputData(ball(end, radius));
@@ -128,23 +158,40 @@ vtkSmartPointer<vtkPolyData> limbs(const Robot& robot, int link) {
 
 }  // namespace
 
-RobotActors make_robot_actors(const Robot& robot, const fs::path& mesh_folder) {
+bool has_meshes(const Robot& robot) {
+  for (const Link& link : robot.links)
+    for (const Shape& shape : link.shapes)
+      if (shape.kind == ShapeKind::mesh) return true;
+  return false;
+}
+
+ReadMeshes read_meshes(const Robot& robot, const fs::path& mesh_folder) {
+  ReadMeshes meshes;
+  for (const Link& link : robot.links)
+    for (const Shape& shape : link.shapes)
+      if (shape.kind == ShapeKind::mesh && !meshes.contains(shape.mesh_file))
+        meshes.emplace(shape.mesh_file, read_one(shape.mesh_file, mesh_folder));
+  return meshes;
+}
+
+RobotActors make_robot_actors(const Robot& robot, const ReadMeshes& meshes) {
   RobotActors actors;
   for (int link = 0; link < static_cast<int>(robot.links.size()); ++link) {
-    bool has_shape = false;
+    Covered covered;
+    QColor last = kPlain;
     for (const Shape& shape : robot.links[static_cast<std::size_t>(link)].shapes) {
-      const auto surface = shape_surface(shape, mesh_folder, actors.notes);
+      const auto surface = shape_surface(shape, meshes, actors.notes);
       if (!surface) continue;
       const QColor color = shape.color ? QColor::fromRgbF(static_cast<float>(std::clamp((*shape.color)[0], 0.0, 1.0)),
                                                           static_cast<float>(std::clamp((*shape.color)[1], 0.0, 1.0)),
                                                           static_cast<float>(std::clamp((*shape.color)[2], 0.0, 1.0)))
                                        : kPlain;
       actors.parts.push_back({link, shape.link_from_shape, color, make_actor(surface, color)});
-      has_shape = true;
+      covered.add(*surface, shape.link_from_shape);
+      last = color;
     }
-    if (has_shape) continue;
-    if (const auto surface = limbs(robot, link))
-      actors.parts.push_back({link, Rigid{}, kPlain, make_actor(surface, kPlain)});
+    if (const auto surface = limbs(robot, link, covered))
+      actors.parts.push_back({link, Rigid{}, last, make_actor(surface, last)});
   }
   return actors;
 }

@@ -6,8 +6,11 @@
 
 #include <QString>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
+#include "robot/mesh.h"
 #include "robot/robot.h"
 #include "widgets/scene/vtk_tools.h"
 
@@ -25,8 +28,20 @@ struct RobotActors {
   std::vector<QString> notes;  // meshes that could not be shown, a sentence each
 };
 
-/// Shapes of every link; a link without any gets limbs from its frame to those of the joints that it carries.
-RobotActors make_robot_actors(const Robot& robot, const std::filesystem::path& mesh_folder);
+/// A mesh, or the sentence why it cannot be shown.
+struct ReadMesh {
+  Mesh mesh;
+  QString refusal;
+};
+using ReadMeshes = std::map<std::string, ReadMesh>;  // by the name that shapes have for it
+
+bool has_meshes(const Robot& robot);
+/// Safe in any thread.
+ReadMeshes read_meshes(const Robot& robot, const std::filesystem::path& mesh_folder);
+
+/// Shapes of every link; a link without any gets limbs from its frame to those of the joints that it carries. Meshes
+/// that are not among those that were read are left out.
+RobotActors make_robot_actors(const Robot& robot, const ReadMeshes& meshes);
 
 /// The same surfaces again, all in one translucent colour.
 RobotActors make_ghost_actors(const RobotActors& robot, const QColor& color);

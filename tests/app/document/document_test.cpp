@@ -218,7 +218,7 @@ TEST(ImageSourceTest, GreyIsTheEnginesOwn) {
   const Session session = read_session(sample("first_steps"));
   ImageSource source;
   const Observation& o = session.observations[3];
-  const ShownImage shown = source.image(session, o, true);
+  const ShownImage shown = source.image_now(session, o, 0);
   ASSERT_FALSE(shown.image.isNull()) << shown.refusal.toStdString();
   EXPECT_EQ(grey_image(shown.image).pixels, read_image(folder(session) / o.images[0]).pixels);
   const QImage colours = shown.image.convertToFormat(QImage::Format_RGB32);
@@ -230,9 +230,37 @@ TEST(ImageSourceTest, RefusesInASentence) {
   Observation o = session.observations[0];
   session.rig->at(0).camera.width = 1280;
   ImageSource source;
-  EXPECT_TRUE(source.image(session, o, true).refusal.contains("640 x 480, the camera says 1280 x 480"));
+  EXPECT_TRUE(source.image_now(session, o, 0).refusal.contains("640 x 480, the camera says 1280 x 480"));
   o.images[1] = "images/none.png";
-  EXPECT_TRUE(source.image(session, o, false).refusal.contains("is not there"));
+  EXPECT_TRUE(source.image_now(session, o, 1).refusal.contains("is not there"));
+}
+
+/// The window's thread does not wait for a large image: it is told that it is coming, and when it is there.
+TEST(ImageSourceTest, ALargeImageComesLater) {
+  const TemporaryFolder home;
+  Session session = read_session(sample("first_steps"));
+  Observation o = session.observations[0];
+  session.file = home.path / "session.xml";
+  o.images[0] = "large.png";
+  QImage large(5000, 4000, QImage::Format_Grayscale8);
+  std::uint32_t noise = 1;
+  for (int v = 0; v < large.height(); ++v)
+    for (int u = 0; u < large.width(); ++u)
+      large.scanLine(v)[u] = static_cast<uchar>((noise = 1664525u * noise + 1013904223u) >> 24);
+  ASSERT_TRUE(large.save(QString::fromStdString((home.path / "large.png").string()), "PNG", 100));
+  session.rig->at(0).camera.width = large.width();
+  session.rig->at(0).camera.height = large.height();
+  ImageSource source;
+  int arrived = 0;
+  QEventLoop loop;
+  QObject::connect(&source, &ImageSource::arrived, &loop, [&] { ++arrived, loop.quit(); });
+  QTimer::singleShot(60000, &loop, &QEventLoop::quit);
+  EXPECT_TRUE(source.image(session, o, 0).is_coming);
+  EXPECT_TRUE(source.image(session, o, 0).is_coming) << "asked for again it is not read twice";
+  loop.exec();
+  EXPECT_EQ(arrived, 1);
+  EXPECT_EQ(source.image(session, o, 0).image.size(), large.size());
+  EXPECT_FALSE(source.is_busy());
 }
 
 }  // namespace

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the user's story and keeps a picture of every workspace: take_pictures FOLDER light|dark. The scale is Qt's
-// own (QT_SCALE_FACTOR), the window's size HANDSIGHT_WINDOW. pictures.sh runs it for both themes and two scales.
+// own (QT_SCALE_FACTOR), the window's size HANDSIGHT_WINDOW, the language HANDSIGHT_LANGUAGE. pictures.sh runs it for
+// both themes and two scales.
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDialog>
+#include <QScrollBar>
 #include <QTabWidget>
 
 #include "app/window/pages.h"
 #include "explain/missing_pane.h"
+#include "frame/language.h"
+#include "frame/observation_views.h"
+#include "session/session_xml.h"
 #include "temporary_folder.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/robot_view.h"
@@ -100,6 +106,64 @@ TEST(Pictures, OfEveryWorkspace) {
   desk.key(Qt::Key_K, Qt::ControlModifier);
   for (const char c : {'a', 'r', 'm'}) QTest::keyClick(desk.window.windowHandle(), c);
   photo.take("find");
+}
+
+/// Its fields are below each other: those that are filled in are scrolled to.
+TEST(Pictures, OfTheWizard) {
+  Desk desk;
+  desk.press_button("start_new");
+  auto* wizard = desk.window.findChild<QDialog*>("wizard");
+  ASSERT_NE(wizard, nullptr);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(wizard));
+  auto* scroll = desk.find<QScrollArea>("wizard_scroll");
+  const auto take = [&](const char* name) {
+    QTest::qWait(250);
+    wizard->grab().save(folder_of_pictures + "/" + name + suffix + ".png");
+  };
+  const auto fill = [&](const char* name, const QString& with) {
+    auto* field = desk.find<QLineEdit>(name);
+    scroll->ensureWidgetVisible(field);
+    QTest::qWait(10);
+    desk.type_into(field, with);
+  };
+  take("wizard_empty");
+  const auto samples = QString(HANDSIGHT_SOURCE_DIR) + "/sample_sessions";
+  fill("wizard_robot", samples + "/robots/six_axis.urdf");
+  const auto answer = [&](const char* tile) {
+    scroll->ensureWidgetVisible(desk.find<QAbstractButton>(tile));
+    desk.press_button(tile);
+  };
+  answer("camera_place_0");
+  answer("known_2");
+  desk.find<QComboBox>("wizard_tcp")->setCurrentText("hand");
+  take("wizard");
+  fill("wizard_angles", samples + "/nowhere.csv");
+  scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
+  take("wizard_files");
+  answer("camera_place_2");
+  answer("known_6");
+  scroll->verticalScrollBar()->setValue(0);
+  take("wizard_on_hand");
+  wizard->reject();
+}
+
+/// Of the sample sessions without images, for the start page (resources/pictures).
+TEST(Thumbnails, OfTheRobots) {
+  for (const char* name : {"thesis_simulation", "hidden_1", "hidden_2", "hidden_3", "hidden_4", "hidden_5", "hidden_6",
+                           "hidden_7", "hidden_8"}) {
+    const Session s =
+        read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name / "session.xml");
+    widgets::RobotView view;
+    view.resize(330, 260);
+    view.show();
+    view.set_robot(s.robot, folder(s));
+    view.set_posture(app::link_motions(s, s.observations[s.observations.size() / 2].position));
+    view.look(widgets::StandardView::all);
+    view.picture(1);
+    const QImage picture = view.picture(1).copy(55, 15, 270, 180);
+    picture.scaled(144, 96, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+        .save(folder_of_pictures + "/" + name + ".png");
+  }
 }
 
 class Explained : public testing::Test {
@@ -208,6 +272,7 @@ int main(int argc, char** argv) {
   ::setenv("XDG_STATE_HOME", state.path.c_str(), 1);
   widgets::set_surface_format();
   QApplication application(argc, argv);
+  app::speak(application, qEnvironmentVariable("HANDSIGHT_LANGUAGE", "en"));
   const bool dark = std::string(argv[2]) == "dark";
   widgets::apply_theme(application, dark ? widgets::ThemeKind::dark : widgets::ThemeKind::light);
   test::folder_of_pictures = argv[1];

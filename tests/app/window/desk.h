@@ -91,7 +91,8 @@ class Desk {
   bool settle() {
     return wait([this] {
       auto& bench = window.bench();
-      return !bench.jobs.is_busy() && !bench.background.is_busy() && !bench.refit.is_pending();
+      return !bench.jobs.is_busy() && !bench.background.is_busy() && !bench.refit.is_pending() &&
+             !bench.images.is_busy();
     });
   }
 

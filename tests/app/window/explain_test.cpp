@@ -7,7 +7,7 @@
 #include <QScrollArea>
 #include <QSignalSpy>
 
-#include "app/window/pages.h"
+#include "app/window/explain_fixture.h"
 #include "base/files.h"
 #include "cli/cli_runner.h"
 #include "cli/hidden_sessions.h"
@@ -28,38 +28,6 @@
 
 namespace handsight::test {
 namespace {
-
-class Explain : public testing::Test {
- protected:
-  std::filesystem::path copy_of(const std::string& name) { return copy_of_sample(folder.path, name); }
-  void open(const std::string& name) {
-    desk.window.resize(1440, 900);
-    session = copy_of(name);
-    ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
-    ASSERT_TRUE(desk.settle());
-    ASSERT_TRUE(explain.open()) << name;
-  }
-  double held_out() { return *desk.document().model()->report->held_out.rms_pixel; }
-  /// Ids with their places, as `improve` prints them.
-  std::set<std::string> effects_in_the_model() {
-    std::set<std::string> list;
-    for (const FittedEffect& f : desk.document().model()->fit->effects)
-      list.insert(f.term.id + " " + place_name(effect_of(f.term), f.term.joint, desk.document().session().robot));
-    return list;
-  }
-  static std::set<std::string> effects_of(const nlohmann::json& fit) {
-    std::set<std::string> list;
-    for (const auto& effect : fit["effects"])
-      for (const auto& p : effect["parameters"])
-        list.insert(effect["id"].get<std::string>() + " " + (p["of"].is_string() ? p["of"].get<std::string>() : ""));
-    return list;
-  }
-  std::string session_digest() { return app::digest_of(read_file(session / "session.xml")); }
-  TemporaryFolder folder;
-  std::filesystem::path session;
-  Desk desk;
-  ExplainPage explain{desk};
-};
 
 class HiddenSession : public Explain, public testing::WithParamInterface<int> {};
 
@@ -250,107 +218,6 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   const QString report = app::report_html(desk.document(), *desk.document().model(), {}, "How good it is.");
   EXPECT_TRUE(report.contains("Checked on the robot"));
   EXPECT_TRUE(report.contains("Inside: 0.7 sigma from the prediction"));
-}
-
-/// Springs in three joints: the card that is looked at shows each against its own torque, with its slope in words.
-TEST_F(Explain, TheCardThatIsLookedAtShowsItsProofAndAfterTheAdditionItIsLevel) {
-  open("hidden_3");
-  auto* page = desk.find<widgets::PatternPage>("pattern_page");
-  auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");
-  auto* words = desk.find<QLabel>("proof_sentence");
-  const auto is_proof = [&](int place) {
-    return page->plots()[static_cast<std::size_t>(place)].id.startsWith("proof");
-  };
-  ASSERT_FALSE(is_proof(0));
-  explain.look_at(0);
-  ASSERT_TRUE(desk.wait([&] { return is_proof(2); }));
-  EXPECT_FALSE(is_proof(3)) << "the patterns stand beside them";
-  for (int i = 0; i < 3; ++i) {
-    const widgets::PatternPlot& proof = page->plots()[static_cast<std::size_t>(i)];
-    EXPECT_EQ(proof.against, "gravity torque at " + QString(proof.what).remove("angle of ")) << i;
-    EXPECT_EQ(proof.y_unit, "mrad");
-    EXPECT_FALSE(proof.candidate.empty());
-    for (std::size_t p = 1; p < proof.candidate.size(); ++p) EXPECT_LE(proof.candidate[p - 1].x, proof.candidate[p].x);
-  }
-  const auto told = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json();
-  const auto& best = told["candidates"][0]["proof"][0];
-  const QString of = QString::fromStdString(best["of"].get<std::string>());
-  EXPECT_TRUE(words->text().startsWith(of + " gives way by ")) << words->text().toStdString();
-  EXPECT_TRUE(words->text().contains(widgets::with_sigma_text(1e6 * best["numbers"][0]["value"].get<double>(),
-                                                              1e6 * best["numbers"][0]["sigma"].get<double>()) +
-                                     QString::fromUtf8(" µrad for each N m")))
-      << words->text().toStdString();
-  const auto points = plot->points();
-  double largest = 0;
-  for (const auto& p : points) largest = std::max(largest, std::abs(p.y));
-  EXPECT_GT(largest, 1) << "mrad";
-
-  const auto before = plot->plot()->yAxis->range();
-  explain.press_add();
-  ASSERT_TRUE(explain.is_settled());
-  ASSERT_TRUE(desk.wait([&] { return plot->candidate().empty(); })) << "it falls for a moment";
-  ASSERT_EQ(plot->points().size(), points.size());
-  double left = 0;
-  for (const auto& p : plot->points()) left = std::max(left, std::abs(p.y));
-  EXPECT_LT(left, 0.3 * largest);
-  EXPECT_TRUE(before.contains(0)) << "the level line is in sight before they fall onto it";
-  EXPECT_EQ(plot->plot()->yAxis->range().lower, before.lower) << "on the same axes";
-  EXPECT_EQ(plot->plot()->yAxis->range().upper, before.upper);
-  desk.key(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(explain.is_settled());
-  // The card has the focus again, so it is looked at: what it would do, and nothing is said to be in the model.
-  EXPECT_TRUE(desk.wait([&] { return !is_proof(0) || !plot->candidate().empty(); }));
-  EXPECT_FALSE(plot->accessibleName().startsWith("In the model")) << plot->accessibleName().toStdString();
-}
-
-/// Who looks at the proof may go there and touch it; elsewhere it goes.
-TEST_F(Explain, TheProofStaysWhileThePointerIsOnIt) {
-  open("hidden_3");
-  auto* page = desk.find<widgets::PatternPage>("pattern_page");
-  const auto is_proof = [&](int place) {
-    return page->plots()[static_cast<std::size_t>(place)].id.startsWith("proof");
-  };
-  explain.look_at(0);
-  ASSERT_TRUE(desk.wait([&] { return is_proof(2); }));
-  desk.click(page, page->plot_rect(1).center().toPoint());
-  QTest::qWait(500);
-  ASSERT_TRUE(is_proof(2));
-  auto* words = desk.find<QLabel>("proof_sentence");
-  const QString of = QString(page->plots()[1].what).remove("angle of ");
-  EXPECT_TRUE(words->text().startsWith(of + " gives way by ")) << words->text().toStdString();
-  QTest::mouseMove(desk.window.windowHandle(), QPoint(5, 5));
-  EXPECT_TRUE(desk.wait([&] { return !is_proof(0); }));
-}
-
-/// What has no name is a card too: added, undone, remembered, in the model panel.
-TEST_F(Explain, ACurveWithoutANameIsACardLikeAnyOther) {
-  open("hidden_8");
-  EXPECT_EQ(explain.verdict().state, widgets::SessionState::unexplained);
-  EXPECT_TRUE(explain.verdict().sentence.contains("The angle of axis_3 moves with sin(2.963 q) of axis_3"))
-      << explain.verdict().sentence.toStdString();
-  ASSERT_TRUE(explain.can_add_first());
-  EXPECT_EQ(explain.first().title, "The angle of axis_3 moves with sin(2.963 q) of axis_3");
-  EXPECT_TRUE(explain.first().words.contains("no name in the catalogue"));
-  const double before = held_out();
-  explain.press_add();
-  ASSERT_TRUE(explain.is_settled());
-  const double after = held_out();
-  EXPECT_LT(after, 0.8 * before);
-  EXPECT_EQ(effects_in_the_model(), std::set<std::string>{"curve_1 axis_3"});
-  EXPECT_EQ(explain.verdict().state, widgets::SessionState::unexplained)
-      << "at the noise, but not all of it has a name";
-  EXPECT_TRUE(explain.verdict().sentence.contains("not all of it has a name"));
-  EXPECT_TRUE(desk.find<QAbstractButton>("effect_curve_1")->isChecked());
-  EXPECT_EQ(desk.document().undo_stack().undoText(), "added the angle of axis_3 moves with sin(2.963 q) of axis_3");
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
-  ASSERT_TRUE(desk.settle());
-  ASSERT_TRUE(explain.open());
-  EXPECT_EQ(effects_in_the_model(), std::set<std::string>{"curve_1 axis_3"}) << "from the journal";
-  EXPECT_NEAR(held_out(), after, 1e-6);
-  desk.key(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(explain.is_settled());
-  EXPECT_NEAR(held_out(), before, 1e-6);
-  EXPECT_TRUE(explain.can_add_first());
 }
 
 TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {

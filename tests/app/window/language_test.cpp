@@ -26,9 +26,9 @@ QString joined_literals(const QString& literals) {
   return text.replace("\\\"", "\"").replace("\\n", "\n");
 }
 
-/// Every text that the sources hand to tr, with the file that does.
+/// Every text that the sources hand to tr or said, with the file that does.
 std::map<QString, std::string> texts_of_the_sources() {
-  static const QRegularExpression call("\\btr\\(\\s*((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
+  static const QRegularExpression call("\\b(?:tr|said)\\(\\s*((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
   std::map<QString, std::string> texts;
   for (const char* folder : {"app", "widgets"})
     for (const auto& entry :

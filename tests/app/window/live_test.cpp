@@ -119,7 +119,7 @@ TEST_F(LiveWindow, WhatIsNotWholeIsNamedAndTakenWhenItIs) {
   ASSERT_TRUE(desk.wait([&] { return is_decided(id); })) << said().toStdString();
   EXPECT_FALSE(said().contains(name)) << said().toStdString();
   EXPECT_TRUE(
-      desk.window.bench().images.image(desk.document().session(), *desk.document().find(id), true).refusal.isEmpty());
+      desk.window.bench().images.image(desk.document().session(), *desk.document().find(id), 0).refusal.isEmpty());
 }
 
 TEST_F(LiveWindow, UndoTakesTheLastArrivalBackAndItStaysAway) {

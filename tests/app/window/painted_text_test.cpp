@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDialog>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QTabBar>
 
 #include "app/window/pages.h"
+#include "app/window/rig_sessions.h"
 #include "temporary_folder.h"
 #include "widgets/robot_view.h"
 
@@ -102,8 +104,43 @@ TEST_P(PaintedTexts, AreWholeAndApartInTheStory) {
   look("keys");
 }
 
+TEST_P(PaintedTexts, AreWholeAndApartInTheWizard) {
+  Desk desk;
+  desk.window.resize(GetParam());
+  desk.press_button("start_new");
+  auto* wizard = desk.window.findChild<QDialog*>("wizard");
+  ASSERT_NE(wizard, nullptr);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(wizard));
+  const auto samples = QString(HANDSIGHT_SOURCE_DIR) + "/sample_sessions";
+  desk.find<QLineEdit>("wizard_robot")->setText(samples + "/robots/six_axis.urdf");
+  desk.find<QLineEdit>("wizard_angles")->setText(samples + "/nowhere.csv");
+  for (int known = 0; known < 7; ++known) {
+    desk.find<QAbstractButton>(("known_" + std::to_string(known)).c_str())->click();
+    QTest::qWait(30);
+    expect_readable(*wizard, "wizard, known " + std::to_string(known));
+  }
+  wizard->reject();
+}
+
+TEST_P(PaintedTexts, AreWholeAndApartWithOneCameraAndWithThree) {
+  for (const int cameras : {1, 3}) {
+    const TemporaryFolder folder;
+    Desk desk;
+    desk.window.resize(GetParam());
+    ASSERT_TRUE(
+        desk.window.open(QString::fromStdString(sample_with_cameras(folder.path, "hidden_3", cameras).string())));
+    for (int workspace = 1; workspace <= 5; ++workspace) {
+      desk.key(Qt::Key_0 + workspace, Qt::ControlModifier);
+      desk.settle();
+      QTest::qWait(30);
+      expect_readable(desk.window, std::to_string(cameras) + " cameras, workspace " + std::to_string(workspace));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, PaintedTexts,
-                         testing::Values(QSize(1366, 768), QSize(1440, 900), QSize(1920, 1080), QSize(2560, 1440)),
+                         testing::Values(QSize(960, 540), QSize(1366, 768), QSize(1440, 900), QSize(1920, 1080),
+                                         QSize(2560, 1440)),
                          [](const auto& one) {
                            return std::to_string(one.param.width()) + "x" + std::to_string(one.param.height());
                          });

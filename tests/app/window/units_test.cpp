@@ -107,10 +107,10 @@ TEST_F(Units, ACornerInMmIsAcrossItsLineOfSight) {
   const auto& bench = desk.window.bench();
   const app::MarkerResidual& m = bench.selected_row()->markers[0];
   desk.window.bench().selection.select(
-      {.observation = bench.selection.current().observation, .marker = m.marker, .camera = app::CameraSide::left});
+      {.observation = bench.selection.current().observation, .marker = m.marker, .camera = 0});
   EXPECT_TRUE(crumb(desk, "crumb_2").endsWith("px"));
   desk.press_button("unit_mm");
-  const double px = (*m.left - *m.predicted_left).norm();
+  const double px = (*m.corners[0].measured - *m.corners[0].predicted).norm();
   const double mm = 1e3 * px * m.predicted_in_sensor.z() / bench.document.session().rig->at(0).camera.fx;
   const QString told = crumb(desk, "crumb_2");
   EXPECT_NEAR(told.section("  ", 1).section(QChar(0x00A0), 0, 0).toDouble(), mm, 0.06 * mm) << told.toStdString();

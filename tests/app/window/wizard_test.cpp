@@ -62,7 +62,12 @@ TEST_F(WizardTest, MakesASessionThatCanBeLabelledAndPlayed) {
   auto* wizard = desk.window.findChild<QDialog*>("wizard");
   ASSERT_NE(wizard, nullptr);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(wizard));
-  const auto fill = [&](const char* name, const QString& with) { desk.type_into(desk.find<QWidget>(name), with); };
+  const auto fill = [&](const char* name, const QString& with) {
+    auto* field = desk.find<QWidget>(name);
+    desk.find<QScrollArea>("wizard_scroll")->ensureWidgetVisible(field);
+    QTest::qWait(10);
+    desk.type_into(field, with);
+  };
   auto* make = desk.find<QAbstractButton>("wizard_make");
   EXPECT_FALSE(make->isEnabled());
   fill("wizard_left", text("left"));
