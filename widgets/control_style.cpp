@@ -45,6 +45,17 @@ void draw_indicator(QPainter& painter, const QStyleOption& option, bool is_round
   painter.restore();
 }
 
+/// Of fields to type in: Fusion's own is darker than a dark window.
+void draw_field_outline(QPainter& painter, const QStyleOption& option) {
+  const Colors& c = colors();
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(option.state & QStyle::State_HasFocus ? c.accent : c.control_edge, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+  painter.restore();
+}
+
 }  // namespace
 
 ControlStyle::ControlStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -57,6 +68,10 @@ void ControlStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* o
       return draw_indicator(*painter, *option, false);
     case PE_IndicatorRadioButton:
       return draw_indicator(*painter, *option, true);
+    case PE_FrameLineEdit:
+      QProxyStyle::drawPrimitive(element, option, painter, widget);
+      if (theme() == ThemeKind::dark) draw_field_outline(*painter, *option);
+      return;
     default:
       QProxyStyle::drawPrimitive(element, option, painter, widget);
   }
@@ -64,6 +79,10 @@ void ControlStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* o
 
 void ControlStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                                       const QWidget* widget) const {
+  if (control == CC_SpinBox && theme() == ThemeKind::dark) {
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    return draw_field_outline(*painter, *option);
+  }
   const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
   if (control != CC_ToolButton || !button) return QProxyStyle::drawComplexControl(control, option, painter, widget);
   QStyleOptionToolButton plain = *button;

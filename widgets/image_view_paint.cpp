@@ -162,8 +162,11 @@ void ImageView::paint_candidates(QPainter& painter) const {
     const double half = is_hovered ? 9 : 7;
     square.addRect(QRectF(at - QPointF(half, half), QSizeF(2 * half, 2 * half)));
     draw_rimmed_path(painter, square, QPen(colors_of(ThemeKind::dark).accent, candidate.is_taken ? 2.5 : 1.2));
-    if (candidate.is_taken || is_hovered)
-      draw_plate(painter, at + QPointF(14, 12), candidate.label, colors().ink1, colors().panel);
+    if (!candidate.is_taken && !is_hovered) continue;
+    // Beside it, on the side that has room.
+    const double wide = painter.fontMetrics().horizontalAdvance(candidate.label) + 8.0;
+    const double left = at.x() + 14 + wide > width() ? at.x() - 14 - wide : at.x() + 14;
+    draw_plate(painter, QPointF(left, at.y() + 12), candidate.label, colors().ink1, colors().panel);
   }
 }
 

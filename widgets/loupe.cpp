@@ -112,7 +112,11 @@ void Loupe::paintEvent(QPaintEvent*) {
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
   const QRectF head(kGap, 0, width() - 2 * kGap, 20);
-  draw_text(painter, head, Qt::AlignLeft | Qt::AlignVCenter, title_);
+  const QString where = center_ && !image_.isNull()
+                            ? QStringLiteral("8 ×   %1, %2").arg(center_->x(), 0, 'f', 1).arg(center_->y(), 0, 'f', 1)
+                            : QString();
+  const double taken = where.isEmpty() ? 0 : QFontMetricsF(painter.font()).horizontalAdvance(where) + kGap;
+  draw_text(painter, head.adjusted(0, 0, -taken, 0), Qt::AlignLeft | Qt::AlignVCenter, title_);
   const QRectF foot(kGap, height() - 20.0, width() - 2 * kGap, 20);
   draw_text(painter, foot, Qt::AlignLeft | Qt::AlignVCenter, hints_);
   const QRectF body(0, 20, width(), height() - 40.0);
@@ -122,8 +126,7 @@ void Loupe::paintEvent(QPaintEvent*) {
     return;
   }
   painter.setPen(c.ink2);
-  draw_text(painter, head, Qt::AlignRight | Qt::AlignVCenter,
-            QStringLiteral("8 ×   %1, %2").arg(center_->x(), 0, 'f', 1).arg(center_->y(), 0, 'f', 1));
+  draw_text(painter, head, Qt::AlignRight | Qt::AlignVCenter, where);
   paint_loupe(painter, body, image_, *center_, kTimes);
   if (mark_) {
     const QPointF at(body.center().x() + (mark_->x() - center_->x()) * kTimes,

@@ -17,6 +17,17 @@
 #include "widgets/theme.h"
 
 namespace handsight::widgets {
+namespace {
+
+/// Numbers at axes with the same minus as everywhere else.
+class MinusTicker : public QCPAxisTicker {
+ protected:
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    return QCPAxisTicker::getTickLabel(tick, locale, format, precision).replace(QChar('-'), QChar(0x2212));
+  }
+};
+
+}  // namespace
 
 PlotWidget::PlotWidget(QWidget* parent)
     : QWidget(parent), plot_(new QCustomPlot(this)), empty_text_(QObject::tr("Nothing to plot yet.")) {
@@ -31,6 +42,7 @@ PlotWidget::PlotWidget(QWidget* parent)
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setContextMenuPolicy(Qt::CustomContextMenu);
   plot_->axisRect()->setMinimumMargins(QMargins(8, 4, 10, 6));
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setTicker(QSharedPointer<MinusTicker>::create());
   plot_->installEventFilter(this);
   connect(plot_, &QCustomPlot::afterReplot, this, [this] { is_drawn_ = true; });
   connect(plot_, &QCustomPlot::afterLayout, this, &PlotWidget::shorten_title);

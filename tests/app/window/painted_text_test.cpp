@@ -78,6 +78,13 @@ TEST_P(PaintedTexts, AreWholeAndApartInTheStory) {
   look("start");
   ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of_sample(folder.path, "first_steps").string())));
   look("label");
+  LabelPage label{desk};
+  ASSERT_TRUE(label.corners_are_found());
+  // In images of a thumb's size the numbers of near markers lie over each other.
+  if (GetParam().width() > 1200) {
+    for (const Vector2& px : {Vector2(421, 338), Vector2(408, 411), Vector2(473, 378)}) label.click_left(px);
+    look("label, three markers");
+  }
   const auto go = [&](int n) { desk.key(Qt::Key_0 + n, Qt::ControlModifier); };
   go(2);
   look("calibrate, nothing played");
