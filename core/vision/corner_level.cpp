@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kSame = 2;       // px: nearer ones are the same
 constexpr double kBlurred = 1.5;  // px, of a corner that may have neighbours too blurred for this image
-constexpr double kFewToCentre = 1;
-constexpr double kFew = 4;  // more saddles near that are none than are corners: few enough to look again
+// More saddles near that are none than are corners: few enough to look again, and to look elsewhere too.
+constexpr double kFew = 4, kFewToCentre = 1;
 
 // Log-odds that a corner without a neighbour on a board must have, where it is found in a coarser image only: what is
 // out of focus behind makes many that look like it.

@@ -17,10 +17,11 @@ constexpr double kMostAsymmetry = 0.3;  // half contrasts, beyond what the noise
 
 constexpr double kLikelyShade = 0.005;   // 1/px: light that changes faster may be a shadow's edge
 constexpr double kLeastOfShadow = 0.03;  // contrasts: opposite points differ by more where there is a shadow
-constexpr double kUsualShade = 0.005, kDoubtfulShade = 0.0015;  // 1/px
-constexpr double kOddsOfShadow = 2;       // log-odds: with four unknowns more much looks like a corner
-constexpr double kNearShadow = 4;         // px: a shadow's edge nearer than that is hard to tell from the corner's own
-constexpr double kShadowVariance = 1.25;  // what straight soft edges leave unsaid of real ones
+constexpr double kUsualShade = 0.005,
+                 kDoubtfulShade = 0.0015;  // 1/px: light's own; what beyond it doubles the variance
+constexpr double kOddsOfShadow = 2;        // log-odds: with four unknowns more much looks like a corner
+constexpr double kNearShadow = 4;          // px: a shadow's edge nearer than that is hard to tell from the corner's own
+constexpr double kShadowVariance = 1.25;   // what straight soft edges leave unsaid of real ones
 
 double in_half_turn(double angle) {
   const double turned = std::fmod(angle, M_PI);
