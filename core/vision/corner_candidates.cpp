@@ -2,9 +2,11 @@
 #include "vision/corner_candidates.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 
 #include "vision/corner_lanes.h"
 
@@ -14,14 +16,24 @@ namespace {
 // Everything here happens at half the resolution: the sum of 2 x 2 pixels and a binomial of variance 1 act like a
 // Gaussian of 2.06 px on the image, which wins over the noise of 8 grey levels at a contrast of 40, in a quarter of
 // the time.
-struct Plane {
-  int width = 0, height = 0;
-  std::vector<std::int16_t> values;
-  std::int16_t* row(int y) { return values.data() + static_cast<std::size_t>(y) * width; }
-  const std::int16_t* row(int y) const { return values.data() + static_cast<std::size_t>(y) * width; }
-};
+// Rows come and go, so that all stays in the nearest cache.
+template <class Value, int kRows>
+class Ring {
+ public:
+  explicit Ring(int width) : stride_(width + 2 * kLanes), values_(static_cast<std::size_t>(kRows) * stride_, 0) {}
+  Value* row(int y) { return values_.data() + static_cast<std::size_t>(y % kRows) * stride_; }
 
-constexpr double kNear = 1.5, kFarthest = 5;  // half-resolution px, from the peak to where the gradient vanishes
+ private:
+  int stride_;
+  std::vector<Value> values_;
+};
+using Sums = Ring<std::int16_t, 5>;
+using Smoothed = Ring<std::int16_t, 4>;
+using Saddles = Ring<float, 3>;
+
+constexpr float kNear = 1.5f, kFarthest = 5;  // half-resolution px, from the peak to where the gradient vanishes
+constexpr int kTile = 128;                    // px
+constexpr std::size_t kMostOfTile = 400;      // a board of cells of 6 px has as many
 constexpr float kUnit = 16;                   // of the smoothed plane, per grey level
 
 HANDSIGHT_LANES void add_pairs(const std::uint8_t* upper, const std::uint8_t* lower, int count, std::int16_t* sums) {
@@ -33,11 +45,8 @@ HANDSIGHT_LANES void add_pairs(const std::uint8_t* upper, const std::uint8_t* lo
   }
 }
 
-Plane half_resolution(const Image& image) {
-  Plane half{image.width / 2, image.height / 2, {}};
-  half.values.resize(static_cast<std::size_t>(half.width) * half.height);
-  for (int y = 0; y < half.height; ++y) add_pairs(image.row(2 * y), image.row(2 * y + 1), half.width, half.row(y));
-  return half;
+HANDSIGHT_LANES void mean_of_sums(const std::int16_t* sums, int count, std::uint8_t* means) {
+  for (int x = 0; x < count; ++x) means[x] = static_cast<std::uint8_t>((sums[x] + 2) >> 2);
 }
 
 // The binomial 1 4 6 4 1 down and across; every intermediate fits 16 bits. Two columns at each side stay as they are.
@@ -51,18 +60,6 @@ HANDSIGHT_LANES void smooth_row(const std::int16_t* const* rows, int width, std:
         static_cast<std::uint16_t>(sums[x - 2] + sums[x + 2] + 4 * (sums[x - 1] + sums[x + 1]) + 6 * sums[x]) >> 4);
 }
 
-// Two rows and columns at each side stay 0.
-Plane smoothed(const Plane& half) {
-  Plane out{half.width, half.height, std::vector<std::int16_t>(half.values.size())};
-  std::vector<std::uint16_t> sums(half.width);
-  for (int y = 2; y + 2 < half.height; ++y) {
-    const std::int16_t* const rows[5] = {half.row(y - 2), half.row(y - 1), half.row(y), half.row(y + 1),
-                                         half.row(y + 2)};
-    smooth_row(rows, half.width, sums.data(), out.row(y));
-  }
-  return out;
-}
-
 HANDSIGHT_LANES void saddle_row(const std::int16_t* up, const std::int16_t* at, const std::int16_t* down, int width,
                                 float* saddle) {
   for (int x = 1; x < width - 1; ++x) {
@@ -74,14 +71,12 @@ HANDSIGHT_LANES void saddle_row(const std::int16_t* up, const std::int16_t* at, 
   }
 }
 
-void saddle_row(const Plane& plane, int y, float* saddle) {
-  saddle_row(plane.row(y - 1), plane.row(y), plane.row(y + 1), plane.width, saddle);
-}
-
-// Not 0 where `at` is a peak above `least`; of equals the upper one is one, then the left one. Eight at a time: reads 8
-// more than `count`.
+// Of each group of eight a bit for each column where `at` is a peak above `least`; of equals the upper one is one, then
+// the left one. Reads up to 8 more than `count`.
 HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* down, int count, float least,
-                                std::int32_t* peaks) {
+                                std::uint8_t* groups) {
+  constexpr Whole kBit{1, 2, 4, 8, 16, 32, 64, 128};
+  using FourWhole = std::int32_t __attribute__((vector_size(16)));
   for (int x = 0; x < count; x += kLanes) {
     Lanes s, other;
     load(at + x, s);
@@ -92,73 +87,106 @@ HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* d
       load(up + x + i, other), is_peak &= s > other;
       load(down + x + i, other), is_peak &= s >= other;
     }
-    std::memcpy(peaks + x, &is_peak, sizeof is_peak);
+    const Whole bits = is_peak & kBit;
+    FourWhole four, high;
+    std::memcpy(&four, &bits, sizeof four);
+    std::memcpy(&high, reinterpret_cast<const char*>(&bits) + sizeof four, sizeof high);
+    four |= high, four |= __builtin_shufflevector(four, four, 2, 3, 0, 1);
+    groups[x / kLanes] = static_cast<std::uint8_t>(four[0] | four[1]);
   }
 }
 
-// Calls act(x) for those that are not 0: few, so that four at a time are passed over.
+// Calls act(x) for each column below `count` whose bit is set: few, so that 64 at a time are passed over. There are 7
+// groups more.
 template <class Act>
-void each_peak(const std::int32_t* peaks, int count, const Act& act) {
-  for (int x = 0; x < count; x += 4) {
-    std::uint64_t four[2];
-    std::memcpy(four, peaks + x, sizeof four);
-    if (!(four[0] | four[1])) continue;
-    for (int i = x; i < std::min(x + 4, count); ++i)
-      if (peaks[i]) act(i);
+void each_peak(const std::uint8_t* groups, int count, const Act& act) {
+  for (int x = 0; x < count; x += 8 * kLanes) {
+    std::uint64_t bits;  // the first group's lowest
+    std::memcpy(&bits, groups + x / kLanes, sizeof bits);
+    if constexpr (std::endian::native == std::endian::big) bits = __builtin_bswap64(bits);
+    for (; bits != 0; bits &= bits - 1)
+      if (const int column = x + std::countr_zero(bits); column < count) act(column);
   }
 }
 
 // One Newton step to where the gradient vanishes; false where that is not near.
-bool saddle_point(const Plane& plane, int x, int y, float saddle, Candidate& candidate) {
-  const std::int16_t *up = plane.row(y - 1), *at = plane.row(y), *down = plane.row(y + 1);
-  const double gx = 0.5 * (at[x + 1] - at[x - 1]), gy = 0.5 * (down[x] - up[x]);
-  const double xx = at[x - 1] + at[x + 1] - 2 * at[x], yy = up[x] + down[x] - 2 * at[x];
-  const double xy = 0.25 * (up[x - 1] + down[x + 1] - up[x + 1] - down[x - 1]);
-  double dx = (yy * gx - xy * gy) / saddle, dy = (xx * gy - xy * gx) / saddle;
-  const double far = std::max(std::abs(dx), std::abs(dy));
-  if (far > kFarthest) return false;
+bool saddle_point(Smoothed& smoothed, int x, int y, float saddle, Candidate& candidate) {
+  const std::int16_t *up = smoothed.row(y - 1), *at = smoothed.row(y), *down = smoothed.row(y + 1);
+  const int twice = 2 * at[x];
+  const auto gx = static_cast<float>(at[x + 1] - at[x - 1]), gy = static_cast<float>(down[x] - up[x]);
+  const auto xx = static_cast<float>(at[x - 1] + at[x + 1] - twice), yy = static_cast<float>(up[x] + down[x] - twice);
+  const float xy = 0.25f * static_cast<float>(up[x - 1] + down[x + 1] - up[x + 1] - down[x - 1]);
+  const float half = 0.5f / saddle;
+  float dx = half * (yy * gx - xy * gy), dy = half * (xx * gy - xy * gx);
+  const float far = std::max(std::abs(dx), std::abs(dy));
+  if (!(far <= kFarthest)) return false;
   candidate.stationary = far <= kNear;
   if (!candidate.stationary) dx = dy = 0;  // a shadow's edge moves the point where the gradient vanishes, not the peak
-  candidate.position = {2 * (x + dx) + 0.5, 2 * (y + dy) + 0.5};
+  candidate.position = {2 * (x + static_cast<double>(dx)) + 0.5, 2 * (y + static_cast<double>(dy)) + 0.5};
   const float full = 0.25f / kUnit;  // half-resolution units to grey levels per px^2
   candidate.saddle = saddle * full * full;
   return true;
 }
 
+// Row by row as they are, the strongest of each tile.
+void keep_strongest(int width, std::vector<Candidate>& candidates) {
+  if (candidates.size() <= kMostOfTile) return;
+  const int across = width / kTile + 1;
+  const auto tile = [&](const Candidate& c) {
+    return static_cast<std::size_t>(static_cast<int>(c.position.y()) / kTile * across +
+                                    static_cast<int>(c.position.x()) / kTile);
+  };
+  std::vector<std::vector<float>> depths(tile(candidates.back()) + static_cast<std::size_t>(2 * across));
+  for (const Candidate& c : candidates) depths[tile(c)].push_back(c.saddle);
+  std::vector<float> least(depths.size(), 0);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (depths[i].size() <= kMostOfTile) continue;
+    std::nth_element(depths[i].begin(), depths[i].begin() + kMostOfTile, depths[i].end(), std::greater<>());
+    least[i] = depths[i][kMostOfTile];
+  }
+  std::erase_if(candidates, [&](const Candidate& c) { return c.saddle < least[tile(c)]; });
+}
+
 }  // namespace
 
-std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, int most) {
+std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half) {
   std::vector<Candidate> candidates;
+  const int width = image.width / 2, height = image.height / 2;
+  if (half) *half = Image(width, height);
   if (image.width < 14 || image.height < 14) return candidates;
-  const Plane plane = smoothed(half_resolution(image));
   // Ixy of a right-angled X-corner is 0.637 b / (2.06^2 + blur^2) at half contrast b, a quarter of that per
   // half-resolution px^2; 0.075 of the contrast is what one of 2.5 px blur has left at 53 deg, less 3 sigma of noise.
   // Noise of sigma 1 leaves 0.062 in Ixy.
   const float least = static_cast<float>(std::pow(kUnit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
-  const int w = plane.width;
-  const int stride = w + 2 * kLanes;
-  std::vector<float> rows(3 * static_cast<std::size_t>(stride), 0.f);
-  std::vector<std::int32_t> peaks(stride);
-  float *up = rows.data(), *at = up + stride, *down = at + stride;
-  saddle_row(plane, 3, at);
-  for (int y = 3; y + 3 < plane.height; ++y) {
-    if (y + 4 < plane.height)
-      saddle_row(plane, y + 1, down);
-    else
-      std::fill(down, down + w, 0.f);
-    find_peaks(up + 3, at + 3, down + 3, w - 6, least, peaks.data() + 3);
-    each_peak(peaks.data() + 3, w - 6, [&](int n) {
+  candidates.reserve(static_cast<std::size_t>(width) * height / 64);
+  Sums sums(width);
+  Smoothed smoothed(width);
+  Saddles saddles(width);
+  std::vector<std::uint16_t> column_sums(width);
+  std::vector<std::uint8_t> peaks(static_cast<std::size_t>(width) / kLanes + 1 + sizeof(std::uint64_t), 0);
+  const auto find_in_row = [&](int y) {
+    const float* const at = saddles.row(y) + 3;
+    find_peaks(saddles.row(y - 1) + 3, at, saddles.row(y + 1) + 3, width - 6, least, peaks.data());
+    each_peak(peaks.data(), width - 6, [&](int n) {
       Candidate candidate;
-      if (saddle_point(plane, n + 3, y, at[n + 3], candidate)) candidates.push_back(candidate);
+      if (saddle_point(smoothed, n + 3, y, at[n], candidate)) candidates.push_back(candidate);
     });
-    float* const old = up;
-    up = at, at = down, down = old;
+  };
+  // Two smoothed rows and columns and three rows of saddles at each side do not exist: they stay 0.
+  for (int y = 0; y < height; ++y) {
+    add_pairs(image.row(2 * y), image.row(2 * y + 1), width, sums.row(y));
+    if (half) mean_of_sums(sums.row(y), width, half->row(y));
+    if (y < 4) continue;
+    const std::int16_t* const rows[5] = {sums.row(y - 4), sums.row(y - 3), sums.row(y - 2), sums.row(y - 1),
+                                         sums.row(y)};
+    smooth_row(rows, width, column_sums.data(), smoothed.row(y - 2));
+    if (y < 6) continue;
+    saddle_row(smoothed.row(y - 4), smoothed.row(y - 3), smoothed.row(y - 2), width, saddles.row(y - 3));
+    if (y > 6) find_in_row(y - 4);
   }
-  if (static_cast<int>(candidates.size()) > most) {
-    const auto stronger = [](const Candidate& a, const Candidate& b) { return a.saddle > b.saddle; };
-    std::stable_sort(candidates.begin(), candidates.end(), stronger);
-    candidates.resize(most);
-  }
+  std::fill(saddles.row(height - 3), saddles.row(height - 3) + width, 0.f);
+  find_in_row(height - 4);
+  keep_strongest(image.width, candidates);
   return candidates;
 }
 

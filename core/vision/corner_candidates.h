@@ -18,7 +18,8 @@ struct Candidate {
 
 /// Saddle points of the image smoothed by a Gaussian of about 2 px: Ixx Iyy - Ixy^2 < 0 has a local minimum there
 /// that is deep enough for an X-corner of `min_contrast` grey levels under a blur of 2.5 px, and deeper than white
-/// noise of sigma `noise` grey levels makes them. Row by row; where there are more than `most` the strongest.
-std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, int most);
+/// noise of sigma `noise` grey levels makes them. Row by row; of each tile of 128 x 128 px the strongest 400 at most.
+/// `half`, if given, becomes the image at half the resolution: the rounded mean of 2 x 2 pixels.
+std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half = nullptr);
 
 }  // namespace handsight

@@ -87,6 +87,19 @@ HANDSIGHT_INLINE void erf_and_bell(const Vector& x, Vector& erf, Vector& bell) {
   erf = x < 0.f ? -value : value;
 }
 
+// Two at once share the division.
+template <class Vector>
+HANDSIGHT_INLINE void erfs_and_bells(const Vector& x, const Vector& y, Vector& erf_x, Vector& bell_x, Vector& erf_y,
+                                     Vector& bell_y) {
+  const Vector a = x < 0.f ? -x : x, b = y < 0.f ? -y : y;
+  exp_minus(a * a, bell_x), exp_minus(b * b, bell_y);
+  const Vector over_a = 1.f + 0.47047f * a, over_b = 1.f + 0.47047f * b, both = 1.f / (over_a * over_b);
+  const Vector s = both * over_b, t = both * over_a;
+  const Vector value_x = 1.f - s * (0.3480242f + s * (0.7478556f * s - 0.0958798f)) * bell_x;
+  const Vector value_y = 1.f - t * (0.3480242f + t * (0.7478556f * t - 0.0958798f)) * bell_y;
+  erf_x = x < 0.f ? -value_x : value_x, erf_y = y < 0.f ? -value_y : value_y;
+}
+
 // A sum over groups of 16, in which each lane of its own adds up every 16th: in two parts or in one.
 template <class Vector>
 struct Sum {

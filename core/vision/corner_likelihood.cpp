@@ -131,23 +131,31 @@ double SaddleField::others(const Candidate& candidate) const {
   return more;
 }
 
-std::vector<int> SaddleField::at(const Eigen::Vector2d& position) const {
-  std::vector<int> numbers;
+SaddleField::Few SaddleField::at(const Eigen::Vector2d& position) const {
+  Few few;
   const auto u = static_cast<float>(position.x()), v = static_cast<float>(position.y());
   each_row_round(position, kSame, [&](int begin, int end) {
     for (int n = begin; n < end; ++n) {
       const float x = u_[n] - u, y = v_[n] - v;
-      if (x * x + y * y < kSame * kSame) numbers.push_back(n);
+      if (x * x + y * y < kSame * kSame && few.count < few.numbers.size()) few.numbers[few.count++] = n;
     }
   });
-  return numbers;
+  return few;
 }
 
-void SaddleField::set_probability(const std::vector<int>& numbers, double probability) {
+bool SaddleField::has_near(const Eigen::Vector2d& position, double distance) const {
+  bool has = false;
+  each_row_round(position, distance, [&](int begin, int end) {
+    for (int n = begin; n < end && !has; ++n) has = within({u_[n], v_[n]}, position, distance);
+  });
+  return has;
+}
+
+void SaddleField::set_probability(std::span<const int> numbers, double probability) {
   for (const int n : numbers) says_[n] = static_cast<float>(1 - 2 * probability);
 }
 
-int SaddleField::counted(const std::vector<int>& numbers, const Candidate& candidate) const {
+int SaddleField::counted(std::span<const int> numbers, const Candidate& candidate) const {
   return static_cast<int>(std::count_if(numbers.begin(), numbers.end(), [&](int n) {
     const Eigen::Vector2d at(u_[n], v_[n]);
     return depth_[n] >= kAsDeep * candidate.saddle && within(at, candidate.position, kNear) &&
@@ -170,8 +178,10 @@ std::vector<double> board_signs(const std::vector<Suspect>& suspects) {
 void weigh(std::vector<Suspect>& suspects, SaddleField& field) {
   // Who speaks for a saddle that two were fitted to: the last.
   std::vector<int> owner(field.size(), -1);
-  for (std::size_t i = 0; i < suspects.size(); ++i)
-    for (const int n : field.at(suspects[i].position)) owner[n] = static_cast<int>(i);
+  for (std::size_t i = 0; i < suspects.size(); ++i) {
+    const auto few = field.at(suspects[i].position);
+    for (const int n : std::span<const int>(few)) owner[n] = static_cast<int>(i);
+  }
   std::vector<std::vector<int>> own(suspects.size());
   for (int n = 0; n < field.size(); ++n)
     if (owner[n] >= 0) own[owner[n]].push_back(n);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "vision/corner_candidates.h"
@@ -31,11 +32,19 @@ class SaddleField {
   /// By how many more of the saddles within 40 px of `candidate` and at least half as steep, itself left out, are no
   /// corners than are, as far as is known.
   double others(const Candidate& candidate) const;
-  /// Numbers of the saddles that are the one at `position` (px).
-  std::vector<int> at(const Eigen::Vector2d& position) const;
-  void set_probability(const std::vector<int>& numbers, double probability);
+  /// Numbers of some saddles, few enough to need no memory of their own.
+  struct Few {
+    std::array<int, 8> numbers;
+    std::size_t count = 0;
+    operator std::span<const int>() const { return {numbers.data(), count}; }
+  };
+  /// The saddles that are the one at `position` (px).
+  Few at(const Eigen::Vector2d& position) const;
+  /// Whether a saddle is within `distance` px, 40 at most.
+  bool has_near(const Eigen::Vector2d& position, double distance) const;
+  void set_probability(std::span<const int> numbers, double probability);
   /// How many of the saddles with these numbers `others` counts.
-  int counted(const std::vector<int>& numbers, const Candidate& candidate) const;
+  int counted(std::span<const int> numbers, const Candidate& candidate) const;
   int size() const { return first_.back(); }
 
  private:
@@ -55,6 +64,7 @@ struct Suspect {
   std::array<double, 2> edges{};                       // rad
   double half_contrast = 0;                            // grey levels
   double own = 0, log_odds = 0;                        // alone, and among the others
+  double blur = 0;                                     // px
 };
 
 /// Whether a saddle is of a board, 0 to 1: by how many others within 40 px have edges along its own and half or twice
@@ -69,6 +79,6 @@ double log_odds_among(double own, double others, double board = 0);
 void weigh(std::vector<Suspect>& suspects, SaddleField& field);
 
 /// What is reported has more.
-constexpr double kLeastLogOdds = -3.5;
+constexpr double kLeastLogOdds = -2.9;
 
 }  // namespace handsight

@@ -172,7 +172,7 @@ struct ShadowStage {
   Patience patience;
 };
 constexpr std::array<ShadowStage, 3> kShadowStages{
-    {{false, 2.25, {3, 1.2, 0.8}}, {false, 1.2, {5, 1, 0.4}}, {true, 1, {5, 1, 1}}}};
+    {{false, 2.25, {3, 1.2, 0.5}}, {false, 1.2, {5, 1, 0.4}}, {true, 1, {5, 1, 1}}}};
 
 // Bounds beyond what X-corners of 8 px cells show at 60 deg and 2.5 px of blur. Over the first disc blur and contrast
 // are hard to tell from each other, so there they are `loose`.

@@ -8,25 +8,24 @@
 
 namespace handsight {
 
-double image_noise(const Image& image) {
-  constexpr double kPlaces = 4000;
+double image_noise(const Image& image, int places) {
   constexpr double kUpperQuartile = 1.1503;  // of |x| where x is normal with sigma 1
   constexpr int kMostRest = 8 * 255;
   constexpr double kMaskNorm = 6;  // root of the sum of the mask's squares
   if (image.width < 3 || image.height < 3) return 0;
   const double pixels = static_cast<double>(image.width) * image.height;
-  const int stride = std::max(1, static_cast<int>(std::sqrt(pixels / kPlaces)));
-  std::vector<int> places(kMostRest + 1, 0);  // by how large the rest is there
+  const int stride = std::max(1, static_cast<int>(std::sqrt(pixels / places)));
+  std::vector<int> counts(kMostRest + 1, 0);  // by how large the rest is there
   int all = 0;
   for (int v = 1; v + 1 < image.height; v += stride) {
     const std::uint8_t *up = image.row(v - 1), *at = image.row(v), *down = image.row(v + 1);
     for (int u = 1; u + 1 < image.width; u += stride)
-      ++places[std::abs(up[u - 1] + up[u + 1] + down[u - 1] + down[u + 1] -
+      ++counts[std::abs(up[u - 1] + up[u + 1] + down[u - 1] + down[u + 1] -
                         2 * (up[u] + at[u - 1] + at[u + 1] + down[u]) + 4 * at[u])],
           ++all;
   }
   int rest = -1;
-  for (int below = 0; below <= all * 3 / 4; below += places[rest]) ++rest;
+  for (int below = 0; below <= all * 3 / 4; below += counts[rest]) ++rest;
   return rest / (kUpperQuartile * kMaskNorm);
 }
 

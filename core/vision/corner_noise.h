@@ -5,9 +5,9 @@
 
 namespace handsight {
 
-/// Grey levels, sigma of the white noise of a pixel: the upper quartile over some thousand places of what is left
+/// Grey levels, sigma of the white noise of a pixel: the upper quartile over about so many places of what is left
 /// after planes and straight steps along rows and columns, by the mask 1 -2 1, -2 4 -2, 1 -2 1 (Immerkaer, Fast noise
 /// variance estimation, 1996). Texture makes it too large, never too small. 0 where the image is below 3 x 3 px.
-double image_noise(const Image& image);
+double image_noise(const Image& image, int places = 4000);
 
 }  // namespace handsight

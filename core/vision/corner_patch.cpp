@@ -13,6 +13,8 @@ namespace handsight {
 namespace {
 
 constexpr double kSharp = 0.7;  // px, of blur: below it the pixel's own shape matters
+// Grey levels beyond which a pixel may be cut off; JPEG spreads the limit a little.
+constexpr int kWhite = 249, kBlack = 2;
 
 // Offsets from the central pixel, nearest first: the first count[r] of them are the disc of r px without its four
 // outermost pixels. Those have no weight in a fit with a rim half a pixel inside, wherever in its pixel the corner is,
@@ -50,6 +52,18 @@ const Disc& disc() {
   return made;
 }
 
+// From the central pixel to all others, in an image of this width; most patches follow others of the same image.
+const int* offsets_in(int width) {
+  thread_local int last = 0;
+  thread_local std::array<int, kMostPatchPixels> offsets;
+  if (width != last) {
+    const Disc& d = disc();
+    for (std::size_t n = 0; n < d.offsets.size(); ++n) offsets[n] = d.v_whole[n] * width + d.u_whole[n];
+    last = width;
+  }
+  return offsets.data();
+}
+
 // A blurred edge at distance d: its value in -1 to 1 and its derivatives by d and by the blur.
 template <class Vector>
 struct Edge {
@@ -63,10 +77,10 @@ struct SmoothEdge {  // lens and pixel together as one Gaussian
         slope_scale(static_cast<float>(M_2_SQRTPI * M_SQRT1_2 / blur)),
         per_blur(static_cast<float>(-1 / blur)) {}
   template <class Vector>
-  HANDSIGHT_INLINE void operator()(const Vector& d, Edge<Vector>& edge) const {
-    erf_and_bell(scale * d, edge.value, edge.slope);
-    edge.slope *= slope_scale;
-    edge.spread = d * edge.slope * per_blur;
+  HANDSIGHT_INLINE void operator()(const Vector& d, const Vector& e, Edge<Vector>& one, Edge<Vector>& other) const {
+    erfs_and_bells<Vector>(scale * d, scale * e, one.value, one.slope, other.value, other.slope);
+    one.slope *= slope_scale, other.slope *= slope_scale;
+    one.spread = d * one.slope * per_blur, other.spread = e * other.slope * per_blur;
   }
 };
 
@@ -80,7 +94,11 @@ struct SharpEdge {
     spread_scale = static_cast<float>(M_SQRT1_2 * M_2_SQRTPI * blur / lens);
   }
   template <class Vector>
-  HANDSIGHT_INLINE void operator()(const Vector& d, Edge<Vector>& edge) const {
+  HANDSIGHT_INLINE void operator()(const Vector& d, const Vector& e, Edge<Vector>& one, Edge<Vector>& other) const {
+    edge_at(d, one), edge_at(e, other);
+  }
+  template <class Vector>
+  HANDSIGHT_INLINE void edge_at(const Vector& d, Edge<Vector>& edge) const {
     const Vector before = d - 0.5f, after = d + 0.5f;
     Vector f0, f1, g0, g1;
     erf_and_bell(scale * before, f0, g0);
@@ -119,8 +137,8 @@ HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, 
     w = w < zero ? zero : w;
     w = w > one ? one : w;
     Edge<Vector> a, b;
-    shape(c.c1 * y - c.s1 * x, a);
-    shape(c.c2 * y - c.s2 * x, b);
+    const Vector d = c.c1 * y - c.s1 * x, e = c.c2 * y - c.s2 * x;
+    shape(d, e, a, b);
     const Vector f = a.value * b.value, base = w * (c.level + c.half * f);
     store(w, &patch.weight[n]);
     store(w * value - (1.f + c.hu * x + c.hv * y) * base, &patch.residual[n]);
@@ -172,6 +190,40 @@ HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, C
     store(steep * beyond * c.per_softness, &patch.shadow[3][n]);
     for (CornerPatch::Row& row : patch.odd) load(&row[n], value), store(light * value, &row[n]);
     for (CornerPatch::Row& row : patch.even) load(&row[n], value), store(light * value, &row[n]);
+  }
+}
+
+// Grey levels as numbers; whether any is cut off.
+HANDSIGHT_LANES bool as_values(const std::uint8_t* pixels, int count, float* values) {
+  int clipped = 0;
+  for (int n = 0; n < count; ++n) {
+    values[n] = pixels[n];
+    clipped += (pixels[n] > kWhite) | (pixels[n] < kBlack);
+  }
+  return clipped > 0;
+}
+
+// What the sensor cuts off says no more than that there is at least as much, or as little: where the model agrees the
+// pixel has no weight.
+HANDSIGHT_LANES void leave_out_clipped(bool has_shadow, int begin, int end, CornerPatch& patch) {
+  for (int n = begin; n < end; n += kLanes) {
+    Lanes value, beyond, row, zero{};
+    load(&patch.value[n], value), load(&patch.residual[n], beyond);
+    const Whole left_out = ((value > static_cast<float>(kWhite)) & (beyond < 0.f)) |
+                           ((value < static_cast<float>(kBlack)) & (beyond > 0.f));
+    std::uint64_t any[kLanes / 2];
+    std::memcpy(any, &left_out, sizeof any);
+    if (!(any[0] | any[1] | any[2] | any[3])) continue;
+    const auto keep = [&](CornerPatch::Row& all) {
+      load(&all[n], row);
+      row = left_out ? zero : row;
+      store(row, &all[n]);
+    };
+    keep(patch.weight), keep(patch.residual);
+    for (CornerPatch::Row& all : patch.odd) keep(all);
+    for (CornerPatch::Row& all : patch.even) keep(all);
+    for (CornerPatch::Row& all : patch.shadow)
+      if (has_shadow) keep(all);
   }
 }
 
@@ -268,6 +320,9 @@ int pixels_in_disc(int radius) { return disc().count[radius]; }
 
 Eigen::Vector2i offset_of_pixel(int number) { return {disc().offsets[number][0], disc().offsets[number][1]}; }
 
+const float* pixel_columns() { return disc().u.data(); }
+const float* pixel_rows() { return disc().v.data(); }
+
 void gather(const Image& image, const Eigen::Vector2i& centre, int radius, CornerPatch& patch) {
   const Disc& d = disc();
   patch.count = d.count[radius];
@@ -277,7 +332,11 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   if (there >= patch.count) return;
   patch.centre = centre, patch.gathered = radius;
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
-  for (int n = there; n < patch.count; ++n) patch.value[n] = middle[d.v_whole[n] * image.width + d.u_whole[n]];
+  const int* const offsets = offsets_in(image.width);
+  std::array<std::uint8_t, kMostPatchPixels> pixels;
+  for (int n = there; n < patch.count; ++n) pixels[n] = middle[offsets[n]];
+  const bool is_clipped = as_values(&pixels[there], patch.count - there, &patch.value[there]);
+  patch.is_clipped = (there > 0 && patch.is_clipped) || is_clipped;
   for (int n = patch.count; n < patch.padded; ++n) patch.value[n] = 0;
 }
 
@@ -288,13 +347,15 @@ void evaluate(const CornerModel& model, double radius, int begin, int end, Corne
     (has_wide_lanes() ? sharp_in_wide : sharp_in_lanes)(SharpEdge(model.blur), constants, begin, end, patch);
   else
     (has_wide_lanes() ? smooth_in_wide : smooth_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
-  if (!has_shadow(model)) return;
-  const ShadowConstants shadow(model.shadow, model.position - patch.centre.cast<double>());
-  (has_wide_lanes() ? shade_in_wide : shade_in_lanes)(shadow, begin, end, patch);
+  if (has_shadow(model)) {
+    const ShadowConstants shadow(model.shadow, model.position - patch.centre.cast<double>());
+    (has_wide_lanes() ? shade_in_wide : shade_in_lanes)(shadow, begin, end, patch);
+  }
+  if (patch.is_clipped) leave_out_clipped(has_shadow(model), begin, end, patch);
 }
 
 void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch) {
-  if (has_shadow(model) || model.blur < kSharp) return evaluate(model, radius, begin, end, patch);
+  if (has_shadow(model) || model.blur < kSharp || patch.is_clipped) return evaluate(model, radius, begin, end, patch);
   end = in_groups(end);
   const Constants constants(model, patch.centre, radius);
   (has_wide_lanes() ? residuals_in_wide : residuals_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
@@ -310,6 +371,17 @@ PatchSums sums(const CornerPatch& patch) {
   result.squares = even[20];
   result.weights = result.even[9];  // level with level
   return result;
+}
+
+HANDSIGHT_LANES float squared_weights(const CornerPatch& patch) {
+  constexpr Lanes kNumber{0, 1, 2, 3, 4, 5, 6, 7};
+  Lanes sum{}, weight, zero{};
+  for (int n = 0; n < patch.padded; n += kLanes) {
+    load(&patch.weight[n], weight);
+    weight = kNumber < static_cast<float>(patch.count - n) ? weight : zero;
+    sum += weight * weight;
+  }
+  return total(sum);
 }
 
 std::array<float, 10> odd_sums(const CornerPatch& patch) {

@@ -26,6 +26,7 @@ struct CornerPatch {
   int gathered = -1;             // px, radius of the disc whose pixels are there
   int count = 0;                 // pixels that take part
   int padded = 0;                // pixels in whole groups; those beyond `count` have no weight
+  bool is_clipped = false;       // some may be as bright or as dark as the sensor tells
   alignas(64) Row value, weight, residual;
   alignas(64) std::array<Row, 4> odd;     // by position u, v; shade u, v
   alignas(64) std::array<Row, 5> even;    // by edge 1, edge 2, blur, level, half contrast
@@ -46,6 +47,10 @@ inline bool is_inside(const Image& image, const Eigen::Vector2i& centre, int rad
 
 /// px from the central pixel, of the pixel with this number.
 Eigen::Vector2i offset_of_pixel(int number);
+
+/// px from the central pixel, of all pixels in their order; beyond the last one very far.
+const float* pixel_columns();
+const float* pixel_rows();
 
 /// Makes the disc of `radius` px take part, which must be inside of the image; reads only what is not there yet,
 /// so that one patch serves one image only.
@@ -68,6 +73,9 @@ struct PatchSums {
   float squares = 0, weights = 0;  // of the residual; of the weight's square
 };
 PatchSums sums(const CornerPatch& patch);
+
+/// Sum of the squared weights.
+float squared_weights(const CornerPatch& patch);
 
 /// PatchSums::odd alone.
 std::array<float, 10> odd_sums(const CornerPatch& patch);

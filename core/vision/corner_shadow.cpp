@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "vision/corner_lanes.h"
+#include "vision/corner_products.h"
 #include "vision/corner_solve.h"
 
 namespace handsight {
@@ -17,29 +19,29 @@ constexpr int kUnknowns = 13;           // position, shade; edges, blur, level, 
 constexpr double kSoftnessSigma = 0.5;  // px: the edges of near and far things' shadows
 constexpr double kPenumbra = 0.6;       // px, of a usual shadow's edge before the lens
 constexpr double kMostDepth = 0.9;
-constexpr float kLeastTold = 0.3f;  // of what one light leaves, by two
-constexpr double kLeastGain = 30;   // noise variances, of the sum of squares, for the shadow's four numbers
+constexpr float kLeastTold = 0.3f, kLeastToldOfGuess = 0.45f;  // of what one light leaves, by two
+constexpr double kLeastGain = 30;  // noise variances, of the sum of squares, for the shadow's four numbers
 // Of the grey levels, r.m.s., what one light and what two may leave of a corner whose numbers are guessed.
-constexpr float kMostLeftByOne = 0.45f, kMostLeftByTwo = 0.28f;
+constexpr float kMostLeftByOne = 0.45f, kMostLeftByTwo = 0.2f;
 constexpr float kLeastSide = 0.04f;  // of the squares: either light must be seen
 
 using Hessian = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 using Vector = Eigen::Matrix<double, kUnknowns, 1>;
 
-constexpr int kDirections = 8, kBins = 2 * (kMostPatchRadius + 2) + 1;
+constexpr int kDirections = kLanes, kBins = 2 * (kMostPatchRadius + 2) + 1;
 
-// For each direction the bin of 1 px, along it, that a pixel lies in.
-using Bins = std::array<std::array<std::int8_t, kMostPatchPixels>, kDirections>;
+// Of each pixel the bin of 1 px, one along each direction, that it lies in.
+using Bins = std::array<std::array<std::uint8_t, kDirections>, kMostPatchPixels>;
 
 const Bins& bins() {
   static const Bins made = [] {
     Bins all{};
-    for (int k = 0; k < kDirections; ++k)
-      for (int n = 0; n < pixels_in_disc(kMostPatchRadius + 2); ++n) {
+    for (int n = 0; n < pixels_in_disc(kMostPatchRadius + 2); ++n)
+      for (int k = 0; k < kDirections; ++k) {
         const Eigen::Vector2d offset = offset_of_pixel(n).cast<double>();
-        const double angle = M_PI * k / kDirections,
-                     along = offset.x() * std::cos(angle) + offset.y() * std::sin(angle);
-        all[k][n] = static_cast<std::int8_t>(std::lround(along) + kBins / 2);
+        const double angle = M_PI * k / kDirections;
+        const double along = offset.x() * std::cos(angle) + offset.y() * std::sin(angle);
+        all[n][k] = static_cast<std::uint8_t>(std::lround(along) + kBins / 2);
       }
     return all;
   }();
@@ -61,67 +63,71 @@ struct Split {
   Side near, far;
 };
 
-// Of each pixel the two sums' terms side by side, so that both are added at once.
-using Terms = std::array<float, 2 * kMostPatchPixels>;
+// Of each pixel the terms of the two sums, side by side, so that both are added at once.
+using Pair = float __attribute__((vector_size(2 * sizeof(float))));
+struct Terms {
+  std::array<Pair, kMostPatchPixels> terms;
+  Side all;
+  float values = 0;  // sum w value^2
+};
 
-Split best_split(const Terms& terms, int count, const Side& all) {
-  using Pair = float __attribute__((vector_size(2 * sizeof(float))));
+HANDSIGHT_LANES void fill_terms(const CornerPatch& patch, Terms& terms) {
+  constexpr Lanes kNumber{0, 1, 2, 3, 4, 5, 6, 7};
+  Lanes sums[4]{}, zero{}, w, f, value, residual;
+  for (int n = 0; n < patch.padded; n += kLanes) {
+    load(&patch.weight[n], w), load(&patch.even[4][n], f);
+    load(&patch.value[n], value), load(&patch.residual[n], residual);
+    w = kNumber < static_cast<float>(patch.count - n) ? w : zero;  // what fills the last group is none of the disc
+    const Lanes weight = w > zero ? f * f : zero, m = value - residual / (w > zero ? w : zero + 1.f);
+    const Lanes products = weight * m * value, squares = weight * m * m;
+    for (int i = 0; i < kLanes; ++i) terms.terms[n + i] = Pair{products[i], squares[i]};
+    sums[0] += products, sums[1] += squares, sums[2] += weight * value * value;
+  }
+  float sum[4];
+  totals(sums, sum);
+  terms.all = {sum[0], sum[1]}, terms.values = sum[2];
+}
+
+using Histogram = std::array<std::array<Pair, kDirections>, kBins>;
+
+Histogram histogram(const Terms& terms, int count) {
+  const Bins& all = bins();
+  Histogram in{};
+  for (int n = 0; n < count; ++n)
+    for (int k = 0; k < kDirections; ++k) in[all[n][k]][k] += terms.terms[n];
+  return in;
+}
+
+// All directions at once, in lanes.
+HANDSIGHT_LANES Split best_split(const Histogram& in, const Side& all) {
+  const float least = kLeastSide * all.squares;
+  Lanes told{}, bin{}, near_products{}, near_squares{}, best_products{}, best_squares{};
+  for (int b = 0; b + 1 < kBins; ++b) {
+    Lanes first, second;  // four directions each
+    std::memcpy(&first, &in[b], sizeof first), std::memcpy(&second, &in[b][kDirections / 2], sizeof second);
+    near_products += __builtin_shufflevector(first, second, 0, 2, 4, 6, 8, 10, 12, 14);
+    near_squares += __builtin_shufflevector(first, second, 1, 3, 5, 7, 9, 11, 13, 15);
+    const Lanes far_products = all.products - near_products, far_squares = all.squares - near_squares;
+    const Lanes both = near_products * near_products / near_squares + far_products * far_products / far_squares;
+    const Whole better = (both > told) & (near_squares >= least) & (far_squares >= least);
+    told = better ? both : told, bin = better ? Lanes{} + static_cast<float>(b) : bin;
+    best_products = better ? near_products : best_products, best_squares = better ? near_squares : best_squares;
+  }
   Split best;
   for (int k = 0; k < kDirections; ++k) {
-    std::array<Pair, kBins> in{};
-    const std::int8_t* const bin = bins()[k].data();
-    for (int n = 0; n < count; ++n) {
-      Pair term;
-      std::memcpy(&term, &terms[2 * n], sizeof term);
-      in[bin[n]] += term;
-    }
-    Side near;
-    for (int b = 0; b + 1 < kBins; ++b) {
-      near.products += in[b][0], near.squares += in[b][1];
-      const Side far = all - near;
-      if (near.squares < kLeastSide * all.squares || far.squares < kLeastSide * all.squares) continue;
-      const float told = near.told() + far.told();
-      if (told > best.told) best = {told, k, b, near, far};
-    }
+    const Side near{best_products[k], best_squares[k]};
+    if (told[k] > best.told) best = {told[k], k, static_cast<int>(bin[k]), near, all - near};
   }
   return best;
 }
 
-constexpr int kTile = 4;
-
-// Products of a row with some others, few enough to stay in registers.
-template <class Vector>
-HANDSIGHT_INLINE void tile_products(const float* row, const float* const* others, int count, float* results) {
-  constexpr int kParts = Sum<Vector>::kParts, kStep = kLanesOf<Vector>;
-  Sum<Vector> sum[kTile];
-  for (int n = 0; n < count; n += kWideLanes) {
-#pragma GCC unroll 2
-    for (int p = 0; p < kParts; ++p) {
-      Vector a, b;
-      load(row + n + p * kStep, a);
-#pragma GCC unroll 4
-      for (int k = 0; k < kTile; ++k) load(others[k] + n + p * kStep, b), sum[k].part[p] += a * b;
-    }
-  }
-  Lanes folded[kTile];
-  for (int k = 0; k < kTile; ++k) fold(sum[k], folded[k]);
-  totals(folded, results);
-}
-
-// The lower triangle of all rows' products, row by row, each row in whole tiles.
-using Products = std::array<std::array<float, kUnknowns + 1 + kTile>, kUnknowns + 1>;
-
-template <class Vector>
-HANDSIGHT_INLINE void all_products(const float* const* rows, int count, Products& products) {
-  for (int i = 0; i <= kUnknowns; ++i)
-    for (int j = 0; j <= i; j += kTile) tile_products<Vector>(rows[i], rows + j, count, &products[i][j]);
-}
+using Products = RowProducts<kUnknowns + 1>;
 
 HANDSIGHT_LANES void products_in_lanes(const float* const* rows, int count, Products& products) {
-  all_products<Lanes>(rows, count, products);
+  all_products<Lanes, kUnknowns + 1>(rows, count, products);
 }
 HANDSIGHT_WIDE void products_in_wide(const float* const* rows, int count, Products& products) {
-  all_products<WideLanes>(rows, count, products);
+  all_products<WideLanes, kUnknowns + 1>(rows, count, products);
 }
 
 struct Normal {
@@ -144,7 +150,7 @@ void add_prior(const CornerModel& model, double noise, Normal& normal) {
 
 Normal normal_equations(const CornerPatch& patch) {
   // The residual stands last; what fills the last tile is not read.
-  std::array<const float*, kUnknowns + kTile> rows;
+  std::array<const float*, kUnknowns + kTileOfRows> rows;
   std::size_t n = 0;
   for (const auto& row : patch.odd) rows[n++] = row.data();
   for (const auto& row : patch.even) rows[n++] = row.data();
@@ -158,7 +164,7 @@ Normal normal_equations(const CornerPatch& patch) {
     normal.side(i) = products[kUnknowns][i];
   }
   normal.squares = products[kUnknowns][kUnknowns];
-  for (int k = 0; k < patch.count; ++k) normal.weights += patch.weight[k] * patch.weight[k];
+  normal.weights = squared_weights(patch);
   return normal;
 }
 
@@ -214,26 +220,19 @@ double noise_of(const Normal& normal) {
 
 std::optional<ShadowEdge> likely_shadow(const CornerPatch& patch, const CornerModel& model, Guess guess, double noise) {
   Terms terms;
-  Side all;
-  float values = 0;
-  for (int n = 0; n < patch.count; ++n) {
-    const float w = patch.weight[n], f = patch.even[4][n];
-    terms[2 * n] = terms[2 * n + 1] = 0;
-    if (w <= 0) continue;
-    const float m = (w * patch.value[n] - patch.residual[n]) / w, weight = f * f;
-    terms[2 * n] = weight * m * patch.value[n], terms[2 * n + 1] = weight * m * m;
-    all.products += terms[2 * n], all.squares += terms[2 * n + 1];
-    values += weight * patch.value[n] * patch.value[n];
-  }
-  const float left = values - all.told();
+  fill_terms(patch, terms);
+  const Side& all = terms.all;
+  const float left = terms.values - all.told();
   const auto too_much = [&](float squares, float most) {
     return guess == Guess::from_circles && squares > most * most * all.squares;
   };
-  if (too_much(left, kMostLeftByOne)) return std::nullopt;
-  const Split split = best_split(terms, patch.count, all);
+  const double least_gain = kLeastGain * noise * noise;
+  if (left < least_gain || too_much(left, kMostLeftByOne)) return std::nullopt;
+  const Split split = best_split(histogram(terms, patch.count), all);
   const float gain = split.told - all.told();
   if (!(split.told > 0) || too_much(left - gain, kMostLeftByTwo)) return std::nullopt;
-  if (gain < kLeastTold * left || gain < kLeastGain * noise * noise) return std::nullopt;
+  const float least_told = guess == Guess::fitted ? kLeastTold : kLeastToldOfGuess;
+  if (gain < least_told * left || gain < least_gain) return std::nullopt;
   const double angle = M_PI * split.direction / kDirections;
   const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
   const double along = split.bin - kBins / 2 + 0.5 - normal.dot(model.position - patch.centre.cast<double>());

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
+
+#include "vision/corner_lanes.h"
 
 namespace handsight {
 
@@ -15,25 +18,51 @@ Eigen::Matrix<double, N, N> from_triangle(const float* triangle) {
   return m;
 }
 
+/// Calls act for 0 to N - 1, each known to the compiler.
+template <int N, class Act>
+HANDSIGHT_INLINE void each_number(const Act& act) {
+  [&]<int... numbers>(std::integer_sequence<int, numbers...>) { (act(std::integral_constant<int, numbers>()), ...); }
+  (std::make_integer_sequence<int, N>());
+}
+
 /// m x = b by L D L^T, b in `x` at first: for few unknowns Eigen's blocked Cholesky takes several times as long. False
 /// where `m` is not positive definite.
 template <int N>
 bool solve(Eigen::Matrix<double, N, N> m, Eigen::Matrix<double, N, 1>& x) {
   Eigen::Matrix<double, N, 1> inverse;  // of D
-  for (int j = 0; j < N; ++j) {
-    double row[N];  // L(j, k) D(k)
-    for (int k = 0; k < j; ++k) row[k] = m(j, k), m(j, k) *= inverse(k), m(j, j) -= row[k] * m(j, k);
-    if (!(m(j, j) > 1e-9)) return false;
+  bool is_positive = true;
+  each_number<N>([&](auto number) {
+    constexpr int j = number;
+    is_positive &= m(j, j) > 1e-9;
     inverse(j) = 1 / m(j, j);
-    for (int i = j + 1; i < N; ++i)
-      for (int k = 0; k < j; ++k) m(i, j) -= m(i, k) * m(j, k);
+    const double step = x(j) * inverse(j);
+    for (int i = j + 1; i < N; ++i) x(i) -= m(i, j) * step;
+    for (int k = j + 1; k < N; ++k) {  // what is left of the columns, each from its diagonal on
+      const double factor = m(k, j) * inverse(j);
+      for (int i = k; i < N; ++i) m(i, k) -= m(i, j) * factor;
+    }
+  });
+  each_number<N>([&](auto number) {
+    constexpr int j = N - 1 - number;
+    for (int i = j + 1; i < N; ++i) x(j) -= m(i, j) * x(i);
+    x(j) *= inverse(j);
+  });
+  return is_positive && x.allFinite();
+}
+
+/// The inverse of a positive definite matrix, unknown by unknown; false where it is none.
+template <int N>
+bool invert(Eigen::Matrix<double, N, N>& m) {
+  for (int k = 0; k < N; ++k) {
+    if (!(m(k, k) > 1e-12)) return false;
+    const double inverse = 1 / m(k, k);
+    const Eigen::Matrix<double, N, 1> column = m.col(k);
+    m.noalias() -= column * (inverse * column.transpose());
+    m.col(k) = inverse * column, m.row(k) = inverse * column.transpose();
+    m(k, k) = -inverse;
   }
-  for (int i = 0; i < N; ++i)
-    for (int k = 0; k < i; ++k) x(i) -= m(i, k) * x(k);
-  x.array() *= inverse.array();
-  for (int i = N - 1; i >= 0; --i)
-    for (int k = i + 1; k < N; ++k) x(i) -= m(k, i) * x(k);
-  return x.allFinite();
+  m = -m;
+  return m.allFinite();
 }
 
 }  // namespace handsight

@@ -64,35 +64,48 @@ struct Profile {
   float odd_square = 0;
 };
 
+HANDSIGHT_LANES void fold_circles(const float* values, Profile& profile) {
+  constexpr float kShare = 0.5f / kRadii.size();
+  std::array<float, kHalf + 2> raw;  // and a neighbour at each side
+  Lanes squares{}, near, opposite, before, after;
+  for (int i = 0; i < kHalf; i += kLanes) {
+    Lanes even{}, odd{};
+    for (std::size_t k = 0; k < kRadii.size(); ++k) {
+      load(values + 2 * kHalf * k + i, near), load(values + 2 * kHalf * k + kHalf + i, opposite);
+      store(near + opposite, &profile.single[k][i]);
+      even += kShare * (near + opposite), odd += kShare * (near - opposite);
+    }
+    store(even, &raw[i + 1]), squares += odd * odd;
+  }
+  profile.odd_square = total(squares) / kHalf;
+  raw[0] = raw[kHalf], raw[kHalf + 1] = raw[1];
+  for (int i = 0; i < kHalf; i += kLanes) {  // noise must not make crossings of its own
+    load(&raw[i], before), load(&raw[i + 1], near), load(&raw[i + 2], after);
+    store(0.25f * (before + 2 * near + after), &profile.even[i]);
+  }
+}
+
 Profile profile_round(const Image& image, float u, float v) {
   Profile profile;
   std::array<float, kPoints> values;
   sample_circles(image, circles(), u, v, values.data());
-  constexpr float kScale = 1.f / kRadii.size();
-  std::array<float, kHalf> raw{}, odd{};
-  for (std::size_t k = 0; k < kRadii.size(); ++k) {
-    const float *const near = &values[2 * kHalf * k], *const opposite = near + kHalf;
-    for (int i = 0; i < kHalf; ++i) {
-      profile.single[k][i] = near[i] + opposite[i];
-      raw[i] += 0.5f * kScale * (near[i] + opposite[i]), odd[i] += 0.5f * kScale * (near[i] - opposite[i]);
-    }
-  }
-  for (int i = 0; i < kHalf; ++i) profile.odd_square += odd[i] * odd[i] / kHalf;
-  for (int i = 0; i < kHalf; ++i)  // noise must not make crossings of its own
-    profile.even[i] = 0.25f * (raw[(i + kHalf - 1) % kHalf] + 2 * raw[i] + raw[(i + 1) % kHalf]);
+  fold_circles(values.data(), profile);
   return profile;
 }
 
 // Contrast on the inner circle over that on the outer one (1 of sharp sectors, 0.39 of a bare saddle), with the sectors
 // as both together tell them.
-float flatness(const Profile& profile, float middle) {
-  float inner = 0, outer = 0;
-  for (int i = 0; i < kHalf; ++i) {
-    const float sign = profile.even[i] < middle ? -1.f : 1.f;
-    inner += sign * (profile.single.front()[i] - 2 * middle);
-    outer += sign * (profile.single.back()[i] - 2 * middle);
+HANDSIGHT_LANES float flatness(const Profile& profile, float middle) {
+  Lanes sums[4]{}, even, inner, outer;
+  for (int i = 0; i < kHalf; i += kLanes) {
+    load(&profile.even[i], even), load(&profile.single.front()[i], inner), load(&profile.single.back()[i], outer);
+    inner -= 2 * middle, outer -= 2 * middle;
+    const Whole is_black = even < middle;
+    sums[0] += is_black ? -inner : inner, sums[1] += is_black ? -outer : outer;
   }
-  return inner / std::max(outer, 1e-3f);
+  float sum[4];
+  totals(sums, sum);
+  return sum[0] / std::max(sum[1], 1e-3f);
 }
 
 // Mean of the lowest, or of the highest, few.
@@ -187,9 +200,6 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   cross.asymmetry = std::sqrt(profile.odd_square) / contrast;
   // Shade over half of the patch makes opposite sectors differ, but less than black from white.
   if (cross.asymmetry > (light == Lighting::even ? 0.32 : 0.5)) return std::nullopt;
-  // Measured on right angles: 0.77 at 0.9 px of blur, 0.55 at 2 px; and the circles then miss a part of the contrast.
-  // Never sharper than 0.9 px: a start that is off by more than the blur would see no slope.
-  cross.blur = std::clamp(2.0 - 5.0 * (flatness(profile, middle) - 0.55), 0.9, 2.5);
   int crossings = 0;
   for (int i = 0; i < kHalf; ++i) {
     const float here = profile.even[i] - middle, next = profile.even[(i + 1) % kHalf] - middle;
@@ -199,6 +209,9 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
     cross.edges[crossings++] = angle < M_PI ? angle : angle - M_PI;
   }
   if (crossings != 2) return std::nullopt;
+  // Measured on right angles: 0.77 at 0.9 px of blur, 0.55 at 2 px; and the circles then miss a part of the contrast.
+  // Never sharper than 0.9 px: a start that is off by more than the blur would see no slope.
+  cross.blur = std::clamp(2.0 - 5.0 * (flatness(profile, middle) - 0.55), 0.9, 2.5);
   if (cross.edges[0] > cross.edges[1]) std::swap(cross.edges[0], cross.edges[1]);
   const double between = 0.5 * (cross.edges[0] + cross.edges[1]);
   const int index = static_cast<int>(std::lround(between * kHalf / M_PI)) % kHalf;

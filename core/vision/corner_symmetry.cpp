@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
 
 #include "base/error.h"
 #include "vision/corner_lanes.h"
@@ -14,124 +14,221 @@ namespace handsight {
 namespace {
 
 constexpr int kMostRadius = 15;
-constexpr int kMostSide = 2 * kMostRadius + 1;
-constexpr int kMostPairs = (kMostSide * kMostSide / 2 + kLanes - 1) / kLanes * kLanes;
 
 int window_radius(double sigma) { return static_cast<int>(std::ceil(3 * sigma)); }
 
-// The window round a point: values and gradients, row by row, so that entry n has its mirror image at count - 1 - n.
-struct Window {
-  int count = 0;
-  std::array<float, kMostSide * kMostSide> value, du, dv;
+// Row by row with room at both sides, so that rows can be read in whole groups, forwards and backwards.
+template <int kStride, int kRows>
+struct Rows {
+  static constexpr int kBefore = 16, kRow = kBefore + kStride + kLanes;
+  std::array<float, kRows * kRow> values;
+  HANDSIGHT_INLINE float* row(int y) { return &values[static_cast<std::size_t>(y * kRow + kBefore)]; }
+  HANDSIGHT_INLINE const float* row(int y) const { return &values[static_cast<std::size_t>(y * kRow + kBefore)]; }
 };
 
-// Bilinear values of the window and its rim of one pixel, central differences inside.
-HANDSIGHT_LANES bool sample_window(const Image& image, const Eigen::Vector2d& centre, int radius,
-                                   const CornerModel* lit, Window& window) {
+// The window round a point and its rim of one pixel. `kStride` holds a row: 16 up to a radius of 6, else 48.
+template <int kStride>
+struct Window {
+  static constexpr int kWidth = kStride, kMostSide = kStride == 16 ? 15 : 2 * kMostRadius + 3,
+                       kHalf = kMostSide / 2 + 1;
+  int radius = 0;
+  Rows<kStride, kMostSide> value, light;
+  Rows<kStride, kHalf + 1> sum;                           // with the opposite point, from the row above the middle on
+  std::array<float, kStride * kHalf> difference, weight;  // to the opposite point, from the middle row on
+  HANDSIGHT_INLINE int rim() const { return radius + 1; }
+  HANDSIGHT_INLINE int side() const { return 2 * rim() + 1; }
+  HANDSIGHT_INLINE int stride() const { return kStride == 16 ? 16 : in_groups(side()); }
+};
+
+using SmallWindow = Window<16>;
+using LargeWindow = Window<48>;
+
+template <int kStride>
+HANDSIGHT_INLINE void mix_across(const std::uint8_t* pixels, float share, int stride, float* mixed) {
+  for (int x = 0; x < stride; ++x) {
+    const float left = pixels[x], right = pixels[x + 1];
+    mixed[x] = left + share * (right - left);
+  }
+}
+
+// Bilinear values round `centre`; false where they are not inside of the image.
+template <int kStride>
+HANDSIGHT_INLINE bool sample(const Image& image, const Eigen::Vector2d& centre, Window<kStride>& window) {
   const int u = static_cast<int>(std::floor(centre.x())), v = static_cast<int>(std::floor(centre.y()));
-  const int rim = radius + 1, side = 2 * rim + 1, inner = 2 * radius + 1;
+  const int rim = window.rim(), side = window.side(), stride = window.stride();
   if (u < rim || v < rim || u + rim + 1 >= image.width || v + rim + 1 >= image.height) return false;
   const auto fu = static_cast<float>(centre.x() - u), fv = static_cast<float>(centre.y() - v);
-  std::array<float, (kMostSide + 2) * (kMostSide + 2)> values;
+  std::array<std::uint8_t, kStride + kLanes> last{};  // whole groups of the image's last row may reach beyond it
+  std::array<float, 2 * kStride> mixed;
+  mix_across<kStride>(image.row(v - rim) + u - rim, fu, stride, mixed.data());
   for (int y = 0; y < side; ++y) {
-    const std::uint8_t* upper = image.row(v - rim + y) + u - rim;
-    const std::uint8_t* lower = image.row(v - rim + y + 1) + u - rim;
-    std::array<float, kMostSide + 3> mixed;
-    for (int x = 0; x <= side; ++x) mixed[x] = upper[x] + fv * static_cast<float>(lower[x] - upper[x]);
-    float* to = values.data() + y * side;
-    for (int x = 0; x < side; ++x) to[x] = mixed[x] + fu * (mixed[x + 1] - mixed[x]);
-    if (!lit) continue;
-    for (int x = 0; x < side; ++x)
-      to[x] /= static_cast<float>(light_at(lit->shadow, centre + Eigen::Vector2d(x - rim, y - rim) - lit->position));
-  }
-  window.count = inner * inner;
-  for (int y = 0; y < inner; ++y) {
-    const float* at = values.data() + (y + 1) * side + 1;
-    const int to = y * inner;
-    for (int x = 0; x < inner; ++x) {
-      window.value[to + x] = at[x];
-      window.du[to + x] = 0.5f * (at[x + 1] - at[x - 1]);
-      window.dv[to + x] = 0.5f * (at[x + side] - at[x - side]);
-    }
+    const std::uint8_t* pixels = image.row(v - rim + y + 1) + u - rim;
+    if (v - rim + y + 2 == image.height) std::copy_n(pixels, side + 1, last.begin()), pixels = last.data();
+    const float* const above = &mixed[static_cast<std::size_t>(y % 2 * kStride)];
+    float* const below = &mixed[static_cast<std::size_t>((y + 1) % 2 * kStride)];
+    mix_across<kStride>(pixels, fu, stride, below);
+    float* const to = window.value.row(y);
+    for (int x = 0; x < stride; ++x) to[x] = above[x] + fv * (below[x] - above[x]);
   }
   return true;
 }
 
-struct Normal {
-  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero(), spread = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-  double squares = 0;
-};
-
-// Of each pixel of half the window and its mirror image the difference of the values, and of the gradients; the other
-// half says the same again.
-struct Pairs {
-  int count = 0;  // in whole groups, the last filled with zeros
-  std::array<float, kMostPairs> value, du, dv;
-};
-
-HANDSIGHT_LANES void subtract_mirrored(const float* values, int count, float* differences) {
-  const float* const last = values + count - 1;
-  for (int n = 0; n < count / 2; ++n) differences[n] = values[n] - last[-n];
+// The image as it would be without the shadow, and the light that it is divided by.
+template <int kStride>
+HANDSIGHT_INLINE void bring_to_light(const CornerModel& lit, const Eigen::Vector2d& centre, Window<kStride>& window) {
+  const ShadowEdge& shadow = lit.shadow;
+  const Eigen::Vector2d normal(std::cos(shadow.direction), std::sin(shadow.direction));
+  const double scale = M_SQRT1_2 / shadow.softness;
+  const auto across = static_cast<float>(scale * normal.x()), down = static_cast<float>(scale * normal.y());
+  const auto middle = static_cast<float>(scale * (normal.dot(centre - lit.position) - shadow.distance));
+  const auto half_depth = static_cast<float>(0.5 * shadow.depth);
+  constexpr Lanes kNumber{0, 1, 2, 3, 4, 5, 6, 7};
+  for (int y = 0; y < window.side(); ++y)
+    for (int x = 0; x < window.stride(); x += kLanes) {
+      Lanes erf, bell, value;
+      const Lanes column = kNumber + static_cast<float>(x - window.rim());
+      erf_and_bell(middle + across * column + down * static_cast<float>(y - window.rim()), erf, bell);
+      const Lanes light = 1.f - half_depth * (1.f + erf);
+      load(window.value.row(y) + x, value);
+      store(light, window.light.row(y) + x), store(value / light, window.value.row(y) + x);
+    }
 }
 
-void pair_up(const Window& window, Pairs& pairs) {
-  const int half = window.count / 2;
-  pairs.count = (half + kLanes - 1) / kLanes * kLanes;
-  subtract_mirrored(window.value.data(), window.count, pairs.value.data());
-  subtract_mirrored(window.du.data(), window.count, pairs.du.data());
-  subtract_mirrored(window.dv.data(), window.count, pairs.dv.data());
-  for (auto* row : {&pairs.value, &pairs.du, &pairs.dv}) std::fill(row->begin() + half, row->begin() + pairs.count, 0.f);
-}
-
-// weight has as many entries.
-HANDSIGHT_LANES void add_up(const Pairs& pairs, const float* weight, float* sums) {
-  Lanes sum[9]{}, g, difference, ju, jv;
-  for (int n = 0; n < pairs.count; n += kLanes) {
-    load(weight + n, g), load(&pairs.value[n], difference), load(&pairs.du[n], ju), load(&pairs.dv[n], jv);
-    const Lanes gu = g * ju, gv = g * jv;
-    sum[0] += gu * ju, sum[1] += gu * jv, sum[2] += gv * jv;
-    sum[3] += gu * gu, sum[4] += gu * gv, sum[5] += gv * gv;
-    sum[6] += gu * difference, sum[7] += gv * difference;
-    sum[8] += g * difference * difference;
+// Values brought to full light carry the more noise: the weight of a pair is its G over the pair's variance.
+template <int kStride>
+HANDSIGHT_INLINE void weigh_by_light(Window<kStride>& window) {
+  const int rim = window.rim(), side = window.side();
+  for (int y = 0; y <= window.radius; ++y) {
+    const float *const here = window.light.row(rim + y), *const opposite = window.light.row(rim - y) + side - 1;
+    float* const weight = &window.weight[static_cast<std::size_t>(y * kStride)];
+    for (int x = 1; x + 1 < side; ++x) {
+      const float a = here[x] * here[x], b = opposite[-x] * opposite[-x];
+      weight[x] *= 2 * a * b / (a + b);
+    }
   }
+}
+
+// The normalised Gaussian; each pair of opposite points once.
+template <int kStride>
+struct Weights {
+  double sigma = 0;
+  std::array<float, kStride * Window<kStride>::kHalf> weight;
+  float sum = 0;
+};
+
+template <int kStride>
+Weights<kStride> gaussian_weights(double sigma) {
+  Weights<kStride> made;
+  made.sigma = sigma, made.weight.fill(0);
+  const int radius = window_radius(sigma);
+  std::array<float, kMostRadius + 1> line;  // of one direction, so that the product is normalised
+  for (int i = 0; i <= radius; ++i)
+    line[i] = static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma)) / (std::sqrt(2 * M_PI) * sigma));
+  for (int y = 0; y <= radius; ++y)
+    for (int x = y == 0 ? 1 : -radius; x <= radius; ++x)
+      made.sum += made.weight[y * kStride + radius + 1 + x] = line[std::abs(x)] * line[y];
+  return made;
+}
+
+// Of one image all windows have the same.
+template <int kStride>
+const Weights<kStride>& weights_of(double sigma) {
+  thread_local Weights<kStride> last;
+  if (last.sigma != sigma) last = gaussian_weights<kStride>(sigma);
+  return last;
+}
+
+// What is read beside rows weighs nothing, but must be a number.
+template <int kStride>
+void clear_margins(Window<kStride>& window) {
+  const int before = window.stride() - window.side();
+  for (int y = 0; y < window.side(); ++y) std::fill_n(window.value.row(y) - before, before, 0.f);
+  for (int y = 0; y < window.rim() + 2; ++y) window.sum.row(y)[-1] = window.sum.row(y)[window.stride()] = 0;
+}
+
+constexpr int kSums = 9;
+
+// The gradients' difference is that of the sums: (I(x+y) - I(x-y))' by x is the gradient of I(x+y) + I(x-y) by y.
+template <int kStride>
+HANDSIGHT_INLINE void add_up(Window<kStride>& window, float* sums) {
+  const int rim = window.rim(), side = window.side(), stride = window.stride();
+  for (int y = -1; y <= rim; ++y) {
+    const float *const here = window.value.row(rim + y), *const opposite = window.value.row(rim - y) + side - 1;
+    float* const to = window.sum.row(y + 1);
+    for (int x = 0; x < stride; ++x) to[x] = here[x] + opposite[-x];
+    if (y < 0 || y > window.radius) continue;
+    float* const apart = &window.difference[static_cast<std::size_t>(y * kStride)];
+    for (int x = 0; x < stride; ++x) apart[x] = here[x] - opposite[-x];
+  }
+  Lanes sum[kSums]{}, g, difference, before, after;
+  for (int y = 0; y <= window.radius; ++y)
+    for (int x = 0; x < stride; x += kLanes) {
+      load(&window.weight[y * kStride + x], g), load(&window.difference[y * kStride + x], difference);
+      load(window.sum.row(y + 1) + x - 1, before), load(window.sum.row(y + 1) + x + 1, after);
+      const Lanes ju = 0.5f * (after - before);
+      load(window.sum.row(y) + x, before), load(window.sum.row(y + 2) + x, after);
+      const Lanes jv = 0.5f * (after - before), gu = g * ju, gv = g * jv;
+      sum[0] += gu * ju, sum[1] += gu * jv, sum[2] += gv * jv;
+      sum[3] += gu * gu, sum[4] += gu * gv, sum[5] += gv * gv;
+      sum[6] += gu * difference, sum[7] += gv * difference;
+      sum[8] += g * difference * difference;
+    }
   totals(sum, sums), totals(sum + 4, sums + 4);
   sums[8] = total(sum[8]);
 }
 
-Normal normal_equations(const Window& window, const float* weight) {
-  Pairs pairs;
-  pair_up(window, pairs);
-  std::array<float, 9> sum;
-  add_up(pairs, weight, sum.data());
-  Normal normal;
-  normal.hessian << sum[0], sum[1], sum[1], sum[2];
-  normal.spread << sum[3], sum[4], sum[4], sum[5];
-  normal.gradient << sum[6], sum[7];
-  normal.squares = sum[8];
-  return normal;
+// Samples and adds up; `lit`, if any, weighs at the first of the steps.
+template <int kStride>
+HANDSIGHT_INLINE bool look_at(const Image& image, const Eigen::Vector2d& centre, const CornerModel* lit, bool is_first,
+                              Window<kStride>& window, float* sums) {
+  if (!sample(image, centre, window)) return false;
+  if (lit) bring_to_light(*lit, centre, window);
+  if (lit && is_first) weigh_by_light(window);
+  add_up(window, sums);
+  return true;
 }
 
-void gaussian_weights(double sigma, int radius, float* weight) {
-  std::array<float, kMostSide> line;  // of one direction, so that the product is normalised
-  for (int i = -radius; i <= radius; ++i)
-    line[i + radius] = static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma)) / (std::sqrt(2 * M_PI) * sigma));
-  for (int y = 0, n = 0; y <= 2 * radius; ++y)
-    for (int x = 0; x <= 2 * radius; ++x, ++n) weight[n] = line[x] * line[y];
+HANDSIGHT_LANES bool look_in_lanes(const Image& image, const Eigen::Vector2d& centre, const CornerModel* lit,
+                                   bool is_first, SmallWindow& window, float* sums) {
+  return look_at(image, centre, lit, is_first, window, sums);
 }
-
-// Values brought to full light carry the more noise: the weight of a pair is its G over the pair's variance.
-void weigh_by_light(const CornerModel& lit, const Eigen::Vector2d& centre, int radius, float* weight) {
-  for (int y = -radius, n = 0; y <= radius; ++y)
-    for (int x = -radius; x <= radius; ++x, ++n) {
-      const Eigen::Vector2d at = centre - lit.position, offset(x, y);
-      const double here = light_at(lit.shadow, at + offset), there = light_at(lit.shadow, at - offset);
-      weight[n] *= static_cast<float>(2 * here * here * there * there / (here * here + there * there));
-    }
+HANDSIGHT_LANES bool look_in_lanes(const Image& image, const Eigen::Vector2d& centre, const CornerModel* lit,
+                                   bool is_first, LargeWindow& window, float* sums) {
+  return look_at(image, centre, lit, is_first, window, sums);
 }
 
 double smaller_eigenvalue(const Eigen::Matrix2d& m) {
-  return 0.5 * (m.trace() - std::hypot(m(0, 0) - m(1, 1), 2 * m(0, 1)));
+  const double apart = m(0, 0) - m(1, 1), mixed = 2 * m(0, 1);
+  return 0.5 * (m.trace() - std::sqrt(apart * apart + mixed * mixed));
+}
+
+template <class AnyWindow>
+std::optional<SymmetryPoint> point_in(AnyWindow& window, const Image& image, const Eigen::Vector2d& start, double sigma,
+                                      double reach, int iterations, const CornerModel* lit) {
+  window.radius = window_radius(sigma);
+  clear_margins(window);
+  const auto& [same, weight, weights] = weights_of<AnyWindow::kWidth>(sigma);
+  window.weight = weight;
+  Eigen::Vector2d at = start;
+  for (int i = 0;; ++i) {
+    std::array<float, kSums> sum;
+    if (!look_in_lanes(image, at, lit, i == 0, window, sum.data())) return std::nullopt;
+    Eigen::Matrix2d hessian, spread;
+    hessian << sum[0], sum[1], sum[1], sum[2];
+    spread << sum[3], sum[4], sum[4], sum[5];
+    const Eigen::Vector2d gradient(sum[6], sum[7]);
+    const double smaller = smaller_eigenvalue(hessian);
+    if (!(smaller > 1e-6)) return std::nullopt;
+    const Eigen::Matrix2d inverse = hessian.inverse();
+    const Eigen::Vector2d step = -inverse * gradient;
+    at += step.norm() > 1 ? Eigen::Vector2d(step.normalized()) : step;
+    if ((at - start).norm() > reach) return std::nullopt;
+    if (i == iterations || step.squaredNorm() < 1e-4) {
+      const double variance = std::max(sum[8] + step.dot(gradient), 0.0) / weights;  // after the step
+      // Both halves of the window make O and its Hessian: twice the sums over one.
+      return SymmetryPoint{at, variance * inverse * spread * inverse, 2 * smaller, std::sqrt(variance / 2)};
+    }
+  }
 }
 
 }  // namespace
@@ -139,29 +236,12 @@ double smaller_eigenvalue(const Eigen::Matrix2d& m) {
 std::optional<SymmetryPoint> symmetry_point(const Image& image, const Eigen::Vector2d& start, double sigma,
                                             double reach, int iterations, const CornerModel* lit) {
   check(sigma >= 0.5 && sigma <= 5, "the symmetry window's sigma is {} px, not in 0.5 to 5", sigma);
-  const int radius = window_radius(sigma);
-  std::array<float, kMostSide * kMostSide> weight;
-  gaussian_weights(sigma, radius, weight.data());
-  const int half = (2 * radius + 1) * (2 * radius + 1) / 2;
-  const float weights = std::accumulate(weight.begin(), weight.begin() + half, 0.f);
-  if (lit) weigh_by_light(*lit, start, radius, weight.data());
-  Window window;
-  Eigen::Vector2d at = start;
-  for (int i = 0;; ++i) {
-    if (!sample_window(image, at, radius, lit, window)) return std::nullopt;
-    const Normal normal = normal_equations(window, weight.data());
-    const double smaller = smaller_eigenvalue(normal.hessian);
-    if (!(smaller > 1e-6)) return std::nullopt;
-    const Eigen::Matrix2d inverse = normal.hessian.inverse();
-    const Eigen::Vector2d step = -inverse * normal.gradient;
-    at += step.norm() > 1 ? Eigen::Vector2d(step.normalized()) : step;
-    if ((at - start).norm() > reach) return std::nullopt;
-    if (i == iterations || step.squaredNorm() < 1e-4) {
-      const double variance = std::max(normal.squares + step.dot(normal.gradient), 0.0) / weights;  // after the step
-      // Both halves of the window make O and its Hessian: twice the sums over one.
-      return SymmetryPoint{at, variance * inverse * normal.spread * inverse, 2 * smaller, std::sqrt(variance / 2)};
-    }
+  if (window_radius(sigma) <= 6) {
+    SmallWindow window;
+    return point_in(window, image, start, sigma, reach, iterations, lit);
   }
+  LargeWindow window;
+  return point_in(window, image, start, sigma, reach, iterations, lit);
 }
 
 }  // namespace handsight

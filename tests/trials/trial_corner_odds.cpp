@@ -25,7 +25,7 @@ struct Example {
 // What the detector's first look fits in one image, each among the others as they are settled.
 std::vector<Example> examples(const Image& image, const std::vector<Eigen::Vector2d>& corners) {
   const double noise = image_noise(image);
-  const auto candidates = saddle_candidates(image, 20, noise, 4000);
+  const auto candidates = saddle_candidates(image, 20, noise);
   std::vector<Suspect> suspects;
   std::vector<CornerSigns> signs;
   for (const Candidate& candidate : candidates) {

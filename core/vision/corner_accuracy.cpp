@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_accuracy.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "vision/corner_lanes.h"
+#include "vision/corner_patch.h"
+#include "vision/corner_products.h"
+#include "vision/corner_solve.h"
+
+namespace handsight {
+namespace {
+
+using Hessian = Eigen::Matrix<double, kOddUnknowns, kOddUnknowns>;
+using Vector = Eigen::Matrix<double, kOddUnknowns, 1>;
+
+constexpr double kAddedSigma = 0.03;  // grey levels per px: glare over most of an image
+constexpr double kWide = 10;          // times that, where a corner tells its own
+constexpr double kBendSigma = 3e-4;   // 1/px: a radius of 3000 px
+constexpr double kMostBend = 0.01;    // 1/px
+constexpr double kFewCorners = 4;     // that the usual bend counts as
+constexpr double kFewPixels = 400;    // that white noise counts as
+constexpr double kMeasured = 0.85;    // of the variance, that rendered boards of all kinds show
+constexpr double kPlain = 30;  // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
+                               // do not make: below it the position is better off without them
+constexpr double kMostAlike = 0.1;   // of neighbouring pixels: what interpolates colours makes edges look bent
+constexpr double kPlainBend = 5e-4;  // 1/px, of all corners together: the lens bends edges
+constexpr double kLeastFactor = 0.7, kMostFactor = 12;
+constexpr std::array<std::array<int, 2>, kNeighbours> kSteps{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
+
+constexpr int kRows = kOddUnknowns + 1;
+using Products = RowProducts<kRows>;
+
+HANDSIGHT_LANES void products_in_lanes(const float* const* rows, int count, Products& products) {
+  all_products<Lanes, kRows>(rows, count, products);
+}
+HANDSIGHT_WIDE void products_in_wide(const float* const* rows, int count, Products& products) {
+  all_products<WideLanes, kRows>(rows, count, products);
+}
+
+// Derivatives by added light and bends, from those by level and by the edges' directions.
+struct MoreRows {
+  alignas(64) std::array<CornerPatch::Row, 4> rows;
+};
+
+HANDSIGHT_LANES void fill_more(const CornerModel& model, const CornerPatch& patch, MoreRows& more) {
+  const float *const all_u = pixel_columns(), *const all_v = pixel_rows();
+  const auto pu = static_cast<float>(model.position.x() - patch.centre.x());
+  const auto pv = static_cast<float>(model.position.y() - patch.centre.y());
+  const auto first = static_cast<float>(model.edges[0]), second = static_cast<float>(model.edges[1]);
+  const float s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
+  for (int n = 0; n < patch.padded; n += kLanes) {
+    Lanes u, v, level, turn;
+    load(all_u + n, u), load(all_v + n, v), load(&patch.even[3][n], level);
+    const Lanes x = u - pu, y = v - pv;
+    store(level * x, &more.rows[0][n]);
+    store(level * y, &more.rows[1][n]);
+    load(&patch.even[0][n], turn);
+    store(-0.5f * (c1 * x + s1 * y) * turn, &more.rows[2][n]);
+    load(&patch.even[1][n], turn);
+    store(-0.5f * (c2 * x + s2 * y) * turn, &more.rows[3][n]);
+  }
+}
+
+// Rows of the patch as an image, with a margin so that neighbours need no care.
+constexpr int kMargin = 2, kSide = 32, kMiddle = kMostPatchRadius + 1 + kMargin;
+using Grid = std::array<float, kSide * kSide + kLanes>;
+
+int place(const Eigen::Vector2i& offset) { return (offset.y() + kMiddle) * kSide + offset.x() + kMiddle; }
+
+void spread(const CornerPatch::Row& row, int count, Grid& grid) {
+  static const std::array<int, kMostPatchPixels> places = [] {
+    std::array<int, kMostPatchPixels> all{};
+    for (int n = 0; n < pixels_in_disc(kMostPatchRadius + 1); ++n) all[n] = place(offset_of_pixel(n));
+    return all;
+  }();
+  for (int n = 0; n < count; ++n) grid[places[n]] = row[n];
+}
+
+HANDSIGHT_LANES float product(const float* a, const float* b, int rows) {
+  Lanes sum{}, x, y;
+  for (int n = 0; n < rows * kSide; n += kLanes) load(a + n, x), load(b + n, y), sum += x * y;
+  return total(sum);
+}
+
+// Sum over all pixels of a grid times itself, shifted.
+float shifted_product(const Grid& grid, int reach, const std::array<int, 2>& step) {
+  const float* const first = &grid[static_cast<std::size_t>((kMiddle - reach) * kSide)];
+  return product(first, first + step[1] * kSide + step[0], 2 * reach + 1);
+}
+
+// Half the difference to the point reflected at the corner.
+Grid odd_part(const Grid& grid, int reach, const Eigen::Vector2i& twice) {
+  Grid odd{};
+  for (int v = -reach; v <= reach; ++v) {
+    if (std::abs(twice.y() - v) > reach) continue;
+    const float* const from = &grid[static_cast<std::size_t>(place({0, v}))];
+    const float* const mirrored = &grid[static_cast<std::size_t>(place({twice.x(), twice.y() - v}))];
+    float* const to = &odd[static_cast<std::size_t>(place({0, v}))];
+    const int first = std::max(-reach, twice.x() - reach), last = std::min(reach, twice.x() + reach);
+    for (int u = first; u <= last; ++u) to[u] = 0.5f * (from[u] - mirrored[-u]);
+  }
+  return odd;
+}
+
+Vector usual_information(double variance, double added, double bend) {
+  Vector information = Vector::Zero();
+  information.segment<2>(2).setConstant(variance / (kShadeSigma * kShadeSigma));
+  information.segment<2>(4).setConstant(variance / (added * added));
+  information.segment<2>(6).setConstant(variance / (bend * bend));
+  return information;
+}
+
+}  // namespace
+
+std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bool with_neighbours) {
+  const CornerModel& model = fit.model;
+  const int reach = static_cast<int>(fit.radius) + 1;
+  const Eigen::Vector2i centre = pixel_of(model.position);
+  if (!is_inside(image, centre, reach)) return std::nullopt;
+  CornerPatch patch;
+  gather(image, centre, reach, patch);
+  evaluate(model, fit.radius, 0, patch.count, patch);
+  MoreRows more;
+  fill_more(model, patch, more);
+  std::array<const float*, kRows + kTileOfRows - 1> rows;
+  rows.fill(patch.residual.data());
+  for (int i = 0; i < 4; ++i) rows[i] = patch.odd[i].data(), rows[i + 4] = more.rows[i].data();
+  Products products;
+  (has_wide_lanes() ? products_in_wide : products_in_lanes)(rows.data(), patch.padded, products);
+  OddSystem system;
+  for (int i = 0; i < kOddUnknowns; ++i) {
+    for (int j = 0; j <= i; ++j) system.hessian(i, j) = system.hessian(j, i) = products[i][j];
+    system.side(i) = products[kOddUnknowns][i];
+  }
+  system.shade = model.shade;
+  const double weights = squared_weights(patch);
+  system.weights = weights;
+  const double first = std::max(fit.noise * fit.noise, kLeastNoise * kLeastNoise);
+  Hessian informed = system.hessian;
+  const Vector information = usual_information(first, kWide * kAddedSigma, kMostBend);
+  informed.diagonal() += information;
+  if (!invert<kOddUnknowns>(informed)) return std::nullopt;
+  const Hessian& inverse = informed;
+  const Vector step = inverse * system.side;
+  const auto settle = [&](double variance) {
+    system.variance = std::max(variance, kLeastNoise * kLeastNoise);
+    for (int i = 0; i < kOddUnknowns; ++i)
+      system.seen[i] = step(i), system.seen_variance[i] = system.variance * inverse(i, i);
+  };
+  settle(first);
+  if (!with_neighbours) return system;
+  // What is left when the odd unknowns are as they would be by themselves.
+  for (int i = 0; i < kOddUnknowns; ++i)
+    for (int n = 0; n < patch.padded; ++n) patch.residual[n] -= static_cast<float>(step(i)) * rows[i][n];
+  Grid grid{};
+  spread(patch.residual, patch.count, grid);
+  const Eigen::Vector2i twice = (2 * (model.position - centre.cast<double>())).array().round().cast<int>();
+  const Grid odd = odd_part(grid, reach, twice);
+  const double unknowns = kOddUnknowns - (information.array() * inverse.diagonal().array()).sum();
+  settle(shifted_product(odd, reach, {0, 0}) / std::max(0.5 * weights - unknowns, 4.0));
+  system.variance_ratio = system.variance / first;
+  Grid by_u{}, by_v{};
+  spread(patch.odd[0], patch.count, by_u), spread(patch.odd[1], patch.count, by_v);
+  for (int k = 0; k < kNeighbours; ++k) {
+    const double alike_u = shifted_product(by_u, reach, kSteps[k]) / std::max(system.hessian(0, 0), 1e-9);
+    const double alike_v = shifted_product(by_v, reach, kSteps[k]) / std::max(system.hessian(1, 1), 1e-9);
+    system.influence[k] = static_cast<float>(0.5 * (alike_u + alike_v));
+    // A fit takes from white noise what its unknowns explain, and so makes neighbours unlike.
+    const double taken = unknowns * system.influence[k];
+    system.products[k] =
+        static_cast<float>((shifted_product(odd, reach, kSteps[k]) / system.variance + taken) / (0.5 * weights));
+  }
+  return system;
+}
+
+void scale_variance(OddSystem& system, double factor) {
+  system.variance *= factor;
+  for (double& variance : system.seen_variance) variance *= factor;
+}
+
+Habits habits_of(std::span<const OddSystem> systems) {
+  Habits habits;
+  double bends = kFewCorners * kBendSigma * kBendSigma, corners = kFewCorners, pixels = kFewPixels;
+  double ratios = 0;
+  int looked_at = 0;
+  for (const OddSystem& system : systems) {
+    for (int i = 6; i < 8; ++i) {
+      const double own = system.seen_variance[i], trust = 1 / (1 + own / 1e-6);
+      bends += 0.5 * trust * (system.seen[i] * system.seen[i] - own), corners += 0.5 * trust;
+    }
+    if (system.influence[0] == 0) continue;
+    pixels += system.weights, ++looked_at;
+    ratios += system.variance_ratio;
+    for (int k = 0; k < kNeighbours; ++k) {
+      habits.correlation[k] += system.weights * system.products[k];
+      habits.influence[k] += system.influence[k];
+    }
+  }
+  if (looked_at > 0) habits.variance = ratios / looked_at;
+  for (float& influence : habits.influence) influence /= static_cast<float>(std::max(looked_at, 1));
+  habits.bend = std::clamp(std::sqrt(std::max(bends, 0.0) / corners), 0.3 * kBendSigma, kMostBend);
+  for (double& correlation : habits.correlation) correlation /= pixels;
+  return habits;
+}
+
+double correlation_factor(const OddSystem& system, const Habits& habits) {
+  const auto& influence = system.influence[0] != 0 ? system.influence : habits.influence;
+  double factor = 1;
+  for (int k = 0; k < kNeighbours; ++k) factor += 2 * habits.correlation[k] * influence[k];
+  return std::clamp(factor, kLeastFactor, kMostFactor);
+}
+
+bool are_bent(const Habits& habits) {
+  const auto most = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double alike = *std::max_element(habits.correlation.begin(), habits.correlation.end(), most);
+  return habits.bend > kPlainBend && std::abs(alike) < kMostAlike;
+}
+
+bool is_plain(const OddSystem& system) {
+  double chi2 = 0;
+  for (int i = 4; i < kOddUnknowns; ++i) chi2 += system.seen[i] * system.seen[i] / system.seen_variance[i];
+  return chi2 > kPlain;
+}
+
+std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits) {
+  const double variance = system.variance * correlation_factor(system, habits);
+  Vector information = usual_information(variance, kAddedSigma, habits.bend);
+  for (int i = 4; i < 6; ++i) {  // light may be added by as much as it seems to be here
+    const double seen = std::max(system.seen[i] * system.seen[i] - system.seen_variance[i], 0.0);
+    information(i) = variance / (kAddedSigma * kAddedSigma + seen);
+  }
+  Vector side = system.side;
+  side.segment<2>(2) -= information.segment<2>(2).cwiseProduct(system.shade);
+  Hessian inverse = system.hessian;
+  inverse.diagonal() += information;
+  if (!invert<kOddUnknowns>(inverse)) return std::nullopt;
+  const Vector step = inverse * side;
+  LastStep last;
+  last.is_needed = is_plain(system) || are_bent(habits);
+  last.move = step.head<2>(), last.covariance = kMeasured * variance * inverse.topLeftCorner<2, 2>();
+  if (!(last.covariance(0, 0) > 0 && last.covariance.determinant() > 0)) return std::nullopt;
+  return last;
+}
+
+}  // namespace handsight

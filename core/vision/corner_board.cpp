@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_board.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+constexpr int kCell = 32;            // px
+constexpr double kReach = 64;        // px: cells that are larger are smaller in a coarser image
+constexpr double kLeastSpacing = 3;  // px
+constexpr double kParallel = 0.3;    // sine, between edges of neighbours
+constexpr double kAlike = 2;         // times another's contrast
+constexpr double kAside = 0.25;      // of the spacing, from the straight line along an edge
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+Lattice::Node Lattice::node_of(const Suspect& s) {
+  const auto along = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
+  return {s.position, {along(s.edges[0]), along(s.edges[1])}, s.half_contrast, s.blur};
+}
+
+bool Lattice::are_of_one_board(const Node& a, const Node& b) {
+  const double one = std::abs(a.half_contrast), other = std::abs(b.half_contrast);
+  return one < kAlike * other && other < kAlike * one && edges_go_on(a, b);
+}
+
+bool Lattice::edges_go_on(const Node& a, const Node& b) {
+  const auto parallel = [&](int i, int j) { return std::abs(cross(a.along[i], b.along[j])) < kParallel; };
+  if (!(parallel(0, 0) && parallel(1, 1)) && !(parallel(0, 1) && parallel(1, 0))) return false;
+  const Eigen::Vector2d between = a.along[0] + a.along[1];  // in a sector of both
+  const auto colour = [&](const Node& n) {
+    return n.half_contrast * cross(n.along[0], between) * cross(n.along[1], between);
+  };
+  return colour(a) * colour(b) < 0;
+}
+
+Lattice::Lattice(int width, int height)
+    : across_(width / kCell + 1), down_(height / kCell + 1), first_(static_cast<std::size_t>(across_) * down_, -1) {}
+
+void Lattice::add(const Suspect& suspect) {
+  const int u = std::clamp(static_cast<int>(suspect.position.x()) / kCell, 0, across_ - 1);
+  const int v = std::clamp(static_cast<int>(suspect.position.y()) / kCell, 0, down_ - 1);
+  int& first = first_[static_cast<std::size_t>(v * across_ + u)];
+  next_.push_back(first), first = size();
+  nodes_.push_back(node_of(suspect));
+}
+
+template <class Act>
+void Lattice::each_near(const Eigen::Vector2d& position, double reach, const Act& act) const {
+  const auto cell = [&](double at, int cells) {
+    return std::clamp(static_cast<int>(std::max(at, 0.0)) / kCell, 0, cells - 1);
+  };
+  const int left = cell(position.x() - reach, across_), right = cell(position.x() + reach, across_);
+  const int bottom = cell(position.y() + reach, down_);
+  for (int v = cell(position.y() - reach, down_); v <= bottom; ++v)
+    for (int u = left; u <= right; ++u)
+      for (int n = first_[static_cast<std::size_t>(v * across_ + u)]; n >= 0; n = next_[n]) act(n);
+}
+
+bool Lattice::has_near(const Eigen::Vector2d& position, double distance) const {
+  bool has = false;
+  each_near(position, distance,
+            [&](int n) { has |= (nodes_[n].position - position).squaredNorm() < distance * distance; });
+  return has;
+}
+
+bool Lattice::suits(int number, const Suspect& suspect) const {
+  return are_of_one_board(nodes_[number], node_of(suspect));
+}
+
+bool Lattice::may_suit(int number, const Suspect& seen) const { return edges_go_on(nodes_[number], node_of(seen)); }
+
+std::array<int, 4> Lattice::neighbours(int number) const {
+  const Node& here = nodes_[number];
+  std::array<int, 4> best{-1, -1, -1, -1};
+  std::array<double, 4> nearest{kReach, kReach, kReach, kReach};
+  each_near(here.position, kReach, [&](int n) {
+    const Eigen::Vector2d off = nodes_[n].position - here.position;
+    if (off.squaredNorm() > kReach * kReach) return;
+    for (int edge = 0; edge < 2; ++edge) {
+      const double along = here.along[edge].dot(off), distance = std::abs(along);
+      const int place = 2 * edge + (along < 0);
+      if (!(distance > kLeastSpacing && distance < nearest[place])) continue;
+      if (std::abs(cross(here.along[edge], off)) > kAside * distance) continue;
+      if (are_of_one_board(here, nodes_[n])) nearest[place] = distance, best[place] = n;
+    }
+  });
+  return best;
+}
+
+std::vector<Foretold> Lattice::foretold_by(int number) const {
+  std::vector<Foretold> all;
+  const std::array<int, 4> near = neighbours(number);
+  for (int n = 0; n < 4; ++n) {
+    if (near[n] < 0 || near[n ^ 1] >= 0) continue;
+    const Eigen::Vector2d off = nodes_[number].position - nodes_[near[n]].position;
+    all.push_back({nodes_[number].position + off, off.norm(), number, nodes_[number].blur});
+  }
+  return all;
+}
+
+}  // namespace handsight

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boards foretell their own missing corners: on the other side of a corner from one neighbour there is another, with
+// the colours the other way round.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "vision/corner_likelihood.h"
+
+namespace handsight {
+
+/// Where a corner should be.
+struct Foretold {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
+  double spacing = 0;                                  // px, to the corner that foretells it
+  int witness = 0;                                     // number of that corner
+  double blur = 0;                                     // px, of that corner
+};
+
+/// Corners by where they are, and which are neighbours on a board.
+class Lattice {
+ public:
+  Lattice(int width, int height);
+  /// Corners have numbers in the order in which they come.
+  void add(const Suspect& suspect);
+  int size() const { return static_cast<int>(nodes_.size()); }
+
+  /// Numbers of the neighbours: along the first edge forwards and backwards, then along the second; -1 where none is
+  /// within 64 px, has edges along the same directions, a like contrast and the opposite colours.
+  std::array<int, 4> neighbours(int number) const;
+  /// What the neighbours of this corner foretell of those that it lacks.
+  std::vector<Foretold> foretold_by(int number) const;
+  /// Whether a suspect may be a neighbour of this corner, wherever it is.
+  bool suits(int number, const Suspect& suspect) const;
+  /// The same of what circles show of it, whose contrast glare and blur change: by edges and colours alone.
+  bool may_suit(int number, const Suspect& seen) const;
+  /// Whether a corner is within `distance` px.
+  bool has_near(const Eigen::Vector2d& position, double distance) const;
+
+ private:
+  struct Node {
+    Eigen::Vector2d position;
+    std::array<Eigen::Vector2d, 2> along;  // the edges
+    double half_contrast, blur;
+  };
+  static Node node_of(const Suspect& suspect);
+  static bool are_of_one_board(const Node& a, const Node& b);
+  static bool edges_go_on(const Node& a, const Node& b);
+  template <class Act>
+  void each_near(const Eigen::Vector2d& position, double reach, const Act& act) const;
+
+  int across_, down_;
+  std::vector<int> first_, next_;  // by cell of 32 px; by corner
+  std::vector<Node> nodes_;
+};
+
+}  // namespace handsight

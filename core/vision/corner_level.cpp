@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_level.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vision/corner_pyramid.h"
+
+namespace handsight {
+namespace {
+
+constexpr double kSame = 2;       // px: nearer ones are the same
+constexpr double kBlurred = 1.5;  // px, of a corner that may have neighbours too blurred for this image
+// More saddles near that are none than are corners: few enough to look again, and to look elsewhere too.
+constexpr double kFew = 4, kFewToCentre = 1;
+
+// Log-odds that a corner without a neighbour on a board must have, where it is found in a coarser image only: what is
+// out of focus behind makes many that look like it.
+constexpr double kLeastAlone = -1;
+
+// What was found, each as a corner and as a suspect.
+struct Finds {
+  std::vector<Found> all;
+  std::vector<Suspect> suspects;  // the same again, as they are weighed
+  void add(const Found& found, const Candidate& candidate) {
+    all.push_back(found), suspects.push_back(found.suspect), suspects.back().candidate = candidate;
+  }
+  void replace(std::size_t i, const Found& found) {
+    const Candidate candidate = suspects[i].candidate;
+    all[i] = found, suspects[i] = found.suspect, suspects[i].candidate = candidate;
+  }
+};
+
+struct Left {
+  const Candidate* candidate;
+  bool was_fitted, is_open;
+};
+
+// Looks long at what the first look left, and at what it found but believes to be none: a shadow spoils a fit too.
+void look_again(const Sight& sight, const SaddleField& field, const std::vector<Left>& left, Finds& finds) {
+  const auto is_worth_it = [&](const Candidate& candidate) { return field.others(candidate) <= kFew; };
+  for (std::size_t i = 0; i < finds.suspects.size(); ++i) {
+    const Suspect& suspect = finds.suspects[i];
+    if (suspect.log_odds > kLeastLogOdds || !is_worth_it(suspect.candidate)) continue;
+    const auto found = shadow_look(sight, suspect.candidate);
+    if (found && found->suspect.own > suspect.own) finds.replace(i, *found);
+  }
+  for (const auto& [candidate, was_fitted, is_open] : left) {
+    const double others = field.others(*candidate);
+    if (others > kFew) continue;
+    const auto found = long_look(sight, *candidate, {was_fitted, others <= kFewToCentre});
+    if (found) finds.add(*found, *candidate);
+  }
+}
+
+// What the first looks found and left.
+struct FirstLooks {
+  Finds finds;
+  std::vector<Left> left;
+  bool is_empty() const { return finds.suspects.empty() && left.empty(); }
+};
+
+template <class IsAsked>
+FirstLooks first_looks(const Level& level, const IsAsked& is_asked) {
+  FirstLooks looks;
+  for (const Candidate& candidate : level.candidates) {
+    if (!is_asked(candidate)) continue;
+    const Look look = quick_look(level.sight, candidate);
+    if (look.found)
+      looks.finds.add(*look.found, candidate);
+    else if (look.is_postponed)
+      looks.left.push_back({&candidate, look.was_fitted, look.is_open});
+  }
+  return looks;
+}
+
+// Looks longer at those that are left; keeps what is likelier a corner than not among the others.
+void take_likely(FirstLooks& looks, SaddleField& field, Level& level) {
+  if (looks.is_empty()) return;
+  const auto set_open = [&](double probability) {
+    for (const Left& rest : looks.left)
+      if (rest.is_open) field.set_probability(field.at(rest.candidate->position), probability);
+  };
+  Finds& finds = looks.finds;
+  set_open(0.5);
+  weigh(finds.suspects, field);
+  look_again(level.sight, field, looks.left, finds);
+  set_open(0);
+  weigh(finds.suspects, field);
+  for (std::size_t i = 0; i < finds.all.size(); ++i)
+    if (finds.suspects[i].log_odds > kLeastLogOdds) {
+      level.found.push_back(finds.all[i]);
+      level.found.back().suspect.log_odds = finds.suspects[i].log_odds;
+    }
+}
+
+double reach_of(const Foretold& foretold) { return std::clamp(0.25 * foretold.spacing, 1.5, 6.0); }
+
+// What stands where it was foretold, if it is a corner of the same board.
+bool take_if_there(Lattice& lattice, const Foretold& foretold, Level& level) {
+  const auto suits = [&](const CrossStructure& cross, const Eigen::Vector2d& position) {
+    Suspect seen;
+    seen.position = position, seen.edges = cross.edges, seen.half_contrast = cross.half_contrast;
+    return lattice.may_suit(foretold.witness, seen);
+  };
+  const auto found = foretold_look(level.sight, foretold.position, reach_of(foretold), suits);
+  if (!found || !lattice.suits(foretold.witness, found->suspect)) return false;
+  if (lattice.has_near(found->suspect.position, kSame)) return true;
+  lattice.add(found->suspect), level.found.push_back(*found);
+  return true;
+}
+
+// What a sharp corner foretells is sharp too: where no saddle is near it is in no coarser image.
+void leave(const Foretold& foretold, const SaddleField& field, Level& level) {
+  if (foretold.blur > kBlurred || field.has_near(foretold.position, reach_of(foretold)))
+    level.missing.push_back(foretold);
+}
+
+// Takes what the corners from number `first` on foretell, until nothing more comes.
+void take_foretold(Lattice& lattice, const SaddleField& field, int first, Level& level) {
+  for (int number = first; number < lattice.size(); ++number)
+    for (const Foretold& foretold : lattice.foretold_by(number))
+      if (!lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, foretold, level))
+        leave(foretold, field, level);
+}
+
+// A corner that has no neighbour on a board, as a marker's, must be the likelier one by itself. Numbers of the lattice
+// begin at `first` with those of this level.
+void mark_alone(const Lattice& lattice, int first, Level& level) {
+  for (std::size_t i = 0; i < level.found.size(); ++i) {
+    Found& found = level.found[i];
+    if (found.suspect.log_odds > kLeastAlone) continue;
+    const auto near = lattice.neighbours(first + static_cast<int>(i));
+    found.is_alone = std::all_of(near.begin(), near.end(), [](int n) { return n < 0; });
+  }
+}
+
+// How deep the saddles of the finer image are, place by place of the coarser one.
+class FinerSaddles {
+ public:
+  FinerSaddles(int width, int height, const std::vector<Candidate>& finer)
+      : across_(width / kCell + 3), deepest_(static_cast<std::size_t>(across_) * (height / kCell + 3), 0) {
+    for (const Candidate& candidate : finer) {
+      float& deepest = deepest_[number(in_halved(candidate.position, 1))];
+      deepest = std::max(deepest, candidate.saddle);
+    }
+  }
+  // What is sharper in the finer image was seen there.
+  bool tell_against(const Candidate& candidate) const {
+    const float* const middle = &deepest_[number(candidate.position)];
+    float deepest = 0;
+    for (const int row : {-across_, 0, across_})
+      for (const int column : {-1, 0, 1}) deepest = std::max(deepest, middle[row + column]);
+    return deepest > kSharper * candidate.saddle;
+  }
+
+ private:
+  static constexpr int kCell = 4;          // px
+  static constexpr float kSharper = 0.4f;  // of a corner that is blurred by 2 px in the finer image
+  std::size_t number(const Eigen::Vector2d& position) const {
+    return static_cast<std::size_t>((static_cast<int>(position.y()) / kCell + 1) * across_ +
+                                    static_cast<int>(position.x()) / kCell + 1);
+  }
+  int across_;
+  std::vector<float> deepest_;
+};
+
+}  // namespace
+
+void find_corners(Level& level, Image& half) {
+  const Sight& sight = level.sight;
+  level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, &half);
+  FirstLooks looks = first_looks(level, [](const Candidate&) { return true; });
+  SaddleField field(sight.image.width, sight.image.height, level.candidates);
+  take_likely(looks, field, level);
+  Lattice lattice(sight.image.width, sight.image.height);
+  for (const Found& found : level.found) lattice.add(found.suspect);
+  take_foretold(lattice, field, 0, level);
+}
+
+void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known, const std::vector<Foretold>& missing,
+                          Level& level, Image& half) {
+  const Sight& sight = level.sight;
+  level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, &half);
+  const FinerSaddles sharper(sight.image.width, sight.image.height, finer.candidates);
+  FirstLooks looks = first_looks(level, [&](const Candidate& candidate) { return !sharper.tell_against(candidate); });
+  if (looks.is_empty() && missing.empty()) return;
+  SaddleField field(sight.image.width, sight.image.height, level.candidates);
+  for (const Suspect& suspect : known) field.set_probability(field.at(suspect.position), 1);
+  take_likely(looks, field, level);
+  if (level.found.empty() && missing.empty()) return;
+  Lattice lattice(sight.image.width, sight.image.height);
+  for (const Suspect& suspect : known) lattice.add(suspect);
+  const int first = lattice.size();
+  for (const Found& found : level.found) lattice.add(found.suspect);
+  for (const Foretold& foretold : missing)
+    if (field.has_near(foretold.position, reach_of(foretold)) &&
+        !lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, foretold, level))
+      leave(foretold, field, level);
+  take_foretold(lattice, field, first, level);
+  mark_alone(lattice, first, level);
+}
+
+}  // namespace handsight

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The corners of one image of a pyramid.
+#pragma once
+
+#include <vector>
+
+#include "vision/corner_board.h"
+#include "vision/corner_candidates.h"
+#include "vision/corner_look.h"
+
+namespace handsight {
+
+/// One image, and what was found in it.
+struct Level {
+  Sight sight;
+  std::vector<Candidate> candidates;
+  std::vector<Found> found;
+  std::vector<Foretold> missing;  // what boards foretold in vain
+};
+
+/// All corners of the whole image; `half`: becomes the image at half the resolution.
+void find_corners(Level& level, Image& half);
+
+/// Of a coarser image what is too blurred for the finer one, and what was missing there. `known`: corners that are
+/// known already, and `missing`, both where they lie in the coarser image.
+void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known, const std::vector<Foretold>& missing,
+                          Level& level, Image& half);
+
+}  // namespace handsight

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vision/corner_model.h"
+#include "vision/corner_structure.h"
+#include "vision/corner_symmetry.h"
+
+namespace handsight {
+namespace {
+
+constexpr double kMostSigma = 0.3;      // px: a corner that is not known better than this helps nobody
+constexpr double kMostApart = 0.6;      // px, between the points of best symmetry and best fit
+constexpr double kMostAsymmetry = 0.3;  // half contrasts, beyond what the noise explains
+
+constexpr double kLikelyShade = 0.005;   // 1/px: light that changes faster may be a shadow's edge
+constexpr double kLeastOfShadow = 0.03;  // contrasts: opposite points differ by more where there is a shadow
+constexpr double kUsualShade = 0.005,
+                 kDoubtfulShade = 0.0015;  // 1/px: light's own; what beyond it doubles the variance
+constexpr double kOddsOfShadow = 2;        // log-odds: with four unknowns more much looks like a corner
+constexpr double kNearShadow = 4;          // px: a shadow's edge nearer than that is hard to tell from the corner's own
+constexpr double kShadowVariance = 1.25;   // what straight soft edges leave unsaid of real ones
+
+double in_half_turn(double angle) {
+  const double turned = std::fmod(angle, M_PI);
+  return turned < 0 ? turned + M_PI : turned;
+}
+
+// Of an X-corner the saddle's depth and the contrast of the sectors go together, whatever its blur and angle: the root
+// of the depth is 0.05 to 0.1 times the half contrast, per px^2, and less where cells are only some px wide.
+double relative_depth(const Candidate& candidate, const CrossStructure& cross) {
+  return std::sqrt(candidate.saddle) / std::abs(cross.half_contrast);
+}
+
+bool depth_suits(double depth) { return depth > 0.025 && depth < 0.12; }
+
+// The flatter the saddle the more symmetric it must be to be worth a fit; measured on corners and texture.
+bool symmetry_suits(double depth, const CrossStructure& cross) {
+  return cross.asymmetry < 0.42 + 0.088 * std::log(depth);
+}
+
+// What noise does not explain of the circles: that they are no four sectors, and that opposite points differ. Measured:
+// of what a fit shows to be none two in five are seen here already, of 1000 corners one is taken for none.
+constexpr double kLeastMove = 0.5;                           // px: less does not change what a fit finds
+constexpr double kMostMisfit = 0.108, kMostOffCentre = 0.3;  // where circles may be read off the corner
+bool sectors_suit(const CrossStructure& cross, double noise, double most = kMostMisfit) {
+  const double relative = noise / std::abs(cross.half_contrast);
+  const auto beyond = [&](double sign, double share) {  // `share` of the noise is in the sign
+    return std::sqrt(std::max(sign * sign - share * share * relative * relative, 0.0));
+  };
+  const double left = most - 0.47 * beyond(cross.asymmetry, 0.45);
+  return left > 0 && beyond(sector_misfit(cross), 0.35) < left;
+}
+
+// The covariance tells what noise does to a fit whose model is right. Where a shadow's edge near the corner was not
+// found it shows as light that changes faster than light does, and as asymmetry that the noise does not explain; where
+// it was found nearer than 4 px it is hard to tell from the corner's own.
+double doubt_of(const CornerModel& model, double asymmetry) {
+  const double relative = asymmetry / (0.035 * model.half_contrast);
+  if (!has_shadow(model))
+    return 1 + relative * relative + std::max(model.shade.norm() - kUsualShade, 0.0) / kDoubtfulShade;
+  const double near = std::max(kNearShadow - model.shadow.distance, 0.0);
+  return kShadowVariance * (1 + relative * relative + near * near);
+}
+
+// What the fit says is kept where the point of best symmetry, in the light that the fit found, agrees.
+std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
+  if (2 * std::abs(fit.model.half_contrast) < sight.options.min_contrast) return std::nullopt;
+  if (fit.covariance.trace() > 2 * kMostSigma * kMostSigma) return std::nullopt;
+  Found found;
+  const double own = corner_log_odds(signs_of(fit, sight.noise)) - (has_shadow(fit.model) ? kOddsOfShadow : 0);
+  if (log_odds_among(own, -2) < kLeastLogOdds) return std::nullopt;
+  found.fit = fit;
+  found.suspect = {{}, fit.model.position, fit.model.edges, fit.model.half_contrast, own, own, fit.model.blur};
+  // The strength is that of the symmetry, and what the model calls a corner must be a point of symmetry too.
+  const auto symmetric = symmetry_point(sight.image, fit.model.position, sight.options.sigma, kMostApart, 0,
+                                        has_shadow(fit.model) ? &fit.model : nullptr);
+  if (!symmetric) return std::nullopt;
+  const double asymmetry = std::sqrt(std::max(symmetric->noise * symmetric->noise - sight.noise * sight.noise, 0.0));
+  if (asymmetry > kMostAsymmetry * std::abs(fit.model.half_contrast)) return std::nullopt;
+  Corner& corner = found.corner;
+  corner.position = fit.model.position;
+  found.doubt = doubt_of(fit.model, asymmetry);
+  corner.covariance = fit.covariance * found.doubt;
+  corner.strength = symmetric->strength;
+  corner.contrast = 2 * std::abs(fit.model.half_contrast);
+  corner.edges = {in_half_turn(fit.model.edges[0]), in_half_turn(fit.model.edges[1])};
+  return found;
+}
+
+std::optional<Found> corner_in_light(const Sight& sight, const Eigen::Vector2d& start, const CrossStructure& cross) {
+  const auto fit = fit_corner(sight.image, start, cross, sight.noise);
+  if (!fit) return std::nullopt;
+  const auto plain = checked(sight, *fit);
+  if (!plain || fit->model.shade.norm() < kLikelyShade) return plain;
+  const auto beside = fit_beside_shadow(sight.image, start, cross, fit->model, Guess::fitted, sight.noise);
+  const auto shaded = beside ? checked(sight, *beside) : std::nullopt;
+  // Where the shadow explains little it only adds unknowns.
+  const bool better = shaded && shaded->corner.covariance.trace() < 1.5 * plain->corner.covariance.trace();
+  return better ? shaded : plain;
+}
+
+std::optional<Found> corner_in_shadow(const Sight& sight, const Eigen::Vector2d& start, const CrossStructure& cross) {
+  const auto fit =
+      fit_beside_shadow(sight.image, start, cross, first_guess(start, cross), Guess::from_circles, sight.noise);
+  return fit ? checked(sight, *fit) : std::nullopt;
+}
+
+// Circles that are read off the corner tell little: here they are read at the point of best symmetry.
+std::optional<Found> centred_look(const Sight& sight, const Eigen::Vector2d& start, bool was_fitted) {
+  const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, 2.5, 2);
+  if (!symmetric) return std::nullopt;
+  if (was_fitted && (symmetric->position - start).norm() < kLeastMove) return std::nullopt;
+  const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);
+  if (!cross || !sectors_suit(*cross, sight.noise)) return std::nullopt;
+  return corner_in_light(sight, symmetric->position, *cross);
+}
+
+// The circles of a corner whose model is known.
+CrossStructure structure_of(const CornerModel& model) {
+  CrossStructure cross;
+  cross.edges = model.edges, cross.level = model.level, cross.half_contrast = model.half_contrast;
+  cross.blur = model.blur;
+  return cross;
+}
+
+}  // namespace
+
+Look quick_look(const Sight& sight, const Candidate& candidate) {
+  const Eigen::Vector2i pixel = (candidate.position.array() + 0.5).cast<int>();  // none is negative
+  const auto lighting = may_be_cross(sight.image, pixel, sight.options.min_contrast, sight.noise);
+  if (!lighting) return {};
+  Look look{.is_postponed = true};
+  if (!candidate.stationary || lighting == Lighting::shadowed) return look;
+  const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast);
+  if (!cross) return look;
+  const double depth = relative_depth(candidate, *cross);
+  if (!depth_suits(depth)) return look;
+  look.is_open = !symmetry_suits(depth, *cross);
+  look.was_fitted = !look.is_open && sectors_suit(*cross, sight.noise);
+  if (look.was_fitted) look.found = corner_in_light(sight, candidate.position, *cross);
+  return look;
+}
+
+std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, const SecondLook& look) {
+  const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast, Lighting::shadowed);
+  if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
+  const bool may_be_centred = look.may_centre && sectors_suit(*cross, sight.noise, kMostOffCentre);
+  const auto found = may_be_centred ? centred_look(sight, candidate.position, look.was_fitted) : std::nullopt;
+  if (found || cross->asymmetry < kLeastOfShadow) return found;
+  return corner_in_shadow(sight, candidate.position, *cross);
+}
+
+std::optional<Found> shadow_look(const Sight& sight, const Candidate& candidate) {
+  const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast, Lighting::shadowed);
+  if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
+  return corner_in_shadow(sight, candidate.position, *cross);
+}
+
+std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start, double reach, int steps) {
+  const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, reach, steps);
+  if (!symmetric) return std::nullopt;
+  const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);
+  return cross ? corner_in_light(sight, symmetric->position, *cross) : std::nullopt;
+}
+
+std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
+                                   const SuitsBoard& suits) {
+  const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, reach, 2);
+  if (symmetric) {
+    const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);
+    if (cross && suits(*cross, symmetric->position))
+      if (auto found = corner_in_light(sight, symmetric->position, *cross)) return found;
+  }
+  const auto cross = cross_structure(sight.image, start, sight.options.min_contrast, Lighting::shadowed);
+  return cross && suits(*cross, start) ? corner_in_shadow(sight, start, *cross) : std::nullopt;
+}
+
+std::optional<Found> known_look(const Sight& sight, const CornerModel& known) {
+  const auto fit = fit_corner(sight.image, known.position, structure_of(known), sight.noise);
+  if (!fit) return std::nullopt;
+  const bool same = fit->model.half_contrast * known.half_contrast > 0 &&
+                    std::abs(std::sin(fit->model.edges[0] - known.edges[0])) < 0.3 &&
+                    std::abs(std::sin(fit->model.edges[1] - known.edges[1])) < 0.3;
+  return same ? checked(sight, *fit) : std::nullopt;
+}
+
+}  // namespace handsight

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// One candidate looked at: quickly, or long, or where a board foretells a corner.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "vision/corner_detector.h"
+#include "vision/corner_likelihood.h"
+#include "vision/corner_structure.h"
+
+namespace handsight {
+
+/// What is looked at. `noise`: grey levels, sigma of a pixel.
+struct Sight {
+  const Image& image;
+  const DetectorOptions& options;
+  double noise;
+};
+
+struct Found {
+  Corner corner;
+  Suspect suspect;
+  CornerFit fit;
+  bool is_alone = false;  // no neighbour on a board, and not likely enough a corner for that
+  double doubt = 1;       // by how much asymmetry that noise does not explain enlarges the covariance
+};
+
+/// What the first look at a candidate found; and whether a second one might tell more.
+struct Look {
+  std::optional<Found> found;
+  bool was_fitted = false;    // in even light, where it is
+  bool is_open = false;       // too asymmetric to be worth a fit yet
+  bool is_postponed = false;  // open, or what made it none may be its centre, a shadow or its neighbours
+};
+
+/// What cannot be a corner is cheap to see of most: nothing is fitted that a cheap test speaks against.
+Look quick_look(const Sight& sight, const Candidate& candidate);
+
+/// How to look at a candidate again.
+struct SecondLook {
+  bool was_fitted = false;  // where it is, in even light, in vain
+  bool may_centre = true;   // by its symmetry
+};
+
+/// Where few saddles near are no corners: centred by its symmetry, with less asked of it, then beside a shadow.
+std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, const SecondLook& look);
+
+/// Beside a shadow only.
+std::optional<Found> shadow_look(const Sight& sight, const Candidate& candidate);
+
+/// Where a corner must be within `reach` px, if at all: centred by its symmetry, then fitted, whatever cheap tests say.
+std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start, double reach, int steps = 3);
+
+/// Whether what the circles show at a place goes on the board that foretold it.
+using SuitsBoard = std::function<bool(const CrossStructure&, const Eigen::Vector2d& position)>;
+
+/// The same where the board's colours and edges go on there, and beside a shadow where there is none in even light.
+std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
+                                   const SuitsBoard& suits);
+
+/// A fit from numbers that are known well, as from a coarser image; nothing where what comes out is another corner.
+std::optional<Found> known_look(const Sight& sight, const CornerModel& known);
+
+}  // namespace handsight

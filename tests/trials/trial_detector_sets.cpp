@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// The detector before a camera with all the habits of real ones (tests/vision/corner_camera.h): recall, errors and
+// whether the covariance is right, set by set; recall as curves over blur, cell size, tilt and contrast; false corners.
+// Usage: trial_detector_sets [SEED [PART [FOLDER]]]: PART is sets, curves, large, false or all; FOLDER holds
+// photographs without boards, in which every corner counts as a false one.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+
+#include "vision/corner_camera.h"
+#include "vision/corner_detector.h"
+#include "vision/corner_truth.h"
+
+namespace handsight {
+namespace {
+
+using namespace corner_images;
+
+constexpr double kInScope = 0.1;  // px an axis: what could be known better counts
+constexpr double kSame = 2;       // px
+constexpr double kVisible = 0.4;  // of the contrast, of what is clipped white
+
+struct Score {
+  int in_scope = 0, found = 0, far = 0, false_ones = 0, theirs_lost = 0;
+  double squares = 0, worst = 0, normalised = 0, their_squares = 0, our_squares_there = 0, megapixels = 0;
+  double recall() const { return static_cast<double>(found) / std::max(in_scope, 1); }
+};
+
+using Filter = bool (*)(const TrueCorner&);
+bool all_of_them(const TrueCorner&) { return true; }
+
+void add(const Picture& picture, const std::vector<Corner>& corners, Filter filter, bool with_opencv, Score& score) {
+  std::vector<bool> used(corners.size(), false);
+  for (const TrueCorner& truth : picture.corners) {
+    int best = -1;
+    double nearest = std::max(kSame, 0.7 * picture.blur);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const double distance = (corners[i].position - truth.position).norm();
+      if (distance < nearest) nearest = distance, best = static_cast<int>(i);
+    }
+    if (best >= 0) used[best] = true;
+    if (truth.bound > kInScope || truth.smallest_cell < 4 || truth.visible < kVisible || !filter(truth)) continue;
+    ++score.in_scope;
+    if (best < 0) continue;
+    const Eigen::Vector2d error = corners[best].position - truth.position;
+    const double normalised = error.dot(corners[best].covariance.inverse() * error);
+    ++score.found, score.squares += error.squaredNorm(), score.worst = std::max(score.worst, error.norm());
+    score.normalised += normalised, score.far += normalised > 18.4;
+    if (!with_opencv) continue;
+    const double theirs = (opencv_corner(picture.image, truth.position.array().round()) - truth.position).norm();
+    if (theirs < 1)
+      score.their_squares += theirs * theirs, score.our_squares_there += error.squaredNorm();
+    else
+      ++score.theirs_lost;
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto near = [&](const Eigen::Vector2d& rim) { return (rim - corners[i].position).norm() < 4 + picture.blur; };
+    score.false_ones += !used[i] && std::none_of(picture.at_rim.begin(), picture.at_rim.end(), near);
+  }
+  score.megapixels += 1e-6 * picture.image.width * picture.image.height;
+}
+
+void print(const std::string& name, const Score& s) {
+  fmt::print(
+      "{:<34} {:6} in scope, recall {:.4f} ({:4} lost); rms {:.4f} worst {:.3f} px; normalised error^2 {:.2f}, > 18.4 "
+      "{:.2f} %; to cornerSubPix {:.2f}; {} false in {:.1f} MP\n",
+      name, s.in_scope, s.recall(), s.in_scope - s.found, std::sqrt(s.squares / std::max(s.found, 1)), s.worst,
+      s.normalised / std::max(s.found, 1), 100.0 * s.far / std::max(s.found, 1),
+      s.their_squares > 0 ? std::sqrt(s.our_squares_there / s.their_squares) : 0.0, s.false_ones, s.megapixels);
+  std::fflush(stdout);
+}
+
+Score score_of(const Conditions& conditions, int pictures, unsigned seed, Filter filter = all_of_them,
+               bool with_opencv = true) {
+  std::mt19937 random(seed);
+  Score score;
+  for (int i = 0; i < pictures; ++i) {
+    const Picture picture = take(conditions, random);
+    add(picture, detect_corners(picture.image), filter, with_opencv, score);
+  }
+  return score;
+}
+
+void sets(unsigned seed) {
+  const auto set = [&](const std::string& name, int pictures, const Conditions& conditions,
+                       Filter filter = all_of_them) { print(name, score_of(conditions, pictures, seed, filter)); };
+  set("even light", 20, {});
+  set("before things", 20, {.ground = Ground::things});
+  set("tilt 60-70 deg", 30, {.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}});
+  set("gamma 1.8-2.4", 20, {.gamma = {1.8, 2.4}});
+  set("gamma, tilt 50-65 deg", 20, {.cell = {14, 30}, .tilt = {0.87, 1.13}, .gamma = {1.8, 2.4}});
+  set("JPEG 60-95", 20, {.quality = {60, 95}});
+  set("Bayer, bilinear", 20, {.mosaic = Mosaic::bilinear});
+  set("Bayer, edge aware", 20, {.mosaic = Mosaic::edge_aware});
+  set("Bayer, frontal, little noise", 20,
+      {.tilt = {0, 0.1}, .blur = {0.3, 0.7}, .noise = {0.2, 0.5}, .mosaic = Mosaic::bilinear});
+  set("Bayer, gamma, JPEG, sharpening", 20,
+      {.gamma = {1.8, 2.4}, .sharpening = {0.3, 1}, .quality = {75, 97}, .mosaic = Mosaic::edge_aware});
+  set("sharpening 0.5-2", 20, {.sharpening = {0.5, 2}});
+  set("halos of 2-3 px", 20, {.cell = {20, 34}, .blur = {1.2, 2}, .sharpening = {1.5, 3}, .halo = {2, 3}});
+  set("light uneven", 20, {.gradient = {0, 0.004}});
+  set("glare", 30, {.contrast = {40, 120}, .glare = {50, 150}});
+  set("white clipped", 20, {.contrast = {80, 200}, .exposure = {1.3, 2.2}});
+  const Conditions shadow{.shade = {0.25, 0.7}};
+  set("shadow's edge 4-12 px off", 40, shadow,
+      [](const TrueCorner& c) { return c.shadow_distance > 4 && c.shadow_distance < 12; });
+  set("shadow's edge 1.5-4 px off", 40, shadow,
+      [](const TrueCorner& c) { return c.shadow_distance > 1.5 && c.shadow_distance <= 4; });
+  set("shadow's edge under 1.5 px", 40, shadow, [](const TrueCorner& c) { return c.shadow_distance <= 1.5; });
+  set("sharp, blur 0.2-0.4", 20, {.blur = {0.2, 0.4}});
+  set("blur 2-3.5", 20, {.cell = {16, 34}, .blur = {2, 3.5}});
+  set("blur 3.5-8", 12, {.width = 640, .height = 480, .cell = {34, 60}, .tilt = {0, 0.7}, .blur = {3.5, 8}});
+  set("cells 6-9", 20, {.cell = {6, 9}, .tilt = {0, 0.7}, .blur = {0.4, 1.1}});
+  set("contrast 20-40", 20, {.contrast = {25, 40}, .noise = {0.5, 2}});
+  set("strong distortion", 20, {.distortion = {-.35, .35}});
+  set("270 x 180", 30, {.width = 270, .height = 180, .ground = Ground::things});
+  set("640 x 480, before things", 10, {.width = 640, .height = 480, .ground = Ground::things});
+}
+
+void curve(const std::string& name, const std::vector<double>& at, int pictures, unsigned seed,
+           const std::function<Conditions(double)>& conditions) {
+  std::string line = fmt::format("recall by {:<24}", name), sizes = fmt::format("{:<34}", "  in scope");
+  for (const double x : at) {
+    const Score s = score_of(conditions(x), pictures, seed, all_of_them, false);
+    line += fmt::format(" {:g}: {:.3f} ", x, s.recall()), sizes += fmt::format(" {:>10}", s.in_scope);
+  }
+  fmt::print("{}\n{}\n", line, sizes);
+  std::fflush(stdout);
+}
+
+void curves(unsigned seed) {
+  curve("blur, px (cells 5 blurs + 8)", {0.2, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8}, 5, seed, [](double x) {
+    const double cell = 8 + 5 * x;
+    return Conditions{.width = 480, .height = 360, .cell = {cell, cell}, .tilt = {0, 0.6}, .blur = {x, x}};
+  });
+  curve("cell, px (blur 0.5-1)", {4, 5, 6, 7, 8, 10, 14, 20, 40}, 8, seed, [](double x) {
+    return Conditions{.cell = {x, x}, .tilt = {0, 0.5}, .blur = {0.5, 1}};
+  });
+  curve("tilt, degrees (cells 14-30)", {0, 20, 40, 50, 60, 65, 70, 75}, 8, seed, [](double x) {
+    return Conditions{.cell = {14, 30}, .tilt = {x * M_PI / 180, x * M_PI / 180}};
+  });
+  curve("contrast, grey levels (noise 1-2)", {10, 15, 20, 25, 30, 40, 80, 160, 220}, 8, seed, [](double x) {
+    return Conditions{.contrast = {x, x}, .noise = {1, 2}};
+  });
+}
+
+template <class Work>
+double milliseconds(int times, const Work& work) {  // of the clock, the least: others may share the machine
+  double least = 1e9;
+  for (int i = 0; i < times; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    least =
+        std::min(least, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+  }
+  return least;
+}
+
+void large(unsigned seed) {
+  const auto one = [&](const std::string& name, const Conditions& conditions) {
+    std::mt19937 random(seed);
+    const Picture picture = take(conditions, random);
+    const std::vector<Corner> corners = detect_corners(picture.image, {.max_corners = 4000});
+    Score score;
+    add(picture, corners, all_of_them, false, score);
+    print(name, score);
+    fmt::print("{:<34} {:.2f} ms, {} reported\n", "", milliseconds(7, [&] { detect_corners(picture.image); }),
+               corners.size());
+  };
+  const Conditions twelve{
+      .width = 4000, .height = 3000, .cell = {90, 110}, .tilt = {0, 0.5}, .blur = {0.8, 1.4}, .noise = {1, 3}};
+  Conditions c = twelve;
+  one("12 MP, plain ground", c);
+  c.ground = Ground::things;
+  one("12 MP, before things", c);
+  c.ground = Ground::texture;
+  one("12 MP, before texture", c);
+  c = twelve, c.ground = Ground::things, c.blur = {3, 4};
+  one("12 MP, blur 3-4", c);
+  c = twelve, c.ground = Ground::texture, c.contrast = {45, 55};
+  one("12 MP, before stronger texture", c);
+  c = twelve, c.ground = Ground::things, c.sharpening = {2, 3}, c.halo = {2, 3}, c.quality = {80, 90},
+  c.blur = {1.5, 2};
+  one("12 MP, action camera", c);
+  c = twelve, c.cell = {60, 70}, c.distortion = {-.3, -.2}, c.ground = Ground::things;
+  one("12 MP, bent, cells 60-70", c);
+  c = twelve, c.width = 7300, c.height = 5500, c.blur = {1.2, 2}, c.cell = {150, 180};
+  one("40 MP", c);
+}
+
+std::string without_truth(const Image& image, int& reported, double& megapixels) {
+  const auto corners = detect_corners(image);
+  reported += static_cast<int>(corners.size()), megapixels += 1e-6 * image.width * image.height;
+  return {};
+}
+
+void false_corners(unsigned seed, const std::string& folder) {
+  for (const auto& [name, ground] : {std::pair{"things", Ground::things}, std::pair{"texture", Ground::texture}}) {
+    std::mt19937 random(seed + 7);
+    int reported = 0;
+    double megapixels = 0;
+    for (int i = 0; i < 16; ++i)
+      without_truth(take({.width = 640,
+                          .height = 480,
+                          .blur = {0.5, 2},
+                          .noise = {0.5, 4},
+                          .quality = {70, 100},
+                          .ground = ground,
+                          .with_board = false},
+                         random)
+                        .image,
+                    reported, megapixels);
+    fmt::print("false corners, {:<12} {} in {:.1f} MP, {:.2f} a megapixel\n", name, reported, megapixels,
+               reported / megapixels);
+  }
+  if (folder.empty()) return;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  int all = 0;
+  double megapixels = 0;
+  for (const auto& file : files) {
+    const cv::Mat mat = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+    if (mat.empty()) continue;
+    const int before = all;
+    without_truth(as_image(mat), all, megapixels);
+    fmt::print("  {} {} x {}: {}\n", file.filename().string(), mat.cols, mat.rows, all - before);
+  }
+  fmt::print("false corners, photographs: {} in {:.1f} MP, {:.2f} a megapixel\n", all, megapixels, all / megapixels);
+}
+
+}  // namespace
+}  // namespace handsight
+
+int main(int count, char** words) {
+  const unsigned seed = count > 1 ? static_cast<unsigned>(std::atoi(words[1])) : 11;
+  const std::string part = count > 2 ? words[2] : "all", folder = count > 3 ? words[3] : "";
+  const auto asked = [&](const char* name) { return part == name || part == "all"; };
+  if (asked("sets")) handsight::sets(seed);
+  if (asked("curves")) handsight::curves(seed);
+  if (asked("large")) handsight::large(seed);
+  if (asked("false")) handsight::false_corners(seed, folder);
+}

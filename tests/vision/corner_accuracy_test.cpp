@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_accuracy.h"
+
+#include <gtest/gtest.h>
+
+#include "vision/corner_images.h"
+#include "vision/corner_structure.h"
+
+namespace handsight {
+namespace {
+
+// Fits of corners at 32, 32 whose image is made by `scene` with white noise, which `blur_of_noise` px of smoothing
+// correlate.
+std::vector<std::pair<CornerFit, Image>> fits(const corner_images::Scene& scene, double noise, bool is_correlated,
+                                              int count) {
+  std::mt19937 random(3);
+  std::vector<std::pair<CornerFit, Image>> all;
+  const cv::Mat exact = corner_images::exact_image(65, 65, scene, 1);
+  std::normal_distribution<float> normal(0, 1);
+  for (int i = 0; i < count; ++i) {
+    cv::Mat grain(65, 65, CV_32F);
+    for (int v = 0; v < 65; ++v)
+      for (int u = 0; u < 65; ++u) grain.at<float>(v, u) = normal(random);
+    if (is_correlated) {
+      cv::GaussianBlur(grain, grain, {0, 0}, 0.8);
+      grain *= 2 * std::sqrt(M_PI) * 0.8;
+    }
+    Image image(65, 65);
+    for (int v = 0; v < 65; ++v)
+      for (int u = 0; u < 65; ++u)
+        image.row(v)[u] = static_cast<std::uint8_t>(
+            std::clamp(std::lround(exact.at<float>(v, u) + noise * grain.at<float>(v, u)), 0L, 255L));
+    const auto cross = cross_structure(image, {32, 32}, 20);
+    const auto fit = cross ? fit_corner(image, {32, 32}, *cross, noise) : std::nullopt;
+    if (fit) all.push_back({*fit, image});
+  }
+  return all;
+}
+
+double plain(double u, double v) { return ((u < 32.2) == (v < 31.9)) ? 60 : 180; }
+
+struct Outcome {
+  double normalised = 0, squares = 0, before = 0;
+  Habits habits;
+};
+
+Outcome outcome_of(const std::vector<std::pair<CornerFit, Image>>& all, const Eigen::Vector2d& truth) {
+  std::vector<OddSystem> systems;
+  for (const auto& [fit, image] : all) systems.push_back(*odd_system(image, fit));
+  Outcome outcome;
+  outcome.habits = habits_of(systems);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto last = last_step(systems[i], outcome.habits);
+    const Eigen::Vector2d error = all[i].first.model.position + last->move - truth;
+    outcome.normalised += error.dot(last->covariance.inverse() * error) / static_cast<double>(all.size());
+    outcome.squares += error.squaredNorm() / static_cast<double>(all.size());
+    outcome.before += (all[i].first.model.position - truth).squaredNorm() / static_cast<double>(all.size());
+  }
+  return outcome;
+}
+
+TEST(CornerAccuracy, OfWhiteNoiseTheCovarianceIsRight) {
+  const auto all = fits(plain, 4, false, 150);
+  ASSERT_GT(all.size(), 140u);
+  const Outcome outcome = outcome_of(all, {32.2, 31.9});
+  EXPECT_GT(outcome.normalised, 1.4);  // 2 is right, 150 corners scatter by 0.16
+  EXPECT_LT(outcome.normalised, 2.8);
+  for (const double correlation : outcome.habits.correlation) EXPECT_NEAR(correlation, 0, 0.1);
+}
+
+TEST(CornerAccuracy, KnowsThatNeighboursShareTheirNoise) {
+  const auto all = fits(plain, 4, true, 150);
+  ASSERT_GT(all.size(), 130u);
+  const Outcome outcome = outcome_of(all, {32.2, 31.9});
+  EXPECT_GT(outcome.habits.correlation[0], 0.35);  // a Gaussian of 0.8 px: exp(-1 / 2.56) = 0.68, a third stays hidden
+  EXPECT_GT(outcome.normalised, 1);
+  EXPECT_LT(outcome.normalised, 4);  // 3.4 here: of sigma a quarter is still missing
+}
+
+TEST(CornerAccuracy, FindsBothEdgesBends) {
+  const double bend = 0.004;  // 1/px
+  const auto bent = [&](double u, double v) {
+    const double x = u - 32.2, y = v - 31.9;
+    return ((x < 0.5 * bend * y * y) == (y < 0.5 * bend * x * x)) ? 60 : 180;
+  };
+  const auto all = fits(bent, 1.5, false, 60);
+  ASSERT_GT(all.size(), 50u);
+  const Outcome outcome = outcome_of(all, {32.2, 31.9});
+  EXPECT_NEAR(outcome.habits.bend, bend, 0.4 * bend);
+  EXPECT_LT(outcome.squares, 0.25 * outcome.before);
+  EXPECT_LT(outcome.normalised, 3);
+}
+
+TEST(CornerAccuracy, FindsLightThatIsAdded) {
+  const auto glaring = [&](double u, double v) { return 0.7 * plain(u, v) + 1.2 * (u - 32); };
+  const auto all = fits(glaring, 1.5, false, 60);
+  ASSERT_GT(all.size(), 50u);
+  const Outcome outcome = outcome_of(all, {32.2, 31.9});
+  EXPECT_LT(outcome.squares, 0.25 * outcome.before);
+  EXPECT_LT(outcome.normalised, 3);
+}
+
+}  // namespace
+}  // namespace handsight

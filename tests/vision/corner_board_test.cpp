@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_board.h"
+
+#include <gtest/gtest.h>
+
+namespace handsight {
+namespace {
+
+// A corner of a board of 20 px cells along the axes, in column i and row j.
+Suspect of_board(int i, int j) {
+  Suspect suspect;
+  suspect.position = {100.0 + 20 * i, 90.0 + 20 * j};
+  suspect.edges = {0, M_PI / 2};
+  suspect.half_contrast = (i + j) % 2 ? -50 : 50;
+  return suspect;
+}
+
+TEST(CornerBoard, NeighboursLieAlongTheEdgesAndHaveOppositeColours) {
+  Lattice lattice(320, 240);
+  lattice.add(of_board(0, 0)), lattice.add(of_board(1, 0)), lattice.add(of_board(0, -1)), lattice.add(of_board(1, 1));
+  EXPECT_EQ(lattice.neighbours(0), (std::array<int, 4>{1, -1, -1, 2}));
+  Suspect same = of_board(-1, 0);
+  same.half_contrast *= -1;  // as the corner itself: no board has that
+  lattice.add(same);
+  EXPECT_EQ(lattice.neighbours(0)[1], -1);
+  lattice.add(of_board(-1, 0));
+  EXPECT_EQ(lattice.neighbours(0)[1], 5);
+}
+
+TEST(CornerBoard, AnEdgesAngleNearHalfATurnIsTheSameDirection) {
+  Lattice lattice(320, 240);
+  Suspect turned = of_board(1, 0);
+  turned.edges = {M_PI / 2, M_PI - 0.01}, turned.half_contrast = 50;  // the same colours, told the other way round
+  lattice.add(of_board(0, 0)), lattice.add(turned);
+  EXPECT_EQ(lattice.neighbours(0)[0], 1);
+}
+
+TEST(CornerBoard, ForetellsWhatLiesOppositeOfANeighbour) {
+  Lattice lattice(320, 240);
+  lattice.add(of_board(0, 0)), lattice.add(of_board(1, 0));
+  const auto foretold = lattice.foretold_by(0);
+  ASSERT_EQ(foretold.size(), 1u);
+  EXPECT_NEAR((foretold[0].position - of_board(-1, 0).position).norm(), 0, 1e-9);
+  EXPECT_NEAR(foretold[0].spacing, 20, 1e-9);
+  EXPECT_TRUE(lattice.suits(foretold[0].witness, of_board(-1, 0)));
+  EXPECT_FALSE(lattice.suits(foretold[0].witness, of_board(-2, 0)));
+  lattice.add(of_board(-1, 0));
+  EXPECT_TRUE(lattice.foretold_by(0).empty());
+}
+
+TEST(CornerBoard, KnowsWhatIsNear) {
+  Lattice lattice(320, 240);
+  lattice.add(of_board(0, 0));
+  EXPECT_TRUE(lattice.has_near({101, 91}, 2));
+  EXPECT_FALSE(lattice.has_near({103, 90}, 2));
+  EXPECT_FALSE(lattice.has_near({-50, 1e4}, 2));
+}
+
+}  // namespace
+}  // namespace handsight

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The detector before boards that a camera with real ones' habits looks at.
+#include "vision/corner_camera.h"
+
+#include <gtest/gtest.h>
+
+#include "vision/corner_detector.h"
+
+namespace handsight {
+namespace {
+
+using corner_images::Conditions;
+using corner_images::Ground;
+using corner_images::Mosaic;
+using corner_images::Picture;
+using corner_images::TrueCorner;
+
+struct Outcome {
+  int in_scope = 0, found = 0;
+  double squares = 0, normalised = 0;
+  double recall() const { return static_cast<double>(found) / in_scope; }
+};
+
+Outcome outcome_of(const Conditions& conditions, int pictures, unsigned seed) {
+  std::mt19937 random(seed);
+  Outcome outcome;
+  for (int i = 0; i < pictures; ++i) {
+    const Picture picture = corner_images::take(conditions, random);
+    const std::vector<Corner> corners = detect_corners(picture.image);
+    for (const TrueCorner& truth : picture.corners) {
+      if (truth.bound > 0.1 || truth.smallest_cell < 4 || truth.visible < 0.4) continue;
+      ++outcome.in_scope;
+      const Corner* best = nullptr;
+      double nearest = std::max(2.0, 0.7 * picture.blur);
+      for (const Corner& corner : corners) {
+        const double distance = (corner.position - truth.position).norm();
+        if (distance < nearest) nearest = distance, best = &corner;
+      }
+      if (!best) continue;
+      const Eigen::Vector2d error = best->position - truth.position;
+      ++outcome.found, outcome.squares += error.squaredNorm();
+      outcome.normalised += error.dot(best->covariance.inverse() * error);
+    }
+  }
+  outcome.squares /= outcome.found, outcome.normalised /= outcome.found;
+  return outcome;
+}
+
+// Bounds of the normalised squared error: 2 is right; three times as large a sigma would make 0.2, half of it 8.
+TEST(CornersOfACamera, EvenLight) {
+  const Outcome outcome = outcome_of({}, 4, 1);
+  EXPECT_GE(outcome.recall(), 0.998);
+  EXPECT_GT(outcome.normalised, 1);
+  EXPECT_LT(outcome.normalised, 3);
+}
+
+TEST(CornersOfACamera, SteepViews) {
+  const Outcome outcome = outcome_of({.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}}, 8, 2);
+  EXPECT_GE(outcome.recall(), 0.97);  // 0.98 in the trial's larger sample, 0.92 when each corner stood by itself
+}
+
+TEST(CornersOfACamera, BlurThatTheWholeImageCannotFit) {
+  const Outcome outcome =
+      outcome_of({.width = 480, .height = 360, .cell = {36, 50}, .tilt = {0, 0.5}, .blur = {3.5, 7}}, 4, 3);
+  EXPECT_GE(outcome.recall(), 0.97);
+  EXPECT_LT(outcome.normalised, 4);
+}
+
+TEST(CornersOfACamera, LightThatIsAdded) {
+  const Outcome outcome = outcome_of({.contrast = {40, 120}, .glare = {50, 150}}, 5, 4);
+  EXPECT_GE(outcome.recall(), 0.98);
+  EXPECT_LT(outcome.normalised, 3);
+}
+
+TEST(CornersOfACamera, WhiteThatIsCutOff) {
+  const Outcome outcome = outcome_of({.contrast = {80, 200}, .exposure = {1.3, 2.2}}, 6, 5);
+  EXPECT_GE(outcome.recall(), 0.85);  // 0.88 here
+  EXPECT_LT(outcome.normalised, 3);
+}
+
+TEST(CornersOfACamera, BentEdges) {
+  const Outcome outcome = outcome_of({.distortion = {0.3, 0.35}}, 5, 6);
+  EXPECT_GE(outcome.recall(), 0.99);
+  EXPECT_LT(outcome.normalised, 3);  // above 5 were edges taken for straight
+}
+
+TEST(CornersOfACamera, FaintBoardsBeforeStrongTexture) {
+  const Outcome outcome = outcome_of(
+      {.width = 1600, .height = 1200, .cell = {40, 50}, .contrast = {45, 55}, .ground = Ground::texture}, 1, 7);
+  EXPECT_GE(outcome.recall(), 0.97);
+}
+
+}  // namespace
+}  // namespace handsight
