@@ -134,13 +134,6 @@ void print_odd_observations(const Output& out, const Diagnosis& d, const Rig* ri
   if (odd > most) out.line(fmt::format("          and {} more; see per_observation of --json", odd - most));
 }
 
-Json lone_json(const std::vector<LoneObservation>& lone) {
-  Json list = Json::array();
-  for (const LoneObservation& l : lone)
-    list.push_back({{"id", l.id}, {"rms", number(l.error)}, {"others_at_most", number(l.others)}});
-  return list;
-}
-
 std::string sure(double ln_bayes_factor) {
   return ln_bayes_factor > 999 ? ">999" : fmt::format("{:.1f}", ln_bayes_factor);
 }
@@ -233,6 +226,13 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
                    {"others_rms_m", number(d.sample->others.rms_m)},
                    {"others_mean_m", number(d.sample->others.mean_m)}};
   return j;
+}
+
+Json lone_json(const std::vector<LoneObservation>& lone) {
+  Json list = Json::array();
+  for (const LoneObservation& l : lone)
+    list.push_back({{"id", l.id}, {"rms", number(l.error)}, {"others_at_most", number(l.others)}});
+  return list;
 }
 
 Json wrong_points_json(const std::vector<WrongPoint>& wrong, const Session& session) {

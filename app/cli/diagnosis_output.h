@@ -9,6 +9,7 @@ namespace handsight::cli {
 
 void print_diagnosis(const Output& output, const Session& session, const Diagnosis& diagnosis);
 /// The points that a fit leaves out.
+Json lone_json(const std::vector<LoneObservation>& lone);
 Json wrong_points_json(const std::vector<WrongPoint>& wrong, const Session& session);
 Json diagnosis_json(const Session& session, const Diagnosis& diagnosis);
 

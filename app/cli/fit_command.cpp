@@ -34,7 +34,12 @@ int run(const Options& o) {
   print_fit(o.output, session, result, told, options);
   if (!clean.wrong.empty())
     o.output.line(fmt::format("Left out: {} wrong points (wrong_points of --json)", clean.wrong.size()));
+  const bool is_plain = options.objective == Objective::image && options.loss == Loss::none && !options.fix_markers;
+  const auto lone = o.without_wrong_points || !is_plain ? clean.lone : lone_observations(session, result, options);
+  if (!o.without_wrong_points && !lone.empty())
+    o.output.line(lone_text(lone, session.is_tracker(), false) + " --without-wrong-points fits without.");
   Json json = fit_json(session, result, told, options);
+  json["lone_observations"] = lone_json(lone);
   if (o.without_wrong_points) json["wrong_points"] = wrong_points_json(clean.wrong, clean.session);
   o.output.json(json);
   if (!o.output.export_file.empty())

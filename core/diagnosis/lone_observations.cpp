@@ -95,8 +95,9 @@ std::vector<LoneObservation> lone_observations(const Session& session, const Fit
   return {};
 }
 
-std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker) {
+std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker, bool is_left_out) {
   if (lone.empty()) return {};
+  const bool is_one = lone.size() == 1;
   std::string ids;
   double least = lone.front().error;
   for (const LoneObservation& l : lone) {
@@ -106,13 +107,14 @@ std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker)
   const auto size = [&](double x) {
     return is_tracker ? fmt::format("{:.3g} mm", 1e3 * x) : fmt::format("{:.3g} px", x);
   };
+  const char* const state = is_left_out ? is_one ? "is left out" : "are left out"
+                            : is_one    ? "stands alone"
+                                        : "stand alone";
   return fmt::format(
-      "{} {} left out: by what the others say {} {} off by {}{}, and the others by {} at most. Look for a wrong "
-      "reading or "
+      "{} {} {}: by what the others say {} off by {}{}, and the others by {} at most. Look for a wrong reading or "
       "image, correct it or exclude it.",
-      lone.size() == 1 ? "Observation" : "Observations", ids + (lone.size() == 1 ? " is" : " are"),
-      lone.size() == 1 ? "it" : "they", lone.size() == 1 ? "is" : "are", size(least),
-      lone.size() == 1 ? "" : " and more", size(lone.front().others));
+      is_one ? "Observation" : "Observations", ids, state, is_one ? "it is" : "they are", size(least),
+      is_one ? "" : " and more", size(lone.front().others));
 }
 
 }  // namespace handsight

@@ -23,7 +23,7 @@ std::vector<LoneObservation> lone_observations(const Session& session, const Fit
 /// The session with these excluded, and why.
 Session without(const Session& session, const std::vector<LoneObservation>& lone);
 
-/// "Observation 8 is left out: ..."; empty where there is none.
-std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker);
+/// "Observation 8 is left out: ...", or "stands alone: ..." where it still counts; empty where there is none.
+std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker, bool is_left_out = true);
 
 }  // namespace handsight

@@ -234,6 +234,28 @@ TEST_F(Diagnose, AFitWithoutWrongPointsIsTheOneThatIsDiagnosed) {
   EXPECT_NE(camera["held_out_rms_pixel"], d["held_out_rms_pixel"]);
 }
 
+/// One reading of the third joint is written wrong: what is missing in the model is found all the same.
+TEST_F(Diagnose, AReadingThatSlippedIsNamedByFitAndLeftOutByDiagnose) {
+  const auto session = copy_of("hidden_1");
+  std::string text = read_text(session / "session.xml");
+  const std::size_t at = text.find("<position>", text.find("<observation id=\"17\"")) + 10;
+  const std::size_t third = text.find(' ', text.find(' ', at) + 1) + 1;
+  text.replace(third, text.find(' ', third) - third, "0.123");
+  write_text(session / "session.xml", text);
+  const CliResult fit = run_cli(folder.path, {"fit", session.string()});
+  EXPECT_NE(fit.output.find("Observation 17 stands alone: by what the others say it is off by"), std::string::npos)
+      << fit.output;
+  const CliResult diagnosed = run_cli(folder.path, {"diagnose", session.string()});
+  EXPECT_NE(diagnosed.output.find("Left out  Observation 17 is left out"), std::string::npos) << diagnosed.output;
+  const Json d = run(session).json();
+  const Json unspoilt = run(sample_session("hidden_1")).json();
+  EXPECT_EQ(d["verdict"], unspoilt["verdict"]) << d["reason"];
+  EXPECT_EQ(d["candidates"][0]["id"], unspoilt["candidates"][0]["id"]);
+  EXPECT_EQ(unspoilt["lone_observations"].size(), 0u);
+  ASSERT_EQ(d["lone_observations"].size(), 1u);
+  EXPECT_EQ(d["lone_observations"][0]["id"], 17);
+}
+
 TEST_F(Diagnose, DeclaredNoiseIsUsedAndUndeclaredNoiseIsEstimated) {
   const auto session = copy_of("hidden_1");
   const Json declared = run(session).json();
