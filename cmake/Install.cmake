@@ -65,7 +65,7 @@ if(HANDSIGHT_HAS_WINDOW)
   install(FILES ${described}/handsight.changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME changelog.gz COMPONENT window)
   install(FILES ${described}/handsight.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT window)
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/sample_sessions/ DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/sample_sessions
-    COMPONENT window PATTERN "*.sh" EXCLUDE)
+    COMPONENT window PATTERN "*.sh" EXCLUDE PATTERN make EXCLUDE)
 endif()
 
 set(CPACK_GENERATOR DEB)

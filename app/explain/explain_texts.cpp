@@ -5,6 +5,7 @@
 #include "document/counted.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
+#include "frame/model_effects.h"
 #include "widgets/number_text.h"
 
 namespace handsight::app {
@@ -173,10 +174,8 @@ QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const st
   return QObject::tr("Most likely missing: %1.").arg(name) + ' ' + misses;
 }
 
-}  // namespace
-
-widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* d, bool is_running,
-                                        widgets::SizeUnit unit, const std::set<std::string>& refused) {
+widgets::SessionVerdict verdict_of_model(const ModelVersion& model, const Diagnosis* d, bool is_running,
+                                         widgets::SizeUnit unit, const std::set<std::string>& refused) {
   widgets::SessionVerdict v;
   v.sentence = comparison_sentence(model, unit);
   if (!model.fit) return v;
@@ -234,6 +233,15 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnos
       v.sentence = lacks_noise(*d) ? comparison_sentence(model, unit) : unexplained_sentence(*d, e, t);
       break;
   }
+  return v;
+}
+
+}  // namespace
+
+widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* d, bool is_running,
+                                        widgets::SizeUnit unit, const std::set<std::string>& refused) {
+  widgets::SessionVerdict v = verdict_of_model(model, d, is_running, unit, refused);
+  if (const QString alone = lone_sentence(model); !alone.isEmpty()) v.sentence = alone + ' ' + v.sentence;
   return v;
 }
 

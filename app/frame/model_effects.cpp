@@ -144,6 +144,18 @@ std::vector<widgets::ModelParameter> effect_parameters(const Session& session, c
   return list;
 }
 
+QString lone_sentence(const ModelVersion& model) {
+  if (model.lone.empty() || !model.inspection) return {};
+  const bool pixels = model.inspection->in_pixels;
+  const QString size = widgets::with_unit_text((pixels ? 1 : 1e3) * model.lone.front().error,
+                                               pixels ? QObject::tr("px") : QObject::tr("mm"));
+  if (model.lone.size() == 1)
+    return QObject::tr("Observation %1 is left out: alone it is off by %2.").arg(model.lone.front().id).arg(size);
+  QStringList ids;
+  for (const LoneObservation& l : model.lone) ids << QString::number(l.id);
+  return QObject::tr("Observations %1 are left out: they alone are far off.").arg(ids.join(", "));
+}
+
 QString wrong_points_text(const ModelVersion& model, std::size_t most_named) {
   const auto& wrong = model.wrong_points;
   if (wrong.empty()) return {};
@@ -182,6 +194,8 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
         QObject::tr("Sigmas from how the observations differ: the model does not agree with them to the noise.");
     body.note_is_warning = true;
   }
+  if (const QString alone = lone_sentence(*model); !alone.isEmpty())
+    body.note += (body.note.isEmpty() ? QString() : QString(" ")) + alone;
   if (!model->wrong_points.empty()) {
     body.note += (body.note.isEmpty() ? QString() : QString(" ")) + wrong_points_text(*model, 2);
     body.help += "\n\n" + wrong_points_text(*model, 40);

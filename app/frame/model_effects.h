@@ -16,6 +16,9 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
 std::vector<widgets::ModelParameter> effect_parameters(const Session& session, const std::vector<EffectTerm>& terms,
                                                        const std::vector<std::vector<double>>& sigmas);
 
+/// "Observation 8 is left out: alone it is off by 131 px."; empty where none is.
+QString lone_sentence(const ModelVersion& model);
+
 /// "3 wrong points left out: observation 12, marker 1, left image, 5.2 px off; ..."
 QString wrong_points_text(const ModelVersion& model, std::size_t most_named);
 

@@ -36,10 +36,14 @@ class UnitSites {
       sites_.robot.joints[static_cast<std::size_t>(at_joint_)] = JointChange{};
       return;
     }
-    const std::size_t joints = sites_.robot.joints.size(), markers = sites_.markers.size();
+    // Their memory stays: this is asked for every column of every observation.
+    auto joints = std::move(sites_.robot.joints);
+    auto markers = std::move(sites_.markers);
     sites_ = Sites{};
-    sites_.robot.joints.resize(joints);
-    sites_.markers.assign(markers, Vector3::Zero());
+    std::fill(joints.begin(), joints.end(), JointChange{});
+    std::fill(markers.begin(), markers.end(), Vector3::Zero());
+    sites_.robot.joints = std::move(joints);
+    sites_.markers = std::move(markers);
   }
 
   const Problem* problem_;

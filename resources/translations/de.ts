@@ -404,6 +404,14 @@
             <numerusform>%n verworfene Beobachtungen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Observation %1 is left out: alone it is off by %2.</source>
+        <translation>Beobachtung %1 ist ausgelassen: Sie allein liegt um %2 daneben.</translation>
+    </message>
+    <message>
+        <source>Observations %1 are left out: they alone are far off.</source>
+        <translation>Die Beobachtungen %1 sind ausgelassen: Sie allein liegen weit daneben.</translation>
+    </message>
     <message numerus="yes">
         <source>%n wrong point(s)</source>
         <translation>

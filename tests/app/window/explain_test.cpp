@@ -185,6 +185,26 @@ TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
   EXPECT_TRUE(desk.document().settings() == app::ModelSettings{});
 }
 
+/// A reading typed wrong: the strip and Inspect show which, the verdict says that it is left out.
+TEST_F(Explain, AReadingThatSlippedIsNamedInTheVerdict) {
+  session = copy_of("hidden_1");
+  std::string text = read_text(session / "session.xml");
+  const std::size_t at = text.find("<position>", text.find("<observation id=\"17\"")) + 10;
+  text.replace(at, text.find(' ', at) - at, "0.123");
+  write_text(session / "session.xml", text);
+  desk.window.resize(1440, 900);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  const auto model = desk.document().model();
+  ASSERT_EQ(model->lone.size(), 1u);
+  EXPECT_EQ(model->lone[0].id, 17);
+  EXPECT_TRUE(model->inspection->rows[17].outlier);
+  const QString sentence = explain.verdict().sentence;
+  EXPECT_TRUE(sentence.startsWith("Observation 17 is left out: alone it is off by")) << sentence.toStdString();
+  EXPECT_TRUE(sentence.contains("ncoder eccentricity")) << "what is missing is still found: " << sentence.toStdString();
+}
+
 TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   open("hidden_3");
   const auto model = desk.document().model();
