@@ -113,9 +113,7 @@ QWidget* Transport::make_live_row() {
   sources_->setToolTip(tr("Where the images and the joint angles arrive"));
   sources_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(sources_);
-  const QString names[] = {tr("Images of the left camera…"), tr("Images of the right camera…"),
-                           tr("Table of joint angles…"), tr("The session's own folder")};
-  for (int i = 0; i < 4; ++i) menu->addAction(names[i], this, [this, i] { choose_source(i); });
+  connect(menu, &QMenu::aboutToShow, this, &Transport::fill_sources);
   sources_->setMenu(menu);
   auto* row = new QHBoxLayout(live_row_);
   row->setContentsMargins(0, 0, 0, 0);
@@ -136,17 +134,43 @@ void Transport::connect_live() {
   connect(&live_, &LiveWatch::state_changed, this, &Transport::refresh);
 }
 
-void Transport::choose_source(int which) {
-  LiveSources sources = live_.sources();
-  if (which == 3) return live_.set_sources(own_sources(bench_.document.session()));
-  std::filesystem::path& path = which == 0 ? sources.left_folder : which == 1 ? sources.right_folder : sources.table;
-  auto* dialog =
-      new QFileDialog(this, sources_->menu()->actions()[which]->text(), QString::fromStdString(path.string()),
-                      which == 2 ? tr("Tables (*.csv *.txt)") : QString());
+/// A folder for each camera of the session, and the table.
+void Transport::fill_sources() {
+  QMenu* menu = sources_->menu();
+  menu->clear();
+  const auto& rig = bench_.document.session().rig;
+  for (int c = 0; rig && c < rig->count(); ++c) {
+    const std::string& name = rig->at(c).name;
+    menu->addAction(name == "left"    ? tr("Images of the left camera…")
+                    : name == "right" ? tr("Images of the right camera…")
+                                      : tr("Images of camera %1…").arg(QString::fromStdString(name)),
+                    this, [this, c] { choose_folder(c); });
+  }
+  menu->addAction(tr("Table of joint angles…"), this, &Transport::choose_table);
+  menu->addAction(tr("The session's own folder"), this,
+                  [this] { live_.set_sources(own_sources(bench_.document.session())); });
+}
+
+void Transport::choose_folder(int camera) {
+  const auto place = static_cast<std::size_t>(camera);
+  choose(tr("Where the images arrive"), live_.sources().folders.at(place), {},
+         [place](LiveSources& sources, const std::filesystem::path& chosen) { sources.folders.at(place) = chosen; });
+}
+
+void Transport::choose_table() {
+  choose(tr("Table of joint angles"), live_.sources().table, tr("Tables (*.csv *.txt)"),
+         [](LiveSources& sources, const std::filesystem::path& chosen) { sources.table = chosen; });
+}
+
+/// A folder where there is no filter of files.
+void Transport::choose(const QString& title, const std::filesystem::path& now, const QString& filter,
+                       const std::function<void(LiveSources&, const std::filesystem::path&)>& set) {
+  auto* dialog = new QFileDialog(this, title, QString::fromStdString(now.string()), filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(which == 2 ? QFileDialog::AnyFile : QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, sources, which](const QString& chosen) mutable {
-    (which == 0 ? sources.left_folder : which == 1 ? sources.right_folder : sources.table) = chosen.toStdString();
+  dialog->setFileMode(filter.isEmpty() ? QFileDialog::Directory : QFileDialog::AnyFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, set](const QString& chosen) {
+    LiveSources sources = live_.sources();
+    set(sources, chosen.toStdString());
     live_.set_sources(sources);
   });
   dialog->open();
@@ -185,7 +209,8 @@ void Transport::refresh() {
   play_->setText(player_.is_playing() ? tr("Pause") : is_over ? tr("Play again") : tr("Play"));
   for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
   const auto& rig = bench_.document.session().rig;
-  watch_->setEnabled(open && rig && is_pair(*rig));  // arrivals come in pairs
+  // Markers without names are found in the images of two cameras.
+  watch_->setEnabled(open && rig && (is_pair(*rig) || bench_.document.session().target));
   if (watch_->isChecked() && !live_.is_watching()) watch_->setChecked(false);
   progress_->setText(progress_text());
   progress_->setToolTip(progress_->text());

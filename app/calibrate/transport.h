@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 #include "calibrate/player.h"
 #include "live/live_watch.h"
@@ -33,7 +34,11 @@ class Transport : public QWidget {
   void make_layout();
   QWidget* make_live_row();
   void connect_live();
-  void choose_source(int which);
+  void fill_sources();
+  void choose_folder(int camera);
+  void choose_table();
+  void choose(const QString& title, const std::filesystem::path& now, const QString& filter,
+              const std::function<void(LiveSources&, const std::filesystem::path&)>& set);
   QString progress_text() const;
   bool is_labelled() const;
 

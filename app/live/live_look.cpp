@@ -53,35 +53,61 @@ Angles read_angles(const fs::path& table, const std::vector<std::string>& joints
   return angles;
 }
 
-/// Which line of the table is a pair's; nothing: none yet.
-std::optional<std::size_t> line_of(const Angles& angles, const ImageFiles& pair, std::size_t rank) {
+/// The first image that is there, and its camera.
+std::size_t first_camera(const InstantImages& instant) {
+  std::size_t c = 0;
+  while (c + 1 < instant.files.size() && instant.files[c].empty()) ++c;
+  return c;
+}
+
+/// Which line of the table is an instant's; nothing: none yet.
+std::optional<std::size_t> line_of(const Angles& angles, const InstantImages& instant, std::size_t rank) {
   if (!angles.has_number) return rank < angles.lines.size() ? std::optional(rank) : std::nullopt;
   for (std::size_t i = 0; i < angles.lines.size(); ++i)
-    if (angles.number(i) == static_cast<double>(pair.number)) return i;
+    if (angles.number(i) == static_cast<double>(instant.number)) return i;
   return std::nullopt;
 }
 
-/// Without numbers, lines are counted: those of pairs that are in the session must say what it says.
-QString counting_refusal(const Angles& angles, const std::vector<ImageFiles>& pairs, const LiveTask& task) {
+/// What the session knows of an instant; null where it is new.
+const Eigen::VectorXd* known_posture(const LiveTask& task, const InstantImages& instant) {
+  const std::size_t c = first_camera(instant);
+  const auto known = task.known[c].find(instant.files[c].filename().string());
+  return known == task.known[c].end() ? nullptr : &known->second;
+}
+
+/// Without numbers, lines are counted: those of instants that are in the session must say what it says.
+QString counting_refusal(const Angles& angles, const std::vector<InstantImages>& instants, const LiveTask& task) {
   if (angles.has_number) return {};
-  if (angles.lines.size() != pairs.size())
-    return QObject::tr(
-               "%1 has %2 lines for %3 image pairs: it waits until they are as many. With a column \"number\" "
-               "each pair finds its own line.")
+  if (angles.lines.size() != instants.size())
+    return (task.cameras.size() == 2
+                ? QObject::tr("%1 has %2 lines for %3 image pairs: it waits until they are as many. With a column "
+                              "\"number\" each pair finds its own line.")
+                : QObject::tr("%1 has %2 lines for %3 images: it waits until they are as many. With a column "
+                              "\"number\" each image finds its own line."))
         .arg(name_of(task.sources.table))
         .arg(angles.lines.size())
-        .arg(pairs.size());
-  for (std::size_t rank = 0; rank < pairs.size() && rank < angles.lines.size(); ++rank) {
-    const auto known = task.known_left.find(pairs[rank].left.filename().string());
-    if (known == task.known_left.end()) continue;
-    if ((known->second - angles.lines[rank].head(angles.joints)).cwiseAbs().maxCoeff() > 1e-6)
+        .arg(instants.size());
+  for (std::size_t rank = 0; rank < instants.size() && rank < angles.lines.size(); ++rank) {
+    const Eigen::VectorXd* known = known_posture(task, instants[rank]);
+    if (known && (*known - angles.lines[rank].head(angles.joints)).cwiseAbs().maxCoeff() > 1e-6)
       return QObject::tr(
                  "Line %1 of %2 is not the posture that the session has for %3. Name the images' numbers in a "
                  "column \"number\".")
           .arg(rank + 1)
-          .arg(name_of(task.sources.table), name_of(pairs[rank].left));
+          .arg(name_of(task.sources.table), name_of(instants[rank].files[first_camera(instants[rank])]));
   }
   return {};
+}
+
+/// "left" is the German "linken" and so on; other names are the user's own.
+QString camera_text(const std::string& name) {
+  return name == "left" ? QObject::tr("left") : name == "right" ? QObject::tr("right") : QString::fromStdString(name);
+}
+
+std::vector<std::string> camera_names_of(const LiveTask& task) {
+  std::vector<std::string> names;
+  for (const RigCamera& camera : task.cameras) names.push_back(camera.name);
+  return names;
 }
 
 class Look {
@@ -89,32 +115,33 @@ class Look {
   explicit Look(const LiveTask& task) : task_(task) {}
 
   LiveLook run() {
-    std::vector<ImageFiles> pairs;
+    std::vector<InstantImages> instants;
     try {
-      pairs = find_image_pairs(task_.sources.left_folder, task_.sources.right_folder);
+      instants = find_images(task_.sources.folders, camera_names_of(task_));
     } catch (const InputError& error) {
       look_.remarks << QString::fromUtf8(error.what());
       return std::move(look_);
     }
-    if (std::none_of(pairs.begin(), pairs.end(), [this](const ImageFiles& p) { return is_new(p); }))
+    if (std::none_of(instants.begin(), instants.end(), [this](const InstantImages& i) { return is_new(i); }))
       return std::move(look_);
-    if (!read_table(pairs)) return std::move(look_);
-    for (std::size_t rank = 0; rank < pairs.size(); ++rank)
-      if (is_new(pairs[rank])) take(pairs[rank], rank);
+    if (!read_table(instants)) return std::move(look_);
+    for (std::size_t rank = 0; rank < instants.size(); ++rank)
+      if (is_new(instants[rank])) take(instants[rank], rank);
     return std::move(look_);
   }
 
  private:
-  bool is_new(const ImageFiles& pair) const {
-    const std::string left = pair.left.filename().string(), right = pair.right.filename().string();
-    return !task_.known_left.contains(left) && !(left.empty() && task_.known_right.contains(right)) &&
-           !task_.passed_over.contains(left);
+  bool is_new(const InstantImages& instant) const {
+    return !known_posture(task_, instant) && !task_.passed_over.contains(instant.files[0].filename().string());
   }
 
-  bool read_table(const std::vector<ImageFiles>& pairs) {
+  bool read_table(const std::vector<InstantImages>& instants) {
     std::error_code error;
     if (!fs::exists(task_.sources.table, error)) {
-      look_.remarks << QObject::tr("%1 is not there yet: the joint angles of the new images, a line for each pair.")
+      look_.remarks << (task_.cameras.size() == 2
+                            ? QObject::tr(
+                                  "%1 is not there yet: the joint angles of the new images, a line for each pair.")
+                            : QObject::tr("%1 is not there yet: the joint angles, a line for each new image."))
                            .arg(name_of(task_.sources.table));
       return false;
     }
@@ -124,7 +151,7 @@ class Look {
       look_.remarks << QString::fromUtf8(refusal.what());
       return false;
     }
-    const QString refusal = counting_refusal(angles_, pairs, task_);
+    const QString refusal = counting_refusal(angles_, instants, task_);
     if (!refusal.isEmpty()) look_.remarks << refusal;
     return refusal.isEmpty();
   }
@@ -148,38 +175,53 @@ class Look {
     return !shown.image.isNull();
   }
 
-  void take(const ImageFiles& pair, std::size_t rank) {
-    if (pair.left.empty() || pair.right.empty()) {
-      const bool has_left = !pair.left.empty();
-      if (is_settled(has_left ? pair.left : pair.right))
+  /// Says what the instant waits for; true where it waits for nothing.
+  bool has_every_image(const InstantImages& instant) {
+    const fs::path& there = instant.files[first_camera(instant)];
+    for (std::size_t c = 0; c < instant.files.size(); ++c) {
+      if (!instant.files[c].empty()) continue;
+      if (is_settled(there))
         look_.remarks << QObject::tr("%1 waits for its %2 image, with the number %3 in its name.")
-                             .arg(name_of(has_left ? pair.left : pair.right),
-                                  has_left ? QObject::tr("right") : QObject::tr("left"))
-                             .arg(pair.number);
-      return;
+                             .arg(name_of(there), camera_text(task_.cameras[c].name))
+                             .arg(instant.number);
+      return false;
     }
-    const bool left_settled = is_settled(pair.left), right_settled = is_settled(pair.right);
-    if (!left_settled || !right_settled) return;
-    const auto line = line_of(angles_, pair, rank);
+    bool all_settled = true;
+    for (const fs::path& file : instant.files) all_settled = is_settled(file) && all_settled;
+    return all_settled;
+  }
+
+  void take(const InstantImages& instant, std::size_t rank) {
+    if (!has_every_image(instant)) return;
+    const auto line = line_of(angles_, instant, rank);
     if (!line) {
       look_.remarks << QObject::tr("%1 waits for its joint angles in %2%3.")
-                           .arg(name_of(pair.left), name_of(task_.sources.table),
-                                angles_.has_number ? QObject::tr(" (number %1)").arg(pair.number)
+                           .arg(name_of(instant.files[0]), name_of(task_.sources.table),
+                                angles_.has_number ? QObject::tr(" (number %1)").arg(instant.number)
                                                    : QObject::tr(" (line %1)").arg(rank + 1));
       return;
     }
-    if (!is_whole(pair.left, task_.rig.left) || !is_whole(pair.right, task_.rig.right)) return;
+    for (std::size_t c = 0; c < instant.files.size(); ++c)
+      if (!is_whole(instant.files[c], task_.cameras[c].camera)) return;
     try {
-      const bool twins = pair.left.filename() == pair.right.filename();
-      LivePair whole{.left_name = pair.left.filename().string()};
-      whole.left = bring_into(pair.left, task_.session_folder, twins ? "images/left" : "images");
-      whole.right = bring_into(pair.right, task_.session_folder, twins ? "images/right" : "images");
+      LiveInstant whole{.name = instant.files[0].filename().string()};
+      for (std::size_t c = 0; c < instant.files.size(); ++c)
+        whole.images.push_back(bring_into(instant.files[c], task_.session_folder, place_of(instant, c)));
       whole.position = angles_.lines[*line].head(angles_.joints);
       whole.time = angles_.time(*line);
-      look_.pairs.push_back(std::move(whole));
+      look_.instants.push_back(std::move(whole));
     } catch (const InputError& error) {
       look_.remarks << QString::fromUtf8(error.what());
     }
+  }
+
+  /// One folder for all cameras unless their files have the same names.
+  fs::path place_of(const InstantImages& instant, std::size_t camera) const {
+    for (std::size_t i = 0; i < instant.files.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (instant.files[i].filename() == instant.files[k].filename())
+          return fs::path("images") / task_.cameras[camera].name;
+    return "images";
   }
 
   const LiveTask& task_;
@@ -190,24 +232,28 @@ class Look {
 }  // namespace
 
 LiveSources own_sources(const Session& session) {
-  LiveSources sources{folder(session) / "images", folder(session) / "images", folder(session) / "joints.csv"};
-  for (const Observation& o : session.observations) {
-    if (!o.images[0].empty()) sources.left_folder = folder(session) / fs::path(o.images[0]).parent_path();
-    if (!o.images[1].empty()) sources.right_folder = folder(session) / fs::path(o.images[1]).parent_path();
+  LiveSources sources{{}, folder(session) / "joints.csv"};
+  const int count = session.rig ? session.rig->count() : 0;
+  for (int c = 0; c < count; ++c) {
+    fs::path images = folder(session) / "images";
+    for (const Observation& o : session.observations)
+      if (const std::string& image = o.images[static_cast<std::size_t>(c)]; !image.empty())
+        images = folder(session) / fs::path(image).parent_path();
+    sources.folders.push_back(images);
   }
   return sources;
 }
 
 LiveTask task_of(const Session& session, const LiveSources& sources) {
   LiveTask task{.sources = sources, .session_folder = folder(session), .joints = session.joints};
-  if (session.rig && is_pair(*session.rig)) task.rig = stereo_of(*session.rig);
-  for (const Observation& o : session.observations) {
-    if (!o.images[0].empty()) task.known_left[fs::path(o.images[0]).filename().string()] = o.position;
-    if (!o.images[1].empty()) task.known_right.insert(fs::path(o.images[1]).filename().string());
-  }
+  if (session.rig) task.cameras = session.rig->cameras;
+  task.known.resize(task.cameras.size());
+  for (const Observation& o : session.observations)
+    for (std::size_t c = 0; c < task.cameras.size(); ++c)
+      if (!o.images[c].empty()) task.known[c][fs::path(o.images[c]).filename().string()] = o.position;
   return task;
 }
 
-LiveLook look_for_pairs(const LiveTask& task) { return Look(task).run(); }
+LiveLook look_for_images(const LiveTask& task) { return Look(task).run(); }
 
 }  // namespace handsight::app

@@ -28,14 +28,17 @@ QString short_path(const fs::path& path, const fs::path& session_folder) {
 
 LiveSources live_sources(const Session& session) {
   const QStringList chosen = preference(preference_of(session.file)).split('\n');
-  if (chosen.size() == 3) return {chosen[0].toStdString(), chosen[1].toStdString(), chosen[2].toStdString()};
-  return own_sources(session);
+  if (!session.rig || chosen.size() != session.rig->count() + 1) return own_sources(session);
+  LiveSources sources{{}, chosen.back().toStdString()};
+  for (qsizetype c = 0; c + 1 < chosen.size(); ++c) sources.folders.emplace_back(chosen[c].toStdString());
+  return sources;
 }
 
 void remember_live_sources(const fs::path& session_file, const LiveSources& sources) {
   QStringList paths;
-  for (const fs::path& path : {sources.left_folder, sources.right_folder, sources.table})
-    paths << QString::fromStdString(fs::absolute(path).lexically_normal().string());
+  std::vector<fs::path> all = sources.folders;
+  all.push_back(sources.table);
+  for (const fs::path& path : all) paths << QString::fromStdString(fs::absolute(path).lexically_normal().string());
   remember_preference(preference_of(session_file), paths.join('\n'));
 }
 
@@ -79,7 +82,9 @@ void LiveWatch::set_sources(const LiveSources& sources) {
 /// The watcher only hastens a look: some file systems tell it nothing, and folders may come later.
 void LiveWatch::watch_paths() {
   QStringList wanted;
-  for (const fs::path& path : {sources_.left_folder, sources_.right_folder, sources_.table.parent_path()}) {
+  std::vector<fs::path> all = sources_.folders;
+  all.push_back(sources_.table.parent_path());
+  for (const fs::path& path : all) {
     std::error_code error;
     const QString text = QString::fromStdString(path.string());
     if (fs::is_directory(path, error) && !files_.directories().contains(text) && !wanted.contains(text)) wanted << text;
@@ -95,8 +100,8 @@ void LiveWatch::look() {
   task.passed_over = taken_;
   task.stamps = stamps_;
   jobs_.start<std::shared_ptr<LiveLook>>(
-      "look", tr("Looking for image pairs"),
-      [task = std::move(task)](JobControl&) { return std::make_shared<LiveLook>(look_for_pairs(task)); },
+      "look", tr("Looking for new images"),
+      [task = std::move(task)](JobControl&) { return std::make_shared<LiveLook>(look_for_images(task)); },
       [this](const std::shared_ptr<LiveLook>& found) { take(std::move(*found)); },
       [this](const QString& sentence) { take({.remarks = {sentence}}); });
 }
@@ -113,24 +118,23 @@ void LiveWatch::take(LiveLook look) {
     id = std::max(id, o.id);
     time = std::max(time, o.time);
   }
-  for (LivePair& pair : look.pairs) {
-    taken_.insert(pair.left_name);
-    if (pair.time && *pair.time < time) {  // what was measured is not replaced by something invented
+  for (LiveInstant& instant : look.instants) {
+    taken_.insert(instant.name);
+    if (instant.time && *instant.time < time) {  // what was measured is not replaced by something invented
       early_ << tr("%1 was left out: its time, %2 s, is before that of the observation in front of it, %3 s. Mend the "
                    "table and watch anew.")
-                    .arg(QString::fromStdString(pair.left_name))
-                    .arg(*pair.time)
+                    .arg(QString::fromStdString(instant.name))
+                    .arg(*instant.time)
                     .arg(time);
       continue;
     }
     Observation o;
     o.id = ++id;
-    o.time = time = pair.time ? *pair.time : time + 1;
-    o.position = std::move(pair.position);
-    o.images[0] = std::move(pair.left);
-    o.images[1] = std::move(pair.right);
+    o.time = time = instant.time ? *instant.time : time + 1;
+    o.position = std::move(instant.position);
+    for (std::size_t c = 0; c < instant.images.size(); ++c) o.images[c] = std::move(instant.images[c]);
     observations.push_back(std::move(o));
-    names.push_back(pair.left_name);
+    names.push_back(instant.name);
   }
   look.remarks = early_ + look.remarks;
   const bool has_news = !observations.empty() || look.remarks != remarks_;
@@ -149,10 +153,13 @@ void LiveWatch::take(LiveLook look) {
 QString LiveWatch::state_text() const {
   if (!is_watching_) return {};
   const fs::path home = folder(bench_.document.session());
-  QString where = short_path(sources_.left_folder, home);
-  if (sources_.right_folder != sources_.left_folder)
-    where = tr("%1 and %2").arg(where, short_path(sources_.right_folder, home));
-  QString text = tr("Waiting for the next image pair in %1 and its joint angles in %2; %3 arrived.")
+  QStringList places;
+  for (const fs::path& place : sources_.folders)
+    if (const QString text = short_path(place, home); !places.contains(text)) places << text;
+  const QString where = places.size() == 2 ? tr("%1 and %2").arg(places[0], places[1]) : places.join(", ");
+  QString text = (sources_.folders.size() == 2
+                      ? tr("Waiting for the next image pair in %1 and its joint angles in %2; %3 arrived.")
+                      : tr("Waiting for the next images in %1 and their joint angles in %2; %3 arrived."))
                      .arg(where, short_path(sources_.table, home))
                      .arg(arrived_);
   constexpr qsizetype most = 2;

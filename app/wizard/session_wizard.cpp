@@ -280,8 +280,7 @@ void SessionWizard::make() {
   try {
     const Session made = make_session(*all);
     // What arrives there later belongs to this session too.
-    if (made.rig && made.rig->count() == 2)
-      remember_live_sources(made.file, {path_of(left_.path), path_of(right_.path), path_of(angles_.path)});
+    if (made.rig) remember_live_sources(made.file, {image_folders(), path_of(angles_.path)});
     accept();
     window_.open(QString::fromStdString(made.file.string()));
   } catch (const std::exception& error) {

@@ -200,11 +200,42 @@ std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs) {
   return list;
 }
 
-std::vector<InstantImages> find_images(const std::vector<fs::path>& folders) {
+namespace {
+
+/// The images of one of several cameras whose files lie in one folder, by number; a camera's name may end in a number
+/// of its own. Where one name is part of another the longer one counts.
+std::map<std::int64_t, fs::path> images_of_camera(const fs::path& folder, const std::vector<std::string>& names,
+                                                  std::size_t camera) {
+  std::error_code error;
+  std::map<std::int64_t, fs::path> found;
+  const std::string own = lower(names[camera]);
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (!entry.is_regular_file() || !is_image(entry.path())) continue;
+    std::string stem = lower(entry.path().stem().string());
+    const std::size_t at = stem.find(own);
+    const bool is_longer = std::any_of(names.begin(), names.end(), [&](const std::string& other) {
+      const std::string name = lower(other);
+      return name.size() > own.size() && name.find(own) != std::string::npos && stem.find(name) != std::string::npos;
+    });
+    if (at == std::string::npos || is_longer) continue;
+    stem.replace(at, own.size(), "_");
+    if (const auto number = number_of(stem + ".png")) found.emplace(*number, entry.path());
+  }
+  if (error) throw InputError(fmt::format("{}: the folder cannot be read ({}).", shown_path(folder), error.message()));
+  return found;
+}
+
+}  // namespace
+
+std::vector<InstantImages> find_images(const std::vector<fs::path>& folders, const std::vector<std::string>& names) {
   if (folders.size() == 2) return instants_of(find_image_pairs(folders[0], folders[1]));
   std::map<std::int64_t, InstantImages> instants;
+  const auto is_shared = [&](std::size_t c) {
+    return names.size() == folders.size() && std::count(folders.begin(), folders.end(), folders[c]) > 1;
+  };
   for (std::size_t c = 0; c < folders.size(); ++c)
-    for (const auto& [number, file] : images_by_number(folders[c], std::nullopt)) {
+    for (const auto& [number, file] :
+         is_shared(c) ? images_of_camera(folders[c], names, c) : images_by_number(folders[c], std::nullopt)) {
       InstantImages& instant = instants[number];
       instant.number = number;
       instant.files.resize(folders.size());

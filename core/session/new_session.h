@@ -32,8 +32,10 @@ struct InstantImages {
 std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs);
 
 /// The images of each camera's folder, by the last number in their names, ascending; two folders as `find_image_pairs`
-/// has it. InputError where a folder has no image or a number twice.
-std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>& folders);
+/// has it. Where more cameras share a folder, the camera's name must be in the file's (`names`, by camera). InputError
+/// where a folder has no image or a number twice.
+std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>& folders,
+                                       const std::vector<std::string>& names = {});
 
 struct NewSession {
   std::filesystem::path folder;  // where the session is made; may be there, but without a session.xml

@@ -141,6 +141,10 @@
         <translation>%1 h %2 min</translation>
     </message>
     <message>
+        <source>%1 has %2 lines for %3 images: it waits until they are as many. With a column "number" each image finds its own line.</source>
+        <translation>%1 hat %2 Zeilen für %3 Bilder: es wartet, bis es gleich viele sind. Mit einer Spalte „number“ findet jedes Bild seine Zeile.</translation>
+    </message>
+    <message>
         <source>%1 has %2 lines for %3 image pairs: it waits until they are as many. With a column "number" each pair finds its own line.</source>
         <translation>%1 hat %2 Zeilen für %3 Bildpaare: es wartet, bis es gleich viele sind. Mit einer Spalte „number“ findet jedes Paar seine Zeile.</translation>
     </message>
@@ -155,6 +159,10 @@
     <message>
         <source>%1 is cut off after %2 bytes. Copy it again from where it came.</source>
         <translation>%1 ist nach %2 Bytes abgeschnitten. Kopiere es nochmals von dort, wo es herkam.</translation>
+    </message>
+    <message>
+        <source>%1 is not there yet: the joint angles, a line for each new image.</source>
+        <translation>%1 ist noch nicht da: die Gelenkwinkel, eine Zeile je neuem Bild.</translation>
     </message>
     <message>
         <source>%1 is not there yet: the joint angles of the new images, a line for each pair.</source>
@@ -1364,8 +1372,8 @@
         <translation>Ecken werden gesucht…</translation>
     </message>
     <message>
-        <source>Looking for image pairs</source>
-        <translation>Bildpaare werden gesucht</translation>
+        <source>Looking for new images</source>
+        <translation>Neue Bilder werden gesucht</translation>
     </message>
     <message>
         <source>Looking for poses that would %1 ...</source>
@@ -2542,6 +2550,22 @@
     <message>
         <source>Versions of the model</source>
         <translation>Fassungen des Modells</translation>
+    </message>
+    <message>
+        <source>Waiting for the next images in %1 and their joint angles in %2; %3 arrived.</source>
+        <translation>Wartet auf die nächsten Bilder in %1 und ihre Gelenkwinkel in %2; %3 angekommen.</translation>
+    </message>
+    <message>
+        <source>Where the images arrive</source>
+        <translation>Wo die Bilder ankommen</translation>
+    </message>
+    <message>
+        <source>Table of joint angles</source>
+        <translation>Tabelle der Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>Images of camera %1…</source>
+        <translation>Bilder der Kamera %1…</translation>
     </message>
     <message>
         <source>Waiting for the next image pair in %1 and its joint angles in %2; %3 arrived.</source>
