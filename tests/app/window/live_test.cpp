@@ -181,5 +181,31 @@ TEST_F(LiveWindow, APipeInPlaceOfATableDoesNotHoldUpTheWindow) {
   EXPECT_TRUE(desk.wait([&] { return is_decided(first_count); }, 60000));
 }
 
+/// One camera and a board: nothing is labelled, what arrives is found and fitted.
+TEST(LiveBoard, IsWatchedWithOneCamera) {
+  const TemporaryFolder folder;
+  const std::string like = HANDSIGHT_SOURCE_DIR "/sample_sessions/rigs/one_camera_board", live = folder.path / "live";
+  const CliResult played = run_cli(folder.path, {"simulate", "--like", like, "--live", live, "--rate", "1000",
+                                                 "--observations", "12", "--seed", "4"});
+  ASSERT_EQ(played.exit_code, 0) << played.errors;
+  Desk desk;
+  CalibratePage calibrate{desk};
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(live)));
+  ASSERT_TRUE(desk.settle());
+  desk.key(Qt::Key_2, Qt::ControlModifier);
+  calibrate.set_fastest();
+  ASSERT_TRUE(desk.find<QAbstractButton>("watch")->isEnabled());
+  desk.press_button("watch");
+  ASSERT_TRUE(desk.wait([&] { return desk.document().session().observations.size() == 12; }))
+      << desk.find<QLabel>("live_text")->text().toStdString();
+  EXPECT_TRUE(desk.wait([&] { return calibrate.decisions() == 12; })) << calibrate.decisions();
+  const auto& all = desk.document().session().observations;
+  EXPECT_GE(
+      std::count_if(all.begin(), all.end(), [](const Observation& o) { return o.decision == Decision::accepted; }), 9);
+  const QString said = desk.find<QLabel>("live_text")->text();
+  EXPECT_TRUE(said.contains("Waiting for the next images in images")) << said.toStdString();
+  EXPECT_TRUE(said.contains("11 arrived")) << said.toStdString();
+}
+
 }  // namespace
 }  // namespace handsight::test
