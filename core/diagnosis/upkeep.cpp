@@ -14,21 +14,23 @@ namespace {
 
 constexpr int most_groups_each_time = 4;  // exchanges are looked for after every addition up to here, then in the end
 constexpr double clearly_better = 2;      // ln: for another form of a curve
+constexpr double worth_a_place = 1;       // ln: for one place more of an effect that is in the model
+constexpr double as_good = 1 + 1e-4;      // of the held-out error: what no digit shows
 
 /// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
 /// the estimated ones were 0 and all else followed.
-double squares_without(const Diagnosis& d, std::size_t first, std::size_t last, double noise) {
-  const Problem& problem = d.model.fit.problem;
-  const std::size_t held = d.model_options.effects.size();
+double squares_without(const Fit& fit, const FitOptions& options, std::size_t first, std::size_t last, double noise) {
+  const Problem& problem = fit.problem;
+  const std::size_t held = options.effects.size();
   std::vector<Eigen::Index> theirs, others;
   for (Eigen::Index c = 0; c < problem.columns(); ++c) {
     const Eigen::Index effect = c - problem.effect_column();
     const std::size_t term = effect < 0 ? 0 : problem.columns_of_effects[static_cast<std::size_t>(effect)].term - held;
     (effect >= 0 && term >= first && term < last ? theirs : others).push_back(c);
   }
-  const Eigen::MatrixXd& h = d.model.fit.solution.normal.information;
+  const Eigen::MatrixXd& h = fit.solution.normal.information;
   Eigen::VectorXd all = Eigen::VectorXd::Zero(problem.columns());
-  all.tail(problem.effect_count()) = estimate(d.model.fit).effects;
+  all.tail(problem.effect_count()) = estimate(fit).effects;
   const Eigen::VectorXd value = all(theirs);
   const Eigen::VectorXd shared = h(others, theirs) * value;
   const double squares = value.dot(h(theirs, theirs) * value) - shared.dot(pseudo_inverse(h(others, others)) * shared);
@@ -42,6 +44,7 @@ class Upkeep {
 
   void run() {
     drop_what_is_no_longer_needed();
+    thin_out();
     if (group_count() <= most_groups_each_time) exchange_names(false);
     look_for_forms_again();
   }
@@ -118,13 +121,53 @@ class Upkeep {
     const std::vector<EffectTerm> dropped = group(first, last);
     const Weighing by = weighing(with);
     // To first order it cannot be said by how much a large effect is needed, but that it is.
-    if (squares_without(d, first, last, by.noise) > 10 * d.threshold + 100) return false;
+    if (squares_without(with, d.model_options, first, last, by.noise) > 10 * d.threshold + 100) return false;
     const FitOptions o = options_without(first, last, by);
     const Fit without = fit(d.model.session, o);
     const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
                           fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
     if (gained >= d.threshold - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
     return take(diagnosed_from(session_, options_, o.estimated, estimate(without)), dropped.front().id);
+  }
+
+  /// Places of an effect that say nothing any more beside what was added since go: they let the others wander.
+  void thin_out() {
+    Fit model = change_.model->model.fit;
+    FitOptions o = change_.model->model_options;
+    const Weighing by = weighing(model);
+    set_quick(by, o);
+    for (std::size_t t = options_.estimated.size(); t < o.estimated.size() && goes_on();) {
+      const auto fewer = is_one_of_several(o.estimated, t) ? without_place(model, o, t, by) : std::nullopt;
+      if (!fewer) {
+        ++t;
+        continue;
+      }
+      o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(t));
+      for (std::size_t k = 0; k < o.estimated.size(); ++k) o.estimated[k] = fewer->effects[o.effects.size() + k].term;
+      model = *fewer;
+    }
+    if (o.estimated.size() == terms().size() || change_.stopped) return;
+    Diagnosis next = diagnosed_from(session_, options_, o.estimated, estimate(model));
+    if (held_out_error(next) <= as_good * held_out_error(*change_.model)) take(std::move(next), "");
+  }
+
+  static bool is_one_of_several(const std::vector<EffectTerm>& all, std::size_t t) {
+    return (t > 0 && all[t - 1].id == all[t].id) || (t + 1 < all.size() && all[t + 1].id == all[t].id);
+  }
+
+  /// The fit without one place; nothing where the place is worth its numbers.
+  std::optional<Fit> without_place(const Fit& with, const FitOptions& options, std::size_t place,
+                                   const Weighing& by) const {
+    const double numbers = static_cast<double>(options.estimated[place].values.size());
+    if (squares_without(with, options, place, place + 1, by.noise) > 2 * numbers + 4) return std::nullopt;
+    FitOptions fewer = options;
+    fewer.estimated.erase(fewer.estimated.begin() + static_cast<std::ptrdiff_t>(place));
+    fewer.start = estimate(with);
+    Fit without = fit(change_.model->model.session, fewer);
+    const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
+                          fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
+    if (!without.converged() || gained > worth_a_place) return std::nullopt;
+    return without;
   }
 
   /// Names and curves that stood in for another name are exchanged; a name that was added last stays.

@@ -134,15 +134,23 @@ double error_of_learning(const Messy& m, const Fit& alone) {
       m, alone, [&](const Eigen::VectorXd& pose) { return Vector3(body + 1e-3 * process.at(pose).transpose()); });
 }
 
+/// The terms of an effect at every place of the chain; none where it has no place there.
+std::vector<EffectTerm> everywhere(const Effect& e, const Chain& chain) {
+  try {
+    return effect_terms(e.id, chain);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 /// Everything of the catalogue at every place in one fit, held by its plausible sizes alone; but what begins at some
 /// observation.
 Fit all_at_once(const Messy& m) {
   FitOptions o;
+  const Chain chain = chain_of(m.session);
   for (const Effect& e : catalogue()) {
-    const bool has_choice =
-        std::any_of(e.parameters.begin(), e.parameters.end(), [](const auto& p) { return p.is_choice; });
-    if (has_choice) continue;
-    for (EffectTerm& t : effect_terms(e.id, chain_of(m.session))) o.estimated.push_back(std::move(t));
+    if (std::any_of(e.parameters.begin(), e.parameters.end(), [](const auto& p) { return p.is_choice; })) continue;
+    for (EffectTerm& t : everywhere(e, chain)) o.estimated.push_back(std::move(t));
   }
   return fit(m.session, o);
 }
