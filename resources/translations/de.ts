@@ -656,6 +656,10 @@
         <translation>Eine Trackersitzung hat keine Bilder.</translation>
     </message>
     <message>
+        <source>A sensor that tells poses has no images.</source>
+        <translation>Ein Sensor, der Lagen nennt, hat keine Bilder.</translation>
+    </message>
+    <message>
         <source>A tracker session has no images; its markers are points already.</source>
         <translation>Eine Trackersitzung hat keine Bilder; ihre Marker sind schon Punkte.</translation>
     </message>
