@@ -1992,8 +1992,8 @@
         <translation>Richtig nur zusammen mit %1. Allein benutzt liegt TCP→Body in diesen Stellungen um %2 mm daneben.</translation>
     </message>
     <message>
-        <source>Right only together with the camera mount that was estimated with it.</source>
-        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras.</translation>
+        <source>Right only together with the camera mount that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
+        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
     <message>
         <source>Right, along the line</source>
