@@ -45,8 +45,11 @@ class PictureTile : public QAbstractButton {
       p.setBrush(Qt::NoBrush);
       p.drawRoundedRect(QRectF(rect()).adjusted(4, 4, -4, -4), 3, 3);
     }
-    draw_icon(p, QRectF((width() - drawing_side) / 2.0, 8, drawing_side, drawing_side), icon_, is_on ? c.ink1 : c.ink2);
-    p.setPen(c.ink1);
+    draw_icon(p, QRectF((width() - drawing_side) / 2.0, 8, drawing_side, drawing_side), icon_,
+              !isEnabled() ? c.hairline
+              : is_on      ? c.ink1
+                           : c.ink2);
+    p.setPen(isEnabled() ? c.ink1 : c.ink3);
     p.setFont(text_font(TextRole::small));
     p.drawText(QRectF(4, 10 + drawing_side, width() - 8, tile_height - drawing_side - 12),
                Qt::AlignHCenter | Qt::AlignVCenter | Qt::TextWordWrap, text());
@@ -85,5 +88,9 @@ int PictureChoice::current() const {
 }
 
 void PictureChoice::choose(int option) { buttons_.at(static_cast<std::size_t>(option))->setChecked(true); }
+
+void PictureChoice::set_possible(int option, bool possible) {
+  buttons_.at(static_cast<std::size_t>(option))->setEnabled(possible);
+}
 
 }  // namespace handsight::widgets

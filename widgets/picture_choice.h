@@ -24,6 +24,8 @@ class PictureChoice : public QWidget {
   int current() const;
   /// As if it were clicked.
   void choose(int option);
+  /// One that is not possible stands there in grey.
+  void set_possible(int option, bool possible);
 
  signals:
   void chosen(int option);

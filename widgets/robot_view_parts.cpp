@@ -149,6 +149,10 @@ std::pair<Vector3, Vector3> RobotView::Parts::extent() const {
     high = high.cwiseMax(Vector3(bounds[1], bounds[3], bounds[5]));
   }
   if (low.x() > high.x()) return {Vector3(-0.5, -0.5, 0), Vector3(0.5, 0.5, 1)};
+  if (links.parts.empty()) {  // only frames: their axes and the camera's body reach as far
+    low -= Vector3::Constant(0.2);
+    high += Vector3::Constant(0.2);
+  }
   return {low, high};
 }
 

@@ -43,8 +43,9 @@ void Transport::make_layout() {
   step_->setIcon(widgets::icon("step"));
   rewind_ = button("rewind", tr("Rewind"), tr("Play from the first observation again"));
   rewind_->setIcon(widgets::icon("rewind"));
-  watch_ = button("watch", tr("Watch folder"),
-                  tr("Takes new image pairs and joint angles in as they arrive, and goes on playing with them"));
+  watch_ =
+      button("watch", tr("Watch folder"),
+             tr("Takes new images or measurements and joint angles in as they arrive, and goes on playing with them"));
   watch_->setCheckable(true);
   watch_->setIcon(widgets::icon("watch"));
   for (QToolButton* b : {step_, rewind_, watch_}) b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -209,8 +210,9 @@ void Transport::refresh() {
   play_->setText(player_.is_playing() ? tr("Pause") : is_over ? tr("Play again") : tr("Play"));
   for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
   const auto& rig = bench_.document.session().rig;
-  // Markers without names are found in the images of two cameras.
-  watch_->setEnabled(open && rig && (is_pair(*rig) || bench_.document.session().target));
+  // Markers without names are found in the images of two cameras; trackers and sensors of poses write tables.
+  watch_->setEnabled(open && (!rig || is_pair(*rig) || bench_.document.session().target));
+  sources_->setVisible(rig.has_value());
   if (watch_->isChecked() && !live_.is_watching()) watch_->setChecked(false);
   progress_->setText(progress_text());
   progress_->setToolTip(progress_->text());

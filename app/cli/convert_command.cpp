@@ -73,7 +73,7 @@ Command add_convert(CLI::App& app) {
   command->add_option("--markers", o->convert.markers, "How many markers the images show")->check(CLI::Range(1, 64));
   command->add_flag("--degrees", o->convert.degrees, "Joint tables are in degrees");
   command->add_flag("--eye-on-base", o->convert.eye_on_base,
-                    "Poses without a robot: the camera stands, the target moves");
+                    "Poses of the flange in place of a robot: the camera stands, the flange carries the target");
   command->add_option("--target-frame", o->convert.target_frame, "The target's frame in /tf of a bag");
   command->add_option("--lag", o->convert.pairing.lag, "s: how much later the sensor's times are than the joints'")
       ->check(within(-100, 100));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "camera_images_option.h"
 #include "command.h"
 #include "diagnosis/clean_model.h"
 #include "diagnosis_output.h"
@@ -15,6 +16,7 @@ struct Options {
   std::string session, objective = "image", loss = "none";
   std::vector<std::string> effects;
   bool fix_markers = false, without_wrong_points = false;
+  CameraImagesOptions camera_images;
   Output output;
 };
 
@@ -27,11 +29,15 @@ int run(const Options& o) {
   options.loss = o.loss == "huber" ? Loss::huber : o.loss == "cauchy" ? Loss::cauchy : Loss::none;
   options.fix_markers = o.fix_markers;
   add_effects(o.effects, session, options.effects, options.estimated);
+  std::vector<std::string> notes;
+  options.camera_images = camera_images_of(o.camera_images, session, notes);
   const CleanFit clean =
       o.without_wrong_points ? clean_model(session, options) : CleanFit{session, fit(session, options), {}};
   const Fit& result = clean.fit;
+  for (const std::string& note : notes) Output::note(note);
   const FitReport told = report(clean.session, result, options);
   print_fit(o.output, session, result, told, options);
+  if (options.camera_images) print_camera_images(o.output, *options.camera_images, *result.problem.rig);
   if (!clean.wrong.empty())
     o.output.line(fmt::format("Left out: {} wrong points (wrong_points of --json)", clean.wrong.size()));
   const bool is_plain = options.objective == Objective::image && options.loss == Loss::none && !options.fix_markers;
@@ -41,6 +47,7 @@ int run(const Options& o) {
   Json json = fit_json(session, result, told, options);
   json["lone_observations"] = lone_json(lone);
   if (o.without_wrong_points) json["wrong_points"] = wrong_points_json(clean.wrong, clean.session);
+  if (options.camera_images) json["camera_images"] = camera_images_json(*options.camera_images, *result.problem.rig);
   o.output.json(json);
   if (!o.output.export_file.empty())
     o.output.calibration(calibration_of(session, result, told, options, "handsight " HANDSIGHT_VERSION));
@@ -62,6 +69,7 @@ Command add_fit(CLI::App& app) {
                     "Leave out single points that are wrong whatever the robot does, as diagnose and the window do");
   command->add_option("--effects", options->effects,
                       "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
+  add_camera_images_options(*command, options->camera_images);
   add_export_option(*command, options->output);
   add_json_option(*command, options->output);
   return {command, [options] { return run(*options); }};

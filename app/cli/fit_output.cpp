@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "effects/units.h"
 #include "json_values.h"
@@ -120,6 +121,26 @@ void print_errors(const Output& out, const Fit& fit, const FitReport& told) {
   if (fit.chi2_per_dof) out.line(fmt::format("          chi-squared per degree of freedom {:.2f}", *fit.chi2_per_dof));
 }
 
+/// Where the sensor sits on its link, where that was estimated: what is asked for with the camera on the hand.
+void print_mount(const Output& out, const Session& s, const Fit& fit) {
+  if (!s.mount.estimate) return;
+  const char* sensor = s.pose_sensor               ? "sensor"
+                       : s.is_tracker()            ? "tracker"
+                       : is_left_and_right(*s.rig) ? "left"
+                                                   : "first";
+  const Rigid& mount = estimate(fit).mount_from_sensor;
+  const Matrix6 covariance =
+      fit.parameter_covariance.block<6, 6>(fit.problem.mount_column(), fit.problem.mount_column());
+  const Matrix3 place = mount.rotation * covariance.topLeftCorner<3, 3>() * mount.rotation.transpose();
+  const Matrix3 turn = mount.rotation * covariance.bottomRightCorner<3, 3>() * mount.rotation.transpose();
+  const Vector3 rpy = degrees * rpy_from_rotation(mount.rotation);
+  out.line(fmt::format("\nmount_from_{}, on {}", sensor, s.mount.link));
+  const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
+  for (int i = 0; i < 3; ++i)
+    out.line(with_sigma(names[i], 1e3 * mount.translation[i], 1e3 * std::sqrt(place(i, i)), "mm"));
+  for (int i = 0; i < 3; ++i) out.line(with_sigma(names[i + 3], rpy[i], degrees * std::sqrt(turn(i, i)), "deg"));
+}
+
 }  // namespace
 
 void print_fit(const Output& out, const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {
@@ -142,6 +163,7 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
     out.line(fmt::format("The target's own frame in the TCP's: {:.4f} {:.4f} {:.4f} mm, rpy {:.4f} {:.4f} {:.4f} deg",
                          xyz.x(), xyz.y(), xyz.z(), angles.x(), angles.y(), angles.z()));
   }
+  print_mount(out, session, fit);
   out.line();
   print_errors(out, fit, told);
   if (fit.objective == Objective::angle_axis)

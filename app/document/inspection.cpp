@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "estimation/pose_residuals.h"
+
 namespace handsight::app {
 namespace {
 
@@ -135,7 +137,8 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     const auto look = looks.find(row.id);
     row.at_second_look = session.observations[i].sightings.empty() && look != looks.end() && !look->second.empty();
   }
-  Problem problem = make_problem(with_everything(session, looks), chain_of(session), terms_of(fit));
+  const Session shown = shown_as_fitted(with_everything(session, looks), estimate(fit));
+  Problem problem = make_problem(shown, chain_of(shown), terms_of(fit));
   if (!problem.terms.empty()) {
     problem.tcp_from_slip = fit.problem.tcp_from_slip;
     place_observations(problem);

@@ -119,6 +119,23 @@ QString motion_text(const Rigid& motion, MotionForm form) {
   return rows.join('\n');
 }
 
+namespace {
+
+/// What is asked for with the camera on the hand: where it sits.
+QString mount_text(const Session& session, const Fit& fit) {
+  const Rigid& mount = estimate(fit).mount_from_sensor;
+  const auto three = [](const Vector3& x, int decimals) {
+    return QString("%1 %2 %3").arg(x.x(), 0, 'f', decimals).arg(x.y(), 0, 'f', decimals).arg(x.z(), 0, 'f', decimals);
+  };
+  return QObject::tr(
+             "Right only together with the camera mount that was estimated with it: on %1 at %2 mm, rpy %3 deg "
+             "(mount_from_sensor in the XML).")
+      .arg(QString::fromStdString(session.mount.link), three(1e3 * mount.translation, 3),
+           three(180 / M_PI * rpy_from_rotation(mount.rotation), 4));
+}
+
+}  // namespace
+
 std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model) {
   std::vector<ExportRemark> remarks;
   const auto ratio = error_and_noise(model).ratio();
@@ -136,8 +153,7 @@ std::vector<ExportRemark> export_remarks(const Document& document, const ModelVe
                                 widgets::short_text(1e3 * moved_by_effects(*model.fit))),
                        false});
   if (!model.wrong_points.empty()) remarks.push_back({wrong_points_text(model, 3), false});
-  if (document.session().mount.estimate)
-    remarks.push_back({QObject::tr("Right only together with the camera mount that was estimated with it."), false});
+  if (document.session().mount.estimate) remarks.push_back({mount_text(document.session(), *model.fit), false});
   for (const std::string& note : model.fit->notes) remarks.push_back({QString::fromStdString(note), true});
   return remarks;
 }

@@ -115,7 +115,8 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
   const Session& s = bench.document.session();
   for (const auto& [view, camera] : shown_cameras) {
     if (!s.rig || camera >= s.rig->count()) {
-      view->clear(QObject::tr("A tracker session has no images."));
+      view->clear(s.pose_sensor ? QObject::tr("A sensor that tells poses has no images.")
+                                : QObject::tr("A tracker session has no images."));
       continue;
     }
     const Camera& seen_by = s.rig->at(camera).camera;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live/live_look.h"
 
+#include <Eigen/Geometry>
 #include <QObject>
 #include <algorithm>
 
@@ -39,17 +40,31 @@ bool names_column(const std::string& text, const char* name) {
   return std::find(words.begin(), words.end(), name) != words.end();
 }
 
-Angles read_angles(const fs::path& table, const std::vector<std::string>& joints) {
+/// base_from_flange, as the joints that stand for it; what follows the seven columns stays.
+Eigen::VectorXd flange_joints(const Eigen::VectorXd& line, const std::string& table) {
+  const Eigen::Quaterniond q(line[6], line[3], line[4], line[5]);
+  if (!(std::abs(q.norm() - 1) < 0.01))
+    throw InputError(fmt::format("{}: a quaternion qx qy qz qw has the length {:.3g}; expected 1.", table, q.norm()));
+  Eigen::VectorXd joints(line.size() - 1);
+  joints << position_of({q.normalized().toRotationMatrix(), line.head<3>()}), line.tail(line.size() - 7);
+  return joints;
+}
+
+Angles read_angles(const fs::path& table, const LiveTask& task) {
   std::string text = read_file(table);
   text.resize(text.rfind('\n') == std::string::npos ? 0
                                                     : text.rfind('\n') + 1);  // what is being written is no line yet
-  Angles angles{.joints = static_cast<Eigen::Index>(joints.size())};
-  std::vector<std::string> columns = joints;
+  Angles angles{.joints = static_cast<Eigen::Index>(task.joints.size())};
+  const bool is_pose = task.is_of_flange && names_column(text, "qx");
+  std::vector<std::string> columns = task.joints;
+  if (is_pose) columns = {"x", "y", "z", "qx", "qy", "qz", "qw"};
   angles.has_number = names_column(text, "number");
   angles.has_time = names_column(text, "time");
   if (angles.has_number) columns.emplace_back("number");
   if (angles.has_time) columns.emplace_back("time");
   angles.lines = parse_poses(text, table.filename().string(), columns);
+  if (is_pose)
+    for (Eigen::VectorXd& line : angles.lines) line = flange_joints(line, table.filename().string());
   return angles;
 }
 
@@ -146,7 +161,7 @@ class Look {
       return false;
     }
     try {
-      angles_ = read_angles(task_.sources.table, task_.joints);
+      angles_ = read_angles(task_.sources.table, task_);
     } catch (const InputError& refusal) {
       look_.remarks << QString::fromUtf8(refusal.what());
       return false;
@@ -245,7 +260,10 @@ LiveSources own_sources(const Session& session) {
 }
 
 LiveTask task_of(const Session& session, const LiveSources& sources) {
-  LiveTask task{.sources = sources, .session_folder = folder(session), .joints = session.joints};
+  LiveTask task{.sources = sources,
+                .session_folder = folder(session),
+                .joints = session.joints,
+                .is_of_flange = session.robot.is_of_poses};
   if (session.rig) task.cameras = session.rig->cameras;
   task.known.resize(task.cameras.size());
   for (const Observation& o : session.observations)

@@ -38,6 +38,7 @@ struct LiveTask {
   std::filesystem::path session_folder;
   std::vector<RigCamera> cameras;
   std::vector<std::string> joints;
+  bool is_of_flange = false;  // the joints stand for the flange's pose, which the table may give as x y z qx qy qz qw
   std::vector<std::map<std::string, Eigen::VectorXd>> known;  // by camera: names of images in the session, its posture
   std::set<std::string> passed_over;                          // images that were taken in this watch, and undone since
   std::map<std::string, FileStamp> stamps;                    // of the last look

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Watches the folders into which a robot's cameras write, and hands over each pair that is whole as an observation.
+// Watches the folders into which a robot's cameras write, and hands over what is whole as an observation: the images of
+// one instant, or a tracker's points or a target's pose where there is no camera.
 #pragma once
 
 #include <QFileSystemWatcher>
@@ -8,6 +9,7 @@
 
 #include "frame/workbench.h"
 #include "live/live_look.h"
+#include "ways/arrivals.h"
 
 namespace handsight::app {
 
@@ -35,18 +37,26 @@ class LiveWatch : public QObject {
   void arrived_now(const std::vector<Observation>& observations);
 
  private:
+  QString measured_text() const;
+  QString images_text(const std::filesystem::path& home) const;
   void watch_paths();
   void look();
+  void look_for_images_now();
+  void look_for_measurements();
   void take(LiveLook look);
+  void take_measured(Arrivals::Look look);
+  void hand_over(std::vector<Observation> observations, const std::vector<std::string>& names, QStringList remarks);
+  bool is_early(const std::string& name, double time, double last);
 
   Workbench& bench_;
   Jobs jobs_;  // of its own: what else is in the background may take long
   QFileSystemWatcher files_;
   QTimer timer_;
   LiveSources sources_;
-  std::set<std::string> taken_;  // left images that arrived in this watch
+  std::set<std::string> taken_;         // left images that arrived in this watch
+  std::shared_ptr<Arrivals> arrivals_;  // of a session without cameras; in the worker's hands while it looks
   std::map<std::string, FileStamp> stamps_;
-  QStringList remarks_, early_;  // early_: pairs left out because their time runs back
+  QStringList remarks_, early_;  // early_: what is left out for good, as because its time runs back
   int arrived_ = 0;
   bool is_watching_ = false;
 };

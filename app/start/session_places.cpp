@@ -128,6 +128,8 @@ std::vector<SampleSession> sample_sessions() {
   };
   add("first_steps", QObject::tr("First steps"),
       QObject::tr("Twelve observations with images, nothing hidden: label three markers, play, export."));
+  add("one_camera", QObject::tr("One camera and a printed board"),
+      QObject::tr("A ChArUco board on the hand, twelve images, nothing to label: play, export."));
   add("hundred_poses", QObject::tr("A hundred poses"),
       QObject::tr("A guided arm that sags, and three bad poses with three different causes to find."));
   add("thesis_simulation", QObject::tr("The thesis's simulation"),

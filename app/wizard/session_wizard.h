@@ -53,6 +53,7 @@ class SessionWizard : public QDialog {
   QLabel* add_heading(const QString& text);
   Part add_part(const char* name, const QString& label, const QString& hint, Choice choice, const QString& filter = {});
   void add_files();
+  void add_flange_row();
   void add_robot_rows();
   void add_mount_rows();
   void add_markers_row();
@@ -61,14 +62,22 @@ class SessionWizard : public QDialog {
   void show_part(const Part& part, bool visible);
 
   Known known() const;
+  bool is_flange_only() const;
+  int link_of(const QComboBox* box) const;
   void ask_camera_place();
   void ask_target_place();
   void ask_known();
   void choose_links();
+  void ask_flange_only();
   void read_robot();
+  void offer_links();
   void read_images();
   void read_angles();
+  void read_joints(std::vector<std::string>& notes);
+  void read_flange(std::vector<std::string>& notes);
   void read_calibration();
+  enum class PosesOf { flange, target };
+  std::vector<Rigid> poses_in(const Part& part, PosesOf of_what, std::vector<std::string>& notes) const;
   void read_poses_of_target();
   void read_target();
   void refresh();
@@ -89,7 +98,7 @@ class SessionWizard : public QDialog {
   TargetForm* form_;
   Part left_, right_, more_, angles_, robot_, calibration_, poses_, target_;
   QComboBox *tcp_, *mount_link_;
-  QCheckBox* mount_is_known_;
+  QCheckBox *flange_only_, *mount_is_known_;
   QLineEdit *mount_xyz_, *mount_rpy_, *title_;
   QLabel* markers_caption_;
   QSpinBox* markers_;
@@ -100,7 +109,7 @@ class SessionWizard : public QDialog {
   std::vector<InstantImages> images_;
   std::optional<Robot> read_robot_;
   Rig rig_;
-  std::vector<std::string> joints_;  // of the table of angles
+  std::vector<std::string> joints_;  // of the table of angles, or those that stand for the flange's pose
   std::vector<Eigen::VectorXd> positions_;
   std::vector<Rigid> target_poses_;
 };

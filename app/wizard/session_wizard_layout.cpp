@@ -87,16 +87,17 @@ QLabel* SessionWizard::add_heading(const QString& text) {
 void SessionWizard::add_files() {
   add_heading(tr("Files"));
   robot_ = add_part("wizard_robot", tr("Robot"), tr("URDF file"), Choice::file, tr("URDF (*.urdf *.xml)"));
+  add_flange_row();
   add_robot_rows();
   angles_ = add_part("wizard_angles", tr("Joint angles"), tr("CSV: a line for each instant, rad"), Choice::file,
-                     tr("Tables (*.csv *.txt)"));
+                     tr("Tables (*.csv *.txt *.yaml *.yml *.samples)"));
   left_ = add_part("wizard_left", tr("Left images"), tr("folder"), Choice::folder);
   right_ = add_part("wizard_right", tr("Right images"), tr("folder; may be the same"), Choice::folder);
   more_ = add_part("wizard_more", tr("More cameras"), tr("folders; several by ;"), Choice::folder);
   calibration_ = add_part("wizard_calibration", tr("Stereo calibration"), tr("OpenCV's YAML or XML; several by ;"),
                           Choice::files, tr("OpenCV (*.yml *.yaml *.xml *.json)"));
   poses_ = add_part("wizard_poses", tr("Poses of the target"), tr("CSV or YAML: x y z qx qy qz qw"), Choice::file,
-                    tr("Tables (*.csv *.txt *.yaml *.yml)"));
+                    tr("Tables (*.csv *.txt *.yaml *.yml *.samples)"));
   add_markers_row();
   add_mount_rows();
   add_session_rows();
@@ -141,6 +142,14 @@ SessionWizard::Part SessionWizard::add_part(const char* name, const QString& lab
 void SessionWizard::show_part(const Part& part, bool visible) {
   for (QWidget* w : std::initializer_list<QWidget*>{part.caption, part.path, part.browse}) w->setVisible(visible);
   part.sentence->setVisible(visible && !part.sentence->text().isEmpty());
+}
+
+void SessionWizard::add_flange_row() {
+  flange_only_ = new QCheckBox(tr("No URDF: the controller says where the flange is"));
+  flange_only_->setObjectName("wizard_flange_only");
+  flange_only_->setToolTip(tr("What bends or is off in the joints can then not be told apart."));
+  grid_->addWidget(flange_only_, grid_->rowCount(), 1, 1, 2);
+  connect(flange_only_, &QCheckBox::toggled, this, &SessionWizard::ask_flange_only);
 }
 
 void SessionWizard::add_robot_rows() {

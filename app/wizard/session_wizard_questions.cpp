@@ -89,6 +89,25 @@ QWidget* SessionWizard::make_scene() {
 
 SessionWizard::Known SessionWizard::known() const { return static_cast<Known>(known_->current()); }
 
+bool SessionWizard::is_flange_only() const { return flange_only_->isChecked(); }
+
+int SessionWizard::link_of(const QComboBox* box) const {
+  return read_robot_ ? find_link(*read_robot_, box->currentText().toStdString()) : -1;
+}
+
+/// A flange has no links between it and the base: the camera stands, or is on it.
+void SessionWizard::ask_flange_only() {
+  const bool is_flange = is_flange_only();
+  camera_place_->set_possible(on_link, !is_flange);
+  if (is_flange && camera_place_->current() == on_link)
+    camera_place_->choose(target_place_->current() == on_table ? on_hand : on_stand);
+  show_part(robot_, !is_flange);
+  angles_.caption->setText(is_flange ? tr("Poses of the flange") : tr("Joint angles"));
+  angles_.path->setPlaceholderText(is_flange ? tr("CSV or YAML: x y z qx qy qz qw in the base's frame")
+                                             : tr("CSV: a line for each instant, rad"));
+  read_robot();
+}
+
 /// Something must move between the two: an answer that leaves nothing to move changes the other.
 void SessionWizard::ask_camera_place() {
   if (camera_place_->current() == on_hand) target_place_->choose(on_table);
@@ -98,7 +117,8 @@ void SessionWizard::ask_camera_place() {
 }
 
 void SessionWizard::ask_target_place() {
-  if (target_place_->current() == with_hand && camera_place_->current() == on_hand) camera_place_->choose(on_link);
+  if (target_place_->current() == with_hand && camera_place_->current() == on_hand)
+    camera_place_->choose(is_flange_only() ? on_stand : on_link);
   if (target_place_->current() == on_table && camera_place_->current() == on_stand) camera_place_->choose(on_hand);
   choose_links();
   refresh();
@@ -114,8 +134,8 @@ void SessionWizard::choose_links() {
     if (lies) tcp_->setCurrentIndex(0);
     if (!lies && tcp_->currentIndex() == 0) tcp_->setCurrentIndex(last);
   }
-  mount_link_->setEnabled(read_robot_.has_value() && !stands);
-  tcp_->setEnabled(read_robot_.has_value() && !lies);
+  mount_link_->setEnabled(read_robot_.has_value() && !stands && !is_flange_only());
+  tcp_->setEnabled(read_robot_.has_value() && !lies && !is_flange_only());
 }
 
 void SessionWizard::ask_known() {
@@ -144,9 +164,11 @@ void SessionWizard::ask_known() {
 QString SessionWizard::links_sentence() const {
   if (!read_robot_) return {};
   const QString camera = mount_link_->currentText(), target = tcp_->currentText();
-  const int moving = joints_between(*read_robot_, mount_link_->currentIndex(), tcp_->currentIndex());
-  QString sentence =
-      tr("Camera on %1, target on %2: %3 between them.").arg(camera, target, counted(moving, "%n moving joint(s)"));
+  const int moving = joints_between(*read_robot_, link_of(mount_link_), link_of(tcp_));
+  QString sentence = is_flange_only()
+                         ? tr("Camera on %1, target on %2: the flange moves, its poses are known.").arg(camera, target)
+                         : tr("Camera on %1, target on %2: %3 between them.")
+                               .arg(camera, target, counted(moving, "%n moving joint(s)"));
   if (!mount_is_known_->isChecked()) sentence += " " + tr("Where exactly the two sit is found from the observations.");
   return sentence;
 }

@@ -233,6 +233,7 @@ void set_covariances(BundleResult& result, Problem& problem) {
   if (!covariance) return;
   const double freedom = std::max(2.0 * result.points - static_cast<double>(info.matrix.rows()), 1.0);
   const double variance = result.rms_pixel * result.rms_pixel * result.points / freedom;
+  Eigen::MatrixXd to_small = Eigen::MatrixXd::Identity(info.cameras, info.cameras);
   for (std::size_t block = 0; block < info.blocks.size(); ++block)
     for (std::size_t c = 0; c < count; ++c) {
       const Eigen::Index at = info.starts[block], size = static_cast<Eigen::Index>(result.rig.lenses[c].numbers.size());
@@ -242,7 +243,12 @@ void set_covariances(BundleResult& result, Problem& problem) {
       const Matrix6 by_numbers = small_motion_by_numbers(problem.unknowns.placements[c]);
       result.placement_covariances[c] =
           Matrix6(variance * by_numbers * covariance->block<6, 6>(at, at) * by_numbers.transpose());
+      to_small.block<6, 6>(at, at) = by_numbers;
     }
+  std::size_t numbers = 6 * (count - 1);
+  for (const Lens& lens : result.rig.lenses) numbers += lens.numbers.size();
+  if (static_cast<std::size_t>(info.cameras) == numbers)  // each camera has seen something
+    result.covariance = variance * to_small * *covariance * to_small.transpose();
 }
 
 }  // namespace

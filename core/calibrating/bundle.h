@@ -45,6 +45,8 @@ struct BundleResult {
   /// determine them. From the scatter of the residuals.
   std::vector<std::optional<Eigen::MatrixXd>> lens_covariances;
   std::vector<std::optional<Matrix6>> placement_covariances;
+  /// Of all of them at once: every camera's numbers, then the small motions of all cameras but the first.
+  std::optional<Eigen::MatrixXd> covariance;
 };
 
 /// The residual of one point: image index, number, px.

@@ -55,6 +55,7 @@ class Builder {
     model_.external.conservativeResize(next_, Eigen::NoChange);
     model_.external_error.conservativeResize(next_);
     add_shape();
+    add_camera_images();
     model_.internal = Eigen::MatrixXd(model_.internal.selfadjointView<Eigen::Lower>());
     scale_and_weigh();
     return std::move(model_);
@@ -153,6 +154,18 @@ class Builder {
     model_.internal.topLeftCorner(count, count) += to_noise * prior.information;
     model_.internal.row(error).head(count) += to_noise * prior.gradient.transpose();
     model_.internal(error, error) += to_noise * prior.cost;
+  }
+
+  /// So are images of a board, of the cameras.
+  void add_camera_images() {
+    if (!learns_from_camera_images(p_) || base_effects_ == 0) return;
+    const CameraPrior prior = camera_prior(p_);
+    const Eigen::Index at = p_.effect_column(), error = model_.internal.cols() - 1;
+    const double weight = noise_ * noise_;
+    model_.internal.block(at, at, base_effects_, base_effects_) +=
+        weight * prior.information.topLeftCorner(base_effects_, base_effects_);
+    model_.internal.row(error).segment(at, base_effects_) += weight * prior.gradient.head(base_effects_).transpose();
+    model_.internal(error, error) += weight * prior.cost;
   }
 
   void scale_and_weigh() {

@@ -130,6 +130,18 @@ void refuse_cameras_of_points(const Session& session, const FitOptions& options,
                                cameras ? "effects of the cameras" : "effects"));
 }
 
+void require_use_of_camera_images(const Session& session, const FitOptions& options, const Problem& images) {
+  if (!options.camera_images) return;
+  if (!images.rig || images.cameras_by_effect.cols() == 0)
+    throw InputError(
+        fmt::format("{}: images of a board say something of the cameras, and no number of theirs is estimated; add "
+                    "--effects camera_intrinsics (also lens_distortion{}).",
+                    session_name(session),
+                    !session.rig || session.rig->count() == 1 ? ""
+                    : session.rig->count() == 2               ? ", stereo_rig"
+                                                              : ", rig"));
+}
+
 /// Does a term move the body or its markers on the hand?
 bool is_slip(const EffectTerm& term, const Chain& chain) {
   const Effect& effect = effect_of(term);
@@ -212,6 +224,8 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
         session_name(session),
         !session.rig || is_left_and_right(*session.rig) ? "mount_from_left" : "mount_from_first"));
   refuse_cameras_of_points(session, options, images);
+  require_use_of_camera_images(session, options, images);
+  images.camera_images = options.camera_images;
 
   Fit result;
   result.objective = options.objective;

@@ -24,6 +24,11 @@ double known_by_priors(const Problem& problem, const Unknowns& unknowns, const E
     const Eigen::Index column = problem.effect_column() + i;
     known += std::pow(problem.noise / sigma, 2) * inverse(column, column);
   }
+  if (learns_from_camera_images(problem)) {
+    const Eigen::Index at = problem.effect_column(), count = problem.effect_count();
+    const Eigen::MatrixXd told = camera_prior(problem).information;
+    known += problem.noise * problem.noise * told.cwiseProduct(inverse.block(at, at, count, count)).sum();
+  }
   return known;
 }
 
@@ -46,6 +51,9 @@ void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, Eigen::
     const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
     middle(column, column) += std::pow(problem.noise / sigma, 2) * problem.noise * problem.noise;
   }
+  if (learns_from_camera_images(problem))
+    middle.block(problem.effect_column(), problem.effect_column(), problem.effect_count(), problem.effect_count()) +=
+        std::pow(problem.noise, 4) * camera_prior(problem).information;
 }
 
 /// Sum over observations of the outer product of their gradients: how much observations differ, whatever the cause.

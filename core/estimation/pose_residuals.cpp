@@ -32,4 +32,12 @@ double seen_lever(const Problem& problem, const Unknowns& unknowns) {
   return std::clamp(std::sqrt(places / turns), 1e-3, 1e3);
 }
 
+Session shown_as_fitted(const Session& session, const Unknowns& unknowns) {
+  Session shown = session;
+  const auto& markers = unknowns.markers_in_tcp;
+  if (has_unknown_lever(session) && markers.size() == pose_markers)
+    show_poses(shown, 0.5 * (markers[1] - markers[0]).norm());
+  return shown;
+}
+
 }  // namespace handsight

@@ -17,4 +17,8 @@ bool has_unknown_lever(const Session& session);
 /// The lever (m) of the sigmas that the residuals have: the ratio of the rms of places to that of turns.
 double seen_lever(const Problem& problem, const Unknowns& unknowns);
 
+/// The session of a pose sensor with its poses shown at the lever of these unknowns, which a fit may have chosen itself
+/// (has_unknown_lever); any other session as it is.
+Session shown_as_fitted(const Session& session, const Unknowns& unknowns);
+
 }  // namespace handsight

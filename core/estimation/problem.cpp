@@ -297,10 +297,30 @@ void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquation
     normal.gradient[column] -= weight * weight * unknowns.effects[i];
     normal.prior_cost += std::pow(weight * unknowns.effects[i], 2);
   }
+  if (learns_from_camera_images(problem)) {
+    const CameraPrior known = camera_prior(problem);
+    const double weight = problem.noise * problem.noise;
+    const Eigen::Index at = problem.effect_column(), count = problem.effect_count();
+    normal.information.block(at, at, count, count) += weight * known.information;
+    normal.gradient.segment(at, count) += weight * known.gradient;
+    normal.prior_cost += weight * known.cost;
+  }
   normal.cost += normal.prior_cost;
 }
 
 }  // namespace
+
+CameraPrior camera_prior(const Problem& problem) {
+  CameraPrior prior;
+  if (!learns_from_camera_images(problem)) return prior;
+  const CameraKnowledge& known = *problem.camera_images;
+  const Eigen::MatrixXd& by_effect = problem.cameras_by_effect;
+  const Eigen::VectorXd change = change_of_rig(known.rig, *problem.rig);
+  prior.information = by_effect.transpose() * known.information * by_effect;
+  prior.gradient = -by_effect.transpose() * (known.information * change + known.pull);
+  prior.cost = disagreement(known, *problem.rig);
+  return prior;
+}
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "camera/camera_knowledge.h"
 #include "effects/effect.h"
 #include "model/sighting.h"
 
@@ -76,6 +77,8 @@ struct Problem {
   double noise = 1;                   // px or m: what the priors of the effects are weighed against
   Eigen::MatrixXd cameras_by_effect;  // rows: the rig's numbers as in camera/rig.h; empty: none
 
+  std::shared_ptr<const CameraKnowledge> camera_images;  // what images of a board say of the rig; null: nothing
+
   std::optional<KnownShape> shape;  // of the markers; its sigma is a prior on how they lie to each other
 
   bool has_shape_prior() const { return shape && shape->sigma; }
@@ -144,7 +147,8 @@ inline std::vector<Vector3> markers_at(const ProblemObservation& o, const Unknow
 Unknowns moved(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step);
 
 /// H = J^T W J, gradient = J^T W error by the problem's columns; cost = error^T W error. The priors of the effects are
-/// part of all three, in units of the noise: (noise value / sigma)^2; `prior_cost` is their share.
+/// part of all three, in units of the noise: (noise value / sigma)^2, and so is what images of a board say of the
+/// cameras; `prior_cost` is their share.
 struct NormalEquations {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
@@ -183,6 +187,21 @@ struct ShapePrior {
   double cost = 0;
 };
 ShapePrior shape_prior(const Problem& problem, const std::vector<Vector3>& markers_in_tcp);
+
+/// Does Problem::camera_images say something of a number that is estimated?
+inline bool learns_from_camera_images(const Problem& p) {
+  return p.camera_images && p.rig && p.effect_count() > 0 && p.cameras_by_effect.cols() == p.effect_count();
+}
+
+/// What Problem::camera_images say where the problem's rig stands, by the effects' columns and in units of their
+/// sigmas: half the second derivative of chi-squared, half the first with the sign turned, and itself. Empty where they
+/// say nothing.
+struct CameraPrior {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+  double cost = 0;
+};
+CameraPrior camera_prior(const Problem& problem);
 
 /// (noise / sigma)^2 of a known shape.
 double shape_prior_weight(const Problem& problem);

@@ -4,6 +4,7 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
@@ -217,6 +218,38 @@ class PriorCost : public ceres::CostFunction {
   }
 };
 
+/// What images of a board say of the cameras: the square root of their chi-squared's information about its minimum.
+class CameraImagesCost : public ceres::CostFunction {
+ public:
+  explicit CameraImagesCost(const Place& place) : place_(place) {
+    const CameraKnowledge& known = *place.problem.camera_images;
+    const Eigen::VectorXd scale = known.information.diagonal().cwiseSqrt();
+    const Eigen::VectorXd unscale = scale.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(unscale.asDiagonal() * known.information *
+                                                                unscale.asDiagonal());
+    const Eigen::VectorXd roots = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    root_ = roots.asDiagonal() * solver.eigenvectors().transpose() * scale.asDiagonal();
+    const Eigen::VectorXd inverse = roots.unaryExpr([](double r) { return r > 1e-9 ? 1 / r : 0.0; });
+    shift_ = inverse.asDiagonal() * solver.eigenvectors().transpose() * unscale.asDiagonal() * known.pull;
+    set_num_residuals(static_cast<int>(root_.rows()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(place.effects.size()));
+  }
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    const Problem& p = place_.problem;
+    Eigen::Map<Eigen::VectorXd>(residuals, root_.rows()) = root_ * change_of_rig(p.camera_images->rig, *p.rig) + shift_;
+    if (!jacobians || !jacobians[0]) return true;
+    Rows rows(jacobians[0], num_residuals(), p.effect_count());
+    rows = root_ * p.cameras_by_effect;
+    for (Eigen::Index i = 0; i < p.effect_count(); ++i) rows.col(i) *= place_.sigma(i);
+    return true;
+  }
+
+ private:
+  const Place& place_;
+  Eigen::MatrixXd root_;
+  Eigen::VectorXd shift_;
+};
+
 /// What is known of the shape of markers that are not held: their places off the known ones, laid onto them as well as
 /// can be, in units of the sigma.
 class ShapeCost : public ceres::CostFunction {
@@ -322,6 +355,8 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
     squares.SetManifold(place.body.data(), &place.body_manifold);
   if (place.effects.size() > 0)
     squares.AddResidualBlock(new PriorCost(static_cast<int>(place.effects.size())), nullptr, place.effects.data());
+  if (learns_from_camera_images(problem))
+    squares.AddResidualBlock(new CameraImagesCost(place), nullptr, place.effects.data());
   if (problem.has_shape_prior() && !place.is_fixed_body) {
     std::vector<double*> markers;
     for (Vector3& x : place.unknowns.markers_in_tcp) markers.push_back(x.data());

@@ -84,11 +84,11 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-void check_count(std::size_t positions, std::size_t measured, const char* what) {
-  if (positions == measured) return;
-  throw InputError(
-      fmt::format("There are {} lines of joint angles for {} {}; each instant needs one of each, in the same order.",
-                  positions, measured, what));
+void check_count(const NewSession& parts, std::size_t measured, const char* what) {
+  if (parts.positions.size() == measured) return;
+  throw InputError(fmt::format("There are {} {} for {} {}; each instant needs one of each, in the same order.",
+                               parts.positions.size(),
+                               parts.urdf.empty() ? "poses of the flange" : "lines of joint angles", measured, what));
 }
 
 void check_cameras(const NewSession& parts) {
@@ -107,13 +107,16 @@ void check_parts(const NewSession& parts, const Robot& robot) {
     throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(parts.folder)));
   const bool has_cameras = parts.rig.count() > 0;
   if (has_cameras)
-    check_count(parts.positions.size(), parts.images.size(), "images");
+    check_count(parts, parts.images.size(), "images");
   else
-    check_count(parts.positions.size(), parts.target_poses.size(), "poses of the target");
+    check_count(parts, parts.target_poses.size(), "poses of the target");
   if (parts.positions.empty()) throw InputError("A session needs at least one observation; there is no pose.");
   for (const std::string& link : {parts.tcp, parts.mount})
     if (find_link(robot, link) < 0)
-      throw InputError(fmt::format("{}: has no link {}.", shown_path(parts.urdf), in_quotes(link)));
+      throw InputError(
+          parts.urdf.empty()
+              ? fmt::format("There is no link {}: a robot of poses has \"base\" and \"flange\".", in_quotes(link))
+              : fmt::format("{}: has no link {}.", shown_path(parts.urdf), in_quotes(link)));
   check_cameras(parts);
 }
 
@@ -150,7 +153,7 @@ Session observed_session(const NewSession& parts, const Robot& robot, std::vecto
   Session s;
   s.file = parts.folder / "session.xml";
   s.title = parts.title;
-  s.robot_file = bring_into(parts.urdf, parts.folder, "");
+  if (!robot.is_of_poses) s.robot_file = bring_into(parts.urdf, parts.folder, "");
   s.tcp = parts.tcp;
   s.mount = {parts.mount, parts.mount_from_sensor, !parts.mount_is_known, parts.mount_is_known};
   if (parts.rig.count() > 0)
@@ -288,8 +291,15 @@ std::vector<std::string> joints_of_table(const fs::path& table, const Robot& rob
   return named.empty() ? all : named;
 }
 
+void set_flange_poses(NewSession& parts, const std::vector<Rigid>& flange_poses) {
+  parts.urdf.clear();
+  parts.joints = joint_names(poses_robot());
+  parts.positions.clear();
+  for (const Rigid& pose : flange_poses) parts.positions.emplace_back(position_of(pose));
+}
+
 Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
-  const Robot robot = read_urdf(parts.urdf, notes);
+  const Robot robot = parts.urdf.empty() ? poses_robot() : read_urdf(parts.urdf, notes);
   check_parts(parts, robot);
   std::error_code error;
   fs::create_directories(parts.folder, error);

@@ -40,8 +40,8 @@ std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>&
 struct NewSession {
   std::filesystem::path folder;  // where the session is made; may be there, but without a session.xml
   std::string title;
-  std::filesystem::path urdf;
-  std::string tcp, mount;  // links
+  std::filesystem::path urdf;  // empty: no more is known of the robot than where its flange is (set_flange_poses)
+  std::string tcp, mount;      // links
   bool mount_is_known = false;
   Rigid mount_from_sensor;  // where it is known
   Rig rig;                  // with image sizes; no camera: a sensor that tells poses
@@ -52,6 +52,10 @@ struct NewSession {
   std::vector<InstantImages> images;  // of cameras: one for each position, in the same order
   std::vector<Rigid> target_poses;    // of a sensor that tells poses: sensor_from_target, one for each position
 };
+
+/// A robot of which only the flange's pose is known, base_from_flange at each instant: its "joints" are those of
+/// poses_robot. Links are "base" and "flange".
+void set_flange_poses(NewSession& parts, const std::vector<Rigid>& flange_poses);
 
 /// Writes the folder: the URDF and the images (copied where they lie elsewhere), session.xml last. An observation whose
 /// pair is not whole has no images and is named in the notes; with a target, and with more than two cameras, the images

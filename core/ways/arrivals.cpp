@@ -75,6 +75,15 @@ std::optional<Eigen::Matrix<double, n, 1>> numbers_of(const std::vector<std::str
   return numbers;
 }
 
+/// x y z and a quaternion of length 1; nothing where they are not there.
+std::optional<Rigid> pose_in(const std::vector<std::string>& columns, const std::vector<std::string>& cells) {
+  constexpr double off = 0.01;  // of a quaternion's length
+  const auto place = numbers_of<3>(columns, cells, {"x", "y", "z"});
+  const auto turn = numbers_of<4>(columns, cells, {"qx", "qy", "qz", "qw"});
+  if (!place || !turn || !(std::abs(turn->norm() - 1) < off)) return std::nullopt;
+  return Rigid{Eigen::Quaterniond(*turn).normalized().toRotationMatrix(), *place};
+}
+
 /// Nearly always the latest.
 void know_time(std::vector<double>& ascending, double time) {
   ascending.insert(std::upper_bound(ascending.begin(), ascending.end(), time), time);
@@ -92,6 +101,7 @@ Arrivals::Arrivals(const Session& session)
     : folder_(folder(session)),
       joints_(session.joints),
       tells_poses_(session.pose_sensor.has_value()),
+      is_of_flange_(session.robot.is_of_poses),
       markers_(session.marker_count),
       joint_lines_{"joints.csv"},
       measured_lines_{session.pose_sensor ? "poses.csv" : "points.csv"} {
@@ -103,7 +113,22 @@ Arrivals::Arrivals(const Session& session)
       if (!image.empty()) known_files_.insert(image);
     know_time(known_times_, o.time);
     next_time_ = std::max(next_time_, o.time + 1);
+    if (!session.rig) known_measured_.insert(key_of(o));
   }
+}
+
+Arrivals::Key Arrivals::key_of(const Observation& o) {
+  Key key;
+  const auto add = [&key](double x) { key.push_back(std::llround(1e9 * x)); };
+  for (const double q : o.position) add(q);
+  if (o.target_pose) {
+    for (const double x : o.target_pose->translation) add(x);
+    return key;
+  }
+  for (const Sighting& s : o.sightings)
+    if (s.point)
+      for (const double x : *s.point) add(x);
+  return key;
 }
 
 void Arrivals::set_aside(const std::string& what, const std::string& why, Look& look) {
@@ -146,30 +171,38 @@ std::vector<std::vector<std::string>> Arrivals::new_lines(Lines& lines, Look& lo
   return found;
 }
 
+/// The joints' values, or those that stand for the flange's pose; nothing where they are not whole.
+std::optional<Eigen::VectorXd> Arrivals::position_in(const std::vector<std::string>& cells) const {
+  const auto& columns = joint_lines_.columns;
+  if (is_of_flange_ && place_of(columns, "qx")) {
+    const auto pose = pose_in(columns, cells);
+    return pose ? std::optional<Eigen::VectorXd>(position_of(*pose)) : std::nullopt;
+  }
+  Eigen::VectorXd position(static_cast<Eigen::Index>(joints_.size()));
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const auto at = place_of(columns, joints_[j]);
+    const auto value = at ? parse_number(cells[*at]) : std::nullopt;
+    if (!value || !bounds::joint.hold(*value)) return std::nullopt;
+    position[static_cast<Eigen::Index>(j)] = *value;
+  }
+  return position;
+}
+
 void Arrivals::take_joints(Look& look) {
   for (const std::vector<std::string>& cells : new_lines(joint_lines_, look)) {
     const auto& columns = joint_lines_.columns;
     const auto number_at = place_of(columns, "number"), time_at = place_of(columns, "time");
-    const auto number = number_at ? parse_integer(cells[*number_at]) : std::nullopt;
-    Pose pose{Eigen::VectorXd(static_cast<Eigen::Index>(joints_.size())), next_time_};
-    bool is_good = number.has_value();
-    for (std::size_t j = 0; j < joints_.size() && is_good; ++j) {
-      const auto at = place_of(columns, joints_[j]);
-      const auto value = at ? parse_number(cells[*at]) : std::nullopt;
-      is_good = value && bounds::joint.hold(*value);
-      if (is_good) pose.position[static_cast<Eigen::Index>(j)] = *value;
-    }
-    if (time_at && is_good) {
-      const auto time = parse_number(cells[*time_at]);
-      is_good = time.has_value();
-      if (is_good) pose.time = *time;
-    }
-    if (is_good && !(time_at && std::binary_search(known_times_.begin(), known_times_.end(), pose.time)))
-      poses_[*number] = pose;
-    else if (!is_good)
+    const auto number = whole_number(columns, cells);
+    const auto position = position_in(cells);
+    const auto time = time_at ? parse_number(cells[*time_at]) : std::optional(next_time_);
+    if (!number || !position || !time)
       set_aside(fmt::format("A line of {} (number {})", joint_lines_.file,
                             number_at ? shortened(cells[*number_at]) : std::string("missing")),
-                "it has not a finite number for each joint of the session", look);
+                is_of_flange_ ? "it has no whole pose of the flange (x y z qx qy qz qw)"
+                              : "it has not a finite number for each joint of the session",
+                look);
+    else if (!(time_at && std::binary_search(known_times_.begin(), known_times_.end(), *time)))
+      poses_[*number] = {*position, *time};
   }
 }
 
@@ -193,15 +226,12 @@ void Arrivals::take_points(Look& look) {
 }
 
 void Arrivals::take_poses(Look& look) {
-  constexpr double off = 0.01;  // of a quaternion's length
   for (const std::vector<std::string>& cells : new_lines(measured_lines_, look)) {
     const auto& columns = measured_lines_.columns;
     const auto number = whole_number(columns, cells);
     if (!number) continue;
-    const auto place = numbers_of<3>(columns, cells, {"x", "y", "z"});
-    const auto turn = numbers_of<4>(columns, cells, {"qx", "qy", "qz", "qw"});
-    if (place && turn && std::abs(turn->norm() - 1) < off)
-      target_poses_[*number] = {Eigen::Quaterniond(*turn).normalized().toRotationMatrix(), *place};
+    if (const auto pose = pose_in(columns, cells))
+      target_poses_[*number] = *pose;
     else
       set_aside(fmt::format("The line of number {} of {}", *number, measured_lines_.file),
                 "it has no finite x y z and no qx qy qz qw of length 1", look);
@@ -301,10 +331,11 @@ Arrivals::Look Arrivals::look() {
       continue;
     }
     forget(pose->first, o);
+    pose = poses_.erase(pose);
+    if (!known_measured_.empty() && known_measured_.contains(key_of(o))) continue;
     know_time(known_times_, o.time);
     next_time_ = std::max(next_time_, o.time + 1);
     look.arrived.push_back(std::move(o));
-    pose = poses_.erase(pose);
   }
   return look;
 }

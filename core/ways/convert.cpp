@@ -51,7 +51,9 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, con
     const auto [flange, target] = flange_and_target(b.poses);
     return from_flange(flange, target, !o.eye_on_base, o, std::move(c));
   }
-  if (!robot) throw InputError("There is no robot; name its URDF with --robot.");
+  if (!robot && !b.joints && b.poses.size() == 1 && !b.image_folders.empty())
+    return from_flange_images(b, o, std::move(c));
+  if (!robot) throw InputError("There is no robot; name its URDF with --robot, or a table of its flange's poses.");
   if (!b.image_folders.empty()) return from_images(*robot, b, o, std::move(c));
   if (!b.joints) throw InputError("There are no joint readings; name a table (CSV) of them, a column a joint.");
   if (b.points) return from_points(*robot, *b.joints, *b.points, {}, o, std::move(c));

@@ -17,13 +17,13 @@ std::optional<ImageSize> size_of_images(const std::vector<InstantImages>& instan
   return std::nullopt;
 }
 
-/// Instants and joint lines, by count.
-void match_images(const std::vector<InstantImages>& instants, const JointSeries& joints, int cameras) {
-  if (instants.size() == joints.positions.size()) return;
+/// Instants and lines of joints or of flange poses, by count.
+void match_images(const std::vector<InstantImages>& instants, std::size_t lines, const char* of_what, int cameras) {
+  if (instants.size() == lines) return;
   throw InputError(fmt::format(
-      "There are {} {} and {} lines of joint readings; expected one line for each, in the order of the images' "
-      "numbers. The first has the number {}, the last {}.",
-      instants.size(), cameras == 2 ? "pairs of images" : "instants with images", joints.positions.size(),
+      "There are {} {} and {} {}; expected one for each, in the order of the images' numbers. The first has the number "
+      "{}, the last {}.",
+      instants.size(), cameras == 2 ? "pairs of images" : "instants with images", lines, of_what,
       instants.front().number, instants.back().number));
 }
 
@@ -77,19 +77,41 @@ void require_target(const Rig& rig, const ConvertOptions& o) {
       rig.count(), rig.count() == 1 ? "camera" : "cameras"));
 }
 
-Conversion from_images(const FieldUrdf& robot, const Brought& b, const ConvertOptions& o, Conversion c) {
-  if (!b.joints)
-    throw InputError("There are images, and no table of joint readings; name a CSV with a line for each instant.");
-  SessionParts parts;
-  require_links(robot, o, parts, c.notes);
+/// Cameras and images beside what the parts say of the robot.
+Session with_images(const SessionParts& parts, const Brought& b, const char* of_what, const ConvertOptions& o,
+                    std::vector<std::string>& notes) {
   Rig rig = rig_of_brought(b);
   require_target(rig, o);
   const std::vector<InstantImages> images = find_images(folders_by_camera(rig, b.image_folders));
-  match_images(images, *b.joints, rig.count());
-  fit_to_first_images(rig, images, c.notes);
+  match_images(images, parts.joints.positions.size(), of_what, rig.count());
+  fit_to_first_images(rig, images, notes);
+  return write_camera_session(parts, rig, images, o, notes);
+}
+
+Conversion from_images(const FieldUrdf& robot, const Brought& b, const ConvertOptions& o, Conversion c) {
+  if (!b.joints)
+    throw InputError(
+        "There are images, and no table of joint readings; name a CSV with a line for each instant, or leave the robot "
+        "out and name a table of its flange's poses.");
+  SessionParts parts;
+  require_links(robot, o, parts, c.notes);
   parts.joints = *b.joints;
   parts.times = b.joints->times;
-  c.session = write_camera_session(parts, rig, images, o, c.notes);
+  c.session = with_images(parts, b, "lines of joint readings", o, c.notes);
+  return c;
+}
+
+Conversion from_flange_images(const Brought& b, const ConvertOptions& o, Conversion c) {
+  SessionParts parts;
+  const PoseSeries& flange = b.poses.front().series;
+  set_flange(parts, flange, !o.eye_on_base, c.notes);
+  parts.times = flange.times;
+  c.notes.push_back(fmt::format("{}: its poses are taken for base_from_flange; the camera is taken to be {}.",
+                                b.poses.front().file,
+                                o.eye_on_base ? "on a stand and the target on the flange"
+                                              : "on the flange and the target beside the robot (--eye-on-base: the "
+                                                "camera stands, the flange carries the target)"));
+  c.session = with_images(parts, b, "poses of the flange", o, c.notes);
   return c;
 }
 

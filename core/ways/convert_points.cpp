@@ -46,6 +46,16 @@ std::pair<PoseSeries, PoseSeries> flange_and_target(const std::vector<NamedPoses
                   poses[0].file, poses[1].file));
 }
 
+void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<std::string>& notes) {
+  parts.joints.names = joint_names(poses_robot());
+  for (const Rigid& pose : flange.poses) parts.joints.positions.emplace_back(position_of(pose));
+  parts.tcp = eye_in_hand ? "base" : "flange";
+  parts.mount = eye_in_hand ? "flange" : "base";
+  notes.push_back(
+      "No robot is known, only where its flange is: what bends or is off in its joints cannot be told apart; name its "
+      "URDF and a table of joint readings for that.");
+}
+
 Conversion from_flange(const PoseSeries& flange, const PoseSeries& target, bool eye_in_hand, const ConvertOptions& o,
                        Conversion c) {
   if (flange.poses.size() != target.poses.size())
@@ -54,16 +64,9 @@ Conversion from_flange(const PoseSeries& flange, const PoseSeries& target, bool 
                     "in the same order.",
                     flange.poses.size(), target.poses.size()));
   SessionParts parts;
-  const Robot robot = poses_robot();
-  for (const Joint& joint : robot.joints) parts.joints.names.push_back(joint.name);
-  for (const Rigid& pose : flange.poses) parts.joints.positions.emplace_back(position_of(pose));
-  parts.tcp = eye_in_hand ? "base" : "flange";
-  parts.mount = eye_in_hand ? "flange" : "base";
+  set_flange(parts, flange, eye_in_hand, c.notes);
   parts.times = target.times;
   parts.target_poses = target.poses;
-  c.notes.push_back(
-      "No robot is known, only where its flange is: what bends or is off in its joints cannot be told apart; name its "
-      "URDF and a table of joint readings for that.");
   c.notes.push_back(sensor_note);
   c.session = write_measured_session(parts, o);
   return c;

@@ -20,6 +20,12 @@ void require_links(const FieldUrdf& robot, const ConvertOptions& options, Sessio
 Conversion from_flange(const PoseSeries& flange, const PoseSeries& target, bool eye_in_hand,
                        const ConvertOptions& options, Conversion conversion);
 
+/// The same with folders of images of a board or of tags in place of the target's poses.
+Conversion from_flange_images(const Brought& brought, const ConvertOptions& options, Conversion conversion);
+
+/// The robot of poses in the parts: its flange carries the target or, eye in hand, the camera.
+void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<std::string>& notes);
+
 /// Which of two series is the flange's, which the target's: by their files' names.
 std::pair<PoseSeries, PoseSeries> flange_and_target(const std::vector<NamedPoses>& poses);
 

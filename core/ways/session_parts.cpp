@@ -83,15 +83,16 @@ Session write_measured_session(const SessionParts& parts, const ConvertOptions& 
 
 Session write_camera_session(const SessionParts& parts, const Rig& rig, const std::vector<InstantImages>& images,
                              const ConvertOptions& o, std::vector<std::string>& notes) {
-  const Robot robot = parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
+  const bool is_flange = parts.urdf_text.empty();
+  const Robot robot = is_flange ? poses_robot() : parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
   require_link(robot, parts.tcp, "--tcp");
   require_link(robot, parts.mount, "--mount");
   make_folder(o.out);
-  replace_file(o.out / "robot.urdf", parts.urdf_text);
+  if (!is_flange) replace_file(o.out / "robot.urdf", parts.urdf_text);
   NewSession made;
   made.folder = o.out;
   made.title = title_of(o);
-  made.urdf = o.out / "robot.urdf";
+  if (!is_flange) made.urdf = o.out / "robot.urdf";
   made.tcp = parts.tcp;
   made.mount = parts.mount;
   made.rig = rig;

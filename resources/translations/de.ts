@@ -656,6 +656,10 @@
         <translation>Eine Trackersitzung hat keine Bilder.</translation>
     </message>
     <message>
+        <source>A sensor that tells poses has no images.</source>
+        <translation>Ein Sensor, der Lagen nennt, hat keine Bilder.</translation>
+    </message>
+    <message>
         <source>A tracker session has no images; its markers are points already.</source>
         <translation>Eine Trackersitzung hat keine Bilder; ihre Marker sind schon Punkte.</translation>
     </message>
@@ -1292,6 +1296,70 @@
         <translation>Gelenkwinkel</translation>
     </message>
     <message>
+        <source>A ChArUco board on the hand, twelve images, nothing to label: play, export.</source>
+        <translation>Ein ChArUco-Brett an der Hand, zwölf Bilder, nichts zu beschriften: abspielen, exportieren.</translation>
+    </message>
+    <message>
+        <source>One camera and a printed board</source>
+        <translation>Eine Kamera und ein gedrucktes Brett</translation>
+    </message>
+    <message>
+        <source>No URDF: the controller says where the flange is</source>
+        <translation>Keine URDF: Die Steuerung sagt, wo der Flansch ist</translation>
+    </message>
+    <message>
+        <source>What bends or is off in the joints can then not be told apart.</source>
+        <translation>Was sich in den Gelenken biegt oder nicht stimmt, lässt sich dann nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange</source>
+        <translation>Lagen des Flansches</translation>
+    </message>
+    <message>
+        <source>CSV or YAML: x y z qx qy qz qw in the base's frame</source>
+        <translation>CSV oder YAML: x y z qx qy qz qw im System der Basis</translation>
+    </message>
+    <message>
+        <source>There are %1 poses of the flange for %2 poses of the target: each instant needs one of each, in the same order.</source>
+        <translation>Es sind %1 Lagen des Flansches für %2 Lagen des Ziels: Jeder Augenblick braucht je eine, in derselben Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>There are %1 poses of the flange for %2 images: each instant needs one of each, in the same order.</source>
+        <translation>Es sind %1 Lagen des Flansches für %2 Bilder: Jeder Augenblick braucht je eins, in derselben Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Camera on %1, target on %2: the flange moves, its poses are known.</source>
+        <translation>Kamera auf %1, Ziel auf %2: Der Flansch bewegt sich, seine Lagen sind bekannt.</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.yaml *.yml *.samples)</source>
+        <translation>Tabellen (*.csv *.txt *.yaml *.yml *.samples)</translation>
+    </message>
+    <message>
+        <source>Looking for new measurements</source>
+        <translation>Sucht neue Messungen</translation>
+    </message>
+    <message>
+        <source>A pose</source>
+        <translation>Eine Lage</translation>
+    </message>
+    <message>
+        <source>Waiting for the next pose of the target in poses.csv and %1 in joints.csv; %2 arrived.</source>
+        <translation>Wartet auf die nächste Lage des Ziels in poses.csv und %1 in joints.csv; %2 angekommen.</translation>
+    </message>
+    <message>
+        <source>Waiting for the next points in points.csv and %1 in joints.csv; %2 arrived.</source>
+        <translation>Wartet auf die nächsten Punkte in points.csv und %1 in joints.csv; %2 angekommen.</translation>
+    </message>
+    <message>
+        <source>that of the flange</source>
+        <translation>die des Flansches</translation>
+    </message>
+    <message>
+        <source>its joint angles</source>
+        <translation>ihre Gelenkwinkel</translation>
+    </message>
+    <message>
         <source>Joints</source>
         <translation>Gelenke</translation>
     </message>
@@ -1924,8 +1992,8 @@
         <translation>Richtig nur zusammen mit %1. Allein benutzt liegt TCP→Body in diesen Stellungen um %2 mm daneben.</translation>
     </message>
     <message>
-        <source>Right only together with the camera mount that was estimated with it.</source>
-        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras.</translation>
+        <source>Right only together with the camera mount that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
+        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
     <message>
         <source>Right, along the line</source>
@@ -2176,8 +2244,8 @@
         <translation>Zurück bis hierher</translation>
     </message>
     <message>
-        <source>Takes new image pairs and joint angles in as they arrive, and goes on playing with them</source>
-        <translation>Nimmt neue Bildpaare und Gelenkwinkel auf, wie sie kommen, und spielt mit ihnen weiter</translation>
+        <source>Takes new images or measurements and joint angles in as they arrive, and goes on playing with them</source>
+        <translation>Nimmt neue Bilder oder Messungen und Gelenkwinkel auf, wie sie kommen, und spielt mit ihnen weiter</translation>
     </message>
     <message>
         <source>Takes the chosen observations into the fit (Insert)</source>
@@ -3894,6 +3962,13 @@
         <translation>
             <numerusform>%n Lage des Ziels</numerusform>
             <numerusform>%n Lagen des Ziels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pose(s) of the flange</source>
+        <translation>
+            <numerusform>%n Lage des Flansches</numerusform>
+            <numerusform>%n Lagen des Flansches</numerusform>
         </translation>
     </message>
     <message numerus="yes">

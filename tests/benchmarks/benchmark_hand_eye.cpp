@@ -3,6 +3,8 @@
 // and before two, and poses alone. benchmark_hand_eye [SEEDS] [POSES]. The cameras stand, the target is on the hand,
 // nothing is known of the mount. The solvers get each pose of the target as the least squares of its pixels with the
 // true shape, from the true pose: the best that could be handed to them; our fit gets the pixels and that shape.
+// `bound`: what no unbiased program can be below (Cramer and Rao): errors drawn from the inverse of the measurements'
+// information on the target's place, with the mount unknown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include <cstdlib>
 #include <map>
 #include <opencv2/calib3d.hpp>
+#include <random>
 
 #include "estimation/body_frame.h"
 #include "estimation/body_pose.h"
@@ -92,6 +95,19 @@ struct Errors {
   }
 };
 
+/// Errors of this covariance.
+void draw(const Fit& f, std::uint64_t seed, Errors& bound) {
+  constexpr int draws = 50;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const Matrix6 root = f.covariance.llt().matrixL();
+  for (int i = 0; i < draws; ++i) {
+    Vector6 v;
+    for (double& x : v) x = normal(random);
+    bound.add(f.tcp_from_body, small_motion<double>(Vector6(root * v)) * f.tcp_from_body);
+  }
+}
+
 double median(std::vector<double> v) {
   if (v.empty()) return 0;
   std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
@@ -115,7 +131,7 @@ void timed(Errors& e, const Work& work) {
 
 void run(const Case& c, int seeds, int observations) {
   std::map<int, Errors> theirs;
-  Errors ours;
+  Errors ours, bound;
   for (int seed = 1; seed <= seeds; ++seed) {
     SimulationOptions o;
     o.seed = static_cast<std::uint64_t>(seed);
@@ -146,25 +162,28 @@ void run(const Case& c, int seeds, int observations) {
     s.session.mount.estimate = true;
     s.session.mount.known = false;
     s.session.mount.mount_from_sensor = Rigid{};
-    Rigid found;
+    Fit fitted;
     timed(ours, [&] {
       FitOptions options;
       options.sides = sides;
-      found = fit(s.session, options).tcp_from_body;
+      fitted = fit(s.session, options);
     });
-    ours.add(truth, found);
+    ours.add(truth, fitted.tcp_from_body);
+    if (fitted.covariance_kind == CovarianceKind::noise) draw(fitted, o.seed, bound);
   }
   fmt::print("{}, {} sessions of {} poses: median and worst error of place and turn, time\n", c.name, seeds,
              observations);
   for (int solver = 0; solver < 7; ++solver) tell(solvers[solver], theirs[solver]);
   tell("Handsight", ours);
+  tell("bound", bound);
   double best_mm = 1e300, best_degrees = 1e300;
   for (const auto& [solver, e] : theirs) {
     best_mm = std::min(best_mm, median(e.mm));
     best_degrees = std::min(best_degrees, median(e.degrees));
   }
-  fmt::print("  ours over their best: place {:.3f}, turn {:.3f}\n\n", median(ours.mm) / best_mm,
-             median(ours.degrees) / best_degrees);
+  fmt::print("  over their best: ours place {:.3f}, turn {:.3f}; bound place {:.3f}, turn {:.3f}\n\n",
+             median(ours.mm) / best_mm, median(ours.degrees) / best_degrees, median(bound.mm) / best_mm,
+             median(bound.degrees) / best_degrees);
   std::fflush(stdout);
 }
 

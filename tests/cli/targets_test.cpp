@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/cli_runner.h"
+#include "session/session_xml.h"
 #include "session/stereo_calibration.h"
 
 namespace handsight {
@@ -81,6 +84,49 @@ TEST_F(TargetCommands, CamerasFromRealPairs) {
   const StereoRig rig = read_stereo_calibration({path("rig.yaml")});
   EXPECT_EQ(rig.left.fx, json["cameras"][0]["parameters"][0]["value"].get<double>());
   EXPECT_EQ(rig.right_from_left.translation.x(), json["cameras"][1]["from_first"][0][3].get<double>());
+}
+
+/// Images of the board beside a session: its camera's numbers are known better than by the session's poses alone.
+TEST_F(TargetCommands, BoardImagesBesideASessionTellOfItsCameras) {
+  const fs::path samples = fs::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions";
+  const std::string rig = (samples / "rigs/one_camera_board").string();
+  ASSERT_EQ(run({"simulate", "--like", rig, "--out", path("few"), "--observations", "6", "--seed", "7", "--effect",
+                 "camera_intrinsics:front.fx=3"})
+                .exit_code,
+            0);
+  Session few = read_session(path("few"));
+  few.mount.estimate = true;  // six poses, and only a guess where the camera stands
+  few.source.reset();
+  save_session(few);
+  ASSERT_EQ(run({"simulate", "--like", rig, "--out", path("board"), "--observations", "16", "--seed", "8", "--images",
+                 "all", "--effect", "camera_intrinsics:front.fx=3"})
+                .exit_code,
+            0);
+  const auto sigma_of_fx = [&](const std::vector<std::string>& more, bool with_images) {
+    const CliResult r =
+        run(joined({"fit", path("few"), "--effects", "camera_intrinsics", "--json", path("fit.json")}, more));
+    EXPECT_EQ(r.exit_code, 0) << r.errors;
+    EXPECT_EQ(r.output.find("Camera images: ") != std::string::npos, with_images) << r.output;
+    const auto json = nlohmann::json::parse(test::read_text(path("fit.json")));
+    EXPECT_EQ(json.contains("camera_images"), with_images);
+    EXPECT_NE(r.output.find("mount_from_first, on stand\n"), std::string::npos)
+        << "where the camera stands is told too";
+    if (with_images) EXPECT_TRUE(json["camera_images"]["agree"].get<bool>()) << json["camera_images"];
+    const auto fx = json["effects"][0]["parameters"][0];
+    EXPECT_NEAR(fx["value"].get<double>(), 3, 4 * fx["sigma"].get<double>());
+    return fx["sigma"].get<double>();
+  };
+  const double alone = sigma_of_fx({}, false), both = sigma_of_fx({"--camera-images", path("board/images")}, true);
+  EXPECT_LT(both, 0.8 * alone);
+  const std::vector<std::string> intrinsics{"--effects", "camera_intrinsics"};
+  expect_refused(joined({"fit", path("few"), "--camera-images", (samples / "first_steps/images").string()}, intrinsics),
+                 "2 cameras (left, right)");
+  expect_refused(joined({"fit", path("few"), "--camera-images", (samples / "first_steps/images/000_left.png").string()},
+                        intrinsics),
+                 "640 x 480");
+  expect_refused({"fit", path("few"), "--camera-images", path("board/images")}, "--effects camera_intrinsics");
+  expect_refused(joined({"fit", path("few")}, {"--target", "chessboard", "columns=9", "rows=6", "square=0.02"}),
+                 "--camera-images");
 }
 
 }  // namespace

@@ -161,5 +161,42 @@ TEST_F(ArrivalsInAFolder, PosesOfATargetComeWhole) {
   EXPECT_THAT(look.remarks, ElementsAre(HasSubstr("length 1")));
 }
 
+/// Whoever looks anew, with what had arrived in the session: without times too nothing comes twice.
+TEST_F(ArrivalsInAFolder, WhatHasArrivedDoesNotComeAgain) {
+  Session session = tracker();
+  session.pose_sensor = PoseSensor{};
+  show_poses(session, pose_lever(*session.pose_sensor));
+  std::string without_time = header;
+  without_time.erase(without_time.find("time,"), 5);
+  append("joints.csv", without_time + "1,0,0.1,0,0,0,0\n2,0,0.2,0,0,0,0\n");
+  append("poses.csv", "number,x,y,z,qx,qy,qz,qw\n1,0.1,0.2,0.3,0,0,0.6,0.8\n2,0.1,0.2,0.3,0,0,0.6,0.8\n");
+  const Arrivals::Look first = Arrivals(session).look();
+  ASSERT_THAT(first.arrived, SizeIs(2)) << "another posture in which the same was measured is another observation";
+  session.observations = first.arrived;
+  Arrivals anew(session);
+  EXPECT_THAT(anew.look().arrived, IsEmpty());
+  append("joints.csv", "3,0,0.3,0,0,0,0\n");
+  append("poses.csv", "3,0.1,0.2,0.3,0,0,0.6,0.8\n");
+  EXPECT_THAT(anew.look().arrived, SizeIs(1));
+}
+
+/// Where no more is known of the robot than where its flange is, joints.csv says that.
+TEST_F(ArrivalsInAFolder, PosesOfTheFlangeInPlaceOfJoints) {
+  Session session = tracker();
+  session.robot = poses_robot();
+  session.joints = {"flange_x", "flange_y", "flange_z", "flange_yaw", "flange_pitch", "flange_roll"};
+  session.pose_sensor = PoseSensor{};
+  show_poses(session, pose_lever(*session.pose_sensor));
+  Arrivals arrivals(session);
+  append("joints.csv", "number,x,y,z,qx,qy,qz,qw\n1,0.4,0.5,0.6,0,0.6,0,0.8\n2,0.4,0.5,0.6,0,0.6,0,0.1\n");
+  append("poses.csv", "number,x,y,z,qx,qy,qz,qw\n1,0.1,0.2,0.3,0,0,0.6,0.8\n2,0.1,0.2,0.3,0,0,0.6,0.8\n");
+  const Arrivals::Look look = arrivals.look();
+  ASSERT_THAT(look.arrived, SizeIs(1));
+  const Rigid flange = base_from_flange(look.arrived[0].position);
+  EXPECT_LT((flange.translation - Vector3(0.4, 0.5, 0.6)).norm(), 1e-15);
+  EXPECT_LT((flange.rotation - Eigen::Quaterniond(0.8, 0, 0.6, 0).toRotationMatrix()).norm(), 1e-14);
+  EXPECT_THAT(look.remarks, ElementsAre(HasSubstr("pose of the flange")));
+}
+
 }  // namespace
 }  // namespace handsight

@@ -147,5 +147,36 @@ TEST_F(Convert, ABoardBeforeOneCameraOrThree) {
               HasSubstr("2 folders of images and a calibration of 3 cameras (cam0, cam1 and cam2)"));
 }
 
+/// What the robot's controller says of its flange will do where there is no URDF: the camera on it, or on a stand.
+TEST_F(Convert, ABoardBesidePosesOfTheFlange) {
+  for (int i = 0; i < 2; ++i) write(fmt::format("photos/{:03}.pgm", i), "P5\n8 6\n255\n" + std::string(48, 'x'));
+  const auto flange =
+      write("robot_poses.csv", "x,y,z,qx,qy,qz,qw\n0.4,0.1,0.5,0.6,0,0.8,0\n0.5,-0.1,0.4,0,0.6,0,0.8\n");
+  const auto camera = write("one.yaml",
+                            "cam0:\n  camera_model: pinhole\n  intrinsics: [10.0, 11.0, 4.0, 3.0]\n  distortion_model: "
+                            "radtan\n  distortion_coeffs: [0, 0, 0, 0]\n  resolution: [8, 6]\n");
+  options_.target = fixture::charuco();
+  const auto of_flange = [&](const std::filesystem::path& poses) {
+    std::filesystem::remove_all(options_.out);
+    return convert({folder.path / "photos", poses, camera}, options_);
+  };
+  const Conversion hand = of_flange(flange);
+  EXPECT_TRUE(hand.session.robot.is_of_poses);
+  EXPECT_EQ(hand.session.mount.link, "flange");
+  EXPECT_EQ(hand.session.tcp, "base");
+  EXPECT_THAT(hand.notes, Contains(HasSubstr("--eye-on-base")));
+  EXPECT_EQ(hand.session.observations[1].images[0], "images/001.pgm");
+  const Rigid second = base_from_flange(hand.session.observations[1].position);
+  EXPECT_LT((second.translation - Vector3(0.5, -0.1, 0.4)).norm(), 1e-15);
+  EXPECT_LT((second.rotation - Eigen::Quaterniond(0.8, 0, 0.6, 0).toRotationMatrix()).norm(), 1e-14);
+  options_.eye_on_base = true;
+  const Conversion stand = of_flange(flange);
+  EXPECT_EQ(stand.session.mount.link, "base");
+  EXPECT_EQ(stand.session.tcp, "flange");
+  EXPECT_THROW(of_flange(write("robot_poses.csv", "x,y,z,qx,qy,qz,qw\n0.4,0.1,0.5,0.6,0,0.8,0\n")), InputError);
+  // With a robot its joints are wanted, and the other way is named.
+  EXPECT_THAT(refusal({folder.path / "photos", flange, camera}), HasSubstr("leave the robot out"));
+}
+
 }  // namespace
 }  // namespace handsight

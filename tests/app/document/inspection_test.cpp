@@ -8,6 +8,7 @@
 #include "document/second_look.h"
 #include "fixtures/arms.h"
 #include "label/labeller.h"
+#include "session/pose_points.h"
 #include "session/session_xml.h"
 #include "vision/image_file.h"
 
@@ -38,6 +39,24 @@ Session played(const char* name, const std::vector<Vector2>& clicks) {
     keep_step(online.add(o, has_images ? &images : nullptr), o);
   }
   return s;
+}
+
+/// Where a sensor's sigmas are not told the fit finds their ratio; what is shown is measured by it, not by the usual
+/// one.
+TEST(InspectionTest, PosesAreShownAsTheyWereFitted) {
+  Session like = fixture::tracker_session(3);
+  like.pose_sensor = PoseSensor{2e-4, 2e-5};  // a lever of 10 m
+  show_poses(like, pose_lever(*like.pose_sensor));
+  SimulationOptions options;
+  options.observations = 20;
+  Session s = simulate_session(like, options).session;
+  s.pose_sensor = PoseSensor{};
+  s.sigma_point.reset();
+  show_poses(s, usual_lever);
+  const ModelVersionPointer version = make_version(s, {}, 1, "");
+  ASSERT_NE(version->fit, nullptr) << version->refusal.toStdString();
+  EXPECT_GT((estimate(*version->fit).markers_in_tcp[1] - estimate(*version->fit).markers_in_tcp[0]).norm(), 4);
+  for (const InspectionRow& row : version->inspection->rows) EXPECT_LT(row.rms_m, 2e-3) << row.id;
 }
 
 TEST(InspectionTest, TheThreeBadPosesHaveTheRightBlame) {

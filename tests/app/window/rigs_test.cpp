@@ -6,8 +6,11 @@
 
 #include "app/window/explain_fixture.h"
 #include "app/window/rig_sessions.h"
+#include "base/files.h"
+#include "base/xml.h"
 #include "frame/camera_strip.h"
 #include "inspect/inspect_workspace.h"
+#include "robot/xml_rigid.h"
 #include "widgets/robot_view.h"
 
 namespace handsight::test {
@@ -122,6 +125,27 @@ TEST_F(Rigs, ASessionWithABoardIsPlayedWithoutALabel) {
   for (const Observation& o : desk.document().session().observations)
     EXPECT_TRUE(o.decision == Decision::accepted || o.reason.find("none of its tags was found") != std::string::npos)
         << o.id << ": " << o.reason;
+}
+
+/// The sample of one camera: from the start page to the fit without a click on an image, the camera's place unknown.
+TEST_F(Rigs, TheSampleOfOneCameraIsPlayedFromTheStartPage) {
+  desk.press_button("sample_one_camera");
+  ASSERT_TRUE(desk.document().is_open());
+  ASSERT_TRUE(desk.settle());
+  EXPECT_FALSE(desk.find<QWidget>("label")->isVisible()) << "there is nothing to label";
+  CalibratePage calibrate{desk};
+  calibrate.set_fastest();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  ASSERT_TRUE(desk.settle());
+  ASSERT_NE(desk.document().model(), nullptr);
+  ASSERT_NE(desk.document().model()->fit, nullptr) << desk.document().model()->refusal.toStdString();
+  EXPECT_EQ(desk.document().model()->report->used, 12);
+  const std::string text =
+      read_file(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/one_camera/truth.xml");
+  const auto truth = parse_xml(text, "truth.xml");
+  const Rigid tcp_from_body =
+      read_rigid(required_child(root_of(*truth, "truth.xml", "handsight_truth"), "tcp_from_body"));
+  EXPECT_LT((desk.document().model()->fit->tcp_from_body.translation - tcp_from_body.translation).norm(), 1e-4);
 }
 
 }  // namespace

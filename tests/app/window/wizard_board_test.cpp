@@ -1,116 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wizard's three questions, and a session of one camera and a board from images to the exported calibration.
+// The wizard's three questions, and sessions of one camera and a board from images to the exported calibration.
 #include <gtest/gtest.h>
 
-#include <QDialog>
 #include <QFileDialog>
-#include <QScrollArea>
-#include <opencv2/core.hpp>
 
-#include "app/window/pages.h"
-#include "base/files.h"
-#include "base/numbers.h"
-#include "base/xml.h"
-#include "cli/cli_runner.h"
-#include "robot/posture.h"
-#include "robot/xml_rigid.h"
-#include "session/calibration_xml.h"
-#include "session/session_xml.h"
-#include "temporary_folder.h"
+#include "app/window/wizard_page.h"
 #include "widgets/robot_view.h"
 
 namespace handsight::test {
 namespace {
-
-struct WizardPage {
-  Desk& desk;
-  QDialog* dialog() { return desk.window.findChild<QDialog*>("wizard"); }
-  bool open() {
-    desk.press_button("start_new");
-    return dialog() && QTest::qWaitForWindowExposed(dialog());
-  }
-  void show(QWidget* widget) {
-    desk.find<QScrollArea>("wizard_scroll")->ensureWidgetVisible(widget);
-    QTest::qWait(10);
-  }
-  void answer(const char* question, int option) {
-    auto* tile = desk.find<QAbstractButton>(QString("%1_%2").arg(question).arg(option).toLatin1());
-    show(tile);
-    desk.click(tile);
-    EXPECT_TRUE(tile->isChecked()) << question << " " << option;
-  }
-  void fill(const char* name, const std::filesystem::path& with) {
-    auto* field = desk.find<QLineEdit>(name);
-    show(field);
-    desk.type_into(field, QString::fromStdString(with.string()));
-  }
-  QString said(const char* name) { return desk.find<QLabel>(name)->text(); }
-  QString link(const char* box) { return desk.find<QComboBox>(box)->currentText(); }
-  QAbstractButton* make() { return desk.find<QAbstractButton>("wizard_make"); }
-};
-
-std::string joint_table(const Session& s) {
-  std::string table;
-  for (const std::string& joint : s.joints) table += (table.empty() ? "" : ",") + joint;
-  table += '\n';
-  for (const Observation& o : s.observations) {
-    std::string line;
-    for (const double q : o.position) line += (line.empty() ? "" : ",") + format_number(q);
-    table += line + '\n';
-  }
-  return table;
-}
-
-void write_camera(const std::filesystem::path& file, const Camera& c) {
-  cv::FileStorage storage(file.string(), cv::FileStorage::WRITE);
-  storage << "camera_matrix" << cv::Mat((cv::Mat_<double>(3, 3) << c.fx, c.skew, c.cx, 0, c.fy, c.cy, 0, 0, 1))
-          << "distortion_coefficients" << cv::Mat((cv::Mat_<double>(1, 5) << c.k1, c.k2, c.p1, c.p2, c.k3));
-}
-
-/// Where the target is on its link, by the simulation.
-Rigid true_tcp_from_body(const std::filesystem::path& session) {
-  const std::string text = read_file(session / "truth.xml");
-  const auto document = parse_xml(text, "truth.xml");
-  return read_rigid(required_child(root_of(*document, "truth.xml", "handsight_truth"), "tcp_from_body"));
-}
-
-Rigid root_from_link(const Session& s, const Observation& o, const char* link) {
-  std::vector<int> joints;
-  for (const std::string& name : s.joints) joints.push_back(find_joint(s.robot, name));
-  const Posture posture = solve_posture(s.robot, joint_values(s.robot, joints, o.position), s.gravity);
-  return posture.root_from_link[static_cast<std::size_t>(find_link(s.robot, link))];
-}
-
-class BoardWizard : public testing::Test {
- protected:
-  /// Images, joint angles and calibration of a simulated session like a sample, as a user would have them.
-  void simulate_like(const std::string& sample) {
-    const auto like = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/rigs" / sample;
-    const CliResult made =
-        run_cli(folder.path, {"simulate", "--like", like.string(), "--out", (folder.path / "simulated").string(),
-                              "--images", "all", "--observations", "14", "--seed", "3"});
-    ASSERT_EQ(made.exit_code, 0) << made.errors;
-    simulated = read_session(folder.path / "simulated");
-    std::filesystem::create_directories(folder.path / "photos");
-    for (const Observation& o : simulated.observations)
-      std::filesystem::copy_file(folder.path / "simulated" / o.images[0],
-                                 folder.path / "photos" / fmt::format("shot_{}.png", 100 + o.id));
-    replace_file(folder.path / "angles.csv", joint_table(simulated));
-    write_camera(folder.path / "camera.yml", simulated.rig->at(0).camera);
-  }
-  void fill_in() {
-    wizard.fill("wizard_robot", urdf);
-    wizard.fill("wizard_angles", folder.path / "angles.csv");
-    wizard.fill("wizard_left", folder.path / "photos");
-    wizard.fill("wizard_calibration", folder.path / "camera.yml");
-    wizard.fill("wizard_target", folder.path / "made");
-  }
-  TemporaryFolder folder;
-  std::filesystem::path urdf = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/robots/six_axis.urdf";
-  Session simulated;
-  Desk desk;
-  WizardPage wizard{desk};
-};
 
 /// One camera on a stand and a ChArUco board in the hand: nothing is labelled, and it comes out calibrated.
 TEST_F(BoardWizard, FromImagesOfABoardToTheExportedCalibration) {
@@ -119,19 +17,7 @@ TEST_F(BoardWizard, FromImagesOfABoardToTheExportedCalibration) {
   wizard.answer("camera_place", 0);
   wizard.answer("target_place", 0);
   wizard.answer("known", 2);
-  const auto set = [&](const char* name, const QString& text) {
-    auto* box = desk.find<QAbstractSpinBox>(name);
-    wizard.show(box);
-    desk.type_into(box, text);
-    desk.key(Qt::Key_Tab);
-  };
-  set("target_columns", "7");
-  set("target_rows", "5");
-  set("target_square", "35");
-  set("target_tag", "26");
-  desk.find<QComboBox>("target_dictionary")->setCurrentText("DICT_4X4_50");
-  EXPECT_TRUE(wizard.said("target_said").startsWith("ChArUco board of 7 x 5 squares of 35 mm"))
-      << wizard.said("target_said").toStdString();
+  describe_board();
   EXPECT_FALSE(wizard.make()->isEnabled());
   fill_in();
   EXPECT_EQ(wizard.link("wizard_mount"), "stand");
@@ -141,33 +27,37 @@ TEST_F(BoardWizard, FromImagesOfABoardToTheExportedCalibration) {
   EXPECT_TRUE(wizard.said("wizard_calibration_sentence").startsWith("One camera of 880 px"));
   EXPECT_TRUE(wizard.said("wizard_links").startsWith("Camera on stand, target on hand: 6 moving joints"))
       << wizard.said("wizard_links").toStdString();
-  ASSERT_TRUE(wizard.make()->isEnabled()) << wizard.said("wizard_refusal").toStdString();
-  desk.click(wizard.make());
-  ASSERT_TRUE(desk.document().is_open());
+  const auto calibration = made_played_and_exported();
+  ASSERT_TRUE(calibration);
   const Session& made = desk.document().session();
   ASSERT_TRUE(made.target && made.rig);
   EXPECT_EQ(made.rig->count(), 1);
   EXPECT_EQ(made.rig->at(0).camera.width, 1024) << "from the images";
   EXPECT_EQ(made.observations.size(), 14U);
-  EXPECT_FALSE(desk.find<QWidget>("label")->isVisible()) << "there is nothing to label";
+  EXPECT_LT(error_of(*calibration), 1e-3) << "where the board is on the hand is the simulation's truth";
+}
 
-  CalibratePage calibrate{desk};
-  calibrate.set_fastest();
-  ASSERT_TRUE(calibrate.play_to_the_end());
-  ASSERT_NE(desk.document().model(), nullptr);
-  ASSERT_NE(desk.document().model()->fit, nullptr) << desk.document().model()->refusal.toStdString();
-  EXPECT_GE(desk.document().model()->report->used, 10);
-  desk.window.activateWindow();  // no window manager does it where the dialog has gone
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&desk.window));
-  desk.key(Qt::Key_5, Qt::ControlModifier);
-  ASSERT_TRUE(desk.settle());
-  ExportPage page{desk};
-  ASSERT_TRUE(page.save_as(folder.path / "calibration.xml"));
-  const Calibration calibration = read_calibration(folder.path / "calibration.xml");
-  // Where the board is on the hand is the simulation's truth.
-  EXPECT_LT(
-      (calibration.tcp_from_body.motion.translation - true_tcp_from_body(folder.path / "simulated").translation).norm(),
-      1e-3);
+/// The camera on the hand over a board on the table: where the board lies comes out, and where the camera sits.
+TEST_F(BoardWizard, ACameraOnTheHandOverABoardOnTheTable) {
+  simulate_like("camera_on_hand");
+  ASSERT_TRUE(wizard.open());
+  wizard.answer("camera_place", 2);
+  EXPECT_TRUE(desk.find<QAbstractButton>("target_place_1")->isChecked());
+  wizard.answer("known", 2);
+  describe_board();
+  fill_in();
+  desk.find<QComboBox>("wizard_mount")->setCurrentText("hand");
+  EXPECT_EQ(wizard.link("wizard_tcp"), "stand");
+  EXPECT_TRUE(wizard.said("wizard_links").startsWith("Camera on hand, target on stand: 6 moving joints"))
+      << wizard.said("wizard_links").toStdString();
+  const auto calibration = made_played_and_exported();
+  ASSERT_TRUE(calibration);
+  const Session& made = desk.document().session();
+  EXPECT_EQ(made.mount.link, "hand");
+  EXPECT_EQ(made.tcp, "stand");
+  EXPECT_LT(error_of(*calibration), 1e-3);
+  const Rigid& mount = estimate(*desk.document().model()->fit).mount_from_sensor;
+  EXPECT_LT((mount.translation - simulated.mount.mount_from_sensor.translation).norm(), 1e-3) << "it was not told";
 }
 
 TEST_F(BoardWizard, AnswersChooseTheLinksAndNeverLeaveNothingToMove) {
@@ -238,18 +128,12 @@ TEST_F(BoardWizard, ABoardIsSavedToBePrinted) {
 /// A table of poses in place of images: a session that is fitted as soon as it is made.
 TEST_F(BoardWizard, PosesOfAnotherProgramMakeASession) {
   simulate_like("one_camera_board");
-  std::string table = "x,y,z,qx,qy,qz,qw\n";
   const Rigid tcp_from_body = true_tcp_from_body(folder.path / "simulated");
-  for (const Observation& o : simulated.observations) {
-    const Rigid sensor_from_target =
-        inverse(simulated.mount.mount_from_sensor) * root_from_link(simulated, o, "hand") * tcp_from_body;
-    const Eigen::Quaterniond q(sensor_from_target.rotation);
-    for (const double x : {sensor_from_target.translation.x(), sensor_from_target.translation.y(),
-                           sensor_from_target.translation.z(), q.x(), q.y(), q.z()})
-      table += format_number(x) + ",";
-    table += format_number(q.w()) + "\n";
-  }
-  replace_file(folder.path / "poses.csv", table);
+  std::vector<Rigid> targets;
+  for (const Observation& o : simulated.observations)
+    targets.push_back(inverse(simulated.mount.mount_from_sensor) * root_from_link(simulated, o, "hand") *
+                      tcp_from_body);
+  replace_file(folder.path / "poses.csv", pose_table(targets));
   ASSERT_TRUE(wizard.open());
   wizard.answer("camera_place", 0);
   wizard.answer("known", 6);
