@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A look over an XML text before it is parsed: what would cost far more memory or time than any of the formats needs.
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <optional>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -15,6 +17,19 @@ constexpr std::size_t most_attributes = 300;                  // of one element:
 constexpr std::size_t parts_always = 200'000;                 // elements and attributes of a text of any size
 constexpr std::size_t bytes_a_part = 10;                      // beyond them: a part of the formats is longer
 constexpr std::size_t most_parts = 10'000'000;                // about 1 GB once parsed
+
+/// The number of "#65" or "#x41", 0x110000 for one that is larger than any character.
+std::optional<unsigned> number_of_reference(std::string_view name) {
+  if (!name.starts_with("#")) return std::nullopt;
+  const bool is_hexadecimal = name.starts_with("#x");
+  const std::string_view digits = name.substr(is_hexadecimal ? 2 : 1);
+  unsigned value = 0;
+  const auto [stopped, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value, is_hexadecimal ? 16 : 10);
+  if (digits.empty() || stopped != digits.data() + digits.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return 0x110000;
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
 
 /// Walks over a text, knowing its line.
 class Walk {
@@ -42,17 +57,19 @@ class Walk {
                       "bytes.",
                       parts_ - 1, parts_always, bytes_a_part));
   }
-  /// &#0; would end a text where a program reads it, and let one name pass for another.
+  /// A reference that is none would be read as some other byte, and half of a character could not be read back; &#0;
+  /// would end a text where a program reads it, and let one name pass for another.
   void check_reference() const {
-    std::string_view digits = rest().substr(0, 40);
-    if (!digits.starts_with("&#")) return;
-    digits = digits.substr(2, digits.find(';') - 2);
-    const bool is_hexadecimal = digits.starts_with('x');
-    if (is_hexadecimal) digits.remove_prefix(1);
-    unsigned value = 1;
-    const auto [stopped, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), value, is_hexadecimal ? 16 : 10);
-    if (error == std::errc() && value == 0) stop("the reference &#0; stands for a zero byte, expected text.");
+    std::string_view name = rest().substr(1, 40);
+    const std::size_t end = name.find(';');
+    name = name.substr(0, end == std::string_view::npos ? 0 : end);
+    static constexpr std::array<std::string_view, 5> names{"lt", "gt", "amp", "quot", "apos"};
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    const auto value = number_of_reference(name);
+    if (!value) stop("'&' stands alone, expected &amp; for the character itself.");
+    if (*value == 0) stop("the reference &#0; stands for a zero byte, expected text.");
+    if (*value > 0x10FFFF || (*value >= 0xD800 && *value < 0xE000))
+      stop(fmt::format("the reference &{}; stands for no character, expected text.", name));
   }
 
  private:

@@ -45,6 +45,17 @@ TEST(Xml, NamesWithAZeroByteAreRefused) {
   EXPECT_EQ(refusal("<a c='&#48;&#x30;&amp;#0;'><!-- &#0; --></a>"), "nothing was refused");
 }
 
+TEST(Xml, ReferencesThatAreNoneAreRefused) {
+  // Behind another reference such an '&' was read as the byte that stood there before.
+  EXPECT_THAT(refusal("<a>\n&lt;]x,\u00bb]&arkerdi</a>"), AllOf(HasSubstr("line 2"), HasSubstr("expected &amp;")));
+  EXPECT_THAT(refusal("<a x='this & that'/>"), HasSubstr("expected &amp;"));
+  EXPECT_THAT(refusal("<a>&#xD800;</a>"), HasSubstr("&#xD800; stands for no character"));
+  EXPECT_THAT(refusal("<a>&#99999999999;</a>"), HasSubstr("stands for no character"));
+  EXPECT_THAT(refusal("<a>&#12x;</a>"), HasSubstr("expected &amp;"));
+  EXPECT_NO_THROW(
+      parse_xml("<!-- this & that --><a x='&quot;&#13;&#x41;'>&lt;&amp;&apos;<![CDATA[a & b]]></a>", "f.xml"));
+}
+
 TEST(Xml, WhatWouldCostTooMuchIsRefusedBeforeItIsParsed) {
   std::string attributes = "<a";
   for (int i = 0; i < 100000; ++i) attributes += " x" + std::to_string(i) + "=''";
@@ -84,7 +95,7 @@ TEST(Xml, TextsAndNumbersAreBounded) {
 TEST(Xml, OtherEncodingsAreRefused) {
   EXPECT_THAT(refusal("<a>\n<b c='\xFC'/></a>"), HasSubstr("line 2: the file holds bytes that are not UTF-8"));
   EXPECT_THAT(refusal(std::string("<a>\0</a>", 8)), HasSubstr("zero byte"));
-  EXPECT_THAT(refusal("<a b='&#xD800;'/>", [](const XmlNode& a) { find_text(a, "b"); }), HasSubstr("not UTF-8"));
+  EXPECT_THAT(refusal("<a b='&#xD800;'/>", [](const XmlNode& a) { find_text(a, "b"); }), HasSubstr("no character"));
 }
 
 TEST(Xml, TheOutermostElementIsTheOneExpected) {
