@@ -46,7 +46,8 @@ void expect_nothing_beside(QWidget& window, const std::string& state) {
 
 /// What is there in another language is not painted in English.
 void expect_translated(const QString& text, const std::string& state) {
-  if (text == "Links") return;  // German: left; English: a robot's links
+  // German: left, English: a robot's links; and what a recent session calls itself.
+  if (text == "Links" || text == "First steps") return;
   const QString other = QCoreApplication::translate("", text.toUtf8());
   EXPECT_EQ(other, text) << state << ": not translated: " << text.toStdString();
 }
