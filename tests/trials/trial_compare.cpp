@@ -98,7 +98,11 @@ double shown_if_told(const Pair& pair, const std::string& truth) {
   if (truth.empty()) return 0;
   std::vector<EffectTerm> told = pair.unknown;
   for (EffectTerm& t : told) std::fill(t.values.begin(), t.values.end(), 0.0);
-  return shown(compare(pair.before, pair.after, told), truth);
+  try {
+    return shown(compare(pair.before, pair.after, told), truth);
+  } catch (const InputError&) {  // with all of it told the fit finds no answer
+    return 0;
+  }
 }
 
 struct Row {

@@ -31,7 +31,7 @@ TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
   auto* numbers = desk.find<widgets::ThreeNumbers>("three_numbers");
   EXPECT_NEAR(*numbers->numbers().now, after, 1e-12);
   auto* stairs = desk.find<widgets::Staircase>("staircase");
-  ASSERT_EQ(stairs->state().versions.size(), 2U);
+  ASSERT_TRUE(desk.wait([&] { return stairs->state().versions.size() == 2; }));  // drawn a moment after it is known
   EXPECT_NEAR(*stairs->state().versions[0].held_out, before, 1e-12);
   EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2) << "the fit was watched";
 
