@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimation/competition.h"
+#include "estimation/effect_starts.h"
 #include "estimation/objectives.h"
 
 namespace handsight {
@@ -88,6 +89,25 @@ void compete(const Session& session, Problem& images, const Unknowns& start, con
   }
 }
 
+/// Does the model, at its minimum, leave clearly more than the noise?
+bool leaves_more_than_noise(const Problem& images, const Solution& s) {
+  constexpr double clearly = 2;  // in squares
+  return s.normal.data_cost() > clearly * s.normal.rows * images.noise * images.noise;
+}
+
+/// From other sizes of the effects, where the minimum that was found does not explain the measurements.
+void try_other_sizes(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
+  const SolveOptions search{.fixed_body = fit.fixed_markers, .most_iterations = 40};
+  const auto start = better_effects(fit.problem, fit.solution, search);
+  if (!start) return;
+  Fit again = fit;
+  Problem there = images;
+  minimise_widening(session, there, *start, options, noise, again);
+  if (!again.solution.converged || !(again.solution.normal.cost < fit.solution.normal.cost)) return;
+  fit = std::move(again);
+  images = std::move(there);
+}
+
 }  // namespace
 
 void minimise_surely(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options,
@@ -95,6 +115,9 @@ void minimise_surely(const Session& session, Problem& images, const Unknowns& st
   minimise_widening(session, images, start, options, noise, fit);
   if (options.least_gain > 0 || options.objective != Objective::image) return;
   if (looks_lost(images, fit.solution)) compete(session, images, start, options, noise, fit);
+  const bool is_whole = options.reuse_below == 0 && options.loss == Loss::none && !fit.solution.stopped;
+  if (is_whole && fit.problem.effect_count() > 0 && leaves_more_than_noise(images, fit.solution))
+    try_other_sizes(session, images, options, noise, fit);
   if (is_no_answer(images, fit.solution)) fit.solution.converged = false;
 }
 

@@ -6,10 +6,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <set>
 
 #include "diagnosis/curves.h"
-#include "estimation/prediction.h"
+#include "estimation/fit_report.h"
+#include "fixtures/gaussian_process.h"
 #include "fixtures/trial_sessions.h"
 
 namespace handsight::trials {
@@ -92,8 +94,11 @@ Rigid hand_at(const Chain& chain, const Eigen::VectorXd& pose, const std::vector
   return observed_ends(c, moved_sites(c, terms)).ends.root_from_tcp;
 }
 
+/// Where a fit puts the body's origin in the TCP frame at a pose, beside what its terms move.
+using PointOfHand = std::function<Vector3(const Eigen::VectorXd& pose)>;
+
 /// Mean distance (mm) of the body's true origin in fresh poses from where the fit puts it.
-double error_on_fresh(const Messy& m, const Fit& f) {
+double error_on_fresh(const Messy& m, const Fit& f, const PointOfHand& point) {
   Session real = m.session;
   real.robot = m.true_robot;
   const Chain truth = chain_of(real), model = chain_of(m.session);
@@ -101,10 +106,45 @@ double error_on_fresh(const Messy& m, const Fit& f) {
   if (m.shift) terms.push_back(*m.shift);
   double sum = 0;
   for (const Eigen::VectorXd& pose : m.fresh_poses)
-    sum += (hand_at(truth, pose, terms) * m.tcp_from_body.translation -
-            hand_at(model, pose, terms_of(f)) * f.tcp_from_body.translation)
+    sum += (hand_at(truth, pose, terms) * m.tcp_from_body.translation - hand_at(model, pose, terms_of(f)) * point(pose))
                .norm();
   return 1e3 * sum / static_cast<double>(m.fresh_poses.size());
+}
+
+double error_on_fresh(const Messy& m, const Fit& f) {
+  return error_on_fresh(m, f, [&](const Eigen::VectorXd&) { return f.tcp_from_body.translation; });
+}
+
+/// TCP->Body alone, and a Gaussian process over the joint angles on where the observations saw the body instead.
+double error_of_learning(const Messy& m, const Fit& alone) {
+  const FitReport r = report(m.session, alone);
+  const Vector3 body = alone.tcp_from_body.translation;
+  std::vector<std::pair<Eigen::VectorXd, Vector3>> seen;
+  for (const ObservationReport& o : r.per_observation)
+    if (o.deviation)
+      seen.emplace_back(m.session.observations[static_cast<std::size_t>(o.index)].position,
+                        o.deviation->tcp_from_tcp_est * body - body);
+  Eigen::MatrixXd angles(seen.size(), seen.front().first.size()), off(seen.size(), 3);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    angles.row(static_cast<Eigen::Index>(i)) = seen[i].first;
+    off.row(static_cast<Eigen::Index>(i)) = 1e3 * seen[i].second;
+  }
+  const GaussianProcess process(angles, off);
+  return error_on_fresh(
+      m, alone, [&](const Eigen::VectorXd& pose) { return Vector3(body + 1e-3 * process.at(pose).transpose()); });
+}
+
+/// Everything of the catalogue at every place in one fit, held by its plausible sizes alone; but what begins at some
+/// observation.
+Fit all_at_once(const Messy& m) {
+  FitOptions o;
+  for (const Effect& e : catalogue()) {
+    const bool has_choice =
+        std::any_of(e.parameters.begin(), e.parameters.end(), [](const auto& p) { return p.is_choice; });
+    if (has_choice) continue;
+    for (EffectTerm& t : effect_terms(e.id, chain_of(m.session))) o.estimated.push_back(std::move(t));
+  }
+  return fit(m.session, o);
 }
 
 Fit told(const Messy& m, bool everything) {
@@ -142,13 +182,16 @@ double median(std::vector<double> v) {
 }
 
 struct Row {
-  std::vector<double> alone, improved, told, everything;
+  std::vector<double> alone, learned, at_once, improved, told, everything;
   int true_names = 0, found = 0, named = 0, wrong = 0, missing_at_the_end = 0, curve_seen = 0, trials = 0;
 };
 
 void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
   const Messy m = messy_session(robot, seed, size_mm);
-  row.alone.push_back(error_on_fresh(m, fit(m.session)));
+  const Fit alone = fit(m.session);
+  row.alone.push_back(error_on_fresh(m, alone));
+  row.learned.push_back(error_of_learning(m, alone));
+  row.at_once.push_back(error_on_fresh(m, all_at_once(m)));
   const auto start = std::chrono::steady_clock::now();
   const Improvement i = improve(m.session);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -170,12 +213,14 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
   row.curve_seen += !curves.empty();
   ++row.trials;
   fmt::print(
-      "  robot {} seed {} shift {}: alone {:.3f} improve {:.4f} told {:.4f} told everything {:.4f} mm; {:.1f} s, {} "
+      "  robot {} seed {} shift {}: alone {:.3f} process {:.3f} at once {:.4f} improve {:.4f} told {:.4f} told "
+      "everything {:.4f} mm; {:.1f} s, {} "
       "steps\n    "
       "truth{}{}\n    found{}{} ({})\n",
-      robot, seed, size_mm, row.alone.back(), row.improved.back(), row.told.back(), row.everything.back(), seconds,
-      i.steps.size() - 1, listed_ids(truth), m.shift ? " + " + m.shift->own->definition->moves.front().formula : "",
-      listed_ids(found), curves, verdict_text(i.last.verdict));
+      robot, seed, size_mm, row.alone.back(), row.learned.back(), row.at_once.back(), row.improved.back(),
+      row.told.back(), row.everything.back(), seconds, i.steps.size() - 1, listed_ids(truth),
+      m.shift ? " + " + m.shift->own->definition->moves.front().formula : "", listed_ids(found), curves,
+      verdict_text(i.last.verdict));
   std::fflush(stdout);
 }
 
@@ -189,14 +234,14 @@ int messy_trials(const Arguments& a) {
       run_trial(robot, seed, size_mm, row);
     }
     fmt::print(
-        "outside the catalogue {} mm, {} robots, medians (mm): TCP->Body alone {:.3f}, improve "
-        "{:.4f}, "
+        "outside the catalogue {} mm, {} robots, medians (mm): TCP->Body alone {:.3f}, Gaussian process "
+        "{:.3f}, all at once {:.4f}, improve {:.4f}, "
         "told the effects {:.4f}, told everything {:.4f}; names found {:.0f} % of {}, wrong {:.0f} % of {}; "
         "missing_effect at "
         "the end {}\n",
-        size_mm, row.trials, median(row.alone), median(row.improved), median(row.told), median(row.everything),
-        100.0 * row.found / std::max(1, row.true_names), row.true_names, 100.0 * row.wrong / std::max(1, row.named),
-        row.named, row.missing_at_the_end);
+        size_mm, row.trials, median(row.alone), median(row.learned), median(row.at_once), median(row.improved),
+        median(row.told), median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
+        100.0 * row.wrong / std::max(1, row.named), row.named, row.missing_at_the_end);
   }
   return 0;
 }
