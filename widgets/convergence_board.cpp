@@ -37,7 +37,7 @@ std::vector<Sample> samples_of(const std::vector<ConvergencePoint>& points, std:
 ConvergenceBoard::ConvergenceBoard(QWidget* parent) : QWidget(parent) {
   const std::array<QString, 3> lengths = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
   const std::array<QString, 3> angles = {QStringLiteral("rx"), QStringLiteral("ry"), QStringLiteral("rz")};
-  const QString mm = QStringLiteral("mm"), deg = QObject::tr("deg");
+  const QString mm = QStringLiteral("mm"), deg = QStringLiteral("deg");
   plots_ = {new ConvergencePlot(QObject::tr("position"), mm, lengths, this),
             new ConvergencePlot(QObject::tr("rotation"), deg, angles, this),
             new ConvergencePlot(QObject::tr("position"), mm, lengths, this),

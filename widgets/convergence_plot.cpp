@@ -16,8 +16,6 @@ namespace {
 constexpr double kLabelHeight = 15;
 constexpr int kFewest = 5;  // observations before anything can be said to have settled
 
-double factor_of(const QString& unit) { return unit == QStringLiteral("deg") ? 180 / M_PI : 1000; }
-
 }  // namespace
 
 struct ConvergencePlot::Curves {
@@ -28,7 +26,12 @@ struct ConvergencePlot::Curves {
 
 ConvergencePlot::ConvergencePlot(const QString& quantity, const QString& unit, const std::array<QString, 3>& names,
                                  QWidget* parent)
-    : PlotWidget(parent), quantity_(quantity), unit_(unit), names_(names), curves_(std::make_shared<Curves>()) {
+    : PlotWidget(parent),
+      quantity_(quantity),
+      unit_(unit == QStringLiteral("deg") ? QObject::tr("deg") : unit),
+      factor_(unit == QStringLiteral("deg") ? 180 / M_PI : 1000),
+      names_(names),
+      curves_(std::make_shared<Curves>()) {
   for (std::size_t i = 0; i < 3; ++i) {
     curves_->low[i] = plot_->addGraph();
     curves_->high[i] = plot_->addGraph();
@@ -141,7 +144,7 @@ void ConvergencePlot::resizeEvent(QResizeEvent* event) {
 }
 
 void ConvergencePlot::fill() {
-  const double factor = factor_of(unit_);
+  const double factor = factor_;
   const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
   name_y_axis();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -192,7 +195,7 @@ void ConvergencePlot::mark_settled() {
 void ConvergencePlot::fit() {
   follows_ = true;
   if (samples_.empty()) return replot();
-  const double factor = factor_of(unit_);
+  const double factor = factor_;
   double low = 1e300, high = -1e300;
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -223,7 +226,7 @@ QString ConvergencePlot::text_at(const QPointF& position) {
   const Sample* sample = sample_at(position);
   emit observation_hovered(sample ? sample->observation : kNoObservation);
   if (!sample) return {};
-  const double factor = factor_of(unit_);
+  const double factor = factor_;
   QStringList parts;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto sigma = sample->sigma[i] > 0 ? std::optional(sample->sigma[i] * factor) : std::nullopt;
@@ -251,8 +254,8 @@ std::vector<PlotColumn> ConvergencePlot::columns() const {
     all[0].values.push_back(sample.count);
     all[1].values.push_back(static_cast<double>(sample.observation));
     for (std::size_t i = 0; i < 3; ++i) {
-      all[2 + i].values.push_back(sample.value[i] * factor_of(unit_));
-      all[5 + i].values.push_back(sample.sigma[i] * factor_of(unit_));
+      all[2 + i].values.push_back(sample.value[i] * factor_);
+      all[5 + i].values.push_back(sample.sigma[i] * factor_);
     }
   }
   return all;

@@ -63,7 +63,8 @@ class ConvergencePlot : public PlotWidget {
   const Sample* sample_at(const QPointF& position) const;
 
   struct Curves;
-  QString quantity_, unit_;
+  QString quantity_, unit_;  // as it is shown
+  double factor_;            // from m or rad
   std::array<QString, 3> names_;
   std::vector<Sample> samples_;
   ObservationId selected_ = kNoObservation;

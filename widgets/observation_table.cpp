@@ -82,9 +82,10 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   auto* bar = new QHBoxLayout;
   bar->setSpacing(4);
   filter_buttons_ = new QButtonGroup(this);
-  const std::array<const char*, 4> names = {"all", "odd", "excluded", "rejected"};
+  const std::array<QString, 4> names = {QObject::tr("all"), QObject::tr("odd"), QObject::tr("excluded"),
+                                        QObject::tr("rejected")};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    auto* button = new QPushButton(QString::fromLatin1(names[i]), this);
+    auto* button = new QPushButton(names[i], this);
     button->setCheckable(true);
     button->setFixedHeight(kControlHeight);
     button->setMinimumWidth(QFontMetrics(button->font()).horizontalAdvance(button->text()) + 20);

@@ -30,16 +30,16 @@ std::optional<double> size_of(const ObservationRow& row, SizeUnit unit) {
 
 SizeUnit unit_of(TableColumn column, const Units& units) { return units[column == TableColumn::size ? 0 : 1]; }
 
-const char* about_size(SizeUnit unit) {
+QString about_size(SizeUnit unit) {
   switch (unit) {
     case SizeUnit::pixel:
-      return "Root mean square of its image coordinates' residuals, px";
+      return QObject::tr("Root mean square of its image coordinates' residuals, px");
     case SizeUnit::millimetre:
-      return "Root mean square of its markers' residuals in space, mm";
+      return QObject::tr("Root mean square of its markers' residuals in space, mm");
     case SizeUnit::sigma:
-      return "Root mean square of its coordinates' residuals over the noise of one";
+      return QObject::tr("Root mean square of its coordinates' residuals over the noise of one");
   }
-  return "";
+  return {};
 }
 
 QString shown(const ObservationRow& row, TableColumn column, const Units& units) {
@@ -120,23 +120,25 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant ObservationTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  static const std::array<const char*, 7> names = {"obs", "", "", "deg", "worst", "state", "why"};
-  static const std::array<const char*, 7> tips = {
-      "The observation's id",
-      "",
-      "",
-      "How far TCPest is turned from the TCP, degrees",
-      "The marker and image with the largest residual; sorts by its size",
-      "Whether the fit uses it; odd: it stands out of the others; on a row: why",
-      "Why it is rejected or excluded, or what is to be said of it"};
+  const std::array<QString, 7> names = {
+      QObject::tr("obs"),   QString(),         QString(), QObject::tr("deg"), QObject::tr("worst"),
+      QObject::tr("state"), QObject::tr("why")};
+  const std::array<QString, 7> tips = {
+      QObject::tr("The observation's id"),
+      QString(),
+      QString(),
+      QObject::tr("How far TCPest is turned from the TCP, degrees"),
+      QObject::tr("The marker and image with the largest residual; sorts by its size"),
+      QObject::tr("Whether the fit uses it; odd: it stands out of the others; on a row: why"),
+      QObject::tr("Why it is rejected or excluded, or what is to be said of it")};
   if (section < 0 || section >= static_cast<int>(names.size())) return {};
   if (const auto column = static_cast<TableColumn>(section); is_size(column)) {
     const SizeUnit unit = unit_of(column, units_);
     if (role == Qt::DisplayRole) return unit_name(unit);
-    if (role == Qt::ToolTipRole) return QString::fromLatin1(about_size(unit));
+    if (role == Qt::ToolTipRole) return about_size(unit);
   }
-  if (role == Qt::DisplayRole) return QString::fromLatin1(names[static_cast<std::size_t>(section)]);
-  if (role == Qt::ToolTipRole) return QString::fromLatin1(tips[static_cast<std::size_t>(section)]);
+  if (role == Qt::DisplayRole) return names[static_cast<std::size_t>(section)];
+  if (role == Qt::ToolTipRole) return tips[static_cast<std::size_t>(section)];
   if (role == Qt::TextAlignmentRole)
     return static_cast<int>((is_number(static_cast<TableColumn>(section)) ? Qt::AlignRight : Qt::AlignLeft) |
                             Qt::AlignVCenter);

@@ -50,7 +50,7 @@ std::optional<double> height_of(const VersionStep& step) { return step.held_out 
 ThreeNumbers::ThreeNumbers(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setAccessibleName(QObject::tr("Error now, noise floor, ratio"));
 }
 
@@ -77,9 +77,13 @@ QSize ThreeNumbers::sizeHint() const {
   return {static_cast<int>(std::ceil(width)) + kGap, 44};
 }
 
-QSize ThreeNumbers::minimumSizeHint() const { return sizeHint(); }
+/// The numbers first: where there is no room for the line as well, it is left away.
+QSize ThreeNumbers::minimumSizeHint() const { return sizeHint() - QSize(kStairsWidth, 0); }
 
-QRectF ThreeNumbers::stairs_area() const { return {width() - kStairsWidth, 4.0, kStairsWidth - kGap, height() - 8.0}; }
+QRectF ThreeNumbers::stairs_area() const {
+  if (width() < sizeHint().width()) return {};
+  return {width() - kStairsWidth, 4.0, kStairsWidth - kGap, height() - 8.0};
+}
 
 QRectF ThreeNumbers::step_rect(int version) const {
   const int count = static_cast<int>(numbers_.versions.size());
@@ -108,6 +112,7 @@ QString ThreeNumbers::step_text(int version) const {
 void ThreeNumbers::paint_stairs(QPainter& painter) const {
   const Colors& c = colors();
   const QRectF area = stairs_area();
+  if (area.isEmpty()) return;
   painter.fillRect(area, c.sunken);
   double low = numbers_.noise.value_or(1e300), high = numbers_.noise.value_or(0);
   for (const VersionStep& step : numbers_.versions) {

@@ -54,7 +54,7 @@ void set_cell(QTableWidget& table, int row, int column, const QString& text, boo
 
 QString seen_text(const TriangleMarker& marker) {
   if (marker.has_left && marker.has_right) return QObject::tr("both");
-  return marker.has_left ? QObject::tr("left") : marker.has_right ? QStringLiteral("right") : QStringLiteral("-");
+  return marker.has_left ? QObject::tr("left") : marker.has_right ? QObject::tr("right") : QStringLiteral("-");
 }
 
 /// Height of a table that shows all of a few rows.
@@ -77,9 +77,9 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
   sides_->setWordWrap(true);
   sides_->setFont(number_font(TextRole::body));
   sides_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  markers_ = make_table({QStringLiteral("no."), QObject::tr("seen"), QObject::tr("depth m"), QStringLiteral("± mm"),
-                         QObject::tr("line px")},
-                        this);
+  markers_ = make_table(
+      {QObject::tr("no."), QObject::tr("seen"), QObject::tr("depth m"), QStringLiteral("± mm"), QObject::tr("line px")},
+      this);
   markers_->setContextMenuPolicy(Qt::CustomContextMenu);
   markers_->setAccessibleName(QObject::tr("Markers"));
   markers_->installEventFilter(this);

@@ -11,6 +11,7 @@
 #include "calibrate/own_pose_page.h"
 #include "calibrate/recall.h"
 #include "calibrate/transport.h"
+#include "document/core_words.h"
 #include "frame/camera_strip.h"
 #include "frame/link_selection.h"
 #include "frame/observation_views.h"
@@ -41,7 +42,7 @@ widgets::ConvergencePoint point_of(const PlayedStep& played) {
 
 /// With the error against `row`: the present model's where there is one, else that of the moment of the decision.
 widgets::DecisionEntry entry_of(const PlayedStep& played, const InspectionRow* row, const DisplayUnits& units) {
-  widgets::DecisionEntry e{.id = played.step.id, .reason = QString::fromStdString(played.step.reason)};
+  widgets::DecisionEntry e{.id = played.step.id, .reason = translated(played.step.reason)};
   e.state = played.step.accepted ? widgets::CellState::used : widgets::CellState::rejected;
   if (!row) row = &played.row;
   if (!row->markers.empty()) {

@@ -5,16 +5,12 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "document/core_words.h"
 #include "document/effect_words.h"
 #include "effects/own_effect.h"
 
 namespace handsight::app {
 namespace {
-
-QString lower_first(QString text) {
-  if (!text.isEmpty()) text[0] = text[0].toLower();
-  return text;
-}
 
 /// "shifts along x, z and turns about rz" of the sites with this prefix; empty: none has it.
 QString motions_of(const EffectDefinition& definition, const QString& prefix) {
@@ -86,12 +82,12 @@ QString curve_title(const EffectDefinition& definition, const std::string& place
 QString title_of(const EffectTerm& term, const Robot& robot) {
   const Effect& effect = effect_of(term);
   if (effect.is_unnamed()) return curve_title(*effect.definition, place_name(effect, term.joint, robot), robot);
-  return QString::fromStdString(effect.title.empty() ? effect.id : effect.title);
+  return effect.title.empty() ? QString::fromStdString(effect.id) : translated(effect.title);
 }
 
 QString name_of(const std::vector<EffectTerm>& terms, const Session& session) {
   if (terms.empty()) return {};
-  const QString title = lower_first(title_of(terms.front(), session.robot));
+  const QString title = within_sentence(title_of(terms.front(), session.robot));
   if (effect_of(terms.front()).is_unnamed()) return title;
   return of_places(title, places_of(terms, session));
 }

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <algorithm>
 
+#include "document/core_words.h"
+
 namespace handsight::app {
 
 ShownUnit shown_unit(const std::string& unit) {
@@ -13,7 +15,7 @@ ShownUnit shown_unit(const std::string& unit) {
   if (unit == "m/N") return {1e6, QString::fromUtf8("µm/N")};
   if (unit == "s") return {1e3, "ms"};
   if (unit == "1") return {1, QString()};
-  return {1, QString::fromStdString(unit)};
+  return {1, translated(unit)};
 }
 
 QString number_title(const std::string& name) {
@@ -21,19 +23,25 @@ QString number_title(const std::string& name) {
   if (name == "tw") return QObject::tr("shift across, w");
   if (name == "ru") return QObject::tr("tilt about u");
   if (name == "rw") return QObject::tr("tilt about w");
-  return QString::fromStdString(name);
+  return translated(name);
 }
 
 QString effect_title(const std::string& id) {
   const Effect* effect = find_effect(id);
-  return QString::fromStdString(effect ? effect->title : id);
+  return effect ? translated(effect->title) : QString::fromStdString(id);
+}
+
+QString place_text(const std::string& place) {
+  // A joint's name is what the robot's file calls it, even where a text of the core is called the same.
+  return place.starts_with("marker ") || place.starts_with("from observation ") ? translated(place)
+                                                                                : QString::fromStdString(place);
 }
 
 QString places_text(const std::vector<std::string>& where) {
   constexpr std::size_t most = 3;
   QStringList names;
   const std::size_t shown = where.size() > most ? most - 1 : where.size();
-  for (std::size_t i = 0; i < shown; ++i) names << QString::fromStdString(where[i]);
+  for (std::size_t i = 0; i < shown; ++i) names << place_text(where[i]);
   if (shown < where.size()) return QObject::tr("%1 and %2 more").arg(names.join(", ")).arg(where.size() - shown);
   if (names.size() < 2) return names.join("");
   const QString last = names.takeLast();
@@ -41,9 +49,7 @@ QString places_text(const std::vector<std::string>& where) {
 }
 
 QString effect_of(const std::string& id, const std::vector<std::string>& where) {
-  QString title = effect_title(id);
-  if (!title.isEmpty()) title[0] = title[0].toLower();
-  return of_places(title, where);
+  return of_places(within_sentence(effect_title(id)), where);
 }
 
 QString of_places(const QString& title, const std::vector<std::string>& where) {

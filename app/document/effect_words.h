@@ -24,6 +24,9 @@ QString number_title(const std::string& name);
 /// "Joint elasticity"; the id itself where the catalogue does not know it.
 QString effect_title(const std::string& id);
 
+/// "arm_2"; "marker 2" and "from observation 12 on" in the window's language.
+QString place_text(const std::string& place);
+
 /// "arm_2 and arm_4"; more than three: "arm_1, arm_2 and 4 more".
 QString places_text(const std::vector<std::string>& where);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "document/core_words.h"
 #include "estimation/pose_residuals.h"
 
 namespace handsight::app {
@@ -111,7 +112,7 @@ void judge(const Problem& problem, const ProblemObservation& seen, const Unknown
   row.ratio = *row.rms / *noise;
   row.blame = blame_of(parts, *noise, typical);
   const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.blame.letter);
-  row.what_would_mend = QString::fromStdString(change_text(change, problem.rig_or_null()));
+  row.what_would_mend = translated(change_text(change, problem.rig_or_null()));
   row.smallest_visible = smallest_visible(problem, seen, unknowns, *noise);
 }
 

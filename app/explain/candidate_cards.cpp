@@ -2,6 +2,7 @@
 // Cards and the table of all effects.
 #include <algorithm>
 
+#include "document/core_words.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "explain/explain_texts.h"
@@ -39,7 +40,7 @@ QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
                           return t.joint == p.against.joint;
                         });
     if (!is_own) continue;
-    return QObject::tr("The residual follows the %1. ").arg(QString::fromStdString(p.against.name));
+    return QObject::tr("The residual follows the %1. ").arg(translated(p.against.name));
   }
   return {};
 }
@@ -49,7 +50,7 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Dia
   CardState card{.id = QString::fromStdString(id_of(c)), .effect = c.id};
   card.title = title_of(c.terms.front(), bench.document.session().robot);
   if (!c.unnamed) card.where = places_text(c.where);
-  card.words = QString::fromStdString(effect.cause);
+  card.words = translated(effect.cause);
   card.error = card_error(c, d, model, bench.units.unit());
   card.evidence = speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
   card.sizes = effect_parameters(bench.document.session(), c.terms, c.sigmas);
@@ -58,7 +59,7 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Dia
   for (const std::string& id : c.cannot_be_told_from) others << effect_of(id, {});
   card.cannot_be_told_from = others.join(", ");
   card.can_show_poses = !others.isEmpty();
-  card.check = QString::fromStdString(effect.check);
+  card.check = translated(effect.check);
   card.can_what_if = find_effect(c.id) != nullptr;  // the slider asks the catalogue where it may sit
   if (!c.unnamed) card.check_number = card_check(c.check, bench.document.reading_of(c.id));
   if (!c.plausible)
@@ -171,7 +172,7 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
   for (const DiagnosisCandidate& c : d.candidates)
     if (!c.unnamed && c.ln_bayes_factor >= d.threshold && !best) best = c.ln_bayes_factor;
   for (const Effect& effect : catalogue()) {
-    widgets::EffectRow row{.id = QString::fromStdString(effect.id), .name = QString::fromStdString(effect.title)};
+    widgets::EffectRow row{.id = QString::fromStdString(effect.id), .name = translated(effect.title)};
     const auto candidate = std::find_if(d.candidates.begin(), d.candidates.end(),
                                         [&](const DiagnosisCandidate& c) { return c.id == effect.id; });
     std::vector<EffectTerm> in_model;
@@ -198,7 +199,7 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
                        : QObject::tr("Odds against nothing missing %1.").arg(odds_text(candidate->ln_bayes_factor));
     } else if (is_invisible) {
       row.verdict = EffectVerdict::cannot_be_seen;
-      row.reason = QString::fromStdString(effect.visibility);
+      row.reason = translated(effect.visibility);
     } else if (!candidate->cannot_be_told_from.empty()) {
       row.verdict = EffectVerdict::same_as;
       row.same_as = effect_of(candidate->cannot_be_told_from.front(), {});

@@ -2,6 +2,7 @@
 #include "explain/explain_texts.h"
 
 #include "diagnosis/finding.h"
+#include "document/core_words.h"
 #include "document/counted.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
@@ -140,10 +141,10 @@ QString what_is_left_follows(const Diagnosis& d) {
       return title + '.';
     } else if (c.unnamed && c.ln_bayes_factor >= d.threshold)
       return QObject::tr("It follows the %1 (%2).")
-          .arg(QString::fromStdString(c.unnamed->localiser.variable->name),
+          .arg(translated(c.unnamed->localiser.variable->name),
                QString::fromStdString(c.unnamed->localiser.best.shape.text));
   if (d.patterns.empty()) return {};
-  return QObject::tr("It follows the %1.").arg(QString::fromStdString(d.patterns.front().against.name));
+  return QObject::tr("It follows the %1.").arg(translated(d.patterns.front().against.name));
 }
 
 QString unexplained_sentence(const Diagnosis& d, const ErrorAndNoise& e, const Told& t) {
@@ -199,7 +200,7 @@ widgets::SessionVerdict verdict_of_model(const ModelVersion& model, const Diagno
   switch (d->verdict) {
     case Verdict::too_few_observations:
       v.state = SessionState::too_few;
-      v.sentence = QString::fromStdString(d->reason);
+      v.sentence = translated(d->reason);
       break;
     case Verdict::adequate:
       if (!curves_of(*model.fit).empty()) {

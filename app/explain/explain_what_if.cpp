@@ -35,7 +35,7 @@ void ExplainWorkspace::open_what_if(const QString& id, int place) {
   widgets::WhatIfState state{.id = id, .title = effect_of(effect->id, {})};
   for (const EffectTerm& term : what_if_places_)
     if (const std::string name = place_name(*effect, term.joint, session.robot); !name.empty())
-      state.places.push_back(QString::fromStdString(name));
+      state.places.push_back(place_text(name));
   state.place = place;
   for (std::size_t i = 0; i < what_if_view_.effect.numbers.size(); ++i) {
     const EffectParameter& p = effect->parameters[what_if_view_.effect.numbers[i].parameter];

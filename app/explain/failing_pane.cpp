@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "diagnosis/common.h"
+#include "document/core_words.h"
 #include "frame/link_selection.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/scatter_plot.h"
@@ -336,11 +337,11 @@ void FailingPane::look_for_common() {
   auto list = what_is_common(v.variables, chosen);
   // What was dragged over is no news.
   if (const auto plot = plot_at(chosen_); plot && list.size() > 1)
-    std::erase_if(list, [&](const Common& c) { return v.variables[c.variable].name == plot->against.toStdString(); });
+    std::erase_if(list, [&](const Common& c) { return translated(v.variables[c.variable].name) == plot->against; });
   if (list.empty()) return;
   const Variable& variable = v.variables[list.front().variable];
   common_variable_ = variable.name;
-  common_->setText(QString::fromStdString(common_text(list.front(), variable)));
+  common_->setText(translated(common_text(list.front(), variable)));
   common_->setToolTip(tr("Shows the plot against it"));
   common_->show();
 }

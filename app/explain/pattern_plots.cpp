@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "document/core_words.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "explain/trend.h"
@@ -82,8 +83,8 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
   const Eigen::VectorXd& y = shown.values;
   widgets::PatternPlot plot;
   plot.id = QString::fromStdString(key.residual + " / " + key.variable);
-  plot.what = QString::fromStdString(series.name);
-  plot.against = QString::fromStdString(variable.name);
+  plot.what = translated(series.name);
+  plot.against = translated(variable.name);
   plot.x_unit = QString::fromStdString(variable.unit);
   plot.y_unit = shown.unit;
   const Session& session = bench.document.session();

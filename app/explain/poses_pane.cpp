@@ -25,11 +25,14 @@ constexpr double degrees = 57.29577951308232;
 /// A header of joint names, one pose a line, as `handsight-cli predict` reads it.
 std::string poses_csv(const Session& session, const Plan& plan) {
   std::string text;
-  for (std::size_t j = 0; j < session.joints.size(); ++j) text += (j > 0 ? "," : "") + session.joints[j];
+  const auto put = [&](bool is_first, const std::string& cell) {
+    if (!is_first) text += ',';
+    text += cell;
+  };
+  for (std::size_t j = 0; j < session.joints.size(); ++j) put(j == 0, session.joints[j]);
   text += '\n';
   for (const PlannedPose& pose : plan.poses) {
-    for (Eigen::Index j = 0; j < pose.position.size(); ++j)
-      text += (j > 0 ? "," : "") + format_number(pose.position[j]);
+    for (Eigen::Index j = 0; j < pose.position.size(); ++j) put(j == 0, format_number(pose.position[j]));
     text += '\n';
   }
   return text;

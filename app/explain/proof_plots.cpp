@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "document/core_words.h"
 #include "document/effect_words.h"
 #include "widgets/number_text.h"
 
@@ -13,21 +14,19 @@ namespace {
 
 constexpr double weak = 2.5;  // times the median sigma: such a point says little
 
-QString words(const std::string& text) { return QString::fromStdString(text); }
-
 QString number_text(const ProofNumber& n) {
   const ShownUnit unit = shown_unit(n.unit);
   const auto sigma = n.sigma > 0 ? std::optional(unit.scale * n.sigma) : std::nullopt;
   return (widgets::with_sigma_text(unit.scale * n.value, sigma) + ' ' + unit.unit).trimmed();
 }
 
-QString size_in_words(double size, const std::string& unit) {
+QString size_in_translated(double size, const std::string& unit) {
   const ShownUnit shown = shown_unit(unit);
   return widgets::with_unit_text(shown.scale * size, shown.unit);
 }
 
 QString at_most(const ProofPlot& p) {
-  const QString size = size_in_words(p.largest, p.unit);
+  const QString size = size_in_translated(p.largest, p.unit);
   return p.hand_m > 0 ? QObject::tr("%1, %2 mm at the hand").arg(size, widgets::short_text(1e3 * p.hand_m)) : size;
 }
 
@@ -47,10 +46,10 @@ bool is_spring(const ProofPlot& plot) {
 widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, double added) {
   const ShownUnit unit = shown_unit(proof.unit);
   widgets::PatternPlot plot;
-  plot.id = "proof " + words(proof.of + " " + proof.quantity);
+  plot.id = QString::fromStdString("proof " + proof.of + " " + proof.quantity);
   plot.what = number_title(proof.quantity);
-  plot.against = words(proof.against);
-  plot.x_unit = words(proof.against_unit);
+  plot.against = translated(proof.against);
+  plot.x_unit = translated(proof.against_unit);
   plot.y_unit = unit.unit;
   const double noise = unit.scale * proof.noise;
   for (const ProofPoint& p : proof.points) {
@@ -74,7 +73,7 @@ widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, 
 }
 
 QString proof_sentence(const ProofPlot& p) {
-  const QString of = words(p.of), against = words(p.against_unit);
+  const QString of = place_text(p.of), against = translated(p.against_unit);
   if (is_spring(p)) {
     const ShownUnit unit = shown_unit(p.numbers.front().unit);
     const QString slope =
@@ -100,7 +99,7 @@ QString proof_sentence(const ProofPlot& p) {
   for (const ProofNumber& n : p.numbers)
     numbers << (p.numbers.size() > 1 ? number_title(n.name) + ' ' + number_text(n) : number_text(n));
   return QObject::tr("%1 against the %2: %3; at most %4 here.")
-      .arg(quantity, words(p.against), numbers.join(", "), at_most(p));
+      .arg(quantity, translated(p.against), numbers.join(", "), at_most(p));
 }
 
 std::vector<ProofPlot> in_the_order_of(const std::vector<ProofPlot>& before, std::vector<ProofPlot> after) {

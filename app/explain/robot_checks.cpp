@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "document/core_words.h"
 #include "document/effect_words.h"
 #include "widgets/number_text.h"
 
@@ -19,14 +20,14 @@ std::optional<widgets::CardCheck> card_check(const std::optional<CheckPrediction
   const CheckPrediction* p = reading ? &reading->predicted : now ? &*now : nullptr;
   if (!p) return std::nullopt;
   widgets::CardCheck check;
-  check.prediction = QString::fromStdString(p->before) + ' ' + check_number_text(p->value, p->sigma, p->unit) +
-                     (p->after.empty() ? QString() : ' ' + QString::fromStdString(p->after)) + '.';
+  check.prediction = translated(p->before) + ' ' + check_number_text(p->value, p->sigma, p->unit) +
+                     (p->after.empty() ? QString() : ' ' + translated(p->after)) + '.';
   const ShownUnit unit = shown_unit(p->unit);
   check.unit = unit.unit;
   if (!reading) return check;
   const CheckAnswer answer = answer_check(*p, reading->value, reading->sigma);
   check.measured = widgets::with_sigma_text(unit.scale * reading->value, unit.scale * reading->sigma);
-  check.answer = QString::fromStdString(answer.text);
+  check.answer = translated(answer.text);
   check.is_inside = answer.is_inside;
   return check;
 }
@@ -35,7 +36,7 @@ QString reading_text(const RobotReading& r) {
   return QObject::tr("Predicted %1, measured %2. %3")
       .arg(check_number_text(r.predicted.value, r.predicted.sigma, r.predicted.unit),
            check_number_text(r.value, r.sigma, r.predicted.unit),
-           QString::fromStdString(answer_check(r.predicted, r.value, r.sigma).text));
+           translated(answer_check(r.predicted, r.value, r.sigma).text));
 }
 
 QString take_reading(Document& document, const Diagnosis& d, const std::string& effect, const QString& text) {

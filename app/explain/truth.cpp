@@ -62,8 +62,8 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
     const EffectParameter& parameter = effect.parameters[p];
     const ShownUnit unit = shown_unit(unit_at(effect, p, hidden.joint, session.robot));
     widgets::TruthRow row;
-    row.what = place.empty() ? effect_of(hidden.id, {}) : QString::fromStdString(place);
-    row.parameter = QString::fromStdString(parameter.name);
+    row.what = place.empty() ? effect_of(hidden.id, {}) : place_text(place);
+    row.parameter = number_title(parameter.name);
     row.unit = unit.unit;
     row.hidden = unit.scale * hidden.values[p];
     if (!found) {
@@ -108,7 +108,7 @@ void add_what_was_not_hidden(const Session& session, const Truth& truth, const F
       const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.joint, session.robot));
       widgets::TruthRow row;
       row.what = name_of({f.term}, session);
-      row.parameter = QString::fromStdString(effect.parameters[p].name);
+      row.parameter = number_title(effect.parameters[p].name);
       row.unit = unit.unit;
       row.found = unit.scale * f.term.values[p];
       if (f.sigmas[p] > 0) row.sigma = unit.scale * f.sigmas[p];

@@ -18,7 +18,7 @@ namespace {
 constexpr double degrees = 57.29577951308232;
 
 QString number(double value) {
-  return std::isfinite(value) ? QString::fromStdString(format_number(value)) : QStringLiteral("unknown");
+  return std::isfinite(value) ? QString::fromStdString(format_number(value)) : QObject::tr("unknown");
 }
 
 /// By how much (m, rms over the observations) the effects move the hand before the cameras.
@@ -57,9 +57,8 @@ std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
           widgets::with_sigma_text(unit.scale * f.term.values[p],
                                    is_held ? std::nullopt : std::optional(unit.scale * f.sigmas[p]))
               .split(QString(" ± "));
-      const QString name =
-          name_of({f.term}, session) +
-          (effect.parameters.size() > 1 ? ", " + QString::fromStdString(effect.parameters[p].name) : QString());
+      const QString name = name_of({f.term}, session) +
+                           (effect.parameters.size() > 1 ? ", " + number_title(effect.parameters[p].name) : QString());
       lines.push_back({name, parts.value(0), is_held ? QObject::tr("held") : parts.value(1), unit.unit});
     }
   }

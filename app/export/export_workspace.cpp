@@ -17,6 +17,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "document/core_words.h"
 #include "document/counted.h"
 #include "explain/explain_texts.h"
 #include "export/fresh_poses.h"
@@ -169,7 +170,7 @@ void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
   for (int r = 0; r < excluded_->rowCount(); ++r) {
     const Unused& u = unused[static_cast<std::size_t>(r)];
     excluded_->setItem(r, 0, new QTableWidgetItem(QString::number(u.id)));
-    auto* why = new QTableWidgetItem(QString::fromStdString(u.reason));
+    auto* why = new QTableWidgetItem(translated(u.reason));
     why->setToolTip(why->text());
     excluded_->setItem(r, 2, why);
     const auto pose = std::find_if(fresh.begin(), fresh.end(), [&](const FreshPose& p) { return p.id == u.id; });

@@ -9,6 +9,7 @@
 #include <QUrl>
 #include <functional>
 
+#include "document/core_words.h"
 #include "document/effect_words.h"
 #include "explain/explain_texts.h"
 #include "explain/robot_checks.h"
@@ -90,8 +91,7 @@ QString decisions_part(const ModelVersion& model) {
                             : "<p>" + wrong_points_text(model, model.wrong_points.size()).toHtmlEscaped() + "</p>\n";
   if (model.report->rejected.empty()) return "<p>" + QObject::tr("Every observation was used.") + "</p>\n" + wrong;
   std::vector<QStringList> rows;
-  for (const Unused& u : model.report->rejected)
-    rows.push_back({QString::number(u.id), QString::fromStdString(u.reason)});
+  for (const Unused& u : model.report->rejected) rows.push_back({QString::number(u.id), translated(u.reason)});
   return "<h2>" + QObject::tr("Not used") + "</h2>\n" +
          table({QObject::tr("Observation"), QObject::tr("Why")}, rows, Columns::words) + wrong;
 }
@@ -101,7 +101,7 @@ QString checks_part(const Document& document) {
   for (const auto& [effect, r] : document.readings())
     rows.push_back({effect_title(effect), check_number_text(r.predicted.value, r.predicted.sigma, r.predicted.unit),
                     check_number_text(r.value, r.sigma, r.predicted.unit),
-                    QString::fromStdString(answer_check(r.predicted, r.value, r.sigma).text)});
+                    translated(answer_check(r.predicted, r.value, r.sigma).text)});
   if (rows.empty()) return {};
   return "<h2>" + QObject::tr("Checked on the robot") + "</h2>\n" +
          table({QObject::tr("Cause"), QObject::tr("Predicted"), QObject::tr("Measured"), QObject::tr("What it says")},

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "document/core_words.h"
 #include "estimation/session_doubts.h"
 #include "widgets/theme.h"
 
@@ -74,8 +75,7 @@ void DoubtBar::look_through() {
   is_put_away_ = false;
   of_model_.clear();
   sentences_.clear();
-  for (const std::string& doubt : session_doubts(bench_.document.session()))
-    sentences_ << QString::fromStdString(doubt);
+  for (const std::string& doubt : session_doubts(bench_.document.session())) sentences_ << translated(doubt);
   sentences_ += size_doubts(bench_.document.session());
   refresh();
 }
@@ -83,7 +83,7 @@ void DoubtBar::look_through() {
 void DoubtBar::look_at_model() {
   const ModelVersionPointer model = bench_.document.model();
   if (!model || !model->fit) return;
-  const QString doubt = QString::fromStdString(body_doubt(model->fit->tcp_from_body));
+  const QString doubt = translated(body_doubt(model->fit->tcp_from_body));
   if (doubt == of_model_) return;
   of_model_ = doubt;
   refresh();

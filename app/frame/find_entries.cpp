@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame/find_entries.h"
 
+#include "document/core_words.h"
 #include "effects/effect.h"
 
 namespace handsight::app {
@@ -16,10 +17,10 @@ std::vector<FindEntry> session_entries(Workbench& bench) {
                          bench.selection.select(s);
                        }});
   for (const Effect& effect : catalogue())
-    entries.push_back({QObject::tr("effect"), QString::fromStdString(effect.title), QString::fromStdString(effect.id),
+    entries.push_back({QObject::tr("effect"), translated(effect.title), QString::fromStdString(effect.id),
                        [&bench, check = effect.check] {
                          emit bench.workspace_requested(Place::explain);
-                         emit bench.document.noticed(QString::fromStdString(check));
+                         emit bench.document.noticed(translated(check));
                        }});
   for (const Observation& o : session.observations) {
     const InspectionRow* row = bench.row(o.id);

@@ -140,6 +140,16 @@ Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QW
   refresh_job();
 }
 
+/// On a small screen the arrows alone say undo and redo: words would push the window beyond it.
+void Header::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  constexpr int roomy = 1200;
+  const bool is_narrow = width() < roomy;
+  for (QToolButton* b : {undo_, redo_})
+    b->setToolButtonStyle(is_narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+  progress_->setFixedWidth(is_narrow ? 48 : 120);
+}
+
 void Header::refresh_session() {
   const Document& d = bench_.document;
   const QString title = QString::fromStdString(

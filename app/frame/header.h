@@ -26,6 +26,9 @@ class Header : public QWidget {
   Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QWidget* parent = nullptr);
   widgets::ThreeNumbers* numbers() const { return numbers_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void refresh_session();
   Jobs& shown_jobs() const;

@@ -4,24 +4,40 @@
 #pragma once
 
 #include <QHash>
+#include <QRegularExpression>
 #include <QTranslator>
+#include <vector>
 
 class QCoreApplication;
 
 namespace handsight::app {
 
-/// Texts by what they are in English, wherever they stand; plurals by Qt's numbers (two forms: one, and all others).
+/// Texts by what they are in English, wherever they stand; plurals by Qt's numbers (two forms: one, and all others). In
+/// the context "core" a text with %1, %2 ... stands for every sentence of that form: what takes their places is
+/// translated in its turn where that is known ("rejected: %1").
 class Translation : public QTranslator {
  public:
   /// Of "de" and the like; empty where there is none of that language.
   explicit Translation(const QString& language);
   QString translate(const char* context, const char* source, const char* disambiguation, int n) const override;
   bool isEmpty() const override { return forms_.isEmpty(); }
-  /// What is translated, for tests.
-  QStringList sources() const { return forms_.keys(); }
+  /// What is translated in that context, for tests.
+  QStringList sources(const QString& context) const { return sources_.value(context); }
 
  private:
-  QHash<QString, QStringList> forms_;
+  /// A sentence of the core with places for what is put in.
+  struct Phrase {
+    QString begin;  // up to the first place
+    QRegularExpression form;
+    QStringList places;  // "%1" and so on, in the order of the English sentence
+    QString translated;
+  };
+  void add_phrase(const QString& source, const QString& translated);
+  QString phrase(const QString& source) const;
+  QString of_core(const QString& source) const;
+
+  QHash<QString, QStringList> forms_, sources_;
+  std::vector<Phrase> phrases_;  // those that say most first
 };
 
 /// Those that there are, besides English: "de".

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the strip, the model panel and the read-out line say to the document and the selection, and hear from them.
+#include "document/core_words.h"
 #include "frame/header.h"
 #include "frame/link_selection.h"
 #include "frame/main_window.h"
@@ -79,7 +80,7 @@ void MainWindow::connect_read_out() {
     QString text = tr("obs %1").arg(*h.observation);
     if (row && row->rms) text += "  " + bench_.units.text(size_of(*row));
     if (const Observation* o = bench_.document.find(*h.observation); o && !o->reason.empty())
-      text += "  " + QString::fromStdString(o->reason);
+      text += "  " + translated(o->reason);
     read_out_->set_pointer(text);
   });
   connect(read_out_, &widgets::ReadOutLine::crumb_clicked, this, [this](int index) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "document/core_words.h"
 #include "document/counted.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
@@ -63,8 +64,8 @@ widgets::ModelEffect shown_effect(const Effect& e, const Document& document, con
                                   const Diagnosis* diagnosis) {
   const Session& session = document.session();
   const ModelSettings& settings = document.settings();
-  widgets::ModelEffect shown{.id = QString::fromStdString(e.id), .title = QString::fromStdString(e.title)};
-  shown.help = QString::fromStdString(e.cause + "\n\n" + e.visibility);
+  widgets::ModelEffect shown{.id = QString::fromStdString(e.id), .title = translated(e.title)};
+  shown.help = translated(e.cause) + "\n\n" + translated(e.visibility);
   std::vector<EffectTerm> terms = terms_of_effect(settings.held, e.id);
   shown.is_held = !terms.empty();
   for (const EffectTerm& term : terms_of_effect(settings.estimated, e.id)) terms.push_back(term);
@@ -128,7 +129,7 @@ std::vector<widgets::ModelParameter> effect_parameters(const Session& session, c
   std::vector<widgets::ModelParameter> list;
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const Effect& effect = effect_of(terms[t]);
-    const QString of = QString::fromStdString(place_name(effect, terms[t].joint, session.robot));
+    const QString of = place_text(place_name(effect, terms[t].joint, session.robot));
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& number = effect.parameters[p];
       const ShownUnit unit = shown_unit(unit_at(effect, p, terms[t].joint, session.robot));

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "document/core_words.h"
 #include "frame/observation_views.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
@@ -16,7 +17,7 @@ std::optional<double> scaled(std::optional<double> value, double scale) {
 
 /// The reason that is shown: the decision's own, else whose fault it is where the observation is odd.
 QString reason_of(const Observation& o, const InspectionRow* row) {
-  if (!o.reason.empty()) return QString::fromStdString(o.reason);
+  if (!o.reason.empty()) return translated(o.reason);
   if (!row || !row->outlier) return {};
   return row->what_would_mend;
 }
@@ -93,7 +94,7 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation,
   if (!row) {
     if (observation->sightings.empty() && observation->decision == Decision::rejected)
       return QObject::tr("Its markers were not found, at a second look neither: %1")
-          .arg(QString::fromStdString(observation->reason));
+          .arg(translated(observation->reason));
     return observation->sightings.empty() ? QObject::tr("No marker is labelled in this observation.")
                                           : QObject::tr("Waits for a fit.");
   }

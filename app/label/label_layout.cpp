@@ -63,6 +63,14 @@ void LabelWorkspace::make_layout() {
   grid->setColumnStretch(1, 1);
 }
 
+/// On a small screen the images need the room that the words would take.
+void LabelWorkspace::resizeEvent(QResizeEvent* event) {
+  Workspace::resizeEvent(event);
+  constexpr int roomy = 1000;
+  hint_->setVisible(width() >= roomy);
+  left_->setToolTip(width() >= roomy ? QString() : hint_->text());
+}
+
 void LabelWorkspace::connect_left() {
   using widgets::ImageView;
   connect(left_, &ImageView::pointed, this,

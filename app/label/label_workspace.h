@@ -30,6 +30,9 @@ class LabelWorkspace : public Workspace {
   void activate() override;
   bool key(QKeyEvent* event) override;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void make_layout();
   void connect_left();

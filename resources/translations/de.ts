@@ -242,11 +242,11 @@
     </message>
     <message>
         <source>%1 of %2 observations</source>
-        <translation>%1 von %2 Beobachtungen</translation>
+        <translation>%1 von %2 Beob.</translation>
     </message>
     <message>
         <source>%1 of %2 observations, %3 taken, %4 rejected</source>
-        <translation>%1 von %2 Beobachtungen, %3 genommen, %4 verworfen</translation>
+        <translation>%1 von %2, %3 genommen, %4 verworfen</translation>
     </message>
     <message>
         <source>%1 of %2 observations. The cameras' mount is still unknown: %3 labelled, %4 left open, which agree on none yet.</source>
@@ -290,7 +290,7 @@
     </message>
     <message>
         <source>%1 taken, %2 rejected</source>
-        <translation>%1 genommen, %2 verworfen</translation>
+        <translation>%1 genommen, %2 nicht</translation>
     </message>
     <message>
         <source>%1 to %2 %4: %3 observations</source>
@@ -557,7 +557,7 @@
     </message>
     <message>
         <source>0 … 9, Delete on a marker</source>
-        <translation>0 … 9, Entf auf einem Marker</translation>
+        <translation>0 … 9, Entf</translation>
     </message>
     <message>
         <source>1 lies</source>
@@ -1865,7 +1865,7 @@
     </message>
     <message>
         <source>Play again</source>
-        <translation>Nochmals abspielen</translation>
+        <translation>Nochmals</translation>
     </message>
     <message>
         <source>Play from the first observation again</source>
@@ -1969,7 +1969,7 @@
     </message>
     <message>
         <source>Rewind</source>
-        <translation>Zurück zum Anfang</translation>
+        <translation>Zum Anfang</translation>
     </message>
     <message>
         <source>Right</source>
@@ -1997,7 +1997,7 @@
     </message>
     <message>
         <source>Right, along the line</source>
-        <translation>Rechts, entlang der Linie</translation>
+        <translation>Rechts, auf Linie</translation>
     </message>
     <message>
         <source>Right.</source>
@@ -2665,7 +2665,7 @@
     </message>
     <message>
         <source>Waits for three markers: label the first observation (Ctrl+1).</source>
-        <translation>Wartet auf drei Marker: markiere die erste Beobachtung (Strg+1).</translation>
+        <translation>Wartet auf drei Marker (Strg+1).</translation>
     </message>
     <message>
         <source>Watch folder</source>
@@ -2806,6 +2806,10 @@
     <message>
         <source>a curve without a name in %1, %2 rad</source>
         <translation>eine Kurve ohne Namen in %1, %2 rad</translation>
+    </message>
+    <message>
+        <source>a noun begins small</source>
+        <translation>ein Hauptwort beginnt groß</translation>
     </message>
     <message>
         <source>about %1 to one</source>
@@ -2973,7 +2977,7 @@
     </message>
     <message>
         <source>exclude, include the chosen observations</source>
-        <translation>gewählte Beobachtungen ausschließen, einschließen</translation>
+        <translation>gewählte aus- und einschließen</translation>
     </message>
     <message>
         <source>excluded</source>
@@ -2989,7 +2993,7 @@
     </message>
     <message>
         <source>find an action, observation, joint, effect or key</source>
-        <translation>Aktion, Beobachtung, Gelenk, Ursache oder Taste finden</translation>
+        <translation>Aktion, Gelenk, Ursache, Taste ... finden</translation>
     </message>
     <message>
         <source>fit again what was stopped</source>
@@ -3325,7 +3329,7 @@
     </message>
     <message>
         <source>one panel fills the centre (double click on its title)</source>
-        <translation>ein Feld füllt die Mitte (Doppelklick auf seinen Titel)</translation>
+        <translation>ein Feld füllt die Mitte (Doppelklick auf Titel)</translation>
     </message>
     <message>
         <source>pitch deg</source>
@@ -3389,7 +3393,7 @@
     </message>
     <message>
         <source>renumber, remove it</source>
-        <translation>umnummerieren, entfernen</translation>
+        <translation>Marker umnummerieren, entfernen</translation>
     </message>
     <message>
         <source>renumber, remove the chosen marker</source>
@@ -3437,11 +3441,11 @@
     </message>
     <message>
         <source>rms of a coordinate</source>
-        <translation>Mittel einer Koordinate</translation>
+        <translation>rms je Koordinate</translation>
     </message>
     <message>
         <source>rms of a coordinate (px)</source>
-        <translation>Mittel einer Koordinate (px)</translation>
+        <translation>rms je Koordinate (px)</translation>
     </message>
     <message>
         <source>rms of the markers' distances (mm)</source>
@@ -3609,7 +3613,7 @@
     </message>
     <message>
         <source>waits for a fit</source>
-        <translation>wartet auf eine Anpassung</translation>
+        <translation>wartet auf ein Modell</translation>
     </message>
     <message>
         <source>waits for labels</source>
@@ -3625,7 +3629,7 @@
     </message>
     <message>
         <source>whose fault: not known yet</source>
-        <translation>an wem es liegt: noch nicht bekannt</translation>
+        <translation>woran es liegt: offen</translation>
     </message>
     <message>
         <source>why not used</source>
@@ -4112,6 +4116,946 @@
     <message>
         <source>would help</source>
         <translation>würde helfen</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>no.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>The observation's id</source>
+        <translation>Die Nummer der Beobachtung</translation>
+    </message>
+    <message>
+        <source>How far TCPest is turned from the TCP, degrees</source>
+        <translation>Wie weit TCPest gegen den TCP gedreht ist, in Grad</translation>
+    </message>
+    <message>
+        <source>The marker and image with the largest residual; sorts by its size</source>
+        <translation>Marker und Bild mit dem größten Rest; sortiert nach dessen Größe</translation>
+    </message>
+    <message>
+        <source>Whether the fit uses it; odd: it stands out of the others; on a row: why</source>
+        <translation>Ob die Anpassung sie benutzt; auffällig: sie ragt heraus; auf einer Zeile: warum</translation>
+    </message>
+    <message>
+        <source>Why it is rejected or excluded, or what is to be said of it</source>
+        <translation>Warum sie verworfen oder ausgeschlossen ist, oder was zu ihr zu sagen ist</translation>
+    </message>
+    <message>
+        <source>Root mean square of its image coordinates' residuals, px</source>
+        <translation>Mittlerer Rest ihrer Bildkoordinaten, px</translation>
+    </message>
+    <message>
+        <source>Root mean square of its markers' residuals in space, mm</source>
+        <translation>Mittlerer Rest ihrer Marker im Raum, mm</translation>
+    </message>
+    <message>
+        <source>Root mean square of its coordinates' residuals over the noise of one</source>
+        <translation>Mittlerer Rest ihrer Koordinaten, geteilt durch das Rauschen einer</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+</context>
+<context>
+    <name>effects</name>
+    <!-- The catalogue: titles, causes, visibility, checks, names of numbers and units. -->
+    <message>
+        <source>A camera has moved against the first one since the rig was calibrated; of a rig of two the effect is called stereo_rig.</source>
+        <translation>Eine Kamera hat sich seit der Kalibrierung des Aufbaus gegen die erste bewegt; bei zwei Kameras heißt der Effekt stereo_rig.</translation>
+    </message>
+    <message>
+        <source>Alone it is the whole geometry, four numbers a joint; a large offset of one joint is better called joint offset.</source>
+        <translation>Allein ist es die ganze Geometrie, vier Zahlen je Gelenk; ein großer Versatz eines Gelenks heißt besser Gelenkversatz.</translation>
+    </message>
+    <message>
+        <source>Always a pair of sine and cosine; needs about half a turn of the joint to be told from a scale or an offset.</source>
+        <translation>Immer ein Paar aus Sinus und Kosinus; braucht etwa eine halbe Umdrehung, um von Maßstab oder Versatz unterschieden zu werden.</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Getriebespiel</translation>
+    </message>
+    <message>
+        <source>Base elasticity</source>
+        <translation>Elastizität der Basis</translation>
+    </message>
+    <message>
+        <source>Base tilt</source>
+        <translation>Neigung der Basis</translation>
+    </message>
+    <message>
+        <source>Body slip</source>
+        <translation>Körper verrutscht</translation>
+    </message>
+    <message>
+        <source>Calibrate the cameras again with a board.</source>
+        <translation>Die Kameras mit einer Tafel neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Camera intrinsics</source>
+        <translation>Kamerakonstanten</translation>
+    </message>
+    <message>
+        <source>Camera mount</source>
+        <translation>Sitz der Kameras</translation>
+    </message>
+    <message>
+        <source>Camera moved in its rig</source>
+        <translation>Kamera im Aufbau bewegt</translation>
+    </message>
+    <message>
+        <source>Come back to the first pose at the end.</source>
+        <translation>Am Ende zur ersten Stellung zurückkehren.</translation>
+    </message>
+    <message>
+        <source>Drive the joint to its mechanical stop or mark and read its angle.</source>
+        <translation>Das Gelenk an seinen Anschlag oder seine Marke fahren und den Winkel ablesen.</translation>
+    </message>
+    <message>
+        <source>Drive to one pose from above and from below and compare where the hand is.</source>
+        <translation>Eine Stellung von oben und von unten anfahren und vergleichen, wo die Hand ist.</translation>
+    </message>
+    <message>
+        <source>Encoder eccentricity</source>
+        <translation>Geberexzentrizität</translation>
+    </message>
+    <message>
+        <source>Focal lengths and principal points of the cameras are not those of the calibration: the focus was turned, or the lens was knocked.</source>
+        <translation>Brennweiten und Bildhauptpunkte der Kameras sind nicht die der Kalibrierung: am Fokus wurde gedreht, oder das Objektiv bekam einen Stoß.</translation>
+    </message>
+    <message>
+        <source>Friction holds the joint back: it stops short on the side that it came from.</source>
+        <translation>Reibung hält das Gelenk zurück: es bleibt auf der Seite stehen, von der es kam.</translation>
+    </message>
+    <message>
+        <source>Friction hysteresis</source>
+        <translation>Reibungshysterese</translation>
+    </message>
+    <message>
+        <source>From one observation on; needs some observations before and after.</source>
+        <translation>Von einer Beobachtung an; braucht einige Beobachtungen davor und danach.</translation>
+    </message>
+    <message>
+        <source>From one observation on; seen in the side lengths of the markers.</source>
+        <translation>Von einer Beobachtung an; zu sehen an den Seitenlängen der Marker.</translation>
+    </message>
+    <message>
+        <source>Hang a known mass on the hand and measure by how much it drops: the joints before the coupled one give way too.</source>
+        <translation>Eine bekannte Masse an die Hand hängen und messen, wie weit sie sinkt: auch die Gelenke vor dem gekoppelten geben nach.</translation>
+    </message>
+    <message>
+        <source>Hold the arm stretched out, hang a known mass on the hand, and measure by how much the hand drops.</source>
+        <translation>Den Arm ausgestreckt halten, eine bekannte Masse an die Hand hängen und messen, wie weit die Hand sinkt.</translation>
+    </message>
+    <message>
+        <source>Hold the hand still and turn the head: the hand must stay where it is.</source>
+        <translation>Die Hand stillhalten und den Kopf drehen: die Hand muss bleiben, wo sie ist.</translation>
+    </message>
+    <message>
+        <source>Hold the motor and rock the link by hand in both directions; read the play at the hand.</source>
+        <translation>Den Motor halten, das Glied von Hand in beide Richtungen wippen und das Spiel an der Hand ablesen.</translation>
+    </message>
+    <message>
+        <source>Joint elasticity</source>
+        <translation>Gelenkelastizität</translation>
+    </message>
+    <message>
+        <source>Joint offset</source>
+        <translation>Gelenkversatz</translation>
+    </message>
+    <message>
+        <source>Joint scale</source>
+        <translation>Gelenkmaßstab</translation>
+    </message>
+    <message>
+        <source>Lateral elasticity</source>
+        <translation>Querelastizität</translation>
+    </message>
+    <message>
+        <source>Lay a spirit level on the robot's base.</source>
+        <translation>Eine Wasserwaage auf die Basis des Roboters legen.</translation>
+    </message>
+    <message>
+        <source>Lens distortion</source>
+        <translation>Verzeichnung</translation>
+    </message>
+    <message>
+        <source>Link geometry</source>
+        <translation>Gliedgeometrie</translation>
+    </message>
+    <message>
+        <source>Look at a straight edge near the border of the undistorted image.</source>
+        <translation>Eine gerade Kante nahe am Rand des entzerrten Bildes ansehen.</translation>
+    </message>
+    <message>
+        <source>Look at something that stands still before and after, or measure the first pose again.</source>
+        <translation>Davor und danach etwas ansehen, das stillsteht, oder die erste Stellung noch einmal messen.</translation>
+    </message>
+    <message>
+        <source>Look at the epipolar distances of any matched points: they ought to be zero.</source>
+        <translation>Die Epipolarabstände beliebiger Punktpaare ansehen: sie sollten null sein.</translation>
+    </message>
+    <message>
+        <source>Look whether the markers still sit where they were glued.</source>
+        <translation>Nachsehen, ob die Marker noch sitzen, wo sie aufgeklebt wurden.</translation>
+    </message>
+    <message>
+        <source>Marker slip</source>
+        <translation>Marker verrutscht</translation>
+    </message>
+    <message>
+        <source>Measure the axis with a dial gauge or a tracker while only this joint turns.</source>
+        <translation>Die Achse mit Messuhr oder Tracker vermessen, während nur dieses Gelenk dreht.</translation>
+    </message>
+    <message>
+        <source>Mimic error</source>
+        <translation>Mitnehmerfehler</translation>
+    </message>
+    <message>
+        <source>Mimic linkage</source>
+        <translation>Mitnehmergestänge</translation>
+    </message>
+    <message>
+        <source>Mount drift</source>
+        <translation>Drift des Kamerasitzes</translation>
+    </message>
+    <message>
+        <source>Mount slip</source>
+        <translation>Sprung des Kamerasitzes</translation>
+    </message>
+    <message>
+        <source>Move the followed joints through their range and lay a level on the link that ought to keep its direction.</source>
+        <translation>Die mitgenommenen Gelenke durch ihren Bereich bewegen und eine Wasserwaage auf das Glied legen, das seine Richtung behalten soll.</translation>
+    </message>
+    <message>
+        <source>Near to the principal points; needs a range of depth and the corners of the images.</source>
+        <translation>Nahe an den Bildhauptpunkten; braucht einen Bereich der Tiefe und die Ecken der Bilder.</translation>
+    </message>
+    <message>
+        <source>Needs a quarter turn or more; other orders only where they are asked for.</source>
+        <translation>Braucht eine Vierteldrehung oder mehr; andere Ordnungen nur, wo nach ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Needs a wide range of the angle; over a small range an eccentric encoder looks alike.</source>
+        <translation>Braucht einen weiten Bereich des Winkels; über einen kleinen sieht ein exzentrischer Geber gleich aus.</translation>
+    </message>
+    <message>
+        <source>Needs joint velocities; poses at rest cannot show it.</source>
+        <translation>Braucht Gelenkgeschwindigkeiten; Stellungen in Ruhe können es nicht zeigen.</translation>
+    </message>
+    <message>
+        <source>Needs markers far from the images' middle.</source>
+        <translation>Braucht Marker fern der Bildmitten.</translation>
+    </message>
+    <message>
+        <source>Needs the range of depth and the corners of the images.</source>
+        <translation>Braucht den Bereich der Tiefe und die Ecken der Bilder.</translation>
+    </message>
+    <message>
+        <source>Not apart from the body when hand and cameras never turn against each other; not needed where the mount is estimated anyway.</source>
+        <translation>Nicht vom Körper zu trennen, wenn Hand und Kameras sich nie gegeneinander drehen; nicht nötig, wo der Sitz ohnehin geschätzt wird.</translation>
+    </message>
+    <message>
+        <source>Not where head and arm both hang behind the coupled joint, but for gravity.</source>
+        <translation>Nicht, wo Kopf und Arm beide hinter dem gekoppelten Gelenk hängen, außer durch die Schwerkraft.</translation>
+    </message>
+    <message>
+        <source>Not where the torque never changes its sign: there it is an offset.</source>
+        <translation>Nicht, wo das Moment sein Vorzeichen nie wechselt: dort ist es ein Versatz.</translation>
+    </message>
+    <message>
+        <source>One marker came loose and moved on the hand.</source>
+        <translation>Ein Marker löste sich und bewegte sich auf der Hand.</translation>
+    </message>
+    <message>
+        <source>Only the part across the axes on both sides of the joint is its own; along the axis it is joint elasticity.</source>
+        <translation>Nur der Teil quer zu den Achsen auf beiden Seiten des Gelenks ist sein eigener; längs der Achse ist es Gelenkelastizität.</translation>
+    </message>
+    <message>
+        <source>Only through elasticity. Wrong names imitate it: nonlinear springs, a centre of mass, a scale, a ratio.</source>
+        <translation>Nur über Elastizität. Falsche Namen ahmen es nach: nichtlineare Federn, ein Schwerpunkt, ein Maßstab, ein Verhältnis.</translation>
+    </message>
+    <message>
+        <source>Only through elasticity: in a model without springs it cannot be seen.</source>
+        <translation>Nur über Elastizität: in einem Modell ohne Federn ist es nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Traglast</translation>
+    </message>
+    <message>
+        <source>Poses must be approached from both sides.</source>
+        <translation>Stellungen müssen von beiden Seiten angefahren werden.</translation>
+    </message>
+    <message>
+        <source>Press the marker down and compare its distances to the others.</source>
+        <translation>Den Marker andrücken und seine Abstände zu den anderen vergleichen.</translation>
+    </message>
+    <message>
+        <source>Seen only by a camera or a tracker that does not ride on the robot.</source>
+        <translation>Nur von einer Kamera oder einem Tracker zu sehen, der nicht auf dem Roboter mitfährt.</translation>
+    </message>
+    <message>
+        <source>Seen where the joint moves the hand against the cameras; not where it only turns the body (wrist roll) or the camera (head tilt) as a whole.</source>
+        <translation>Zu sehen, wo das Gelenk die Hand gegen die Kameras bewegt; nicht, wo es nur den Körper (Rollen des Handgelenks) oder die Kamera (Neigen des Kopfes) als Ganzes dreht.</translation>
+    </message>
+    <message>
+        <source>Seen where the joint's gravity torque changes between poses; not at joints without torque. A link's torsion along the joint's axis is the same term.</source>
+        <translation>Zu sehen, wo sich das Schwerkraftmoment des Gelenks zwischen den Stellungen ändert; nicht an Gelenken ohne Moment. Die Torsion eines Glieds längs der Gelenkachse ist derselbe Term.</translation>
+    </message>
+    <message>
+        <source>Stereo rig</source>
+        <translation>Stereoaufbau</translation>
+    </message>
+    <message>
+        <source>Stop the arm before each image: the error must vanish.</source>
+        <translation>Den Arm vor jedem Bild anhalten: der Fehler muss verschwinden.</translation>
+    </message>
+    <message>
+        <source>Stretch the arm out, hang a known mass on the hand, and measure by how much the hand drops.</source>
+        <translation>Den Arm ausstrecken, eine bekannte Masse an die Hand hängen und messen, wie weit die Hand sinkt.</translation>
+    </message>
+    <message>
+        <source>Stretch the arm to one side, hang a known mass on the hand, and measure by how much the hand drops.</source>
+        <translation>Den Arm zur Seite ausstrecken, eine bekannte Masse an die Hand hängen und messen, wie weit die Hand sinkt.</translation>
+    </message>
+    <message>
+        <source>The angle sensor counts a little too much or too little per turn, so that the error grows with the angle.</source>
+        <translation>Der Winkelgeber zählt je Umdrehung etwas zu viel oder zu wenig, sodass der Fehler mit dem Winkel wächst.</translation>
+    </message>
+    <message>
+        <source>The angle sensor reads the same amount too much or too little in every pose: a zero position that was set a little wrong.</source>
+        <translation>Der Winkelgeber liest in jeder Stellung um denselben Betrag zu viel oder zu wenig: eine Nulllage, die etwas falsch gesetzt wurde.</translation>
+    </message>
+    <message>
+        <source>The bearing, the housing or the link behind the joint bends across the axis under the moment of gravity: transversal elasticity.</source>
+        <translation>Das Lager, das Gehäuse oder das Glied hinter dem Gelenk biegt sich quer zur Achse unter dem Moment der Schwerkraft: transversale Elastizität.</translation>
+    </message>
+    <message>
+        <source>The cameras (or the tracker) sit on their link a little beside and turned against where the model has them.</source>
+        <translation>Die Kameras (oder der Tracker) sitzen an ihrem Glied etwas neben und verdreht gegen die Stelle, an der das Modell sie hat.</translation>
+    </message>
+    <message>
+        <source>The cameras move slowly against their link while the session lasts: warming up, or a screw that gives way.</source>
+        <translation>Die Kameras wandern langsam gegen ihr Glied, solange die Sitzung dauert: sie werden warm, oder eine Schraube gibt nach.</translation>
+    </message>
+    <message>
+        <source>The cameras or the tracker, their stand, or a fixture jumped at some moment: something knocked it or came loose.</source>
+        <translation>Die Kameras oder der Tracker, ihr Stativ oder eine Halterung sprangen irgendwann: etwas stieß dagegen oder löste sich.</translation>
+    </message>
+    <message>
+        <source>The distortion of the lenses is not that of the calibration.</source>
+        <translation>Die Verzeichnung der Objektive ist nicht die der Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>The encoder's disc is not centred on the axis: the error swings once per turn.</source>
+        <translation>Die Scheibe des Winkelgebers sitzt nicht mittig auf der Achse: der Fehler schwingt einmal je Umdrehung.</translation>
+    </message>
+    <message>
+        <source>The gear does not turn evenly: the error swings twice per turn of the joint, as a harmonic drive does.</source>
+        <translation>Das Getriebe läuft nicht gleichmäßig: der Fehler schwingt zweimal je Umdrehung des Gelenks, wie bei einem Wellgetriebe.</translation>
+    </message>
+    <message>
+        <source>The gear has play: the joint rests on one flank or the other, depending on the sign of gravity's torque.</source>
+        <translation>Das Getriebe hat Spiel: das Gelenk liegt an der einen oder der anderen Flanke an, je nach Vorzeichen des Schwerkraftmoments.</translation>
+    </message>
+    <message>
+        <source>The hand carries a mass that the model does not know, or its centre of mass is elsewhere: the springs are loaded differently.</source>
+        <translation>Die Hand trägt eine Masse, die das Modell nicht kennt, oder ihr Schwerpunkt liegt anderswo: die Federn sind anders belastet.</translation>
+    </message>
+    <message>
+        <source>The joint angles belong to another instant than the images: while the arm moves it is already elsewhere.</source>
+        <translation>Die Gelenkwinkel gehören zu einem anderen Augenblick als die Bilder: während der Arm sich bewegt, ist er schon anderswo.</translation>
+    </message>
+    <message>
+        <source>The joint does not sit quite where the drawing puts it: its axis is shifted and tilted a little against the link before it.</source>
+        <translation>Das Gelenk sitzt nicht ganz, wo die Zeichnung es hat: seine Achse ist gegen das Glied davor etwas verschoben und gekippt.</translation>
+    </message>
+    <message>
+        <source>The joint is a spring: its gear, its torque sensor or its controller gives way to the moment of gravity about its axis, on top of the declared stiffness. The angle sensor sits on the motor's side and does not see it.</source>
+        <translation>Das Gelenk ist eine Feder: Getriebe, Drehmomentsensor oder Regler geben dem Moment der Schwerkraft um die Achse nach, zusätzlich zur angegebenen Steifigkeit. Der Winkelgeber sitzt auf der Seite des Motors und sieht es nicht.</translation>
+    </message>
+    <message>
+        <source>The joint that follows others does so in a slightly other ratio, or from another zero.</source>
+        <translation>Das Gelenk, das anderen folgt, tut es in einem etwas anderen Verhältnis oder von einer anderen Nulllage aus.</translation>
+    </message>
+    <message>
+        <source>The joint that follows others is held by a tendon or a parallel linkage, not by the motors before it: its load pulls at the joints that it follows, and their deflection moves it.</source>
+        <translation>Das Gelenk, das anderen folgt, wird von einer Sehne oder einem Parallelgestänge gehalten, nicht von den Motoren davor: seine Last zieht an den Gelenken, denen es folgt, und deren Nachgeben bewegt es.</translation>
+    </message>
+    <message>
+        <source>The marker body moved on the hand at some moment: something knocked it.</source>
+        <translation>Der Markerkörper bewegte sich irgendwann auf der Hand: etwas stieß dagegen.</translation>
+    </message>
+    <message>
+        <source>The order of the poses must not follow their posture.</source>
+        <translation>Die Reihenfolge der Stellungen darf nicht ihrer Haltung folgen.</translation>
+    </message>
+    <message>
+        <source>The right camera has moved against the left one since the stereo calibration.</source>
+        <translation>Die rechte Kamera hat sich seit der Stereokalibrierung gegen die linke bewegt.</translation>
+    </message>
+    <message>
+        <source>The robot does not stand level: gravity comes from another direction than the model says.</source>
+        <translation>Der Roboter steht nicht waagerecht: die Schwerkraft kommt aus einer anderen Richtung, als das Modell sagt.</translation>
+    </message>
+    <message>
+        <source>The robot's foot gives way: the whole robot tips with the moment of gravity about its base.</source>
+        <translation>Der Fuß des Roboters gibt nach: der ganze Roboter kippt mit dem Moment der Schwerkraft um seine Basis.</translation>
+    </message>
+    <message>
+        <source>Time lag</source>
+        <translation>Zeitversatz</translation>
+    </message>
+    <message>
+        <source>Transmission ripple</source>
+        <translation>Getriebewelligkeit</translation>
+    </message>
+    <message>
+        <source>Turn the joint by a full turn against an index table.</source>
+        <translation>Das Gelenk eine volle Umdrehung gegen einen Teilapparat drehen.</translation>
+    </message>
+    <message>
+        <source>Turn the joint over its whole range between two marks of known angle.</source>
+        <translation>Das Gelenk über seinen ganzen Bereich zwischen zwei Marken mit bekanntem Winkel drehen.</translation>
+    </message>
+    <message>
+        <source>Turn the joint slowly by a full turn and compare motor and joint angle.</source>
+        <translation>Das Gelenk langsam eine volle Umdrehung drehen und Motor- mit Gelenkwinkel vergleichen.</translation>
+    </message>
+    <message>
+        <source>Weigh the hand with everything on it.</source>
+        <translation>Die Hand mit allem, was daran ist, wiegen.</translation>
+    </message>
+    <message>
+        <source>compliance</source>
+        <translation>Nachgiebigkeit</translation>
+    </message>
+    <message>
+        <source>cosine</source>
+        <translation>Kosinus</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>lag</source>
+        <translation>Verzug</translation>
+    </message>
+    <message>
+        <source>left_cx</source>
+        <translation>links cx</translation>
+    </message>
+    <message>
+        <source>left_cy</source>
+        <translation>links cy</translation>
+    </message>
+    <message>
+        <source>left_fx</source>
+        <translation>links fx</translation>
+    </message>
+    <message>
+        <source>left_fy</source>
+        <translation>links fy</translation>
+    </message>
+    <message>
+        <source>left_k1</source>
+        <translation>links k1</translation>
+    </message>
+    <message>
+        <source>left_k2</source>
+        <translation>links k2</translation>
+    </message>
+    <message>
+        <source>left_p1</source>
+        <translation>links p1</translation>
+    </message>
+    <message>
+        <source>left_p2</source>
+        <translation>links p2</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>moment_x</source>
+        <translation>Moment x</translation>
+    </message>
+    <message>
+        <source>moment_y</source>
+        <translation>Moment y</translation>
+    </message>
+    <message>
+        <source>moment_z</source>
+        <translation>Moment z</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>right_cx</source>
+        <translation>rechts cx</translation>
+    </message>
+    <message>
+        <source>right_cy</source>
+        <translation>rechts cy</translation>
+    </message>
+    <message>
+        <source>right_fx</source>
+        <translation>rechts fx</translation>
+    </message>
+    <message>
+        <source>right_fy</source>
+        <translation>rechts fy</translation>
+    </message>
+    <message>
+        <source>right_k1</source>
+        <translation>rechts k1</translation>
+    </message>
+    <message>
+        <source>right_k2</source>
+        <translation>rechts k2</translation>
+    </message>
+    <message>
+        <source>right_p1</source>
+        <translation>rechts p1</translation>
+    </message>
+    <message>
+        <source>right_p2</source>
+        <translation>rechts p2</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>Einlaufen</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>share of the session</source>
+        <translation>Anteil der Sitzung</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>Sinus</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <!-- Sentences of the core: %1 and so on stand for whatever is put in. -->
+    <message>
+        <source>%1 does not part these from the rest.</source>
+        <translation>%1 trennt diese nicht von den übrigen.</translation>
+    </message>
+    <message>
+        <source>%1 image points lie outside the image of %2 x %3 px, first in observation %4: are width and height of the cameras swapped?</source>
+        <translation>%1 Bildpunkte liegen außerhalb des Bildes von %2 x %3 px, zuerst in Beobachtung %4: sind Breite und Höhe der Kameras vertauscht?</translation>
+    </message>
+    <message>
+        <source>%1 image points lie outside the image of %2 x %3 px, first in observation %4; look whether they are px of these cameras, and relabel or exclude them.</source>
+        <translation>%1 Bildpunkte liegen außerhalb des Bildes von %2 x %3 px, zuerst in Beobachtung %4; sieh nach, ob es px dieser Kameras sind, und markiere sie neu oder schließe sie aus.</translation>
+    </message>
+    <message>
+        <source>%1 px further %2</source>
+        <translation>%1 px weiter %2</translation>
+    </message>
+    <message>
+        <source>%1 sigma from the prediction</source>
+        <translation>%1 Sigma von der Vorhersage</translation>
+    </message>
+    <message>
+        <source>%1 usable observations leave %2 degrees of freedom beside %3 parameters; a diagnosis needs at least 10 observations and twice as many degrees of freedom as parameters: measure more poses.</source>
+        <translation>%1 brauchbare Beobachtungen lassen %2 Freiheitsgrade neben %3 Parametern; eine Diagnose braucht mindestens 10 Beobachtungen und doppelt so viele Freiheitsgrade wie Parameter: miss mehr Stellungen.</translation>
+    </message>
+    <message>
+        <source>%1, in the pose of observation %2</source>
+        <translation>%1, in der Stellung von Beobachtung %2</translation>
+    </message>
+    <message>
+        <source>%1, moved from %2 to %3 mm, moves</source>
+        <translation>%1, von %2 auf %3 mm bewegt, bewegt sich</translation>
+    </message>
+    <message>
+        <source>%1, turned from %2 to %3 degrees, turns</source>
+        <translation>%1, von %2 auf %3 Grad gedreht, dreht sich</translation>
+    </message>
+    <message>
+        <source>1 kg makes the hand drop by</source>
+        <translation>1 kg senkt die Hand um</translation>
+    </message>
+    <message>
+        <source>Inside: %1, but so would nothing be. The check was too coarse to tell.</source>
+        <translation>Innerhalb: %1, aber das wäre auch nichts. Die Prüfung war zu grob, um es zu sagen.</translation>
+    </message>
+    <message>
+        <source>Inside: %1. That speaks for this cause.</source>
+        <translation>Innerhalb: %1. Das spricht für diese Ursache.</translation>
+    </message>
+    <message>
+        <source>Joint %1 stands at %2 rad, which is %3 turns: are the angles degrees? Sessions hold rad.</source>
+        <translation>Gelenk %1 steht auf %2 rad, das sind %3 Umdrehungen: sind die Winkel in Grad? Sitzungen enthalten rad.</translation>
+    </message>
+    <message>
+        <source>Marker %1, %2 image, %3.</source>
+        <translation>Marker %1, Bild %2, %3.</translation>
+    </message>
+    <message>
+        <source>Marker %1, %2 mm from its place on the body: loose, hidden in part, or another corner.</source>
+        <translation>Marker %1, %2 mm neben seiner Stelle auf dem Körper: lose, teils verdeckt oder eine andere Ecke.</translation>
+    </message>
+    <message>
+        <source>No link of the robot has a mass: what gravity does to it cannot be told. Give the masses in the robot's file.</source>
+        <translation>Kein Glied des Roboters hat eine Masse: was die Schwerkraft mit ihm macht, ist nicht zu sagen. Gib die Massen in der Datei des Roboters an.</translation>
+    </message>
+    <message>
+        <source>Of %1 markers %2 %3 never seen: count="%4" in session.xml is enough, or labels are missing.</source>
+        <translation>Von %1 Markern nie zu sehen: %2; count="%4" in session.xml genügt, oder Markierungen fehlen.</translation>
+    </message>
+    <message>
+        <source>Outside: %1, and nothing shows. That speaks against this cause.</source>
+        <translation>Außerhalb: %1, und nichts zeigt sich. Das spricht gegen diese Ursache.</translation>
+    </message>
+    <message>
+        <source>Outside: %1. It is another cause, or not this one alone.</source>
+        <translation>Außerhalb: %1. Es ist eine andere Ursache, oder nicht diese allein.</translation>
+    </message>
+    <message>
+        <source>The %1 differs by</source>
+        <translation>%1 weicht ab um</translation>
+    </message>
+    <message>
+        <source>The %1 images do not fit together (%2 px across the epipolar lines): not taken at the same instant, or several wrong corners.</source>
+        <translation>Die Bilder passen nicht zusammen (%2 px quer zu den Epipolarlinien): nicht im selben Augenblick aufgenommen, oder mehrere falsche Ecken.</translation>
+    </message>
+    <message>
+        <source>The %1 of %2 differs by</source>
+        <translation>%1 von %2 weicht ab um</translation>
+    </message>
+    <message>
+        <source>The hand is</source>
+        <translation>Die Hand liegt</translation>
+    </message>
+    <message>
+        <source>The hand moves by</source>
+        <translation>Die Hand bewegt sich um</translation>
+    </message>
+    <message>
+        <source>The marker body would be %1 m from the TCP: look whether the TCP is the hand's link, and whether lengths are m.</source>
+        <translation>Der Markerkörper wäre %1 m vom TCP entfernt: sieh nach, ob der TCP das Glied der Hand ist und ob Längen in m sind.</translation>
+    </message>
+    <message>
+        <source>The markers do not lie to each other as on the other images (%1 %2): several are wrong, or the body is bent.</source>
+        <translation>Die Marker liegen nicht zueinander wie in den anderen Bildern (%1 %2): mehrere sind falsch, oder der Körper ist verbogen.</translation>
+    </message>
+    <message>
+        <source>The whole hand, %1 mm and %2 deg from where the robot says.</source>
+        <translation>Die ganze Hand, %1 mm und %2 Grad neben der Stelle, die der Roboter sagt.</translation>
+    </message>
+    <message>
+        <source>Where marker %1 is in observation %2, matched points lie</source>
+        <translation>Wo Marker %1 in Beobachtung %2 ist, liegen Punktpaare</translation>
+    </message>
+    <message>
+        <source>angle of %1</source>
+        <translation>Winkel von %1</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>bend across the axis of %1</source>
+        <translation>Biegung quer zur Achse von %1</translation>
+    </message>
+    <message>
+        <source>beside where the model has it</source>
+        <translation>neben der Stelle des Modells</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>direction in which %1 last moved</source>
+        <translation>letzte Bewegungsrichtung von %1</translation>
+    </message>
+    <message>
+        <source>distance from the sensor</source>
+        <translation>Abstand vom Sensor</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>error of %1</source>
+        <translation>Fehler von %1</translation>
+    </message>
+    <message>
+        <source>excluded by the user</source>
+        <translation>vom Benutzer ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>excluded by the user%1</source>
+        <translation>vom Benutzer ausgeschlossen%1</translation>
+    </message>
+    <message>
+        <source>excluded: %1</source>
+        <translation>ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>from observation %1 on</source>
+        <translation>ab Beobachtung %1</translation>
+    </message>
+    <message>
+        <source>from one side to the other</source>
+        <translation>von der einen Seite zur anderen</translation>
+    </message>
+    <message>
+        <source>from the model's</source>
+        <translation>vom Modell</translation>
+    </message>
+    <message>
+        <source>from the start of the session to its end</source>
+        <translation>vom Anfang der Sitzung bis zu ihrem Ende</translation>
+    </message>
+    <message>
+        <source>from where the calibration has them</source>
+        <translation>neben der Stelle der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>further than it reads</source>
+        <translation>weiter, als es anzeigt</translation>
+    </message>
+    <message>
+        <source>gravity torque at %1</source>
+        <translation>Schwerkraftmoment an %1</translation>
+    </message>
+    <message>
+        <source>gravity's moment across the axis of %1</source>
+        <translation>Schwerkraftmoment quer zur Achse von %1</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>image column</source>
+        <translation>Bildspalte</translation>
+    </message>
+    <message>
+        <source>image row</source>
+        <translation>Bildzeile</translation>
+    </message>
+    <message>
+        <source>it alone does not agree with the others</source>
+        <translation>sie allein stimmt mit den anderen nicht überein</translation>
+    </message>
+    <message>
+        <source>it has no image, and no point of the target is given</source>
+        <translation>sie hat kein Bild, und kein Punkt der Tafel ist angegeben</translation>
+    </message>
+    <message>
+        <source>its target was not found</source>
+        <translation>ihre Tafel wurde nicht gefunden</translation>
+    </message>
+    <message>
+        <source>its target was not measured</source>
+        <translation>ihre Tafel wurde nicht gemessen</translation>
+    </message>
+    <message>
+        <source>joints moved %1 deg since observation %2; %3 deg count as new</source>
+        <translation>Gelenke seit Beobachtung %2 um %1 Grad bewegt; neu ist eine Stellung ab %3 Grad</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>left open until the cameras' mount is known: %1 labelled and %2 open observations do not agree on one yet</source>
+        <translation>offen, bis der Sitz der Kameras bekannt ist: %1 markierte und %2 offene Beobachtungen einigen sich noch auf keinen</translation>
+    </message>
+    <message>
+        <source>left open: nothing is known of the cameras' mount, and no observation is labelled yet</source>
+        <translation>offen gelassen: vom Sitz der Kameras ist nichts bekannt, und noch keine Beobachtung ist markiert</translation>
+    </message>
+    <message>
+        <source>link behind it</source>
+        <translation>Glied dahinter</translation>
+    </message>
+    <message>
+        <source>marker %1</source>
+        <translation>Marker %1</translation>
+    </message>
+    <message>
+        <source>marker %1 is %2 mm from where it must be on the body (limit %3)</source>
+        <translation>Marker %1 liegt %2 mm neben seiner Stelle auf dem Körper (Grenze %3)</translation>
+    </message>
+    <message>
+        <source>marker body</source>
+        <translation>Markerkörper</translation>
+    </message>
+    <message>
+        <source>more than the model has</source>
+        <translation>mehr als im Modell</translation>
+    </message>
+    <message>
+        <source>mount</source>
+        <translation>Sitz</translation>
+    </message>
+    <message>
+        <source>no %1 corners near the prediction have the side lengths of the markers within 3 sigma</source>
+        <translation>keine %1 Ecken nahe der Vorhersage haben die Seitenlängen der Marker auf 3 Sigma</translation>
+    </message>
+    <message>
+        <source>no marker is labelled</source>
+        <translation>kein Marker ist markiert</translation>
+    </message>
+    <message>
+        <source>no marker is labelled and there are no images</source>
+        <translation>kein Marker ist markiert, und es gibt keine Bilder</translation>
+    </message>
+    <message>
+        <source>no marker was measured</source>
+        <translation>kein Marker wurde gemessen</translation>
+    </message>
+    <message>
+        <source>no observation before it is labelled; label one first</source>
+        <translation>keine Beobachtung davor ist markiert; markiere zuerst eine</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>kein Grund angegeben</translation>
+    </message>
+    <message>
+        <source>no start for the mount can be found from it</source>
+        <translation>aus ihr lässt sich kein Anfang für den Sitz finden</translation>
+    </message>
+    <message>
+        <source>off the epipolar line</source>
+        <translation>neben der Epipolarlinie</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 markers have a corner pair near where they must be (%3 epipolar pairs in the images)</source>
+        <translation>nur %1 von %2 Markern haben ein Eckenpaar nahe der Stelle, an der sie sein müssen (%3 Epipolarpaare in den Bildern)</translation>
+    </message>
+    <message>
+        <source>order of the observations</source>
+        <translation>Reihenfolge der Beobachtungen</translation>
+    </message>
+    <message>
+        <source>position of %1</source>
+        <translation>Stellung von %1</translation>
+    </message>
+    <message>
+        <source>rejected: %1</source>
+        <translation>abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>shift along %1 of marker %2</source>
+        <translation>Schub längs %1 von Marker %2</translation>
+    </message>
+    <message>
+        <source>shift along %1 of the %2</source>
+        <translation>Schub längs %1, %2</translation>
+    </message>
+    <message>
+        <source>shift along %1 of the %2 at %3</source>
+        <translation>Schub längs %1, %2 an %3</translation>
+    </message>
+    <message>
+        <source>the first observation needs %1 labelled markers seen as points, and has %2</source>
+        <translation>die erste Beobachtung braucht %1 markierte Marker, die als Punkte gesehen werden, und hat %2</translation>
+    </message>
+    <message>
+        <source>the markers as a whole are %1 mm from where they must be (limit %2)</source>
+        <translation>die Marker als Ganzes liegen %1 mm neben der Stelle, an der sie sein müssen (Grenze %2)</translation>
+    </message>
+    <message>
+        <source>the markers as a whole are turned by %1 deg from where they must be (limit %2)</source>
+        <translation>die Marker als Ganzes sind um %1 Grad gegen die Lage verdreht, in der sie sein müssen (Grenze %2)</translation>
+    </message>
+    <message>
+        <source>tilt of the base about %1</source>
+        <translation>Neigung der Basis um %1</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>too many corners look alike to tell the markers among them (%1 epipolar pairs in the images): no assignment was found among those nearest to the prediction</source>
+        <translation>zu viele Ecken sehen gleich aus, um die Marker darunter zu erkennen (%1 Epipolarpaare in den Bildern): unter den nächsten zur Vorhersage fand sich keine Zuordnung</translation>
+    </message>
+    <message>
+        <source>tracker</source>
+        <translation>Tracker</translation>
+    </message>
+    <message>
+        <source>turn about %1 of the %2</source>
+        <translation>Drehung um %1, %2</translation>
+    </message>
+    <message>
+        <source>turn about %1 of the %2 at %3</source>
+        <translation>Drehung um %1, %2 an %3</translation>
+    </message>
+    <message>
+        <source>two assignments of corners to markers fit equally well, and nothing tells which is right</source>
+        <translation>zwei Zuordnungen von Ecken zu Markern passen gleich gut, und nichts sagt, welche stimmt</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>velocity of %1</source>
+        <translation>Geschwindigkeit von %1</translation>
     </message>
 </context>
 </TS>

@@ -98,7 +98,11 @@ double shown_if_told(const Pair& pair, const std::string& truth) {
   if (truth.empty()) return 0;
   std::vector<EffectTerm> told = pair.unknown;
   for (EffectTerm& t : told) std::fill(t.values.begin(), t.values.end(), 0.0);
-  return shown(compare(pair.before, pair.after, told), truth);
+  try {
+    return shown(compare(pair.before, pair.after, told), truth);
+  } catch (const InputError&) {  // with all of it told the fit finds no answer
+    return 0;
+  }
 }
 
 struct Row {
@@ -153,14 +157,16 @@ int compare_trials(const Arguments& a) {
     if (a.kind != "all" && !five && a.kind != (what.group[0] ? what.group : "nothing")) continue;
     const auto model = static_cast<Model>(i / static_cast<int>(std::size(hidden)) % 3);
     std::optional<Pair> drawn;
+    std::optional<Comparison> comparison;
     try {
       drawn = drawn_pair(robot, seed, what, model);
-    } catch (const InputError& error) {  // these cameras see hardly any pose
+      comparison = five ? with_five_poses(*drawn) : compare(drawn->before, drawn->after);
+    } catch (const InputError& error) {  // these cameras see hardly any pose, or a fit finds no answer and it says so
       fmt::print("  robot {} seed {} is left out: {}\n", robot, seed, error.what());
       continue;
     }
     const Pair& pair = *drawn;
-    const Comparison c = five ? with_five_poses(pair) : compare(pair.before, pair.after);
+    const Comparison& c = *comparison;
     const std::string found = found_in(c), truth = what.group;
     const double noncentrality = shown(c, truth);
     const bool strong = truth.empty() || noncentrality >= 50;

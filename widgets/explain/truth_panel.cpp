@@ -65,7 +65,7 @@ void TruthPanel::paint_row(QPainter& painter, int row) const {
   const Colors& c = colors();
   const TruthRow& r = rows_[static_cast<std::size_t>(row)];
   const QRectF area = row_rect(row), room = area.adjusted(kGap, 2, -kGap, -2);
-  const Look look = r.verdict == TruthVerdict::right    ? Look{QStringLiteral("✓"), tr("right"), c.good}
+  const Look look = r.verdict == TruthVerdict::right    ? Look{QStringLiteral("✓"), tr("correct"), c.good}
                     : r.verdict == TruthVerdict::off    ? Look{QStringLiteral("≠"), tr("off"), c.care}
                     : r.verdict == TruthVerdict::missed ? Look{QStringLiteral("✗"), tr("missed"), c.bad}
                                                         : Look{QStringLiteral("+"), tr("not hidden"), c.bad};

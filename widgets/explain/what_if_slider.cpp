@@ -51,16 +51,16 @@ WhatIfSlider::WhatIfSlider(QWidget* parent) : QWidget(parent) {
   head->setSpacing(kGap);
   title_ = new QLabel(this);
   title_->setFont(text_font(TextRole::title));
+  title_->setWordWrap(true);  // a long name must not widen the window
   places_ = new QuietBox(this);
   places_->setAccessibleName(tr("Where it sits"));
   parameters_ = new QuietBox(this);
   parameters_->setAccessibleName(tr("Which number"));
   close_ = new QPushButton(tr("Close"), this);
   close_->setFixedHeight(kControlHeight);
-  head->addWidget(title_);
+  head->addWidget(title_, 1);
   head->addWidget(places_);
   head->addWidget(parameters_);
-  head->addStretch(1);
   head->addWidget(close_);
   layout->addLayout(head);
   auto* row = new QHBoxLayout;

@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <random>
 
 #include "app/document/killed_writer.h"
+#include "app/document/kills.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "session/session_xml.h"
@@ -268,31 +267,12 @@ TEST_F(JournalTest, TwoWindowsCannotHaveTheSameSession) {
 
 TEST_F(JournalTest, KilledAtRandomMomentsNothingIsLostButTheLastAction) {
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> microseconds(2000, 60000);
+  std::uniform_int_distribution<useconds_t> microseconds(2000, 60000);
   int known = 0;
-  for (int round = 0; round < 50; ++round) {
-    int ends[2];
-    ASSERT_EQ(::pipe(ends), 0);
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::dup2(ends[1], 1);
-      ::close(ends[0]);
-      const std::string path = session.string();
-      ::execl("/proc/self/exe", "test_app_document", "--write-until-killed", path.c_str(), nullptr);
-      ::_exit(9);
-    }
-    ::close(ends[1]);
-    std::FILE* said = ::fdopen(ends[0], "r");
-    char line[32];
-    ASSERT_NE(std::fgets(line, sizeof line, said), nullptr) << "the process died by itself";
-    ::usleep(static_cast<useconds_t>(microseconds(random)));
-    ::kill(child, SIGKILL);
-    int last = std::atoi(line);
-    while (std::fgets(line, sizeof line, said)) last = std::atoi(line);
-    std::fclose(said);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status));
+  for (int round = 0; round < test::kills(50); ++round) {
+    const auto said = test::said_before_killed("--write-until-killed", {session.string()}, microseconds(random));
+    ASSERT_FALSE(said.empty()) << "the process died by itself";
+    const int last = std::atoi(said.back().c_str());
     ASSERT_GT(last, known);
     Document document;
     document.open(session);

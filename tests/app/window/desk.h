@@ -6,6 +6,7 @@
 
 #include <QAbstractButton>
 #include <QElapsedTimer>
+#include <QScrollArea>
 #include <QTest>
 #include <filesystem>
 #include <functional>
@@ -48,11 +49,22 @@ class Desk {
   /// Presses and releases a mouse button at a place of a widget.
   void click(QWidget* widget, const QPoint& at, Qt::KeyboardModifiers keys = {},
              Qt::MouseButton button = Qt::LeftButton) {
+    scroll_to(widget, at);
     QWidget* top = widget->window();
     const QPoint there = widget->mapTo(top, at);
     QTest::mouseMove(top->windowHandle(), there);
     QTest::mouseClick(top->windowHandle(), button, keys, there);
     QTest::qWait(5);
+  }
+  /// What is out of sight is scrolled to first, as a user does.
+  void scroll_to(QWidget* widget, const QPoint& at) {
+    if (widget->visibleRegion().contains(at)) return;
+    for (QWidget* p = widget->parentWidget(); p; p = p->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(p); area && area->widget()) {
+        const QPoint there = widget->mapTo(area->widget(), at);
+        area->ensureVisible(there.x(), there.y(), 20, 20);
+        QTest::qWait(10);
+      }
   }
   void click(QWidget* widget) { click(widget, widget->rect().center()); }
   void press_button(const char* name) {

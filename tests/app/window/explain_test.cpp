@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a session that misses by pixels down to the noise, with mouse and keyboard, as `handsight-cli improve` does it.
 #include <gtest/gtest.h>
-#include <qcustomplot.h>
 
-#include <QListView>
 #include <QScrollArea>
-#include <QSignalSpy>
 
 #include "app/window/explain_fixture.h"
-#include "base/files.h"
 #include "cli/cli_runner.h"
 #include "cli/hidden_sessions.h"
 #include "document/effect_words.h"
 #include "export/report.h"
 #include "session/calibration_xml.h"
-#include "temporary_folder.h"
-#include "widgets/explain/cost_curve.h"
-#include "widgets/explain/pattern_page.h"
 #include "widgets/explain/staircase.h"
 #include "widgets/explain/truth_panel.h"
-#include "widgets/explain/version_list.h"
-#include "widgets/explain/what_if_slider.h"
-#include "widgets/explain/what_if_track.h"
 #include "widgets/number_text.h"
-#include "widgets/scatter_plot.h"
 #include "widgets/three_numbers.h"
 
 namespace handsight::test {
@@ -51,86 +40,6 @@ TEST_P(HiddenSession, TheFirstCardUntilItSaysStopGivesWhatImproveGives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HiddenSession, testing::Range(1, 9));
-
-TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
-  open("hidden_3");
-  const double before = held_out();
-  const auto model_before = desk.document().model();
-  EXPECT_EQ(explain.verdict().state, widgets::SessionState::missing);
-  QSignalSpy ends(&explain.workspace()->adding(), &app::Adding::ended);
-  explain.press_add();
-  ASSERT_TRUE(explain.is_settled());
-  const double after = held_out();
-  ASSERT_EQ(ends.size(), 1);
-  EXPECT_EQ(ends[0][0].value<app::AdditionEnd>(), app::AdditionEnd::taken);
-  EXPECT_LT(after, 0.1 * before);
-  EXPECT_EQ(explain.verdict().state, widgets::SessionState::adequate);
-  auto* numbers = desk.find<widgets::ThreeNumbers>("three_numbers");
-  EXPECT_NEAR(*numbers->numbers().now, after, 1e-12);
-  auto* stairs = desk.find<widgets::Staircase>("staircase");
-  ASSERT_EQ(stairs->state().versions.size(), 2U);
-  EXPECT_NEAR(*stairs->state().versions[0].held_out, before, 1e-12);
-  EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2) << "the fit was watched";
-
-  desk.key(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(explain.is_settled());
-  EXPECT_EQ(desk.document().model(), model_before) << "the very same, nothing is fitted again";
-  EXPECT_TRUE(desk.document().settings() == app::ModelSettings{});
-  EXPECT_TRUE(explain.can_add_first());
-  desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_TRUE(explain.is_settled());
-  EXPECT_EQ(held_out(), after);
-
-  desk.press_button("tab_fit");
-  EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2);
-  desk.press_button("tab_versions");
-  auto* versions = desk.find<widgets::VersionList>("versions");
-  desk.click(versions->view()->viewport(), versions->letter_rect(0, false).center());
-  desk.click(versions->view()->viewport(), versions->letter_rect(1, true).center());
-  bool is_said = false;
-  for (const auto* label : versions->findChildren<QLabel*>())
-    is_said = is_said || label->text().contains("A to B: 3.4");
-  EXPECT_TRUE(is_said);
-}
-
-TEST_F(Explain, StoppedInTheMiddleOfAFitTheStateBeforeIsBack) {
-  open("hidden_3");
-  const auto model = desk.document().model();
-  const std::string journal_before = session_digest();
-  QSignalSpy ends(&explain.workspace()->adding(), &app::Adding::ended);
-  desk.window.bench().explaining.hold(true);
-  explain.press_add();
-  ASSERT_TRUE(explain.workspace()->adding().is_running());
-  auto* cancel = desk.find<QAbstractButton>("cancel");
-  ASSERT_TRUE(desk.wait([&] { return cancel->isVisible(); }));
-  desk.click(cancel);
-  desk.window.bench().explaining.hold(false);
-  ASSERT_TRUE(explain.is_settled());
-  EXPECT_EQ(desk.document().undo_stack().index(), 0);
-  EXPECT_EQ(desk.document().model(), model);
-  EXPECT_TRUE(explain.can_add_first());
-  EXPECT_EQ(session_digest(), journal_before);
-  ASSERT_EQ(ends.size(), 1);
-  EXPECT_EQ(ends[0][0].value<app::AdditionEnd>(), app::AdditionEnd::stopped);
-}
-
-TEST_F(Explain, LookingAtACardShowsWhatItWouldDoAndChangesNothing) {
-  open("hidden_3");
-  auto* card = explain.cards()->card(0);
-  const QPoint at = card->mapTo(card->window(), QPoint(20, 20));
-  QTest::mouseMove(card->window()->windowHandle(), at);
-  ASSERT_TRUE(desk.wait([this] { return desk.window.bench().predicted_error().has_value(); }));
-  EXPECT_NEAR(*desk.window.bench().predicted_error(), 0.2, 0.05);
-  auto* strip = desk.find<widgets::ObservationStrip>("strip");
-  EXPECT_TRUE(strip->isVisible());
-  int predicted = 0;
-  for (const auto& cell : desk.window.bench().cells()) predicted += cell.predicted ? 1 : 0;
-  EXPECT_EQ(predicted, 80);
-  EXPECT_TRUE(desk.find<widgets::Staircase>("staircase")->state().preview);
-  QTest::mouseMove(desk.window.windowHandle(), QPoint(5, 5));
-  ASSERT_TRUE(desk.wait([this] { return !desk.window.bench().predicted_error(); }));
-  EXPECT_EQ(desk.document().undo_stack().index(), 0);
-}
 
 TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
   open("hidden_3");
@@ -240,48 +149,6 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   EXPECT_TRUE(report.contains("Inside: 0.7 sigma from the prediction"));
 }
 
-TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
-  open("hidden_6");
-  desk.press_button("until_it_stops");
-  EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Stop");
-  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
-  ASSERT_TRUE(explain.is_settled());
-  EXPECT_FALSE(explain.can_add_first()) << "it went on as long as there was something to add";
-  const auto by_cli = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
-  EXPECT_NEAR(held_out(), by_cli["held_out_rms_pixel"].get<double>(), 1e-3) << "and ends where improve ends";
-  const auto steps = desk.document().undo_stack().index();
-  EXPECT_GE(steps, 1);
-  desk.key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(desk.document().undo_stack().index(), steps - 1) << "each stair is an action of its own";
-}
-
-TEST_F(Explain, ASessionThatIsOpenedAgainHasItsStairs) {
-  open("hidden_6");
-  explain.press_add();
-  ASSERT_TRUE(explain.is_settled());
-  const auto before = desk.find<widgets::Staircase>("staircase")->state().versions;
-  ASSERT_EQ(before.size(), 2U);
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
-  ASSERT_TRUE(desk.settle());
-  ASSERT_TRUE(explain.open());
-  const auto after = desk.find<widgets::Staircase>("staircase")->state().versions;
-  ASSERT_EQ(after.size(), 2U);
-  EXPECT_NEAR(*after[0].held_out, *before[0].held_out, 1e-12) << "of the version before, which is not fitted again";
-  EXPECT_NEAR(*after[1].held_out, *before[1].held_out, 1e-6);
-  desk.key(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(explain.is_settled());
-  EXPECT_EQ(desk.find<widgets::Staircase>("staircase")->state().versions.size(), 1U);
-}
-
-TEST_F(Explain, AddUntilItStopsCanBeStopped) {
-  open("hidden_6");
-  desk.press_button("until_it_stops");
-  desk.press_button("until_it_stops");
-  EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Add until it stops");
-  ASSERT_TRUE(explain.is_settled());
-  EXPECT_EQ(desk.document().undo_stack().index(), 0) << "everything is as before";
-}
-
 TEST_F(Explain, TheNumbersAreWithoutWrongPointsFromTheStartAndSaySo) {
   open("hidden_7");
   const auto d = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json();
@@ -295,64 +162,6 @@ TEST_F(Explain, TheNumbersAreWithoutWrongPointsFromTheStartAndSaySo) {
   EXPECT_TRUE(now.excluded_note.startsWith("with " + count + " points set aside: ")) << now.excluded_note.toStdString();
   const double with_them = QString(now.excluded_note).replace(QChar(0x00A0), ' ').section(' ', -2, -2).toDouble();
   EXPECT_GT(with_them, 2 * *now.now);
-}
-
-TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
-  open("hidden_3");
-  auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");
-  desk.drag(plot, {plot->width() * 6 / 10, 30}, {plot->width() - 20, plot->height() - 40}, Qt::ShiftModifier);
-  ASSERT_GT(desk.window.bench().selection.many().size(), 1U);
-  auto* common = desk.find<QPushButton>("common");
-  ASSERT_TRUE(common->isVisible());
-  EXPECT_GE(common->text().size(), 20) << common->text().toStdString();
-}
-
-TEST_F(Explain, AnEffectOfAnySizeCanBeTriedWithTheSlider) {
-  open("hidden_3");
-  desk.click(explain.cards()->card(0)->what_if_button());
-  auto* slider = desk.find<widgets::WhatIfSlider>("what_if");
-  ASSERT_TRUE(slider->isVisible());
-  slider->track()->setFocus();
-  desk.key(Qt::Key_B);
-  const double best = slider->value();
-  EXPECT_GT(std::abs(best), 0);
-  const QString at_best = [&] {
-    for (auto* label : slider->findChildren<QLabel*>())
-      if (label->text().startsWith("With this")) return label->text();
-    return QString();
-  }();
-  EXPECT_FALSE(at_best.isEmpty());
-  const double left = *desk.window.bench().predicted_error();
-  desk.key(Qt::Key_Home);
-  EXPECT_LT(left, *desk.window.bench().predicted_error()) << "without it the error is larger";
-  for (auto* button : slider->findChildren<QAbstractButton*>())
-    if (button->text() == "Close") desk.click(button);
-  EXPECT_FALSE(slider->isVisible());
-  EXPECT_FALSE(desk.window.bench().predicted_error());
-}
-
-TEST_F(Explain, TheSliderFollowsWhenObservationsGo) {
-  open("hidden_3");
-  desk.click(explain.cards()->card(0)->what_if_button());
-  auto* slider = desk.find<widgets::WhatIfSlider>("what_if");
-  ASSERT_TRUE(slider->isVisible());
-  slider->track()->setFocus();
-  desk.key(Qt::Key_B);
-  const double best = slider->value(), left = *desk.window.bench().predicted_error();
-  InspectPage inspect{desk};
-  desk.key(Qt::Key_3, Qt::ControlModifier);
-  ASSERT_TRUE(desk.settle());
-  inspect.click_row(0);
-  desk.press_button("exclude");
-  ASSERT_TRUE(desk.settle());
-  ASSERT_TRUE(explain.open());
-  ASSERT_TRUE(slider->isVisible());
-  EXPECT_EQ(slider->value(), best) << "its size stays";
-  slider->track()->setFocus();
-  desk.key(Qt::Key_B);
-  EXPECT_NE(slider->value(), best) << "and what fits best is of the observations that are left";
-  EXPECT_NEAR(slider->value(), best, 0.1 * std::abs(best));
-  EXPECT_NEAR(*desk.window.bench().predicted_error(), left, 0.1 * left);
 }
 
 TEST_F(Explain, TheTourLeadsToTheMissingEffect) {

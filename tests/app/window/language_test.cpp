@@ -12,8 +12,11 @@
 
 #include "app/window/desk.h"
 #include "base/files.h"
+#include "document/core_words.h"
 #include "document/counted.h"
+#include "document/effect_words.h"
 #include "frame/rail_button.h"
+#include "widgets/convergence_plot.h"
 
 namespace handsight::test {
 namespace {
@@ -61,6 +64,63 @@ TEST(Language, EveryTextOfTheWindowIsTranslated) {
   }
 }
 
+TEST(Language, EveryTextOfTheCatalogueIsTranslated) {
+  const app::Translation german("de");
+  const QStringList table = german.sources("effects");
+  const auto is_there = [&](const std::string& text) { return table.contains(QString::fromStdString(text)); };
+  // Symbols and units of physics stay what they are: x, ry, tu, xx, k; rad, kg m.
+  static const QRegularExpression symbol("^([a-z]|r[a-z]|t[a-z]|xx|xy|yy)$");
+  for (const Effect& effect : catalogue()) {
+    for (const std::string& text : {effect.title, effect.cause, effect.visibility, effect.check})
+      EXPECT_TRUE(text.empty() || is_there(text)) << effect.id << ": " << text;
+    for (const EffectParameter& p : effect.parameters)
+      EXPECT_TRUE(symbol.match(QString::fromStdString(p.name)).hasMatch() || is_there(p.name))
+          << effect.id << ": " << p.name;
+  }
+}
+
+TEST(Language, SentencesOfTheCoreAreTranslatedWithWhatIsPutIn) {
+  app::Translation german("de");
+  const std::string rejected = "joints moved 0.7 deg since observation 21; 2 deg count as new";
+  EXPECT_EQ(app::translated(rejected), QString::fromStdString(rejected)) << "English without a translation";
+  ASSERT_TRUE(QCoreApplication::installTranslator(&german));
+  EXPECT_EQ(app::translated(rejected),
+            "Gelenke seit Beobachtung 21 um 0.7 Grad bewegt; neu ist eine Stellung ab 2 Grad");
+  EXPECT_EQ(app::translated("excluded: no reason given"), "ausgeschlossen: kein Grund angegeben");
+  EXPECT_EQ(app::translated("Inside: 1.2 sigma from the prediction. That speaks for this cause."),
+            "Innerhalb: 1.2 Sigma von der Vorhersage. Das spricht für diese Ursache.");
+  EXPECT_EQ(app::translated("excluded: my own words: 3"), "ausgeschlossen: my own words: 3");
+  EXPECT_EQ(app::translated("what nobody has translated"), "what nobody has translated");
+  EXPECT_EQ(app::effect_of("joint_elasticity", {"arm_2", "time"}), "Gelenkelastizität von arm_2 und time")
+      << "joints keep their names";
+  QCoreApplication::removeTranslator(&german);
+  EXPECT_EQ(app::effect_of("joint_elasticity", {"arm_2"}), "joint elasticity of arm_2");
+}
+
+/// A phrase that the core no longer says would stay in the table unseen.
+TEST(Language, EveryPhraseIsOneThatTheCoreSays) {
+  QString said;
+  static const QRegularExpression literal("\"((?:[^\"\\\\]|\\\\.)*)\"\\s*");
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "core")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const QString source = QString::fromStdString(read_file(entry.path()));
+    qsizetype end = -1;
+    for (auto i = literal.globalMatch(source); i.hasNext();) {
+      const auto one = i.next();
+      if (one.capturedStart() != end) said += '\n';  // else it goes on: "one " "sentence"
+      said += one.captured(1);
+      end = one.capturedEnd();
+    }
+  }
+  said.replace("\\\"", "\"");
+  static const QRegularExpression place("%\\d");
+  for (const QString& phrase : app::Translation("de").sources("core"))
+    for (const QString& piece : phrase.split(place, Qt::SkipEmptyParts))
+      EXPECT_TRUE(piece.trimmed().size() < 3 || said.contains(piece))
+          << phrase.toStdString() << ": \"" << piece.toStdString() << "\"";
+}
+
 TEST(Language, PluralsAreThoseOfTheLanguage) {
   EXPECT_EQ(app::counted(1, "%n observation(s)"), "1 observation");
   EXPECT_EQ(app::counted(7, "%n observation(s)"), "7 observations");
@@ -69,6 +129,16 @@ TEST(Language, PluralsAreThoseOfTheLanguage) {
   EXPECT_EQ(app::counted(1, "%n observation(s)"), "1 Beobachtung");
   EXPECT_EQ(app::counted(7, "%n observation(s)"), "7 Beobachtungen");
   EXPECT_EQ(app::counted(0, "%n joint(s)"), "0 Gelenke");
+  QCoreApplication::removeTranslator(&german);
+}
+
+TEST(Language, AnglesAreInTheUnitThatIsWrittenBesideThem) {
+  app::Translation german("de");
+  ASSERT_TRUE(QCoreApplication::installTranslator(&german));
+  widgets::ConvergencePlot plot("Drehung", "deg", {"rx", "ry", "rz"});
+  plot.set_samples({{1, 1, {0.5, 0, 0}, {}}, {2, 2, {0.5, 0, 0}, {}}});
+  EXPECT_TRUE(plot.csv().contains("rx (Grad)")) << plot.csv().toStdString();
+  EXPECT_TRUE(plot.csv().contains("28.64788")) << plot.csv().toStdString();
   QCoreApplication::removeTranslator(&german);
 }
 

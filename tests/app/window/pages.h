@@ -32,15 +32,19 @@ struct LabelPage {
   widgets::ImageView* right() { return desk.find<widgets::ImageView>("label_right"); }
   const widgets::TriangleState& triangle() { return desk.find<widgets::TrianglePanel>("triangle")->state(); }
 
+  /// In an image of a thumb's size a user zooms in before clicking.
   void click_left(const Vector2& px, Qt::KeyboardModifiers keys = {}) {
+    constexpr double thumb = 0.5;
+    if (left()->viewport().zoom < thumb) left()->show_point(px, 1);
     desk.click(left(), left()->to_screen(px).toPoint(), keys);
   }
   bool corners_are_found() {
-    return desk.wait([this] { return triangle().sentence.startsWith("Click a marker"); });
+    return desk.wait(
+        [this] { return triangle().sentence == QObject::tr("Click a marker's corner in the left image."); });
   }
   void use() {
     for (auto* button : desk.find<QWidget>("triangle")->findChildren<QAbstractButton*>())
-      if (button->text().contains("Use")) return desk.click(button);
+      if (button->text() == QObject::tr("Use it")) return desk.click(button);
     FAIL() << "no button to use the labels";
   }
 };
@@ -58,7 +62,8 @@ struct CalibratePage {
   }
   bool play_to_the_end() {
     desk.press_button("play");
-    return desk.wait([this] { return desk.find<QAbstractButton>("play")->text() == "Play again"; }) && desk.settle();
+    return desk.wait([this] { return desk.find<QAbstractButton>("play")->text() == QObject::tr("Play again"); }) &&
+           desk.settle();
   }
   int decisions() { return desk.find<widgets::DecisionList>("decisions")->count(); }
 };

@@ -13,6 +13,7 @@
 
 #include "app/window/pages.h"
 #include "app/window/rig_sessions.h"
+#include "frame/language.h"
 #include "temporary_folder.h"
 #include "widgets/robot_view.h"
 
@@ -43,14 +44,26 @@ void expect_nothing_beside(QWidget& window, const std::string& state) {
   }
 }
 
+/// What is there in another language is not painted in English.
+void expect_translated(const QString& text, const std::string& state) {
+  // German: left, English: a robot's links; and what a recent session calls itself.
+  if (text == "Links" || text == "First steps") return;
+  const QString other = QCoreApplication::translate("", text.toUtf8());
+  EXPECT_EQ(other, text) << state << ": not translated: " << text.toStdString();
+}
+
 void expect_readable(QWidget& window, const std::string& state) {
   expect_nothing_beside(window, state);
+  for (const QHeaderView* head : window.findChildren<QHeaderView*>())
+    for (int c = 0; head->isVisible() && c < head->count(); ++c)
+      expect_translated(head->model()->headerData(c, head->orientation()).toString(), state);
   for (QWidget* w : window.findChildren<QWidget*>()) {
     if (!w->isVisible() || is_left_out(*w) || w->width() < 8 || w->height() < 8) continue;
     const std::vector<PaintedText> texts = texts_of(*w);
     constexpr double slack = 2;  // px
     const QRectF room = QRectF(w->rect()).adjusted(-slack, -slack, slack, slack);
     for (std::size_t i = 0; i < texts.size(); ++i) {
+      expect_translated(texts[i].text, state);
       EXPECT_TRUE(room.contains(texts[i].place)) << state << ": cut off: " << told(texts[i]);
       for (std::size_t j = 0; j < i; ++j) {
         if (texts[i].text == texts[j].text) continue;  // a rim is the same text again
@@ -62,18 +75,32 @@ void expect_readable(QWidget& window, const std::string& state) {
   }
 }
 
-class PaintedTexts : public testing::TestWithParam<QSize> {};
+struct Look {
+  QSize size;
+  const char* language = "en";
+};
+
+class PaintedTexts : public testing::TestWithParam<Look> {
+ protected:
+  PaintedTexts() : translation(GetParam().language) {
+    if (!translation.isEmpty()) QCoreApplication::installTranslator(&translation);
+  }
+  ~PaintedTexts() override { QCoreApplication::removeTranslator(&translation); }
+  const QSize size = GetParam().size;
+  app::Translation translation;
+};
 
 TEST_P(PaintedTexts, AreWholeAndApartInTheStory) {
   const TemporaryFolder folder;
   Desk desk;
-  desk.window.resize(GetParam());
+  desk.window.resize(size);
   QTest::qWait(50);
-  ASSERT_EQ(desk.window.size(), GetParam());
+  ASSERT_EQ(desk.window.size(), size);
   const auto look = [&](const char* state) {
     desk.settle();
     QTest::qWait(30);
     expect_readable(desk.window, state);
+    EXPECT_EQ(desk.window.size(), size) << state << " makes the window grow";
   };
   look("start");
   ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of_sample(folder.path, "first_steps").string())));
@@ -81,7 +108,7 @@ TEST_P(PaintedTexts, AreWholeAndApartInTheStory) {
   LabelPage label{desk};
   ASSERT_TRUE(label.corners_are_found());
   // In images of a thumb's size the numbers of near markers lie over each other.
-  if (GetParam().width() > 1200) {
+  if (size.width() > 1200) {
     for (const Vector2& px : {Vector2(421, 338), Vector2(408, 411), Vector2(473, 378)}) label.click_left(px);
     look("label, three markers");
   }
@@ -113,7 +140,7 @@ TEST_P(PaintedTexts, AreWholeAndApartInTheStory) {
 
 TEST_P(PaintedTexts, AreWholeAndApartInTheWizard) {
   Desk desk;
-  desk.window.resize(GetParam());
+  desk.window.resize(size);
   desk.press_button("start_new");
   auto* wizard = desk.window.findChild<QDialog*>("wizard");
   ASSERT_NE(wizard, nullptr);
@@ -133,7 +160,7 @@ TEST_P(PaintedTexts, AreWholeAndApartWithOneCameraAndWithThree) {
   for (const int cameras : {1, 3}) {
     const TemporaryFolder folder;
     Desk desk;
-    desk.window.resize(GetParam());
+    desk.window.resize(size);
     ASSERT_TRUE(
         desk.window.open(QString::fromStdString(sample_with_cameras(folder.path, "hidden_3", cameras).string())));
     for (int workspace = 1; workspace <= 5; ++workspace) {
@@ -146,10 +173,11 @@ TEST_P(PaintedTexts, AreWholeAndApartWithOneCameraAndWithThree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, PaintedTexts,
-                         testing::Values(QSize(960, 540), QSize(1366, 768), QSize(1440, 900), QSize(1920, 1080),
-                                         QSize(2560, 1440)),
+                         testing::Values(Look{{960, 540}}, Look{{1366, 768}}, Look{{1440, 900}}, Look{{1920, 1080}},
+                                         Look{{2560, 1440}}, Look{{960, 540}, "de"}, Look{{1366, 768}, "de"}),
                          [](const auto& one) {
-                           return std::to_string(one.param.width()) + "x" + std::to_string(one.param.height());
+                           return one.param.language + std::to_string(one.param.size.width()) + "x" +
+                                  std::to_string(one.param.size.height());
                          });
 
 }  // namespace

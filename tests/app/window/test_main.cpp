@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QMessageBox>
 
+#include "app/window/working_window.h"
 #include "temporary_folder.h"
 #include "widgets/robot_view.h"
 #include "widgets/theme.h"
@@ -30,6 +31,12 @@ class NoMessageBox : public QObject {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
+  if (argc == 4 && std::string(argv[1]) == "--work-until-killed") {
+    handsight::widgets::set_surface_format();
+    QApplication application(argc, argv);
+    handsight::widgets::apply_theme(application, handsight::widgets::ThemeKind::light);
+    return handsight::test::work_until_killed(argv[2], argv[3]);
+  }
   const handsight::TemporaryFolder state;  // journals and copies of tests do not meet the user's
   ::setenv("XDG_STATE_HOME", state.path.c_str(), 1);
   handsight::widgets::set_surface_format();

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the core says in English, in the window's language.
+#pragma once
+
+#include <QString>
+#include <string>
+
+namespace handsight::app {
+
+/// A text of the catalogue (a title, a cause, a number's name) or a sentence of the core, translated by the contexts
+/// "effects" and "core" of resources/translations; as it stands where these do not have it.
+QString translated(const std::string& english);
+
+/// A title as it stands within a sentence: English begins it small, a language that writes its nouns with a capital
+/// leaves it.
+QString within_sentence(QString title);
+
+}  // namespace handsight::app

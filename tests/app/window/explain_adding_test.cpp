@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adding what is missing: one card or all until it stops, undone, stopped, and still there after opening again.
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+#include "app/window/explain_fixture.h"
+#include "cli/cli_runner.h"
+#include "cli/hidden_sessions.h"
+#include "widgets/explain/cost_curve.h"
+#include "widgets/explain/staircase.h"
+#include "widgets/explain/version_list.h"
+#include "widgets/three_numbers.h"
+
+namespace handsight::test {
+namespace {
+
+TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
+  open("hidden_3");
+  const double before = held_out();
+  const auto model_before = desk.document().model();
+  EXPECT_EQ(explain.verdict().state, widgets::SessionState::missing);
+  QSignalSpy ends(&explain.workspace()->adding(), &app::Adding::ended);
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const double after = held_out();
+  ASSERT_EQ(ends.size(), 1);
+  EXPECT_EQ(ends[0][0].value<app::AdditionEnd>(), app::AdditionEnd::taken);
+  EXPECT_LT(after, 0.1 * before);
+  EXPECT_EQ(explain.verdict().state, widgets::SessionState::adequate);
+  auto* numbers = desk.find<widgets::ThreeNumbers>("three_numbers");
+  EXPECT_NEAR(*numbers->numbers().now, after, 1e-12);
+  auto* stairs = desk.find<widgets::Staircase>("staircase");
+  ASSERT_TRUE(desk.wait([&] { return stairs->state().versions.size() == 2; }));  // drawn a moment after it is known
+  EXPECT_NEAR(*stairs->state().versions[0].held_out, before, 1e-12);
+  EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2) << "the fit was watched";
+
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(desk.document().model(), model_before) << "the very same, nothing is fitted again";
+  EXPECT_TRUE(desk.document().settings() == app::ModelSettings{});
+  EXPECT_TRUE(explain.can_add_first());
+  desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(held_out(), after);
+
+  desk.press_button("tab_fit");
+  EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2);
+  desk.press_button("tab_versions");
+  auto* versions = desk.find<widgets::VersionList>("versions");
+  desk.click(versions->view()->viewport(), versions->letter_rect(0, false).center());
+  desk.click(versions->view()->viewport(), versions->letter_rect(1, true).center());
+  bool is_said = false;
+  for (const auto* label : versions->findChildren<QLabel*>())
+    is_said = is_said || label->text().contains("A to B: 3.4");
+  EXPECT_TRUE(is_said);
+}
+
+TEST_F(Explain, StoppedInTheMiddleOfAFitTheStateBeforeIsBack) {
+  open("hidden_3");
+  const auto model = desk.document().model();
+  const std::string journal_before = session_digest();
+  QSignalSpy ends(&explain.workspace()->adding(), &app::Adding::ended);
+  desk.window.bench().explaining.hold(true);
+  explain.press_add();
+  ASSERT_TRUE(explain.workspace()->adding().is_running());
+  auto* cancel = desk.find<QAbstractButton>("cancel");
+  ASSERT_TRUE(desk.wait([&] { return cancel->isVisible(); }));
+  desk.click(cancel);
+  desk.window.bench().explaining.hold(false);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(desk.document().undo_stack().index(), 0);
+  EXPECT_EQ(desk.document().model(), model);
+  EXPECT_TRUE(explain.can_add_first());
+  EXPECT_EQ(session_digest(), journal_before);
+  ASSERT_EQ(ends.size(), 1);
+  EXPECT_EQ(ends[0][0].value<app::AdditionEnd>(), app::AdditionEnd::stopped);
+}
+
+TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
+  open("hidden_6");
+  desk.press_button("until_it_stops");
+  EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Stop");
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_FALSE(explain.can_add_first()) << "it went on as long as there was something to add";
+  const auto by_cli = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
+  EXPECT_NEAR(held_out(), by_cli["held_out_rms_pixel"].get<double>(), 1e-3) << "and ends where improve ends";
+  const auto steps = desk.document().undo_stack().index();
+  EXPECT_GE(steps, 1);
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(desk.document().undo_stack().index(), steps - 1) << "each stair is an action of its own";
+}
+
+TEST_F(Explain, ASessionThatIsOpenedAgainHasItsStairs) {
+  open("hidden_6");
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const auto before = desk.find<widgets::Staircase>("staircase")->state().versions;
+  ASSERT_EQ(before.size(), 2U);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  const auto after = desk.find<widgets::Staircase>("staircase")->state().versions;
+  ASSERT_EQ(after.size(), 2U);
+  EXPECT_NEAR(*after[0].held_out, *before[0].held_out, 1e-12) << "of the version before, which is not fitted again";
+  EXPECT_NEAR(*after[1].held_out, *before[1].held_out, 1e-6);
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(desk.find<widgets::Staircase>("staircase")->state().versions.size(), 1U);
+}
+
+TEST_F(Explain, AddUntilItStopsCanBeStopped) {
+  open("hidden_6");
+  desk.press_button("until_it_stops");
+  desk.press_button("until_it_stops");
+  EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Add until it stops");
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(desk.document().undo_stack().index(), 0) << "everything is as before";
+}
+
+}  // namespace
+}  // namespace handsight::test
