@@ -159,7 +159,7 @@ std::string adequate_text(const Diagnosis& d, bool has_scatter) {
                                 "repeat to {:.2g} mrad.",
                                 1e3 * d.scatter)
                           : " What is left is scatter from pose to pose that follows nothing.";
-  if (!d.model.lone.empty()) text += " " + lone_text(d.model.lone, d.model.session.is_tracker());
+  if (!d.model.lone.empty()) text += fmt::format(" {}", lone_text(d.model.lone, d.model.session.is_tracker()));
   if (!d.model.wrong.empty())
     text +=
         fmt::format(" {} wrong point{} left out.", d.model.wrong.size(), d.model.wrong.size() == 1 ? " was" : "s were");

@@ -103,7 +103,7 @@ void doubt_masses(const Session& session, const Chain& chain, std::vector<std::s
   if (chain.robot.is_of_poses || session.gravity.isZero() ||
       std::any_of(links.begin(), links.end(), [](const Link& l) { return l.mass > 0; }))
     return;
-  doubts.push_back(
+  doubts.emplace_back(
       "No link of the robot has a mass: what gravity does to it cannot be told. Give the masses in the robot's file.");
 }
 

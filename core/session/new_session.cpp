@@ -221,7 +221,7 @@ std::map<std::int64_t, fs::path> images_of_camera(const fs::path& folder, const 
       return name.size() > own.size() && name.find(own) != std::string::npos && stem.find(name) != std::string::npos;
     });
     if (at == std::string::npos || is_longer) continue;
-    stem.replace(at, own.size(), "_");
+    stem = fmt::format("{}_{}", stem.substr(0, at), stem.substr(at + own.size()));
     if (const auto number = number_of(stem + ".png")) found.emplace(*number, entry.path());
   }
   if (error) throw InputError(fmt::format("{}: the folder cannot be read ({}).", shown_path(folder), error.message()));

@@ -262,7 +262,7 @@ void Arrivals::take_images() {
     if (!camera) continue;
     // A camera's name may end in a number of its own.
     if (const std::size_t at = stem.find(cameras_[*camera]); at != std::string::npos)
-      stem.replace(at, cameras_[*camera].size(), " ");
+      stem = fmt::format("{} {}", stem.substr(0, at), stem.substr(at + cameras_[*camera].size()));
     if (const std::int64_t number = number_of(stem); number >= 0) images_[number][*camera] = file;
   }
 }

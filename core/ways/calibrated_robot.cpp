@@ -32,7 +32,7 @@ CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const F
   robot.calibration = calibration_of(session, fit, told, options, software);
   robot.rig = moved_cameras(robot.chain, robot.model);
   if (robot.model.scatter.observations < 3)
-    robot.notes.push_back(
+    robot.notes.emplace_back(
         "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "
         "sigma leaves it out.");
   return robot;
@@ -62,7 +62,7 @@ CalibratedRobot calibrated_robot(const Calibration& c, Robot urdf, const std::st
   robot.calibration = c;
   robot.notes = c.notes;
   if (!c.effects.empty() && !c.model_covariance)
-    robot.notes.push_back(
+    robot.notes.emplace_back(
         "The file does not say how the errors of TCP->Body and of the effects go together (<model_covariance>): sigma "
         "takes them as independent and is too large.");
   return robot;

@@ -162,7 +162,7 @@ Comparison compare(const CalibratedRobot& before, const CalibratedRobot& after) 
         "No number differs by more than {:.1f} of its sigma; the marker body is {:.2f} mm from where it "
         "was (mean over {} poses).",
         most, 1e3 * sum, poses);
-  c.notes.push_back("Two calibrations tell which numbers differ, not why; compare the sessions for what changed.");
+  c.notes.emplace_back("Two calibrations tell which numbers differ, not why; compare the sessions for what changed.");
   return c;
 }
 

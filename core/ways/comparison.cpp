@@ -105,7 +105,7 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   c.numbers = numbers_of(a, clean_a.fit, clean_b.fit);
   judge(sides, c);
   if (!c.model_fits)
-    c.notes.push_back(
+    c.notes.emplace_back(
         "The model misses what both sessions measured. What the catalogue has and smooth curves of the joints' angles, "
         "the same in both, were fitted beside the change; a change that looks like them is not seen.");
   std::vector<Eigen::VectorXd> poses = used_positions(a);

@@ -32,7 +32,7 @@ std::optional<FieldUrdf> find_robot(std::vector<fs::path>& files, const ConvertO
   for (const fs::path& f : files)
     if (is_bag(f))
       if (const std::string text = robot_description_of(f); !text.empty()) {
-        c.notes.push_back("The robot is the one that the bag publishes as robot_description.");
+        c.notes.emplace_back("The robot is the one that the bag publishes as robot_description.");
         return field_urdf(text, "robot_description");
       }
   return std::nullopt;

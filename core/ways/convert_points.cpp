@@ -51,7 +51,7 @@ void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand,
   for (const Rigid& pose : flange.poses) parts.joints.positions.emplace_back(position_of(pose));
   parts.tcp = eye_in_hand ? "base" : "flange";
   parts.mount = eye_in_hand ? "flange" : "base";
-  notes.push_back(
+  notes.emplace_back(
       "No robot is known, only where its flange is: what bends or is off in its joints cannot be told apart; name its "
       "URDF and a table of joint readings for that.");
 }
@@ -67,7 +67,7 @@ Conversion from_flange(const PoseSeries& flange, const PoseSeries& target, bool 
   set_flange(parts, flange, eye_in_hand, c.notes);
   parts.times = target.times;
   parts.target_poses = target.poses;
-  c.notes.push_back(sensor_note);
+  c.notes.emplace_back(sensor_note);
   c.session = write_measured_session(parts, o);
   return c;
 }
@@ -81,7 +81,7 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, const P
   parts.joints = {joints.names, {}, p.positions};
   parts.times = chosen(target.times, p.events);
   parts.target_poses = chosen(target.poses, p.events);
-  c.notes.push_back(sensor_note);
+  c.notes.emplace_back(sensor_note);
   c.session = write_measured_session(parts, o);
   return c;
 }

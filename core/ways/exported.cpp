@@ -23,7 +23,7 @@ ExportedFile urdf(const CalibratedRobot& robot) {
   for (const std::string& what : file.not_said)
     out.notes.push_back("A URDF cannot say " + shortened(what, 400) + "; it is named in the file's comment.");
   if (file.sensor_link.empty())
-    out.notes.push_back("The calibration does not say where the sensor sits; the file has no link for it.");
+    out.notes.emplace_back("The calibration does not say where the sensor sits; the file has no link for it.");
   return out;
 }
 
