@@ -12,7 +12,9 @@ if(HANDSIGHT_MOLD)
 endif()
 add_compile_options(-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-unused-parameter
   -Wno-missing-field-initializers  # designated initialisers name what they set
-  -Wno-restrict)                   # false alarms of GCC 12 on std::string
+  # False alarms of GCC 12 on std::string and on Eigen's memory.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-use-after-free>)
 # Binaries must give the same result on every x86-64: no contraction, no -march=native.
 add_compile_options(-ffp-contract=off)
 # With large precompiled headers GCC would spend a fifth of its time on looking for what it can free.

@@ -116,6 +116,22 @@ Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& te
   return candidates;
 }
 
+Candidates choices_at_place(const Problem& model, const EffectTerm& term, int most_orders) {
+  Candidates candidates;
+  candidates.problem = model;
+  candidates.base_effects = model.effect_count();
+  const Effect& effect = effect_of(term);
+  CandidateEffect candidate{&effect, {}, sizes_of(effect, model), term.own};
+  for (const std::vector<double>& values : choices_of(effect, step_orders(model, most_orders))) {
+    EffectTerm at = term;
+    at.values = values;
+    add_unit(effect, at, candidate, candidates.problem, candidates.base_effects);
+  }
+  candidates.effects.push_back(std::move(candidate));
+  place_observations(candidates.problem);
+  return candidates;
+}
+
 Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders) {
   Candidates candidates;
   candidates.problem = model;

@@ -33,6 +33,9 @@ Candidates all_candidates(const Problem& model, int most_orders = 24);
 /// These terms alone, each a unit of its own; their choices count, their numbers do not.
 Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& terms);
 
+/// All choices of a term's effect at its place alone, as `all_candidates` offers them.
+Candidates choices_at_place(const Problem& model, const EffectTerm& term, int most_orders = 24);
+
 /// The units of one effect and place alone, at these orders.
 Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders);
 

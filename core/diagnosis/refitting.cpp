@@ -179,18 +179,16 @@ std::vector<EffectTerm> best_choices(const Session& session, const std::vector<E
     if (!model) model = clean_fit(session, {});
     const Fit& f = model->fit;
     const Weighing by = weighing(f);
-    const Candidates all = all_candidates(f.problem);
-    const LinearModel linear = linear_model(all.problem, estimate(f), all.base_effects, by.noise);
+    const Candidates choices = choices_at_place(f.problem, term);
+    const LinearModel linear = linear_model(choices.problem, estimate(f), choices.base_effects, by.noise);
     const WhitenedModel w = whiten(linear, 0, by.knowledge);
     double best = -1e300;
-    for (const CandidateEffect& c : all.effects)
-      for (const CandidateUnit& unit : c.units) {
-        if (c.effect != &effect || unit.term.joint != term.joint) continue;
-        const double factor = ln_bayes_factor(score(w, unit.first, unit.count), w, by.knowledge);
-        if (factor <= best) continue;
-        best = factor;
-        term.values = unit.term.values;
-      }
+    for (const CandidateUnit& unit : choices.effects.front().units) {
+      const double factor = ln_bayes_factor(score(w, unit.first, unit.count), w, by.knowledge);
+      if (factor <= best) continue;
+      best = factor;
+      term.values = unit.term.values;
+    }
     term = with_settled_orders(*model, {term}, by).front();
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) term.values[p] = 0;

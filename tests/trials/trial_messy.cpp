@@ -115,23 +115,28 @@ double error_on_fresh(const Messy& m, const Fit& f) {
   return error_on_fresh(m, f, [&](const Eigen::VectorXd&) { return f.tcp_from_body.translation; });
 }
 
-/// TCP->Body alone, and a Gaussian process over the joint angles on where the observations saw the body instead.
+/// TCP->Body alone, and a Gaussian process over the joint angles on where the observations saw the body instead, along
+/// the axes of the robot's root.
 double error_of_learning(const Messy& m, const Fit& alone) {
   const FitReport r = report(m.session, alone);
+  const Chain model = chain_of(m.session);
   const Vector3 body = alone.tcp_from_body.translation;
   std::vector<std::pair<Eigen::VectorXd, Vector3>> seen;
-  for (const ObservationReport& o : r.per_observation)
-    if (o.deviation)
-      seen.emplace_back(m.session.observations[static_cast<std::size_t>(o.index)].position,
-                        o.deviation->tcp_from_tcp_est * body - body);
+  for (const ObservationReport& o : r.per_observation) {
+    if (!o.deviation) continue;
+    const Eigen::VectorXd& pose = m.session.observations[static_cast<std::size_t>(o.index)].position;
+    const Vector3 off = o.deviation->tcp_from_tcp_est * body - body;
+    seen.emplace_back(pose, hand_at(model, pose, {}).rotation * off);
+  }
   Eigen::MatrixXd angles(seen.size(), seen.front().first.size()), off(seen.size(), 3);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     angles.row(static_cast<Eigen::Index>(i)) = seen[i].first;
     off.row(static_cast<Eigen::Index>(i)) = 1e3 * seen[i].second;
   }
   const GaussianProcess process(angles, off);
-  return error_on_fresh(
-      m, alone, [&](const Eigen::VectorXd& pose) { return Vector3(body + 1e-3 * process.at(pose).transpose()); });
+  return error_on_fresh(m, alone, [&](const Eigen::VectorXd& pose) {
+    return Vector3(body + 1e-3 * hand_at(model, pose, {}).rotation.transpose() * process.at(pose).transpose());
+  });
 }
 
 /// The terms of an effect at every place of the chain; none where it has no place there.
