@@ -4,6 +4,8 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "estimation/priors.h"
+
 namespace handsight {
 namespace {
 
@@ -148,7 +150,7 @@ class Builder {
   /// What is known of the markers' shape is one more measurement, that no motion of the body moves.
   void add_shape() {
     if (!p_.has_shape_prior()) return;
-    ShapePrior prior = shape_prior(p_, u_.markers_in_tcp);
+    Prior prior = shape_prior(p_, u_.markers_in_tcp);
     const double to_noise = noise_ * noise_ / (p_.noise * p_.noise);
     const Eigen::Index count = prior.gradient.size(), error = model_.internal.cols() - 1;
     model_.internal.topLeftCorner(count, count) += to_noise * prior.information;
@@ -159,7 +161,7 @@ class Builder {
   /// So are images of a board, of the cameras.
   void add_camera_images() {
     if (!learns_from_camera_images(p_) || base_effects_ == 0) return;
-    const CameraPrior prior = camera_prior(p_);
+    const Prior prior = camera_prior(p_);
     const Eigen::Index at = p_.effect_column(), error = model_.internal.cols() - 1;
     const double weight = noise_ * noise_;
     model_.internal.block(at, at, base_effects_, base_effects_) +=

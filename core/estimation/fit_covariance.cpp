@@ -5,6 +5,7 @@
 
 #include "estimation/noise.h"
 #include "estimation/objectives.h"
+#include "estimation/priors.h"
 
 namespace handsight {
 namespace {

@@ -178,34 +178,6 @@ Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservati
                                   const Sighting& sighting, const SightingResidual& residual,
                                   const Vector3& x_in_sensor, const Matrix3& sensor_from_tcp_rotation);
 
-/// What is known of the markers' shape beforehand, by the markers' columns: information and gradient of |x - T p|^2
-/// (noise / sigma)^2 with T the motion that lays the known places p best onto the markers, piece by piece; what is
-/// known exactly is taken as known to 1 um. Empty where no shape is known.
-struct ShapePrior {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd gradient;
-  double cost = 0;
-};
-ShapePrior shape_prior(const Problem& problem, const std::vector<Vector3>& markers_in_tcp);
-
-/// Does Problem::camera_images say something of a number that is estimated?
-inline bool learns_from_camera_images(const Problem& p) {
-  return p.camera_images && p.rig && p.effect_count() > 0 && p.cameras_by_effect.cols() == p.effect_count();
-}
-
-/// What Problem::camera_images say where the problem's rig stands, by the effects' columns and in units of their
-/// sigmas: half the second derivative of chi-squared, half the first with the sign turned, and itself. Empty where they
-/// say nothing.
-struct CameraPrior {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd gradient;
-  double cost = 0;
-};
-CameraPrior camera_prior(const Problem& problem);
-
-/// (noise / sigma)^2 of a known shape.
-double shape_prior_weight(const Problem& problem);
-
 /// Mirrors the lower triangle of the information matrix.
 void complete(NormalEquations& normal);
 

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <map>
 
+#include "estimation/priors.h"
+
 namespace handsight {
 namespace {
 
@@ -259,7 +261,7 @@ class ShapeCost : public ceres::CostFunction {
     for (int m = 0; m < place.problem.marker_count; ++m) mutable_parameter_block_sizes()->push_back(3);
   }
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
-    const ShapePrior prior = shape_prior(place_.problem, place_.unknowns.markers_in_tcp);
+    const Prior prior = shape_prior(place_.problem, place_.unknowns.markers_in_tcp);
     // The information is weight^2 times a projector P, the gradient weight^2 times what is off: residuals in units of
     // the noise, weight / noise times what is off, have the derivative weight / noise P.
     const double scale = 1 / (place_.problem.noise * std::sqrt(shape_prior_weight(place_.problem)));

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/priors.h"
+
+#include <Eigen/QR>
+#include <cmath>
+
+namespace handsight {
+
+Prior camera_prior(const Problem& problem) {
+  Prior prior;
+  if (!learns_from_camera_images(problem)) return prior;
+  const CameraKnowledge& known = *problem.camera_images;
+  const Eigen::MatrixXd& by_effect = problem.cameras_by_effect;
+  const Eigen::VectorXd change = change_of_rig(known.rig, *problem.rig);
+  prior.information = by_effect.transpose() * known.information * by_effect;
+  prior.gradient = -by_effect.transpose() * (known.information * change + known.pull);
+  prior.cost = disagreement(known, *problem.rig);
+  return prior;
+}
+
+namespace {
+
+/// One piece's part of the prior; its markers have the numbers `first` to `first + count - 1`.
+void add_piece(const KnownShape& shape, double weight, const std::vector<Vector3>& markers, Eigen::Index first,
+               Eigen::Index count, Prior& prior) {
+  Eigen::Matrix3Xd here(3, count), known(3, count);
+  Eigen::MatrixXd motions(3 * count, 6);
+  for (Eigen::Index m = 0; m < count; ++m) {
+    const auto i = static_cast<std::size_t>(first + m);
+    here.col(m) = markers[i];
+    known.col(m) = shape.markers[i];
+    motions.block<3, 3>(3 * m, 0) = Matrix3::Identity();
+    motions.block<3, 3>(3 * m, 3) = -cross_matrix(markers[i]);
+  }
+  const Rigid laid = align_points(here, known, Eigen::VectorXd::Ones(count));
+  Eigen::VectorXd off(3 * count);
+  for (Eigen::Index m = 0; m < count; ++m) off.segment<3>(3 * m) = here.col(m) - laid * Vector3(known.col(m));
+  // A body of three markers and more has six motions that no shape knows of.
+  const Eigen::MatrixXd q =
+      Eigen::HouseholderQR<Eigen::MatrixXd>(motions).householderQ() * Eigen::MatrixXd::Identity(3 * count, 6);
+  auto information = prior.information.block(3 * first, 3 * first, 3 * count, 3 * count);
+  information.noalias() -= weight * q * q.transpose();
+  information.diagonal().array() += weight;
+  prior.gradient.segment(3 * first, 3 * count) = -weight * off;
+  prior.cost += weight * off.squaredNorm();
+}
+
+}  // namespace
+
+double shape_prior_weight(const Problem& problem) {
+  constexpr double exactly = 1e-6;  // m
+  return std::pow(problem.noise / std::max(problem.shape->sigma.value(), exactly), 2);
+}
+
+Prior shape_prior(const Problem& problem, const std::vector<Vector3>& markers) {
+  Prior prior;
+  if (!problem.has_shape_prior()) return prior;
+  const KnownShape& shape = *problem.shape;
+  const auto count = static_cast<Eigen::Index>(markers.size());
+  const double weight = shape_prior_weight(problem);
+  prior.information = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+  prior.gradient = Eigen::VectorXd::Zero(3 * count);
+  for (Eigen::Index first = 0, next = 0; first < count; first = next) {
+    while (next < count && shape.piece(static_cast<std::size_t>(next)) == shape.piece(static_cast<std::size_t>(first)))
+      ++next;
+    add_piece(shape, weight, markers, first, next - first, prior);
+  }
+  return prior;
+}
+
+namespace {
+
+void add(const Prior& prior, double weight, Eigen::Index at, NormalEquations& normal) {
+  const Eigen::Index count = prior.gradient.size();
+  normal.information.block(at, at, count, count) += weight * prior.information;
+  normal.gradient.segment(at, count) += weight * prior.gradient;
+  normal.prior_cost += weight * prior.cost;
+}
+
+}  // namespace
+
+void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
+    const double weight = problem.noise / problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    const Eigen::Index column = problem.effect_column() + i;
+    normal.information(column, column) += weight * weight;
+    normal.gradient[column] -= weight * weight * unknowns.effects[i];
+    normal.prior_cost += std::pow(weight * unknowns.effects[i], 2);
+  }
+  add(camera_prior(problem), problem.noise * problem.noise, problem.effect_column(), normal);
+  add(shape_prior(problem, unknowns.markers_in_tcp), 1, 0, normal);
+  normal.cost += normal.prior_cost;
+}
+
+}  // namespace handsight

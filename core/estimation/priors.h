@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of a problem's unknowns beside its observations: the markers' shape, the sizes of effects, cameras from
+// images of a board.
+#pragma once
+
+#include "estimation/problem.h"
+
+namespace handsight {
+
+/// Half the second derivative of a cost by some columns, half the first with the sign turned, and the cost.
+struct Prior {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+  double cost = 0;
+};
+
+/// The markers' shape by the markers' columns, in the problem's units: |x - T p|^2 (noise / sigma)^2 with T the motion
+/// that lays the known places p best onto the markers, piece by piece; what is known exactly is taken as known to 1 um.
+/// Empty where no shape is known.
+Prior shape_prior(const Problem& problem, const std::vector<Vector3>& markers_in_tcp);
+
+/// (noise / sigma)^2 of a known shape.
+double shape_prior_weight(const Problem& problem);
+
+/// Does Problem::camera_images say something of a number that is estimated?
+inline bool learns_from_camera_images(const Problem& p) {
+  return p.camera_images && p.rig && p.effect_count() > 0 && p.cameras_by_effect.cols() == p.effect_count();
+}
+
+/// What Problem::camera_images say where the problem's rig stands, by the effects' columns and in units of their
+/// sigmas. Empty where they say nothing.
+Prior camera_prior(const Problem& problem);
+
+/// Adds these and the priors of the effects' sizes to the normal equations of all columns.
+void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal);
+
+}  // namespace handsight
