@@ -116,13 +116,16 @@ Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& te
   return candidates;
 }
 
-Candidates choices_at_place(const Problem& model, const EffectTerm& term, int most_orders) {
+namespace {
+
+/// A term's effect at its place alone, a unit for each of these values.
+Candidates at_place(const Problem& model, const EffectTerm& term, const std::vector<std::vector<double>>& choices) {
   Candidates candidates;
   candidates.problem = model;
   candidates.base_effects = model.effect_count();
   const Effect& effect = effect_of(term);
   CandidateEffect candidate{&effect, {}, sizes_of(effect, model), term.own};
-  for (const std::vector<double>& values : choices_of(effect, step_orders(model, most_orders))) {
+  for (const std::vector<double>& values : choices) {
     EffectTerm at = term;
     at.values = values;
     add_unit(effect, at, candidate, candidates.problem, candidates.base_effects);
@@ -132,23 +135,24 @@ Candidates choices_at_place(const Problem& model, const EffectTerm& term, int mo
   return candidates;
 }
 
+}  // namespace
+
+Candidates choices_at_place(const Problem& model, const EffectTerm& term, int most_orders) {
+  return at_place(model, term, choices_of(effect_of(term), step_orders(model, most_orders)));
+}
+
 Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders) {
-  Candidates candidates;
-  candidates.problem = model;
-  candidates.base_effects = model.effect_count();
   const Effect& effect = effect_of(term);
-  CandidateEffect candidate{&effect, {}, sizes_of(effect, model), term.own};
+  std::vector<std::vector<double>> choices;
   for (const double order : orders) {
-    EffectTerm at = term;
+    choices.push_back(term.values);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      at.values[p] = !effect.parameters[p].is_choice        ? 0.0
-                     : effect.parameters[p].choices.empty() ? order
-                                                            : term.values[p];
-    add_unit(effect, at, candidate, candidates.problem, candidates.base_effects);
+      if (!effect.parameters[p].is_choice)
+        choices.back()[p] = 0;
+      else if (effect.parameters[p].choices.empty())
+        choices.back()[p] = order;
   }
-  candidates.effects.push_back(std::move(candidate));
-  place_observations(candidates.problem);
-  return candidates;
+  return at_place(model, term, choices);
 }
 
 }  // namespace handsight

@@ -17,8 +17,6 @@ namespace handsight {
 namespace {
 
 constexpr double stand_in = 4;  // plausible sizes
-/// What explains the measurements as well with more plausible numbers is no worse: a rise that no digit shows.
-constexpr double as_good = 1 + 1e-4;
 
 /// "mass -6 kg" and the like: numbers that no robot has.
 std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Chain& chain) {

@@ -15,7 +15,6 @@ namespace {
 constexpr int most_groups_each_time = 4;  // exchanges are looked for after every addition up to here, then in the end
 constexpr double clearly_better = 2;      // ln: for another form of a curve
 constexpr double worth_a_place = 1;       // ln: for one place more of an effect that is in the model
-constexpr double as_good = 1 + 1e-4;      // of the held-out error: what no digit shows
 
 /// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
 /// the estimated ones were 0 and all else followed.

@@ -10,6 +10,10 @@ namespace handsight {
 /// The number by which models are compared: px, or m with a tracker.
 double held_out_error(const Diagnosis& model);
 
+/// Times the held-out error: a rise that no digit shows. What explains the measurements as well with more plausible
+/// numbers is no worse.
+inline constexpr double as_good = 1 + 1e-4;
+
 /// A model with these estimated terms, diagnosed.
 Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
                          const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start);
