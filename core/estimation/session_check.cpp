@@ -50,7 +50,7 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
   for (const Joint& j : chain.robot.joints) moving += j.moves() ? 1 : 0;
   for (const Link& l : chain.robot.links) masses += l.mass > 0 ? 1 : 0;
   if (chain.robot.is_of_poses)
-    check.contents.push_back(
+    check.contents.emplace_back(
         "Poses of the flange as the robot's controller tells them: no joints, so that effects of joints are not "
         "offered.");
   else

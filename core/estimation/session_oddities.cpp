@@ -33,7 +33,7 @@ void look_at_positions(const Session& session, Sentences& said) {
                     all, largest));
   const auto same = [&](const Observation& o) { return o.position == session.observations.front().position; };
   if (session.observations.size() > 1 && std::all_of(session.observations.begin(), session.observations.end(), same))
-    said.push_back("All observations have the same joint positions: nothing can be told from one pose.");
+    said.emplace_back("All observations have the same joint positions: nothing can be told from one pose.");
 }
 
 void look_at_camera(const std::string& name, const Camera& c, Sentences& said) {

@@ -111,7 +111,9 @@ TEST_F(TargetCommands, BoardImagesBesideASessionTellOfItsCameras) {
     EXPECT_EQ(json.contains("camera_images"), with_images);
     EXPECT_NE(r.output.find("mount_from_first, on stand\n"), std::string::npos)
         << "where the camera stands is told too";
-    if (with_images) EXPECT_TRUE(json["camera_images"]["agree"].get<bool>()) << json["camera_images"];
+    if (with_images) {
+      EXPECT_TRUE(json["camera_images"]["agree"].get<bool>()) << json["camera_images"];
+    }
     const auto fx = json["effects"][0]["parameters"][0];
     EXPECT_NEAR(fx["value"].get<double>(), 3, 4 * fx["sigma"].get<double>());
     return fx["sigma"].get<double>();

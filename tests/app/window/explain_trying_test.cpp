@@ -40,13 +40,22 @@ TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
   EXPECT_GE(common->text().size(), 20) << common->text().toStdString();
 }
 
-TEST_F(Explain, AnEffectOfAnySizeCanBeTriedWithTheSlider) {
-  open("hidden_3");
-  desk.click(explain.cards()->card(0)->what_if_button());
-  auto* slider = desk.find<widgets::WhatIfSlider>("what_if");
+class TriedSizes : public Explain {
+ protected:
+  /// The slider of hidden_3's first card, at the size that explains most.
+  widgets::WhatIfSlider* first_card_at_its_best() {
+    open("hidden_3");
+    desk.click(explain.cards()->card(0)->what_if_button());
+    auto* slider = desk.find<widgets::WhatIfSlider>("what_if");
+    slider->track()->setFocus();
+    desk.key(Qt::Key_B);
+    return slider;
+  }
+};
+
+TEST_F(TriedSizes, AreThoseOfTheSlider) {
+  auto* slider = first_card_at_its_best();
   ASSERT_TRUE(slider->isVisible());
-  slider->track()->setFocus();
-  desk.key(Qt::Key_B);
   const double best = slider->value();
   EXPECT_GT(std::abs(best), 0);
   const QString at_best = [&] {
@@ -64,13 +73,9 @@ TEST_F(Explain, AnEffectOfAnySizeCanBeTriedWithTheSlider) {
   EXPECT_FALSE(desk.window.bench().predicted_error());
 }
 
-TEST_F(Explain, TheSliderFollowsWhenObservationsGo) {
-  open("hidden_3");
-  desk.click(explain.cards()->card(0)->what_if_button());
-  auto* slider = desk.find<widgets::WhatIfSlider>("what_if");
+TEST_F(TriedSizes, FollowWhenObservationsGo) {
+  auto* slider = first_card_at_its_best();
   ASSERT_TRUE(slider->isVisible());
-  slider->track()->setFocus();
-  desk.key(Qt::Key_B);
   const double best = slider->value(), left = *desk.window.bench().predicted_error();
   InspectPage inspect{desk};
   desk.key(Qt::Key_3, Qt::ControlModifier);
