@@ -8,6 +8,7 @@
 
 #include "vision/corner_parallel.h"
 #include "vision/corner_pyramid.h"
+#include "vision/corner_structure.h"
 
 namespace handsight {
 namespace {
@@ -139,8 +140,17 @@ void take_likely(FirstLooks& looks, SaddleField& field, Level& level) {
 
 double reach_of(const Foretold& foretold) { return std::clamp(0.25 * foretold.spacing, 1.5, 6.0); }
 
+// Beyond a board's rim mostly nothing looks like a corner: there the small look, which knows what to look for, must do.
+bool may_be_there(const Sight& sight, const SaddleField& field, const Foretold& foretold) {
+  if (field.has_near(foretold.position, reach_of(foretold))) return true;
+  const Eigen::Vector2i pixel = (foretold.position.array() + 0.5).floor().cast<int>();
+  const auto inside = [](int at, int size) { return at >= 3 && at + 3 < size; };
+  return inside(pixel.x(), sight.image.width) && inside(pixel.y(), sight.image.height) &&
+         may_be_cross(sight.image, pixel, sight.options.min_contrast, sight.noise);
+}
+
 // What stands where it was foretold, if it is a corner of the same board.
-bool take_if_there(Lattice& lattice, const Foretold& foretold, Level& level) {
+bool take_if_there(Lattice& lattice, const SaddleField& field, const Foretold& foretold, Level& level) {
   const auto suits = [&](const CrossStructure& cross, const Eigen::Vector2d& position) {
     Suspect seen;
     seen.position = position, seen.edges = cross.edges, seen.half_contrast = cross.half_contrast;
@@ -149,7 +159,9 @@ bool take_if_there(Lattice& lattice, const Foretold& foretold, Level& level) {
   const auto is_right = [&](const std::optional<Found>& found) {
     return found && lattice.suits(foretold.witness, found->suspect);
   };
-  auto found = foretold_look(level.sight, foretold.position, reach_of(foretold), suits);
+  std::optional<Found> found;
+  if (may_be_there(level.sight, field, foretold))
+    found = foretold_look(level.sight, foretold.position, reach_of(foretold), suits);
   if (!is_right(found)) found = small_look(level.sight, lattice.expected(foretold));
   if (!is_right(found)) return false;
   if (lattice.has_near(found->suspect.position, kSame)) return true;
@@ -169,7 +181,7 @@ void take_foretold(Lattice& lattice, const SaddleField& field, int first, Level&
   const auto take_all_of = [&](int number) {
     for (const Foretold& foretold : lattice.foretold_by(number)) {
       if (lattice.has_near(foretold.position, reach_of(foretold))) continue;
-      if (!take_if_there(lattice, foretold, level)) leave(foretold, field, level);
+      if (!take_if_there(lattice, field, foretold, level)) leave(foretold, field, level);
     }
   };
   const int known = lattice.size();
@@ -252,7 +264,7 @@ void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known,
   for (const Found& found : level.found) lattice.add(found.suspect);
   for (const Foretold& foretold : missing)
     if (field.has_near(foretold.position, reach_of(foretold)) &&
-        !lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, foretold, level))
+        !lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, field, foretold, level))
       leave(foretold, field, level);
   take_foretold(lattice, field, first, level);
   mark_alone(lattice, first, level);
