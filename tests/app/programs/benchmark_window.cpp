@@ -132,7 +132,7 @@ TEST(Window, MemoryWithALongSession) {
     paint_everything();
   }
   tell("Calibrate, Inspect, Explain shown");
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 6; ++i) {
     desk.window.bench().exclude({desk.document().session().observations[static_cast<std::size_t>(i)].id}, "");
     until(is_quiet);
     tell("one excluded, fitted and diagnosed again");
