@@ -7,6 +7,7 @@
 #include "diagnosis/explanation.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/robot_check.h"
+#include "diagnosis/scatter_levels.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
 #include "fit_output.h"
@@ -146,11 +147,10 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   out.line(d.reason);
   if (d.verdict == Verdict::too_few_observations) return;
   out.line();
-  out.line(fmt::format("Error     {} held out; noise {}{}", error_text(d.report.held_out),
-                       error_or_unknown(d.noise, tracker) + (tracker && d.noise ? " a coordinate" : ""),
-                       d.verdict == Verdict::adequate && d.scatter > 0
-                           ? fmt::format("; joints repeat to about {:.2g} mrad", 1e3 * d.scatter)
-                           : ""));
+  out.line(
+      fmt::format("Error     {} held out; noise {}{}", error_text(d.report.held_out),
+                  error_or_unknown(d.noise, tracker) + (tracker && d.noise ? " a coordinate" : ""),
+                  d.verdict == Verdict::adequate && d.scatter.is_any() ? "; as of " + scatter_text(d.scatter) : ""));
   if (d.blame.letter != 0)
     out.line(fmt::format("Blame     robot {:.0f} %, marker body {:.0f} %, cameras {:.0f} % of what exceeds the noise",
                          100 * d.blame.robot, 100 * d.blame.body, 100 * d.blame.cameras));
@@ -199,7 +199,8 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
          {"noise_pixel", tracker ? null : number(d.noise)},
          {"noise_m", tracker ? number(d.noise) : null},
          {"blame", blame_json(d.blame)},
-         {"joint_repeatability_rad", d.scatter},
+         {"joint_repeatability_rad", d.scatter.joints},
+         {"place_scatter_m", d.scatter.place},
          {"threshold_ln_bayes_factor", d.threshold},
          {"lack_of_fit_p", number(d.lack_of_fit_p)}};
   Json candidates = Json::array(), patterns = Json::array();

@@ -2,6 +2,7 @@
 #include "explain/explain_texts.h"
 
 #include "diagnosis/finding.h"
+#include "diagnosis/scatter_levels.h"
 #include "document/core_words.h"
 #include "document/counted.h"
 #include "document/curve_words.h"
@@ -121,14 +122,19 @@ QString curves_sentence(const ModelVersion& model, const Diagnosis& d, const Tol
 }
 
 QString scatter_sentence(const Diagnosis& d, const Told& t) {
+  if (d.scatter.place >= least_told_place)
+    return QObject::tr(
+               "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat "
+               "better than %3 mrad, nor the hand's place better than %4 mm. No effect can remove it.")
+        .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter.joints), widgets::short_text(1e3 * d.scatter.place));
   return QObject::tr(
              "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better "
              "than %3 mrad. No effect can remove it.")
-      .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter));
+      .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter.joints));
 }
 
 bool is_scatter(const Diagnosis& d, const ErrorAndNoise& e) {
-  return d.verdict == Verdict::adequate && d.scatter > 0 && e.ratio().value_or(0) >= 1.25;
+  return d.verdict == Verdict::adequate && d.scatter.is_any() && e.ratio().value_or(0) >= 1.25;
 }
 
 bool lacks_noise(const Diagnosis& d) { return !weighing(d.model.fit).knowledge.known; }

@@ -269,7 +269,7 @@ class Work {
 
   /// Share of a candidate's signal that another effect, at any of its places, can imitate.
   double overlap(const DiagnosisCandidate& a, const RankedEffect& other) {
-    if (!plain_) plain_ = whiten(model_, 0, weighing_.knowledge);
+    if (!plain_) plain_ = whiten(model_, {}, weighing_.knowledge);
     return imitated_share(*plain_, ranked(a.id), other);
   }
 

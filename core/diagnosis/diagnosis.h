@@ -54,7 +54,7 @@ struct DiagnosisCandidate {
   std::optional<FitOptions> full_fit;  // after the full fit: the model with these terms, at its answer
   double ln_bayes_factor = 0;
   double p_value = 1;
-  double scatter = 0;  // rad, at which the evidence is largest
+  Scatter scatter;  // at which the evidence is largest
   bool refitted = false;
   bool plausible = true;  // every number within three of its plausible sizes
   double visibility = 0;
@@ -88,7 +88,7 @@ struct Diagnosis {
   FitReport report;
   std::optional<double> noise;  // px or m
   double threshold = 0;
-  double scatter = 0;  // rad: joint repeatability that suits the model as it is
+  Scatter scatter;  // that suits the model as it is
   std::optional<double> lack_of_fit_p;
   std::optional<double> excess;                // chi-squared over what noise leaves, external residuals
   std::vector<DiagnosisCandidate> candidates;  // named and unnamed, best first

@@ -56,7 +56,7 @@ double ln_mean_exp(std::span<const double> x) {
   return largest + std::log(sum / static_cast<double>(x.size()));
 }
 
-WhitenedModel whiten(const LinearModel& model, double scatter, const NoiseKnowledge& noise) {
+WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise) {
   WhitenedModel w;
   w.model = &model;
   w.scatter = scatter;
@@ -64,11 +64,13 @@ WhitenedModel whiten(const LinearModel& model, double scatter, const NoiseKnowle
   w.external_error = model.external_error;
   double ln_volume = 0;
   for (const LinearObservation& o : model.observations) {
-    if (scatter == 0) {
+    if (!scatter.is_any()) {
       w.whiteners.push_back(Eigen::MatrixXd::Identity(o.count, o.count));
       continue;
     }
-    Eigen::MatrixXd v = scatter * scatter * o.by_joints * o.by_joints.transpose();
+    const auto by_place = o.by_body.leftCols<3>();
+    Eigen::MatrixXd v = std::pow(scatter.joints, 2) * o.by_joints * o.by_joints.transpose() +
+                        std::pow(scatter.place, 2) * by_place * by_place.transpose();
     v.diagonal().array() += 1;
     const Eigen::LLT<Eigen::MatrixXd> llt(v);
     w.whiteners.push_back(llt.matrixL().solve(Eigen::MatrixXd::Identity(o.count, o.count)));

@@ -19,11 +19,20 @@ struct NoiseKnowledge {
   double degrees = 0;  // rows less the model's parameters; read where sigma is not known
 };
 
-/// A linear model whitened for a repeatability of the joints of `scatter` rad (each value off by a draw of its own in
-/// every observation), its own parameters projected out.
+/// What is drawn anew in every observation, beside the measurements' noise: each joint's value, and the hand's place as
+/// the sensor sees it (a coordinate of it).
+struct Scatter {
+  double joints = 0;  // rad
+  double place = 0;   // m
+
+  bool is_any() const { return joints > 0 || place > 0; }
+  bool operator==(const Scatter&) const = default;
+};
+
+/// A linear model whitened for a scatter, its own parameters projected out.
 struct WhitenedModel {
   const LinearModel* model = nullptr;
-  double scatter = 0;                      // rad
+  Scatter scatter;
   std::vector<Eigen::MatrixXd> whiteners;  // per observation, count x count
   Eigen::MatrixXd external;                // rows x (base + candidates)
   Eigen::VectorXd external_error;
@@ -34,7 +43,7 @@ struct WhitenedModel {
   double ln_evidence = 0;            // of the model, up to a constant that all scatters share
 };
 
-WhitenedModel whiten(const LinearModel& model, double scatter, const NoiseKnowledge& noise);
+WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise);
 
 /// What the data say of some parameters in units of their plausible size: information A and score b after the model's
 /// own parameters are projected out.

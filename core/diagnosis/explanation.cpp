@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/robot_check.h"
+#include "diagnosis/scatter_levels.h"
 #include "effects/units.h"
 
 namespace handsight {
@@ -153,12 +154,11 @@ std::string adequate_text(const Diagnosis& d, bool has_scatter) {
       "Nothing is missing that these {} observations could show: the held-out error is {} and "
       "the noise {}.",
       d.report.used, error_text(d.report.held_out), noise_text(d));
-  if (has_scatter || d.scatter > 0)
-    text += d.scatter > 0 ? fmt::format(
-                                " What is left is scatter from pose to pose that follows nothing, as of joints that "
-                                "repeat to {:.2g} mrad.",
-                                1e3 * d.scatter)
-                          : " What is left is scatter from pose to pose that follows nothing.";
+  if (has_scatter || d.scatter.is_any())
+    text += d.scatter.is_any()
+                ? fmt::format(" What is left is scatter from pose to pose that follows nothing, as of {}.",
+                              scatter_text(d.scatter))
+                : " What is left is scatter from pose to pose that follows nothing.";
   if (!d.model.lone.empty()) text += fmt::format(" {}", lone_text(d.model.lone, d.model.session.is_tracker()));
   if (!d.model.wrong.empty())
     text +=

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <optional>
 
+#include "diagnosis/scatter_levels.h"
+
 namespace handsight {
 namespace {
 
@@ -201,10 +203,10 @@ void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& n
   std::stable_sort(best.begin(), best.end(),
                    [](const auto* a, const auto* b) { return a->ln_bayes_factor > b->ln_bayes_factor; });
   if (best.size() > most) best.resize(most);
-  for (const double scatter : ranking.scatters) {
+  for (const Scatter& scatter : ranking.scatters) {
     std::optional<WhitenedModel> w;
     for (RankedEffect* r : best) {
-      if (r->scatter != scatter) continue;
+      if (!(r->scatter == scatter)) continue;
       if (!w) w = whiten(model, scatter, noise);
       EffectRanker(*w, noise, *r->candidate).search_places(*r);
     }
@@ -212,11 +214,6 @@ void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& n
 }
 
 }  // namespace
-
-const std::vector<double>& scatter_grid() {
-  static const std::vector<double> grid{0, 1e-4, 3e-4, 1e-3, 3e-3};
-  return grid;
-}
 
 std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
   std::vector<EffectTerm> terms;
@@ -234,11 +231,11 @@ std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
 Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candidates& candidates,
              const std::vector<Variable>& variables) {
   Ranking ranking;
-  ranking.scatters = scatter_grid();
+  ranking.scatters = scatter_levels(model, noise);
   std::vector<double> evidence;
   std::vector<std::vector<RankedEffect>> effects;
   std::vector<std::vector<Localiser>> localisers;
-  for (const double scatter : ranking.scatters) {
+  for (const Scatter& scatter : ranking.scatters) {
     const WhitenedModel w = whiten(model, scatter, noise);
     evidence.push_back(w.ln_evidence);
     effects.emplace_back();
@@ -266,7 +263,7 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
     ranking.localisers.push_back({localisers[best][l], factor, ranking.scatters[best]});
   }
   search_places_of_the_best(model, noise, ranking);
-  const WhitenedModel plain = whiten(model, 0, noise);
+  const WhitenedModel plain = whiten(model, {}, noise);
   for (RankedEffect& r : ranking.effects) EffectRanker(plain, noise, *r.candidate).measure(r);
   const auto better = [](const auto& a, const auto& b) { return a.ln_bayes_factor > b.ln_bayes_factor; };
   std::stable_sort(ranking.effects.begin(), ranking.effects.end(), better);

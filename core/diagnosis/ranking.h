@@ -17,7 +17,7 @@ struct RankedEffect {
   std::vector<std::size_t> units;  // the best choice of places
   double ln_best = 0;              // of that choice alone
   LinearEstimate estimate;         // of its parameters, unit by unit, in plausible sizes
-  double scatter = 0;              // rad, at which
+  Scatter scatter;                 // at which
   double gained_squares = 0;       // chi-squared that the best choice takes away
   int parameters = 0;              // of the best choice
   double visibility = 0;  // chi-squared expected of the plausible size at all places: below 30 it cannot be seen
@@ -26,18 +26,15 @@ struct RankedEffect {
 struct RankedLocaliser {
   Localiser localiser;
   double ln_bayes_factor = 0;  // prior odds against anything unnamed included
-  double scatter = 0;
+  Scatter scatter;
 };
 
 struct Ranking {
   std::vector<RankedEffect> effects;        // best first
   std::vector<RankedLocaliser> localisers;  // best first
-  double scatter = 0;                       // rad: the repeatability that suits the model as it is
-  std::vector<double> scatters;             // the grid
+  Scatter scatter;                          // that suits the model as it is
+  std::vector<Scatter> scatters;            // that were tried
 };
-
-/// Repeatabilities that are tried (rad).
-const std::vector<double>& scatter_grid();
 
 /// A ranked effect at its linear estimate.
 std::vector<EffectTerm> terms_with_values(const RankedEffect& ranked);

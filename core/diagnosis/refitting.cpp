@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "diagnosis/scatter_levels.h"
+
 namespace handsight {
 namespace {
 
@@ -30,8 +32,8 @@ FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing&
   LinearModel scaled = plain;
   const Eigen::Index first = problem.effect_column() + first_new;
   const auto added = static_cast<double>(problem.effect_count() - first_new);
-  FitEvidence best{-1e300, 0};
-  for (const double scatter : scatter_grid()) {
+  FitEvidence best{-1e300, {}};
+  for (const Scatter& scatter : scatter_levels(plain, weighing.knowledge)) {
     std::vector<double> values;
     for (const double scale : scales) {
       set_scale(scaled, plain, first, scale);
@@ -86,7 +88,7 @@ std::vector<EffectTerm> with_orders_within(const CleanFit& model, const std::vec
     const Candidates near =
         candidates_at_orders(problem, term, std::vector<double>(orders.begin() + from, orders.begin() + to + 1));
     const LinearModel linear = linear_model(near.problem, estimate(model.fit), near.base_effects, weighing.noise);
-    const WhitenedModel w = whiten(linear, 0, knowledge);
+    const WhitenedModel w = whiten(linear, {}, knowledge);
     double best = -1e300;
     for (const CandidateUnit& unit : near.effects.front().units) {
       const Score s = score(w, unit.first, unit.count);
@@ -181,7 +183,7 @@ std::vector<EffectTerm> best_choices(const Session& session, const std::vector<E
     const Weighing by = weighing(f);
     const Candidates choices = choices_at_place(f.problem, term);
     const LinearModel linear = linear_model(choices.problem, estimate(f), choices.base_effects, by.noise);
-    const WhitenedModel w = whiten(linear, 0, by.knowledge);
+    const WhitenedModel w = whiten(linear, {}, by.knowledge);
     double best = -1e300;
     for (const CandidateUnit& unit : choices.effects.front().units) {
       const double factor = ln_bayes_factor(score(w, unit.first, unit.count), w, by.knowledge);

@@ -23,7 +23,7 @@ Refit refit_with(const CleanFit& model, const FitOptions& model_options, const s
 /// (an effect column) on with a mixture of plausible sizes. The best over the repeatabilities, which is given too.
 struct FitEvidence {
   double ln_evidence = 0;
-  double scatter = 0;
+  Scatter scatter;
 };
 FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing);
 

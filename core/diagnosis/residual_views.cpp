@@ -124,7 +124,7 @@ std::vector<Eigen::VectorXd> noise_alone(const ResidualViews& views, std::uint64
   Eigen::VectorXd rows(views.model.external.rows());
   for (double& x : rows) x = normal(random);
   // What the model's own parameters would take up of it does not show.
-  const WhitenedModel w = whiten(views.model, 0, views.weighing.knowledge);
+  const WhitenedModel w = whiten(views.model, {}, views.weighing.knowledge);
   const auto by_base = w.external.leftCols(views.model.base);
   rows -= by_base * w.base.solve(by_base.transpose() * rows);
   std::vector<Eigen::VectorXd> list;
@@ -136,7 +136,7 @@ EffectView effect_view(const ResidualViews& views, const std::vector<EffectTerm>
   const Candidates candidates = candidates_of(views.problem, terms);
   const Problem& problem = candidates.problem;
   const LinearModel model = linear_model(problem, views.unknowns, candidates.base_effects, views.weighing.noise);
-  const WhitenedModel w = whiten(model, 0, views.weighing.knowledge);
+  const WhitenedModel w = whiten(model, {}, views.weighing.knowledge);
   const Eigen::Index count = model.candidates();
 
   EffectView view;

@@ -57,7 +57,7 @@ std::vector<std::vector<NullScore>> null_scores(const WhitenedModel& w, const Ca
 
 }  // namespace
 
-double simulated_threshold(const LinearModel& model, const Candidates& candidates, double scatter,
+double simulated_threshold(const LinearModel& model, const Candidates& candidates, const Scatter& scatter,
                            const NoiseKnowledge& knowledge) {
   const WhitenedModel w = whiten(model, scatter, knowledge);
   std::vector<std::vector<std::vector<NullScore>>> effects;
@@ -83,7 +83,7 @@ double simulated_threshold(const LinearModel& model, const Candidates& candidate
   for (std::size_t i = tail; i < largest.size(); ++i)
     excess += (largest[i] - largest[tail]) / static_cast<double>(largest.size() - tail);
   const double quantile = largest[tail] + excess * std::log(0.1 / false_alarms);
-  return std::max(quantile, least) + (scatter > 0 ? more_with_scatter : 0);
+  return std::max(quantile, least) + (scatter.is_any() ? more_with_scatter : 0);
 }
 
 }  // namespace handsight

@@ -9,9 +9,9 @@ namespace handsight {
 
 /// The ln of a Bayes factor that the best of all candidates exceeds in one of 200 sessions like this one with nothing
 /// missing, from 400 draws of the scores that noise alone gives (the tail of the largest taken as exponential); not
-/// below 4. Where the joints' repeatability has to be estimated too (`scatter` > 0) 2.5 more: draws do not show how
+/// below 4. Where there is scatter, which has to be estimated too, 2.5 more: draws do not show how
 /// much it can hide or feign.
-double simulated_threshold(const LinearModel& model, const Candidates& candidates, double scatter,
+double simulated_threshold(const LinearModel& model, const Candidates& candidates, const Scatter& scatter,
                            const NoiseKnowledge& knowledge);
 
 }  // namespace handsight

@@ -20,13 +20,19 @@ constexpr double kAddedSigma = 0.03;  // grey levels per px: glare over most of 
 constexpr double kWide = 10;          // times that, where a corner tells its own
 constexpr double kBendSigma = 3e-4;   // 1/px: a radius of 3000 px
 constexpr double kMostBend = 0.01;    // 1/px
-constexpr double kFewCorners = 4;     // that the usual bend counts as
+constexpr double kFewCorners = 4;     // that the usual bend counts as; fewer tell nothing of the noise
 constexpr double kFewPixels = 400;    // that white noise counts as
-constexpr double kMeasured = 0.85;    // of the variance, that rendered boards of all kinds show
+constexpr double kLargeDisc = 130;    // pixels: on smaller ones the next cells make neighbours alike
+constexpr double kSmallDiscs = 0.5;   // of what seems alike on them is the noise's doing
+constexpr double kMeasured = 0.83;    // of the variance, that rendered boards of all kinds show
 constexpr double kPlain = 30;  // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
                                // do not make: below it the position is better off without them
 constexpr double kMostAlike = 0.1;   // of neighbouring pixels: what interpolates colours makes edges look bent
 constexpr double kPlainBend = 5e-4;  // 1/px, of all corners together: the lens bends edges
+constexpr double kSmoothedShare = 70.0 * 70 / (256 * 256);  // of white noise's variance, that smoothing leaves
+constexpr double kMeasuredSmoothed = 0.35;  // of the variance by the smoothed residuals, measured as kMeasured
+constexpr double kMosaicSigma = 0.006;      // px an axis, what is left of the pattern's own errors
+constexpr double kLeastChequer = 0.1, kSureChequer = 4;  // the latter in standard errors
 constexpr double kLeastFactor = 0.7, kMostFactor = 12;
 constexpr std::array<std::array<int, 2>, kNeighbours> kSteps{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
 
@@ -39,6 +45,8 @@ HANDSIGHT_LANES void products_in_lanes(const float* const* rows, int count, Prod
 HANDSIGHT_WIDE void products_in_wide(const float* const* rows, int count, Products& products) {
   all_products<WideLanes, kRows>(rows, count, products);
 }
+
+HANDSIGHT_LANES bool invert_in_lanes(Hessian& m) { return invert<kOddUnknowns>(m); }
 
 // Derivatives by added light and bends, from those by level and by the edges' directions.
 struct MoreRows {
@@ -65,7 +73,7 @@ HANDSIGHT_LANES void fill_more(const CornerModel& model, const CornerPatch& patc
 }
 
 // Rows of the patch as an image, with a margin so that neighbours need no care.
-constexpr int kMargin = 2, kSide = 32, kMiddle = kMostPatchRadius + 1 + kMargin;
+constexpr int kMargin = 3, kSide = 32, kMiddle = kMostPatchRadius + 1 + kMargin;
 using Grid = std::array<float, kSide * kSide + kLanes>;
 
 int place(const Eigen::Vector2i& offset) { return (offset.y() + kMiddle) * kSide + offset.x() + kMiddle; }
@@ -113,28 +121,109 @@ Vector usual_information(double variance, double added, double bend) {
   return information;
 }
 
-}  // namespace
-
-std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bool with_neighbours) {
-  const CornerModel& model = fit.model;
-  const int reach = static_cast<int>(fit.radius) + 1;
-  const Eigen::Vector2i centre = pixel_of(model.position);
-  if (!is_inside(image, centre, reach)) return std::nullopt;
+// The patch of a fit with all rows: the odd unknowns' in their order, then residuals, as often as a tile reads them.
+struct Rows {
   CornerPatch patch;
-  gather(image, centre, reach, patch);
-  evaluate(model, fit.radius, 0, patch.count, patch);
   MoreRows more;
-  fill_more(model, patch, more);
+  int reach = 0;
+  Eigen::Vector2i centre{0, 0};
   std::array<const float*, kRows + kTileOfRows - 1> rows;
-  rows.fill(patch.residual.data());
-  for (int i = 0; i < 4; ++i) rows[i] = patch.odd[i].data(), rows[i + 4] = more.rows[i].data();
+};
+
+bool fill_rows(const Image& image, const CornerFit& fit, Rows& all) {
+  all.reach = static_cast<int>(fit.radius) + 1, all.centre = pixel_of(fit.model.position);
+  if (!is_inside(image, all.centre, all.reach)) return false;
+  gather(image, all.centre, all.reach, all.patch);
+  evaluate(fit.model, fit.radius, 0, all.patch.count, all.patch);
+  fill_more(fit.model, all.patch, all.more);
+  all.rows.fill(all.patch.residual.data());
+  for (int i = 0; i < 4; ++i) all.rows[i] = all.patch.odd[i].data(), all.rows[i + 4] = all.more.rows[i].data();
+  return true;
+}
+
+void set_equations(const float* const* rows, int count, OddSystem& system) {
   Products products;
-  (has_wide_lanes() ? products_in_wide : products_in_lanes)(rows.data(), patch.padded, products);
-  OddSystem system;
+  (has_wide_lanes() ? products_in_wide : products_in_lanes)(rows, count, products);
   for (int i = 0; i < kOddUnknowns; ++i) {
     for (int j = 0; j <= i; ++j) system.hessian(i, j) = system.hessian(j, i) = products[i][j];
     system.side(i) = products[kOddUnknowns][i];
   }
+}
+
+Eigen::Vector2i twice_from(const Eigen::Vector2i& centre, const Eigen::Vector2d& position) {
+  return (2 * (position - centre.cast<double>())).array().round().cast<int>();
+}
+
+// Of a colour filter every other pixel is a measured green one: what is interpolated is the smoother.
+double chequer_of(const Image& image, const Eigen::Vector2i& centre, int reach) {
+  std::array<double, 2> squares{1, 1};
+  const int left = std::max(centre.x() - reach, 1), right = std::min(centre.x() + reach, image.width - 2);
+  const int top = std::max(centre.y() - reach, 1), bottom = std::min(centre.y() + reach, image.height - 2);
+  for (int v = top; v <= bottom; ++v) {
+    const std::uint8_t *up = image.row(v - 1), *at = image.row(v), *down = image.row(v + 1);
+    for (int u = left; u <= right; ++u) {
+      const int rough =
+          up[u - 1] + up[u + 1] + down[u - 1] + down[u + 1] - 2 * (up[u] + at[u - 1] + at[u + 1] + down[u]) + 4 * at[u];
+      squares[(u + v) & 1] += rough * rough;
+    }
+  }
+  return std::log(squares[0] / squares[1]);
+}
+
+HANDSIGHT_LANES void smooth(Grid& grid) {
+  Grid across{};
+  constexpr int kEnd = kSide * (kSide - 1);
+  for (int n = 1; n < kSide * kSide; ++n) across[n] = 0.25f * (grid[n - 1] + 2 * grid[n] + grid[n + 1]);
+  for (int n = kSide; n < kEnd; ++n) grid[n] = 0.25f * (across[n - kSide] + 2 * across[n] + across[n + kSide]);
+}
+
+}  // namespace
+
+std::optional<OddSystem> smoothed_odd_system(const Image& image, const CornerFit& fit) {
+  Rows all;
+  if (!fill_rows(image, fit, all)) return std::nullopt;
+  std::array<Grid, kRows> grids{};
+  std::array<const float*, kRows + kTileOfRows - 1> rows;
+  const int reach = all.reach + 1, first = (kMiddle - reach) * kSide;
+  for (int i = 0; i < kRows; ++i) {
+    CornerPatch::Row row;
+    std::copy_n(all.rows[i], all.patch.count, row.begin());
+    spread(row, all.patch.count, grids[i]);
+    smooth(grids[i]), smooth(grids[i]);
+    rows[i] = &grids[i][static_cast<std::size_t>(first)];
+  }
+  std::fill(rows.begin() + kRows, rows.end(), rows[kRows - 1]);
+  OddSystem system;
+  system.is_smoothed = true;
+  set_equations(rows.data(), (2 * reach + 1) * kSide, system);
+  system.shade = fit.model.shade;
+  system.weights = squared_weights(all.patch);
+  const double variance = std::max(fit.noise * fit.noise, kLeastNoise * kLeastNoise);
+  Hessian inverse = system.hessian;
+  const Vector information = usual_information(variance, kWide * kAddedSigma, kMostBend);
+  inverse.diagonal() += information;
+  if (!invert_in_lanes(inverse)) return std::nullopt;
+  const Vector step = inverse * system.side;
+  Grid& left = grids[kOddUnknowns];
+  for (int i = 0; i < kOddUnknowns; ++i)
+    for (std::size_t n = 0; n < left.size(); ++n) left[n] -= static_cast<float>(step(i)) * grids[i][n];
+  const Grid odd = odd_part(left, reach, twice_from(all.centre, fit.model.position));
+  const double unknowns = kOddUnknowns - (information.array() * inverse.diagonal().array()).sum();
+  const double freedom = std::max(0.5 * kSmoothedShare * system.weights - unknowns, 2.0);
+  system.variance = std::max(shifted_product(odd, reach, {0, 0}) / freedom, kLeastNoise * kLeastNoise);
+  system.variance_ratio = system.variance / variance;
+  for (int i = 0; i < kOddUnknowns; ++i)
+    system.seen[i] = step(i), system.seen_variance[i] = system.variance * inverse(i, i);
+  return system;
+}
+
+std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bool with_neighbours) {
+  const CornerModel& model = fit.model;
+  Rows all;
+  if (!fill_rows(image, fit, all)) return std::nullopt;
+  auto& [patch, more, reach, centre, rows] = all;
+  OddSystem system;
+  set_equations(rows.data(), patch.padded, system);
   system.shade = model.shade;
   const double weights = squared_weights(patch);
   system.weights = weights;
@@ -142,7 +231,7 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
   Hessian informed = system.hessian;
   const Vector information = usual_information(first, kWide * kAddedSigma, kMostBend);
   informed.diagonal() += information;
-  if (!invert<kOddUnknowns>(informed)) return std::nullopt;
+  if (!invert_in_lanes(informed)) return std::nullopt;
   const Hessian& inverse = informed;
   const Vector step = inverse * system.side;
   const auto settle = [&](double variance) {
@@ -157,8 +246,8 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
     for (int n = 0; n < patch.padded; ++n) patch.residual[n] -= static_cast<float>(step(i)) * rows[i][n];
   Grid grid{};
   spread(patch.residual, patch.count, grid);
-  const Eigen::Vector2i twice = (2 * (model.position - centre.cast<double>())).array().round().cast<int>();
-  const Grid odd = odd_part(grid, reach, twice);
+  const Grid odd = odd_part(grid, reach, twice_from(centre, model.position));
+  system.chequer = chequer_of(image, centre, reach);
   const double unknowns = kOddUnknowns - (information.array() * inverse.diagonal().array()).sum();
   settle(shifted_product(odd, reach, {0, 0}) / std::max(0.5 * weights - unknowns, 4.0));
   system.variance_ratio = system.variance / first;
@@ -184,29 +273,41 @@ void scale_variance(OddSystem& system, double factor) {
 Habits habits_of(std::span<const OddSystem> systems) {
   Habits habits;
   double bends = kFewCorners * kBendSigma * kBendSigma, corners = kFewCorners, pixels = kFewPixels;
-  double ratios = 0;
+  double ratios = 0, chequer = 0, chequer_squares = 0;
   int looked_at = 0;
+  const bool has_large = std::count_if(systems.begin(), systems.end(), [](const OddSystem& s) {
+                           return s.weights > kLargeDisc && s.influence[0] != 0;
+                         }) >= kFewCorners;
   for (const OddSystem& system : systems) {
     for (int i = 6; i < 8; ++i) {
       const double own = system.seen_variance[i], trust = 1 / (1 + own / 1e-6);
       bends += 0.5 * trust * (system.seen[i] * system.seen[i] - own), corners += 0.5 * trust;
     }
     if (system.influence[0] == 0) continue;
-    pixels += system.weights, ++looked_at;
+    const double pixels_of = has_large && system.weights < kLargeDisc ? 0 : system.weights;
+    pixels += pixels_of, ++looked_at;
     ratios += system.variance_ratio;
+    chequer += system.chequer, chequer_squares += system.chequer * system.chequer;
     for (int k = 0; k < kNeighbours; ++k) {
-      habits.correlation[k] += system.weights * system.products[k];
+      habits.correlation[k] += pixels_of * system.products[k];
       habits.influence[k] += system.influence[k];
     }
   }
   if (looked_at > 0) habits.variance = ratios / looked_at;
+  if (looked_at > 2) {
+    const double mean = chequer / looked_at, variance = chequer_squares / looked_at - mean * mean;
+    const double error = std::sqrt(std::max(variance, 1e-6) / (looked_at - 1));
+    habits.is_mosaic = std::abs(mean) > kLeastChequer && std::abs(mean) > kSureChequer * error;
+  }
   for (float& influence : habits.influence) influence /= static_cast<float>(std::max(looked_at, 1));
   habits.bend = std::clamp(std::sqrt(std::max(bends, 0.0) / corners), 0.3 * kBendSigma, kMostBend);
-  for (double& correlation : habits.correlation) correlation /= pixels;
+  const bool all_small = !has_large && looked_at >= kFewCorners;
+  for (double& correlation : habits.correlation) correlation *= (all_small ? kSmallDiscs : 1) / pixels;
   return habits;
 }
 
 double correlation_factor(const OddSystem& system, const Habits& habits) {
+  if (system.is_smoothed) return 1;
   const auto& influence = system.influence[0] != 0 ? system.influence : habits.influence;
   double factor = 1;
   for (int k = 0; k < kNeighbours; ++k) factor += 2 * habits.correlation[k] * influence[k];
@@ -236,11 +337,13 @@ std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits)
   side.segment<2>(2) -= information.segment<2>(2).cwiseProduct(system.shade);
   Hessian inverse = system.hessian;
   inverse.diagonal() += information;
-  if (!invert<kOddUnknowns>(inverse)) return std::nullopt;
+  if (!invert_in_lanes(inverse)) return std::nullopt;
   const Vector step = inverse * side;
   LastStep last;
-  last.is_needed = is_plain(system) || are_bent(habits);
-  last.move = step.head<2>(), last.covariance = kMeasured * variance * inverse.topLeftCorner<2, 2>();
+  last.is_needed = system.is_smoothed || is_plain(system) || are_bent(habits);
+  last.move = step.head<2>(),
+  last.covariance = (system.is_smoothed ? kMeasuredSmoothed : kMeasured) * variance * inverse.topLeftCorner<2, 2>();
+  if (system.is_smoothed) last.covariance.diagonal().array() += kMosaicSigma * kMosaicSigma;
   if (!(last.covariance(0, 0) > 0 && last.covariance.determinant() > 0)) return std::nullopt;
   return last;
 }

@@ -28,7 +28,14 @@ struct OddSystem {
   std::array<double, kOddUnknowns> seen{}, seen_variance{};   // of all unknowns, were nothing known of them beforehand
   std::array<float, kNeighbours> influence{};  // how alike the position's dependence on neighbouring pixels is
   std::array<float, kNeighbours> products{};   // of neighbouring residuals, mean over the variance
+  double chequer = 0;        // log of how much rougher the pixels of which u + v is even are than the others
+  bool is_smoothed = false;  // of the patch without what has a period of 2 px
 };
+
+/// The same of the patch smoothed by 1 4 6 4 1 across and down: interpolated colours have errors of the pattern's own
+/// period, 2 px, which are none any more. The variance is that of noise that changes as slowly as what a position shows
+/// in.
+std::optional<OddSystem> smoothed_odd_system(const Image& image, const CornerFit& fit);
 
 /// Nothing where the fit's disc leaves the image. Without neighbours in a third of the time: the variance is that of
 /// the fit, and OddSystem::influence stays 0.
@@ -42,6 +49,7 @@ struct Habits {
   double variance = 1;                            // of the odd residuals over that of the fit's
   double bend = 3e-4;                             // 1/px, sigma of the edges' bends
   std::array<double, kNeighbours> correlation{};  // of the noise of neighbouring pixels
+  bool is_mosaic = false;                         // colours were interpolated
   std::array<float, kNeighbours> influence{};     // the mean of OddSystem::influence, for those that have none
 };
 Habits habits_of(std::span<const OddSystem> systems);

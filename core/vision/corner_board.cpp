@@ -12,6 +12,9 @@ constexpr double kReach = 64;        // px: cells that are larger are smaller in
 constexpr double kLeastSpacing = 3;  // px
 constexpr double kParallel = 0.3;    // sine, between edges of neighbours
 constexpr double kAlike = 2;         // times another's contrast
+constexpr double kNextButTwo = 2;    // times the spacing, at least
+constexpr double kStraight = 0.95;   // cosine, between a step and the edge along which it is
+constexpr double kMostUnequal = 6;   // times the other side of a cell, as steep views show it
 constexpr double kAside = 0.25;      // of the spacing, from the straight line along an edge
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -20,7 +23,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 
 Lattice::Node Lattice::node_of(const Suspect& s) {
   const auto along = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
-  return {s.position, {along(s.edges[0]), along(s.edges[1])}, s.half_contrast, s.blur};
+  return {s.position, {along(s.edges[0]), along(s.edges[1])}, s.edges, s.level, s.half_contrast, s.blur};
 }
 
 bool Lattice::are_of_one_board(const Node& a, const Node& b) {
@@ -68,6 +71,14 @@ bool Lattice::has_near(const Eigen::Vector2d& position, double distance) const {
   return has;
 }
 
+CornerModel Lattice::expected(const Foretold& foretold) const {
+  const Node& witness = nodes_[foretold.witness];
+  CornerModel model;
+  model.position = foretold.position, model.edges = witness.edges, model.blur = witness.blur;
+  model.level = witness.level, model.half_contrast = -witness.half_contrast;
+  return model;
+}
+
 bool Lattice::suits(int number, const Suspect& suspect) const {
   return are_of_one_board(nodes_[number], node_of(suspect));
 }
@@ -92,13 +103,36 @@ std::array<int, 4> Lattice::neighbours(int number) const {
   return best;
 }
 
+std::optional<Eigen::Vector2d> Lattice::step_beside(int number, int place, const std::array<int, 4>& near) const {
+  const Eigen::Vector2d along = (place % 2 == 0 ? 1 : -1) * nodes_[number].along[place / 2];
+  for (const int beside : {near[place ^ 2], near[place ^ 3]}) {
+    if (beside < 0) continue;
+    const Eigen::Vector2d aside = nodes_[beside].position - nodes_[number].position;
+    for (const int next : neighbours(beside)) {
+      if (next < 0) continue;
+      const Eigen::Vector2d step = nodes_[next].position - nodes_[beside].position;
+      if (along.dot(step) > kStraight * step.norm() && step.norm() < kMostUnequal * aside.norm()) return step;
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<Foretold> Lattice::foretold_by(int number) const {
+  const Node& here = nodes_[number];
   std::vector<Foretold> all;
   const std::array<int, 4> near = neighbours(number);
-  for (int n = 0; n < 4; ++n) {
-    if (near[n] < 0 || near[n ^ 1] >= 0) continue;
-    const Eigen::Vector2d off = nodes_[number].position - nodes_[near[n]].position;
-    all.push_back({nodes_[number].position + off, off.norm(), number, nodes_[number].blur});
+  for (int place = 0; place < 4; ++place) {
+    const int behind = near[place ^ 1];
+    std::optional<Eigen::Vector2d> step;
+    if (behind >= 0)
+      step = here.position - nodes_[behind].position;
+    else if (near[place] < 0)
+      step = step_beside(number, place, near);
+    if (!step) continue;
+    // What is much farther is the next but two.
+    const bool is_there =
+        near[place] >= 0 && (nodes_[near[place]].position - here.position).norm() < kNextButTwo * step->norm();
+    if (!is_there) all.push_back({here.position + *step, step->norm(), number, here.blur});
   }
   return all;
 }

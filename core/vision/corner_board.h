@@ -4,9 +4,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "vision/corner_likelihood.h"
+#include "vision/corner_model.h"
 
 namespace handsight {
 
@@ -29,8 +31,11 @@ class Lattice {
   /// Numbers of the neighbours: along the first edge forwards and backwards, then along the second; -1 where none is
   /// within 64 px, has edges along the same directions, a like contrast and the opposite colours.
   std::array<int, 4> neighbours(int number) const;
-  /// What the neighbours of this corner foretell of those that it lacks.
+  /// What the neighbours of this corner foretell of those that it lacks: on the other side of one, or, where both are
+  /// lacking, as far away as a neighbour's neighbour beside.
   std::vector<Foretold> foretold_by(int number) const;
+  /// What a foretold corner looks like, if it is what its witness is.
+  CornerModel expected(const Foretold& foretold) const;
   /// Whether a suspect may be a neighbour of this corner, wherever it is.
   bool suits(int number, const Suspect& suspect) const;
   /// The same of what circles show of it, whose contrast glare and blur change: by edges and colours alone.
@@ -42,11 +47,14 @@ class Lattice {
   struct Node {
     Eigen::Vector2d position;
     std::array<Eigen::Vector2d, 2> along;  // the edges
-    double half_contrast, blur;
+    std::array<double, 2> edges;           // rad
+    double level, half_contrast, blur;
   };
   static Node node_of(const Suspect& suspect);
   static bool are_of_one_board(const Node& a, const Node& b);
   static bool edges_go_on(const Node& a, const Node& b);
+  // px, to the neighbour at this place, by a neighbour across that has one there.
+  std::optional<Eigen::Vector2d> step_beside(int number, int place, const std::array<int, 4>& near) const;
   template <class Act>
   void each_near(const Eigen::Vector2d& position, double reach, const Act& act) const;
 

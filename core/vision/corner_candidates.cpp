@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <utility>
 
 #include "vision/corner_lanes.h"
+#include "vision/corner_parallel.h"
 
 namespace handsight {
 namespace {
@@ -34,6 +36,7 @@ using Saddles = Ring<float, 3>;
 constexpr float kNear = 1.5f, kFarthest = 5;  // half-resolution px, from the peak to where the gradient vanishes
 constexpr int kTile = 128;                    // px
 constexpr std::size_t kMostOfTile = 400;      // a board of cells of 6 px has as many
+constexpr int kRowsOfBand = 128;              // of half the resolution
 constexpr float kUnit = 16;                   // of the smoothed plane, per grey level
 
 HANDSIGHT_LANES void add_pairs(const std::uint8_t* upper, const std::uint8_t* lower, int count, std::int16_t* sums) {
@@ -147,18 +150,14 @@ void keep_strongest(int width, std::vector<Candidate>& candidates) {
   std::erase_if(candidates, [&](const Candidate& c) { return c.saddle < least[tile(c)]; });
 }
 
-}  // namespace
-
-std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half) {
-  std::vector<Candidate> candidates;
+// The saddles of a band of rows, of half the resolution, whatever bands there are; writes its rows of `half`, if any.
+struct Band {
+  int begin, end;
+};
+void find_in_band(const Image& image, const Band& band, float least, Image* half, std::vector<Candidate>& candidates) {
   const int width = image.width / 2, height = image.height / 2;
-  if (half) *half = Image(width, height);
-  if (image.width < 14 || image.height < 14) return candidates;
-  // Ixy of a right-angled X-corner is 0.637 b / (2.06^2 + blur^2) at half contrast b, a quarter of that per
-  // half-resolution px^2; 0.075 of the contrast is what one of 2.5 px blur has left at 53 deg, less 3 sigma of noise.
-  // Noise of sigma 1 leaves 0.062 in Ixy.
-  const float least = static_cast<float>(std::pow(kUnit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
-  candidates.reserve(static_cast<std::size_t>(width) * height / 64);
+  const int first = std::max(band.begin, 3), last = std::min(band.end, height - 3);  // where saddles may be peaks
+  candidates.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(band.end - band.begin) / 64);
   Sums sums(width);
   Smoothed smoothed(width);
   Saddles saddles(width);
@@ -172,20 +171,46 @@ std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast
       if (saddle_point(smoothed, n + 3, y, at[n], candidate)) candidates.push_back(candidate);
     });
   };
-  // Two smoothed rows and columns and three rows of saddles at each side do not exist: they stay 0.
-  for (int y = 0; y < height; ++y) {
+  // Two smoothed rows and columns and three rows of saddles at each side of the image do not exist: they stay 0.
+  const int begin = std::max(band.begin == 0 ? 0 : first - 4, 0), end = std::min(std::max(last + 4, band.end), height);
+  for (int y = begin; y < end; ++y) {
     add_pairs(image.row(2 * y), image.row(2 * y + 1), width, sums.row(y));
-    if (half) mean_of_sums(sums.row(y), width, half->row(y));
-    if (y < 4) continue;
+    if (half && y >= band.begin && y < band.end) mean_of_sums(sums.row(y), width, half->row(y));
+    if (y < begin + 4) continue;
     const std::int16_t* const rows[5] = {sums.row(y - 4), sums.row(y - 3), sums.row(y - 2), sums.row(y - 1),
                                          sums.row(y)};
     smooth_row(rows, width, column_sums.data(), smoothed.row(y - 2));
-    if (y < 6) continue;
+    if (y < begin + 6) continue;
     saddle_row(smoothed.row(y - 4), smoothed.row(y - 3), smoothed.row(y - 2), width, saddles.row(y - 3));
-    if (y > 6) find_in_row(y - 4);
+    if (y - 4 >= first && y - 4 < last) find_in_row(y - 4);
   }
+  if (last < height - 3 || last <= first) return;
   std::fill(saddles.row(height - 3), saddles.row(height - 3) + width, 0.f);
   find_in_row(height - 4);
+}
+
+}  // namespace
+
+std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half) {
+  const int width = image.width / 2, height = image.height / 2;
+  if (half) *half = Image(width, height);
+  if (image.width < 14 || image.height < 14) return {};
+  // Ixy of a right-angled X-corner is 0.637 b / (2.06^2 + blur^2) at half contrast b, a quarter of that per
+  // half-resolution px^2; 0.075 of the contrast is what one of 2.5 px blur has left at 53 deg, less 3 sigma of noise.
+  // Noise of sigma 1 leaves 0.062 in Ixy.
+  const float least = static_cast<float>(std::pow(kUnit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
+  const bool is_large = is_worth_threads(image.width, image.height);
+  const int bands = is_large ? std::max(1, height / kRowsOfBand) : 1;
+  std::vector<std::vector<Candidate>> of_band(static_cast<std::size_t>(bands));
+  const auto edge = [&](int band) { return static_cast<int>(static_cast<std::int64_t>(height) * band / bands); };
+  each_part(bands, is_large, [&](int band) {
+    find_in_band(image, {edge(band), edge(band + 1)}, least, half, of_band[static_cast<std::size_t>(band)]);
+  });
+  std::vector<Candidate> candidates = std::move(of_band.front());
+  for (int band = 1; band < bands; ++band) {
+    const auto& more = of_band[static_cast<std::size_t>(band)];
+    candidates.insert(candidates.end(), more.begin(), more.end());
+  }
   keep_strongest(image.width, candidates);
   return candidates;
 }

@@ -20,6 +20,7 @@ constexpr int kCoarsePlaces = 1000;  // where a coarser image's noise is measure
 constexpr double kSame = 2;          // px: nearer ones are the same
 constexpr double kSharp = 2.4;       // px, of blur: what is less is fitted in this image, what is more in a coarser one
 constexpr double kMostLastMove = 0.5;      // px
+constexpr std::size_t kFewCorners = 4;     // tell nothing of an image
 constexpr std::size_t kNoiseCorners = 12;  // that tell how alike neighbouring pixels' noise is
 
 // A corner, and the image that it was fitted in at last.
@@ -49,7 +50,8 @@ Placed refined(const std::vector<Level>& levels, const Found& found) {
 }
 
 // The last step of one corner; by how much its covariance changes, but for what that of all does.
-double take_last_step(const OddSystem& system, const Habits& habits, Found& found) {
+// `variance`: grey levels^2, of a pixel's noise at corners.
+double take_last_step(const OddSystem& system, const Habits& habits, double variance, Found& found) {
   Corner& corner = found.corner;
   if (has_shadow(found.fit.model)) {
     corner.covariance *= correlation_factor(system, habits);
@@ -58,8 +60,38 @@ double take_last_step(const OddSystem& system, const Habits& habits, Found& foun
   const auto last = last_step(system, habits);
   if (!last || last->move.norm() > kMostLastMove) return 0;
   if (last->is_needed) corner.position += last->move;
-  corner.covariance = last->covariance * found.doubt;
-  return last->covariance.trace() / found.fit.covariance.trace();
+  const double doubt = doubt_of(found.fit.model, found.asymmetry, variance);
+  corner.covariance = last->covariance * doubt;
+  return doubt / found.doubt * last->covariance.trace() / found.fit.covariance.trace();
+}
+
+// Compression makes more noise at edges than elsewhere: what most corners show is no shadow's doing.
+double variance_at_corners(double noise, const std::vector<OddSystem>& systems) {
+  if (systems.size() < kFewCorners) return noise * noise;
+  std::vector<double> variances(systems.size());
+  std::transform(systems.begin(), systems.end(), variances.begin(), [](const OddSystem& s) { return s.variance; });
+  const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
+  std::nth_element(variances.begin(), middle, variances.end());
+  return std::max(noise * noise, *middle);
+}
+
+// The last step where colours were interpolated: all corners of the image tell its noise together.
+void take_smoothed_steps(const Level& level, const Habits& habits, double variance, const std::vector<Found*>& here) {
+  std::vector<OddSystem> systems;
+  std::vector<Found*> owners;
+  double ratios = 0;
+  for (Found* const found : here) {
+    auto system = has_shadow(found->fit.model) ? odd_system(level.sight.image, found->fit, true)
+                                               : smoothed_odd_system(level.sight.image, found->fit);
+    if (!system) continue;
+    ratios += system->variance_ratio;
+    systems.push_back(*system), owners.push_back(found);
+  }
+  const double ratio = ratios / static_cast<double>(std::max<std::size_t>(systems.size(), 1));
+  for (std::size_t i = 0; i < systems.size(); ++i) {
+    if (systems[i].is_smoothed) scale_variance(systems[i], ratio / systems[i].variance_ratio);
+    take_last_step(systems[i], habits, variance, *owners[i]);
+  }
 }
 
 // Some corners tell what all that were fitted in one image have in common, and whether any needs the last step; where
@@ -77,6 +109,8 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
   const std::size_t every = here.size() / kNoiseCorners + 1;
   for (std::size_t i = 0; i < here.size(); i += every) add(*here[i], true);
   const Habits of_some = habits_of(systems);
+  const double variance = variance_at_corners(level.sight.noise, systems);
+  if (of_some.is_mosaic) return take_smoothed_steps(level, of_some, variance, here);
   const bool all =
       are_bent(of_some) || std::any_of(systems.begin(), systems.end(), [](const OddSystem& s) { return is_plain(s); });
   const auto is_looked_at = [&](std::size_t i) { return all || i % every == 0 || has_shadow(here[i]->fit.model); };
@@ -86,7 +120,7 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
   double change = 0;
   int changed = 0;
   for (std::size_t i = 0; i < systems.size(); ++i) {
-    const double own = take_last_step(systems[i], habits, *owners[i]);
+    const double own = take_last_step(systems[i], habits, variance, *owners[i]);
     change += own, changed += own > 0;
   }
   for (std::size_t i = 0; i < here.size() && changed > 0; ++i)

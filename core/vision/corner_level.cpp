@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "vision/corner_parallel.h"
 #include "vision/corner_pyramid.h"
+#include "vision/corner_structure.h"
 
 namespace handsight {
 namespace {
@@ -36,21 +40,47 @@ struct Left {
   bool was_fitted, is_open;
 };
 
+// Of a large image parts are looked at on several threads, and put together in their order.
+constexpr int kPart = 512;
+bool is_large(const Sight& sight) { return is_worth_threads(sight.image.width, sight.image.height); }
+
+// What look(i) finds for i below `count`, with its number.
+struct Numbered {
+  std::size_t number;
+  Found found;
+};
+template <class Look>
+std::vector<Numbered> all_found(const Sight& sight, std::size_t count, const Look& look) {
+  const std::size_t part = is_large(sight) ? kPart : std::max<std::size_t>(count, 1);
+  std::vector<std::vector<Numbered>> parts((count + part - 1) / part);
+  each_part(static_cast<int>(parts.size()), is_large(sight), [&](int p) {
+    const std::size_t begin = static_cast<std::size_t>(p) * part;
+    for (std::size_t i = begin; i < std::min(begin + part, count); ++i)
+      if (const auto found = look(i)) parts[static_cast<std::size_t>(p)].push_back({i, *found});
+  });
+  if (parts.empty()) return {};
+  std::vector<Numbered> all = std::move(parts.front());
+  for (std::size_t p = 1; p < parts.size(); ++p) all.insert(all.end(), parts[p].begin(), parts[p].end());
+  return all;
+}
+
 // Looks long at what the first look left, and at what it found but believes to be none: a shadow spoils a fit too.
 void look_again(const Sight& sight, const SaddleField& field, const std::vector<Left>& left, Finds& finds) {
   const auto is_worth_it = [&](const Candidate& candidate) { return field.others(candidate) <= kFew; };
-  for (std::size_t i = 0; i < finds.suspects.size(); ++i) {
+  const auto beside_shadow = all_found(sight, finds.suspects.size(), [&](std::size_t i) -> std::optional<Found> {
     const Suspect& suspect = finds.suspects[i];
-    if (suspect.log_odds > kLeastLogOdds || !is_worth_it(suspect.candidate)) continue;
-    const auto found = shadow_look(sight, suspect.candidate);
-    if (found && found->suspect.own > suspect.own) finds.replace(i, *found);
-  }
-  for (const auto& [candidate, was_fitted, is_open] : left) {
-    const double others = field.others(*candidate);
-    if (others > kFew) continue;
-    const auto found = long_look(sight, *candidate, {was_fitted, others <= kFewToCentre});
-    if (found) finds.add(*found, *candidate);
-  }
+    if (suspect.log_odds > kLeastLogOdds || !is_worth_it(suspect.candidate)) return std::nullopt;
+    return shadow_look(sight, suspect.candidate);
+  });
+  const auto later = all_found(sight, left.size(), [&](std::size_t i) -> std::optional<Found> {
+    const double others = field.others(*left[i].candidate);
+    if (others > kFew) return std::nullopt;
+    return long_look(sight, *left[i].candidate, {left[i].was_fitted, others <= kFewToCentre});
+  });
+  for (const Numbered& numbered : beside_shadow)
+    if (numbered.found.suspect.own > finds.suspects[numbered.number].own)
+      finds.replace(numbered.number, numbered.found);
+  for (const Numbered& numbered : later) finds.add(numbered.found, *left[numbered.number].candidate);
 }
 
 // What the first looks found and left.
@@ -58,19 +88,33 @@ struct FirstLooks {
   Finds finds;
   std::vector<Left> left;
   bool is_empty() const { return finds.suspects.empty() && left.empty(); }
+  void append(const FirstLooks& more) {
+    finds.all.insert(finds.all.end(), more.finds.all.begin(), more.finds.all.end());
+    finds.suspects.insert(finds.suspects.end(), more.finds.suspects.begin(), more.finds.suspects.end());
+    left.insert(left.end(), more.left.begin(), more.left.end());
+  }
 };
 
 template <class IsAsked>
 FirstLooks first_looks(const Level& level, const IsAsked& is_asked) {
-  FirstLooks looks;
-  for (const Candidate& candidate : level.candidates) {
-    if (!is_asked(candidate)) continue;
-    const Look look = quick_look(level.sight, candidate);
-    if (look.found)
-      looks.finds.add(*look.found, candidate);
-    else if (look.is_postponed)
-      looks.left.push_back({&candidate, look.was_fitted, look.is_open});
-  }
+  const std::vector<Candidate>& candidates = level.candidates;
+  const std::size_t part = is_large(level.sight) ? kPart : std::max<std::size_t>(candidates.size(), 1);
+  std::vector<FirstLooks> parts((candidates.size() + part - 1) / part);
+  each_part(static_cast<int>(parts.size()), is_large(level.sight), [&](int p) {
+    FirstLooks& looks = parts[static_cast<std::size_t>(p)];
+    const std::size_t begin = static_cast<std::size_t>(p) * part, end = std::min(begin + part, candidates.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!is_asked(candidates[i])) continue;
+      const Look look = quick_look(level.sight, candidates[i]);
+      if (look.found)
+        looks.finds.add(*look.found, candidates[i]);
+      else if (look.is_postponed)
+        looks.left.push_back({&candidates[i], look.was_fitted, look.is_open});
+    }
+  });
+  if (parts.empty()) return {};
+  FirstLooks looks = std::move(parts.front());
+  for (std::size_t p = 1; p < parts.size(); ++p) looks.append(parts[p]);
   return looks;
 }
 
@@ -96,15 +140,30 @@ void take_likely(FirstLooks& looks, SaddleField& field, Level& level) {
 
 double reach_of(const Foretold& foretold) { return std::clamp(0.25 * foretold.spacing, 1.5, 6.0); }
 
+// Beyond a board's rim mostly nothing looks like a corner: there the small look, which knows what to look for, must do.
+bool may_be_there(const Sight& sight, const SaddleField& field, const Foretold& foretold) {
+  if (field.has_near(foretold.position, reach_of(foretold))) return true;
+  const Eigen::Vector2i pixel = (foretold.position.array() + 0.5).floor().cast<int>();
+  const auto inside = [](int at, int size) { return at >= 3 && at + 3 < size; };
+  return inside(pixel.x(), sight.image.width) && inside(pixel.y(), sight.image.height) &&
+         may_be_cross(sight.image, pixel, sight.options.min_contrast, sight.noise);
+}
+
 // What stands where it was foretold, if it is a corner of the same board.
-bool take_if_there(Lattice& lattice, const Foretold& foretold, Level& level) {
+bool take_if_there(Lattice& lattice, const SaddleField& field, const Foretold& foretold, Level& level) {
   const auto suits = [&](const CrossStructure& cross, const Eigen::Vector2d& position) {
     Suspect seen;
     seen.position = position, seen.edges = cross.edges, seen.half_contrast = cross.half_contrast;
     return lattice.may_suit(foretold.witness, seen);
   };
-  const auto found = foretold_look(level.sight, foretold.position, reach_of(foretold), suits);
-  if (!found || !lattice.suits(foretold.witness, found->suspect)) return false;
+  const auto is_right = [&](const std::optional<Found>& found) {
+    return found && lattice.suits(foretold.witness, found->suspect);
+  };
+  std::optional<Found> found;
+  if (may_be_there(level.sight, field, foretold))
+    found = foretold_look(level.sight, foretold.position, reach_of(foretold), suits);
+  if (!is_right(found)) found = small_look(level.sight, lattice.expected(foretold));
+  if (!is_right(found)) return false;
   if (lattice.has_near(found->suspect.position, kSame)) return true;
   lattice.add(found->suspect), level.found.push_back(*found);
   return true;
@@ -116,12 +175,22 @@ void leave(const Foretold& foretold, const SaddleField& field, Level& level) {
     level.missing.push_back(foretold);
 }
 
-// Takes what the corners from number `first` on foretell, until nothing more comes.
+// Takes what the corners from number `first` on foretell, until nothing more comes. What is new may be the neighbour
+// that others lacked to foretell on its other side.
 void take_foretold(Lattice& lattice, const SaddleField& field, int first, Level& level) {
-  for (int number = first; number < lattice.size(); ++number)
-    for (const Foretold& foretold : lattice.foretold_by(number))
-      if (!lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, foretold, level))
-        leave(foretold, field, level);
+  const auto take_all_of = [&](int number) {
+    for (const Foretold& foretold : lattice.foretold_by(number)) {
+      if (lattice.has_near(foretold.position, reach_of(foretold))) continue;
+      if (!take_if_there(lattice, field, foretold, level)) leave(foretold, field, level);
+    }
+  };
+  const int known = lattice.size();
+  for (int number = first; number < lattice.size(); ++number) {
+    take_all_of(number);
+    if (number < known) continue;
+    for (const int neighbour : lattice.neighbours(number))
+      if (neighbour >= first && neighbour < number) take_all_of(neighbour);
+  }
 }
 
 // A corner that has no neighbour on a board, as a marker's, must be the likelier one by itself. Numbers of the lattice
@@ -195,7 +264,7 @@ void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known,
   for (const Found& found : level.found) lattice.add(found.suspect);
   for (const Foretold& foretold : missing)
     if (field.has_near(foretold.position, reach_of(foretold)) &&
-        !lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, foretold, level))
+        !lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, field, foretold, level))
       leave(foretold, field, level);
   take_foretold(lattice, field, first, level);
   mark_alone(lattice, first, level);

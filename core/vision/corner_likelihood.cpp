@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numeric>
+#include <utility>
 
 #include "vision/corner_lanes.h"
 
@@ -30,13 +32,29 @@ bool within(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double distance)
 // Calls act(i, j) for all that are `distance` px apart at most.
 template <class Act>
 void each_near_pair(const std::vector<Suspect>& suspects, double distance, const Act& act) {
-  std::vector<int> order(suspects.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto u = [&](int i) { return suspects[i].position.x(); };
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return u(i) < u(j); });
-  for (auto i = order.begin(); i != order.end(); ++i)
-    for (auto j = i + 1; j != order.end() && u(*j) - u(*i) < distance; ++j)
-      if (within(suspects[*i].position, suspects[*j].position, distance)) act(*i, *j);
+  struct Place {
+    int strip;  // of rows, `distance` px high
+    double u;
+    int number;
+    auto operator<=>(const Place&) const = default;
+  };
+  std::vector<Place> places(suspects.size());
+  for (std::size_t i = 0; i < suspects.size(); ++i)
+    places[i] = {static_cast<int>(std::floor(suspects[i].position.y() / distance)), suspects[i].position.x(),
+                 static_cast<int>(i)};
+  std::sort(places.begin(), places.end());
+  const auto act_from = [&](const Place& one, auto other, int strip) {
+    for (; other != places.end() && other->strip == strip && other->u - one.u < distance; ++other)
+      if (within(suspects[one.number].position, suspects[other->number].position, distance))
+        act(one.number, other->number);
+  };
+  auto below = places.begin();  // the first of the next strip that may be near
+  for (auto i = places.begin(); i != places.end(); ++i) {
+    act_from(*i, i + 1, i->strip);
+    while (below != places.end() && std::pair(below->strip, below->u) < std::pair(i->strip + 1, i->u - distance))
+      ++below;
+    act_from(*i, below, i->strip + 1);
+  }
 }
 
 // Of a suspect what is compared with others'.
@@ -178,17 +196,22 @@ std::vector<double> board_signs(const std::vector<Suspect>& suspects) {
 void weigh(std::vector<Suspect>& suspects, SaddleField& field) {
   // Who speaks for a saddle that two were fitted to: the last.
   std::vector<int> owner(field.size(), -1);
+  std::vector<SaddleField::Few> own(suspects.size());
   for (std::size_t i = 0; i < suspects.size(); ++i) {
-    const auto few = field.at(suspects[i].position);
-    for (const int n : std::span<const int>(few)) owner[n] = static_cast<int>(i);
+    own[i] = field.at(suspects[i].position);
+    for (const int n : std::span<const int>(own[i])) owner[n] = static_cast<int>(i);
   }
-  std::vector<std::vector<int>> own(suspects.size());
-  for (int n = 0; n < field.size(); ++n)
-    if (owner[n] >= 0) own[owner[n]].push_back(n);
+  for (std::size_t i = 0; i < suspects.size(); ++i) {
+    auto& [numbers, count] = own[i];
+    const auto is_anothers = [&](int n) { return owner[n] != static_cast<int>(i); };
+    count = static_cast<std::size_t>(std::remove_if(numbers.begin(), numbers.begin() + count, is_anothers) -
+                                     numbers.begin());
+  }
   struct Tie {
     int listener, speaker, saddles;
   };
   std::vector<Tie> ties;
+  ties.reserve(16 * suspects.size());
   each_near_pair(suspects, kNear + 2 * kSame, [&](int i, int j) {
     for (const auto& [listener, speaker] : {std::pair{i, j}, std::pair{j, i}}) {
       const int saddles = field.counted(own[speaker], suspects[listener].candidate);

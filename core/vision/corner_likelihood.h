@@ -65,6 +65,7 @@ struct Suspect {
   double half_contrast = 0;                            // grey levels
   double own = 0, log_odds = 0;                        // alone, and among the others
   double blur = 0;                                     // px
+  double level = 0;                                    // grey levels
 };
 
 /// Whether a saddle is of a board, 0 to 1: by how many others within 40 px have edges along its own and half or twice

@@ -54,17 +54,6 @@ bool sectors_suit(const CrossStructure& cross, double noise, double most = kMost
   return left > 0 && beyond(sector_misfit(cross), 0.35) < left;
 }
 
-// The covariance tells what noise does to a fit whose model is right. Where a shadow's edge near the corner was not
-// found it shows as light that changes faster than light does, and as asymmetry that the noise does not explain; where
-// it was found nearer than 4 px it is hard to tell from the corner's own.
-double doubt_of(const CornerModel& model, double asymmetry) {
-  const double relative = asymmetry / (0.035 * model.half_contrast);
-  if (!has_shadow(model))
-    return 1 + relative * relative + std::max(model.shade.norm() - kUsualShade, 0.0) / kDoubtfulShade;
-  const double near = std::max(kNearShadow - model.shadow.distance, 0.0);
-  return kShadowVariance * (1 + relative * relative + near * near);
-}
-
 // What the fit says is kept where the point of best symmetry, in the light that the fit found, agrees.
 std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
   if (2 * std::abs(fit.model.half_contrast) < sight.options.min_contrast) return std::nullopt;
@@ -73,7 +62,8 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
   const double own = corner_log_odds(signs_of(fit, sight.noise)) - (has_shadow(fit.model) ? kOddsOfShadow : 0);
   if (log_odds_among(own, -2) < kLeastLogOdds) return std::nullopt;
   found.fit = fit;
-  found.suspect = {{}, fit.model.position, fit.model.edges, fit.model.half_contrast, own, own, fit.model.blur};
+  found.suspect = {{},  fit.model.position, fit.model.edges, fit.model.half_contrast, own,
+                   own, fit.model.blur,     fit.model.level};
   // The strength is that of the symmetry, and what the model calls a corner must be a point of symmetry too.
   const auto symmetric = symmetry_point(sight.image, fit.model.position, sight.options.sigma, kMostApart, 0,
                                         has_shadow(fit.model) ? &fit.model : nullptr);
@@ -82,7 +72,8 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
   if (asymmetry > kMostAsymmetry * std::abs(fit.model.half_contrast)) return std::nullopt;
   Corner& corner = found.corner;
   corner.position = fit.model.position;
-  found.doubt = doubt_of(fit.model, asymmetry);
+  found.asymmetry = symmetric->noise * symmetric->noise;
+  found.doubt = doubt_of(fit.model, found.asymmetry, sight.noise * sight.noise);
   corner.covariance = fit.covariance * found.doubt;
   corner.strength = symmetric->strength;
   corner.contrast = 2 * std::abs(fit.model.half_contrast);
@@ -118,6 +109,11 @@ std::optional<Found> centred_look(const Sight& sight, const Eigen::Vector2d& sta
   return corner_in_light(sight, symmetric->position, *cross);
 }
 
+bool is_same(const CornerModel& fitted, const CornerModel& known) {
+  return fitted.half_contrast * known.half_contrast > 0 && std::abs(std::sin(fitted.edges[0] - known.edges[0])) < 0.3 &&
+         std::abs(std::sin(fitted.edges[1] - known.edges[1])) < 0.3;
+}
+
 // The circles of a corner whose model is known.
 CrossStructure structure_of(const CornerModel& model) {
   CrossStructure cross;
@@ -127,6 +123,13 @@ CrossStructure structure_of(const CornerModel& model) {
 }
 
 }  // namespace
+
+double doubt_of(const CornerModel& model, double asymmetry, double variance) {
+  const double unit = 0.035 * model.half_contrast, relative = std::max(asymmetry - variance, 0.0) / (unit * unit);
+  if (!has_shadow(model)) return 1 + relative + std::max(model.shade.norm() - kUsualShade, 0.0) / kDoubtfulShade;
+  const double near = std::max(kNearShadow - model.shadow.distance, 0.0);
+  return kShadowVariance * (1 + relative + near * near);
+}
 
 Look quick_look(const Sight& sight, const Candidate& candidate) {
   const Eigen::Vector2i pixel = (candidate.position.array() + 0.5).cast<int>();  // none is negative
@@ -178,13 +181,14 @@ std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& st
   return cross && suits(*cross, start) ? corner_in_shadow(sight, start, *cross) : std::nullopt;
 }
 
+std::optional<Found> small_look(const Sight& sight, const CornerModel& expected) {
+  const auto fit = fit_small_corner(sight.image, expected.position, structure_of(expected), sight.noise);
+  return fit && is_same(fit->model, expected) ? checked(sight, *fit) : std::nullopt;
+}
+
 std::optional<Found> known_look(const Sight& sight, const CornerModel& known) {
   const auto fit = fit_corner(sight.image, known.position, structure_of(known), sight.noise);
-  if (!fit) return std::nullopt;
-  const bool same = fit->model.half_contrast * known.half_contrast > 0 &&
-                    std::abs(std::sin(fit->model.edges[0] - known.edges[0])) < 0.3 &&
-                    std::abs(std::sin(fit->model.edges[1] - known.edges[1])) < 0.3;
-  return same ? checked(sight, *fit) : std::nullopt;
+  return fit && is_same(fit->model, known) ? checked(sight, *fit) : std::nullopt;
 }
 
 }  // namespace handsight

@@ -23,8 +23,13 @@ struct Found {
   Suspect suspect;
   CornerFit fit;
   bool is_alone = false;  // no neighbour on a board, and not likely enough a corner for that
+  double asymmetry = 0;   // grey levels^2, half the mean square difference of opposite points
   double doubt = 1;       // by how much asymmetry that noise does not explain enlarges the covariance
 };
+
+/// By how much more a position may be wrong than what noise of this variance (grey levels^2, of a pixel) does to the
+/// fit.
+double doubt_of(const CornerModel& model, double asymmetry, double variance);
 
 /// What the first look at a candidate found; and whether a second one might tell more.
 struct Look {
@@ -58,6 +63,9 @@ using SuitsBoard = std::function<bool(const CrossStructure&, const Eigen::Vector
 /// The same where the board's colours and edges go on there, and beside a shadow where there is none in even light.
 std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
                                    const SuitsBoard& suits);
+
+/// Where a corner is expected and the next ones may be nearer than 4 px: a fit on a disc of 3 px, without circles.
+std::optional<Found> small_look(const Sight& sight, const CornerModel& expected);
 
 /// A fit from numbers that are known well, as from a coarser image; nothing where what comes out is another corner.
 std::optional<Found> known_look(const Sight& sight, const CornerModel& known);

@@ -16,6 +16,8 @@ namespace handsight {
 namespace {
 
 constexpr double kFirstRadius = 4;   // px: 50 pixels, enough for nine unknowns
+constexpr double kSmallRadius = 3;   // px: 25 pixels
+constexpr int kMostSmallRadius = 6;  // px
 constexpr int kSecondRadius = 7;     // px: the edges' directions must be known better before it grows on
 constexpr double kLoose = 1.5;       // what bounds are wider over the first disc
 constexpr double kLessLoose = 1.25;  // over the second
@@ -237,6 +239,29 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
     return std::nullopt;
   if (model.blur > kMostBlur * fit.radius) return std::nullopt;
   fit.noise = at.noise;
+  fit.covariance = position_covariance(at);
+  return is_determined(fit) ? std::optional(fit) : std::nullopt;
+}
+
+std::optional<CornerFit> fit_small_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
+                                          double image_noise) {
+  CornerFit fit;
+  CornerModel& model = fit.model;
+  model = first_guess(start, cross);
+  Progress at;
+  at.image_noise = image_noise;
+  fit.radius = kSmallRadius;
+  const auto fits = [&](int steps, const Looseness& loose) {
+    return fit_disc(image, fit.radius, steps, kPrecision, loose, at, model) &&
+           (model.position - start).norm() < kMostMove &&
+           looks_right(model, cross, at.promise, image_noise, std::min(loose.look, kLoose));
+  };
+  if (!fits(3, kFirstLook)) return std::nullopt;
+  fit.radius = grown_radius(image, kSmallRadius, kMostSmallRadius, at, model);
+  if (!fits(4, kGrown) || model.blur > kMostBlur * fit.radius) return std::nullopt;
+  fit.misfit = misfit_of(at.patch);
+  fit.noise = std::max(at.promise, kLeastNoise);
+  at.noise = fit.noise;
   fit.covariance = position_covariance(at);
   return is_determined(fit) ? std::optional(fit) : std::nullopt;
 }

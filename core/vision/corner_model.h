@@ -60,6 +60,11 @@ struct CornerFit {
 std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                     double image_noise);
 
+/// The same on a disc of 3 px, which grows by some px at most: for corners of which the next ones are near. The start
+/// must be as good as a neighbour on the board tells it.
+std::optional<CornerFit> fit_small_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
+                                          double image_noise);
+
 /// Where a first model is from: of a fit, or of the circles alone, where most are no corners.
 enum class Guess { fitted, from_circles };
 

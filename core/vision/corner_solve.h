@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <utility>
 
 #include "vision/corner_lanes.h"
@@ -52,17 +53,20 @@ bool solve(Eigen::Matrix<double, N, N> m, Eigen::Matrix<double, N, 1>& x) {
 
 /// The inverse of a positive definite matrix, unknown by unknown; false where it is none.
 template <int N>
-bool invert(Eigen::Matrix<double, N, N>& m) {
+HANDSIGHT_INLINE bool invert(Eigen::Matrix<double, N, N>& matrix) {
+  double* const m = matrix.data();
+  double column[N], share[N], sum = 0;
   for (int k = 0; k < N; ++k) {
-    if (!(m(k, k) > 1e-12)) return false;
-    const double inverse = 1 / m(k, k);
-    const Eigen::Matrix<double, N, 1> column = m.col(k);
-    m.noalias() -= column * (inverse * column.transpose());
-    m.col(k) = inverse * column, m.row(k) = inverse * column.transpose();
-    m(k, k) = -inverse;
+    if (!(m[k * N + k] > 1e-12)) return false;
+    const double inverse = 1 / m[k * N + k];
+    for (int i = 0; i < N; ++i) column[i] = m[k * N + i], share[i] = inverse * column[i];
+    for (int j = 0; j < N; ++j)
+      for (int i = 0; i < N; ++i) m[j * N + i] -= column[i] * share[j];
+    for (int i = 0; i < N; ++i) m[k * N + i] = m[i * N + k] = share[i];
+    m[k * N + k] = -inverse;
   }
-  m = -m;
-  return m.allFinite();
+  for (int i = 0; i < N * N; ++i) m[i] = -m[i], sum += m[i];
+  return std::isfinite(sum);
 }
 
 }  // namespace handsight

@@ -2696,6 +2696,10 @@
         <translation>Was wäre: %1</translation>
     </message>
     <message>
+        <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better than %3 mrad, nor the hand's place better than %4 mm. No effect can remove it.</source>
+        <translation>Was bleibt (%1, Rauschen %2), wechselt von Stellung zu Stellung ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad, der Ort der Hand nicht besser als %4 mm. Keine Ursache nimmt das weg.</translation>
+    </message>
+    <message>
         <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better than %3 mrad. No effect can remove it.</source>
         <translation>Was bleibt (%1, Rauschen %2), wechselt von Stellung zu Stellung ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad. Keine Ursache nimmt das weg.</translation>
     </message>

@@ -56,15 +56,18 @@ TEST(Evidence, IsTheRatioOfTwoNormalDensities) {
   const CandidateUnit& u = unit_of(b.candidates, "encoder_eccentricity", 2);
   const Eigen::MatrixXd base = b.model.external.leftCols(b.model.base);
   const Eigen::MatrixXd columns = b.model.external.middleCols(b.model.base + u.first, u.count);
-  for (const double scatter : {0.0, 1e-3}) {
+  for (const Scatter& scatter : {Scatter{}, Scatter{1e-3, 0}, Scatter{3e-4, 2e-4}}) {
     // Internal rows are the same for both models where the candidate has none; markers' internal columns are left out
     // of the dense calculation by giving the base only what the external rows see.
     LinearModel outer = b.model;
     outer.internal.setZero();
     const WhitenedModel w = whiten(outer, scatter, {});
     Eigen::MatrixXd v = Eigen::MatrixXd::Identity(base.rows(), base.rows());
-    for (const LinearObservation& o : b.model.observations)
-      v.block(o.first, o.first, o.count, o.count) += scatter * scatter * o.by_joints * o.by_joints.transpose();
+    for (const LinearObservation& o : b.model.observations) {
+      auto block = v.block(o.first, o.first, o.count, o.count);
+      block += std::pow(scatter.joints, 2) * o.by_joints * o.by_joints.transpose();
+      block += std::pow(scatter.place, 2) * o.by_body.leftCols<3>() * o.by_body.leftCols<3>().transpose();
+    }
     Eigen::VectorXd width(base.cols());
     for (Eigen::Index i = 0; i < width.size(); ++i) width[i] = 1e4 / base.col(i).norm();
     v += base * width.cwiseAbs2().asDiagonal() * base.transpose();
@@ -72,14 +75,15 @@ TEST(Evidence, IsTheRatioOfTwoNormalDensities) {
     for (const double s : {0.1, 0.3, 1.0, 3.0})
       expected.push_back(ln_density(b.model.external_error, v + s * s * columns * columns.transpose()) -
                          ln_density(b.model.external_error, v));
-    EXPECT_NEAR(ln_bayes_factor(score(w, u.first, u.count), w, {}), ln_mean_exp(expected), 1e-3) << scatter;
+    EXPECT_NEAR(ln_bayes_factor(score(w, u.first, u.count), w, {}), ln_mean_exp(expected), 1e-3)
+        << scatter.joints << " " << scatter.place;
   }
 }
 
 TEST(Evidence, GainsNothingFromWhatTheModelAlreadyHas) {
   // The last joint's offset turns the body about the joint's axis: the markers take that up.
   const Bench b = bench(4);
-  const WhitenedModel w = whiten(b.model, 0, {});
+  const WhitenedModel w = whiten(b.model, {}, {});
   const CandidateUnit& u = unit_of(b.candidates, "joint_offset", 5);
   EXPECT_LT(score(w, u.first, u.count).information(0, 0), 1e-3);
   EXPECT_NEAR(ln_bayes_factor(score(w, u.first, u.count), w, {}), 0, 1e-2);
@@ -88,7 +92,7 @@ TEST(Evidence, GainsNothingFromWhatTheModelAlreadyHas) {
 TEST(Evidence, FollowsTheSimulatedSize) {
   // The linear estimate is the truth within its sigma, in units of the plausible size.
   const Bench b = bench(5, 60);
-  const WhitenedModel w = whiten(b.model, 0, {});
+  const WhitenedModel w = whiten(b.model, {}, {});
   const CandidateUnit& u = unit_of(b.candidates, "joint_offset", 1);
   const LinearEstimate e = linear_estimate(score(w, u.first, u.count), w, {});
   EXPECT_NEAR(e.value[0], 1e-4 / 5e-3, 4.5 * std::sqrt(e.covariance(0, 0)));
@@ -105,7 +109,7 @@ TEST(Evidence, OfNothingIsSeldomMuch) {
     const Fit f = fit(simulate_session(fixture::stand_session(), o).session, {});
     const Candidates c = all_candidates(f.problem, 4);
     const LinearModel m = linear_model(c.problem, estimate(f), 0, noise);
-    const WhitenedModel w = whiten(m, 0, {});
+    const WhitenedModel w = whiten(m, {}, {});
     for (const CandidateEffect& e : c.effects) {
       ++looked_at;
       beyond += ln_bayes_factor(score(w, e.units.front().first, e.units.front().count), w, {}) > std::log(20.0);

@@ -30,7 +30,7 @@ Localiser best_of(const Session& session) {
   Candidates none = all_candidates(f.problem);
   const LinearModel model = linear_model(none.problem, estimate(f), none.base_effects, 0.2);
   const std::vector<Variable> variables = variables_of(none.problem, estimate(f));
-  const WhitenedModel w = whiten(model, 0, {});
+  const WhitenedModel w = whiten(model, {}, {});
   std::vector<Localiser> all = localise(w, {}, none.problem, variables);
   return *std::max_element(all.begin(), all.end(),
                            [](const auto& a, const auto& b) { return a.ln_bayes_factor < b.ln_bayes_factor; });

@@ -94,7 +94,7 @@ TEST(Planning, TheExpectedBayesFactorComesInTheMean) {
     FitOptions o;
     o.estimated = terms;
     const Fit f = fit(session, o);
-    return whiten(linear_model(f.problem, estimate(f), f.problem.effect_count(), *session.sigma_pixel), 0, {})
+    return whiten(linear_model(f.problem, estimate(f), f.problem.effect_count(), *session.sigma_pixel), {}, {})
         .ln_evidence;
   };
   double found = 0, expected = 0, squares = 0;

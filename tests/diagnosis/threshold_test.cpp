@@ -27,7 +27,7 @@ struct NoiseAlone {
 
 TEST(Threshold, IsReachedByNoiseAloneInOneSessionOfTwoHundred) {
   NoiseAlone n;
-  const double threshold = simulated_threshold(n.model, n.candidates, 0, {});
+  const double threshold = simulated_threshold(n.model, n.candidates, {}, {});
   EXPECT_GE(threshold, 4);
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
@@ -46,7 +46,7 @@ TEST(Threshold, IsReachedByNoiseAloneInOneSessionOfTwoHundred) {
 
 TEST(Threshold, AsksForMoreWhereRepeatabilityIsEstimatedToo) {
   const NoiseAlone n;
-  EXPECT_GT(simulated_threshold(n.model, n.candidates, 1e-4, {}), simulated_threshold(n.model, n.candidates, 0, {}));
+  EXPECT_GT(simulated_threshold(n.model, n.candidates, {1e-4, 0}, {}), simulated_threshold(n.model, n.candidates, {}, {}));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ constexpr double kSame = 2;       // px
 constexpr double kVisible = 0.4;  // of the contrast, of what is clipped white
 
 struct Score {
-  int in_scope = 0, found = 0, far = 0, false_ones = 0, theirs_lost = 0;
+  int in_scope = 0, found = 0, far = 0, false_ones = 0, at_rim = 0, theirs_lost = 0;
   double squares = 0, worst = 0, normalised = 0, their_squares = 0, our_squares_there = 0, megapixels = 0;
   double recall() const { return static_cast<double>(found) / std::max(in_scope, 1); }
 };
@@ -57,6 +57,8 @@ void add(const Picture& picture, const std::vector<Corner>& corners, Filter filt
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto near = [&](const Eigen::Vector2d& rim) { return (rim - corners[i].position).norm() < 4 + picture.blur; };
+    const auto right_at = [&](const Eigen::Vector2d& rim) { return (rim - corners[i].position).norm() < 2; };
+    score.at_rim += !used[i] && std::any_of(picture.at_rim.begin(), picture.at_rim.end(), right_at);
     score.false_ones += !used[i] && std::none_of(picture.at_rim.begin(), picture.at_rim.end(), near);
   }
   score.megapixels += 1e-6 * picture.image.width * picture.image.height;
@@ -65,10 +67,11 @@ void add(const Picture& picture, const std::vector<Corner>& corners, Filter filt
 void print(const std::string& name, const Score& s) {
   fmt::print(
       "{:<34} {:6} in scope, recall {:.4f} ({:4} lost); rms {:.4f} worst {:.3f} px; normalised error^2 {:.2f}, > 18.4 "
-      "{:.2f} %; to cornerSubPix {:.2f}; {} false in {:.1f} MP\n",
+      "{:.2f} %; to cornerSubPix {:.2f}; {} false in {:.1f} MP, {} at the rim\n",
       name, s.in_scope, s.recall(), s.in_scope - s.found, std::sqrt(s.squares / std::max(s.found, 1)), s.worst,
       s.normalised / std::max(s.found, 1), 100.0 * s.far / std::max(s.found, 1),
-      s.their_squares > 0 ? std::sqrt(s.our_squares_there / s.their_squares) : 0.0, s.false_ones, s.megapixels);
+      s.their_squares > 0 ? std::sqrt(s.our_squares_there / s.their_squares) : 0.0, s.false_ones, s.megapixels,
+      s.at_rim);
   std::fflush(stdout);
 }
 

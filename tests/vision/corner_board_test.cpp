@@ -48,6 +48,30 @@ TEST(CornerBoard, ForetellsWhatLiesOppositeOfANeighbour) {
   EXPECT_TRUE(lattice.foretold_by(0).empty());
 }
 
+TEST(CornerBoard, AHoleIsForetoldThoughTheNextButTwoLooksLikeANeighbour) {
+  Lattice lattice(320, 240);
+  lattice.add(of_board(0, 0)), lattice.add(of_board(1, 0)), lattice.add(of_board(-3, 0));
+  ASSERT_EQ(lattice.neighbours(0)[1], 2);
+  const auto foretold = lattice.foretold_by(0);
+  ASSERT_EQ(foretold.size(), 1u);
+  EXPECT_NEAR((foretold[0].position - of_board(-1, 0).position).norm(), 0, 1e-9);
+  const CornerModel expected = lattice.expected(foretold[0]);
+  EXPECT_EQ(expected.half_contrast, of_board(-1, 0).half_contrast);
+  EXPECT_EQ(expected.position, foretold[0].position);
+}
+
+TEST(CornerBoard, ForetellsAsFarAwayAsANeighboursNeighbourWhereBothSidesAreLacking) {
+  Lattice lattice(320, 240);
+  lattice.add(of_board(0, 0)), lattice.add(of_board(0, 1)), lattice.add(of_board(1, 1));
+  bool is_foretold = false;
+  for (const Foretold& foretold : lattice.foretold_by(0))
+    is_foretold |= (foretold.position - of_board(1, 0).position).norm() < 1e-9;
+  EXPECT_TRUE(is_foretold);
+  lattice.add(of_board(1, 0));
+  for (const Foretold& foretold : lattice.foretold_by(0))
+    EXPECT_GT((foretold.position - of_board(1, 0).position).norm(), 1);
+}
+
 TEST(CornerBoard, KnowsWhatIsNear) {
   Lattice lattice(320, 240);
   lattice.add(of_board(0, 0));

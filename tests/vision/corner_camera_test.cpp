@@ -59,6 +59,26 @@ TEST(CornersOfACamera, SteepViews) {
   EXPECT_GE(outcome.recall(), 0.97);  // 0.98 in the trial's larger sample, 0.92 when each corner stood by itself
 }
 
+TEST(CornersOfACamera, SmallCells) {
+  const Outcome outcome = outcome_of({.cell = {5, 6}, .tilt = {0, 0.7}, .blur = {0.4, 1.1}}, 4, 8);
+  EXPECT_GT(outcome.in_scope, 2000);
+  EXPECT_GE(outcome.recall(), 0.995);
+}
+
+TEST(CornersOfACamera, InterpolatedColoursOfLittleNoise) {
+  const Outcome outcome =
+      outcome_of({.tilt = {0, 0.1}, .blur = {0.3, 0.7}, .noise = {0.2, 0.5}, .mosaic = Mosaic::bilinear}, 8, 9);
+  EXPECT_GE(outcome.recall(), 0.999);
+  EXPECT_LT(std::sqrt(outcome.squares), 0.02);  // 0.025 px where what has the pattern's period is fitted too
+  EXPECT_LT(outcome.normalised, 4);             // 4 to 9 then
+}
+
+TEST(CornersOfACamera, CompressionsNoiseIsNotCountedTwice) {
+  const Outcome outcome = outcome_of({.quality = {60, 80}}, 5, 10);
+  EXPECT_GT(outcome.normalised, 1.4);  // 1.0 where noise at edges counts as asymmetry too
+  EXPECT_LT(outcome.normalised, 3);
+}
+
 TEST(CornersOfACamera, BlurThatTheWholeImageCannotFit) {
   const Outcome outcome =
       outcome_of({.width = 480, .height = 360, .cell = {36, 50}, .tilt = {0, 0.5}, .blur = {3.5, 7}}, 4, 3);

@@ -42,5 +42,33 @@ TEST(SaddleCandidates, EveryTileKeepsItsStrongest) {
   EXPECT_TRUE(found);
 }
 
+// A large image is looked at in bands of rows, a smaller one at once: what they have in common has the same saddles.
+TEST(SaddleCandidates, DoNotDependOnTheBandsOfALargeImage) {
+  std::mt19937 random(5);
+  Image large(1300, 1300);
+  for (std::uint8_t& pixel : large.pixels) pixel = static_cast<std::uint8_t>(random());
+  for (int top = 0; top <= 200; top += 200) {
+    Image part(1300, 1100);
+    std::copy_n(large.row(top), part.pixels.size(), part.pixels.begin());
+    Image half_of_large, half_of_part;
+    const auto inside = [&](const Image& image, int from, Image& half) {
+      std::vector<Candidate> kept;
+      for (Candidate candidate : saddle_candidates(image, 60, 2, &half)) {
+        candidate.position.y() += from - top;
+        if (candidate.position.y() > 20 && candidate.position.y() < 1080) kept.push_back(candidate);
+      }
+      return kept;
+    };
+    const auto of_large = inside(large, 0, half_of_large), of_part = inside(part, top, half_of_part);
+    ASSERT_EQ(of_large.size(), of_part.size());
+    EXPECT_GT(of_large.size(), 1000U);
+    for (std::size_t i = 0; i < of_large.size(); ++i) {
+      EXPECT_EQ(of_large[i].position, of_part[i].position);
+      EXPECT_EQ(of_large[i].saddle, of_part[i].saddle);
+    }
+    EXPECT_TRUE(std::equal(half_of_part.pixels.begin(), half_of_part.pixels.end(), half_of_large.row(top / 2)));
+  }
+}
+
 }  // namespace
 }  // namespace handsight

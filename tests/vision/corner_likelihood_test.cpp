@@ -100,6 +100,26 @@ TEST(BoardSigns, SeeManyWithEdgesAndContrastsAlike) {
   EXPECT_EQ(of(changed), 0);
 }
 
+TEST(BoardSigns, CountAllThatAreNearWhereverTheyLie) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(0, 300);
+  std::vector<Suspect> all(250);
+  for (Suspect& suspect : all)
+    suspect.position = {place(random), place(random)}, suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
+  const std::vector<double> signs = board_signs(all);
+  bool some = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto near = std::count_if(all.begin(), all.end(), [&](const Suspect& other) {
+      const double distance = (other.position - all[i].position).norm();
+      return distance >= 2 && distance < 40;
+    });
+    const double expected = std::clamp((static_cast<double>(near) - 8) / 6, 0.0, 1.0);
+    EXPECT_DOUBLE_EQ(signs[i], expected);
+    some |= expected > 0 && expected < 1;
+  }
+  EXPECT_TRUE(some);
+}
+
 TEST(Weigh, ABoardsCornersNeedNotAllBeFound) {
   std::vector<Suspect> board = crowd(1, 15);
   std::vector<Candidate> candidates = candidates_of(board);

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/scatter_levels.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+constexpr Scatter most{3e-3, 1e-3};
+constexpr double clearly_likelier = 5;  // ln: what another assumption must bring
+constexpr int most_rounds = 20;
+constexpr double settled = 1e-2;      // of a variance, from round to round
+constexpr double negligible = 1e-12;  // (1 urad)^2, (1 um)^2
+
+/// The white noise (in units of its variance), the joints' scatter (rad^2) and the place's (m^2).
+using Variances = Eigen::Vector3d;
+
+/// One observation's covariance for variances of 1: of the joints and of the place.
+struct Shares {
+  Eigen::MatrixXd joints, place;
+  Eigen::VectorXd error;
+};
+
+std::vector<Shares> shares_of(const LinearModel& model) {
+  std::vector<Shares> all;
+  for (const LinearObservation& o : model.observations) {
+    const auto by_place = o.by_body.leftCols<3>();
+    all.push_back({o.by_joints * o.by_joints.transpose(), by_place * by_place.transpose(),
+                   model.external_error.segment(o.first, o.count)});
+  }
+  return all;
+}
+
+/// By the variances, summed over the observations.
+struct Likelihood {
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();      // e^T V^-1 K V^-1 e, for each share K of the covariance V
+  Eigen::Vector3d traces = Eigen::Vector3d::Zero();       // tr(V^-1 K), what they are expected to be
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // tr(V^-1 K V^-1 L)
+};
+
+Likelihood likelihood(const std::vector<Shares>& all, const Variances& v) {
+  Likelihood sum;
+  for (const Shares& s : all) {
+    Eigen::MatrixXd covariance = v[1] * s.joints + v[2] * s.place;
+    covariance.diagonal().array() += v[0];
+    const Eigen::LLT<Eigen::MatrixXd> llt(covariance);
+    const std::array<Eigen::MatrixXd, 3> by{llt.solve(Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols())),
+                                            llt.solve(s.joints), llt.solve(s.place)};
+    const Eigen::VectorXd w = llt.solve(s.error);
+    sum.squares += Eigen::Vector3d(w.squaredNorm(), w.dot(s.joints * w), w.dot(s.place * w));
+    for (int k = 0; k < 3; ++k) {
+      sum.traces[k] += by[k].trace();
+      for (int l = 0; l < 3; ++l) sum.information(k, l) += by[k].cwiseProduct(by[l].transpose()).sum();
+    }
+  }
+  return sum;
+}
+
+/// A step of Fisher's scoring from `v` on; no variance falls below a tenth or grows beyond ten times of what it was.
+Variances scored(const Likelihood& at, const Variances& v, bool with_noise) {
+  const int first = with_noise ? 0 : 1, count = 3 - first;
+  Eigen::MatrixXd information = at.information.bottomRightCorner(count, count);
+  for (int k = 0; k < count; ++k) information(k, k) += information(k, k) > 0 ? 1e-9 * information(k, k) : 1.0;
+  const Eigen::VectorXd step = information.ldlt().solve((at.squares - at.traces).tail(count));
+  Variances next = v;
+  for (int k = 0; k < count; ++k)
+    next[first + k] = std::clamp(v[first + k] + step[k], 0.1 * v[first + k], 10 * v[first + k]);
+  return next;
+}
+
+std::vector<Scatter> usual_levels() { return {{0, 0}, {1e-4, 0}, {3e-4, 0}, {1e-3, 0}, {3e-3, 0}}; }
+
+std::vector<Scatter> parts_of(const Scatter& s) {
+  std::vector<Scatter> parts;
+  for (const double part : {0.0, 0.1, 0.3, 0.6, 1.0}) parts.push_back({part * s.joints, part * s.place});
+  return parts;
+}
+
+LinearModel without_candidates(const LinearModel& model) {
+  LinearModel base = model;
+  base.external = model.external.leftCols(model.base);
+  base.internal_of.clear();
+  return base;
+}
+
+}  // namespace
+
+Scatter likely_scatter(const LinearModel& model, const Scatter& start, const NoiseKnowledge& noise, bool with_place) {
+  const std::vector<Shares> all = shares_of(model);
+  Variances v(1, std::pow(std::max(start.joints, 1e-4), 2), 0);
+  if (with_place) v[2] = std::pow(std::max(start.place, 1e-4), 2);
+  for (int round = 0; round < most_rounds; ++round) {
+    const Variances before = v;
+    v = scored(likelihood(all, v), v, !noise.known);
+    const bool is_settled = ((v - before).array().abs() <= settled * before.array() || v.array() <= negligible).all();
+    if (is_settled) break;
+  }
+  v /= v[0];
+  return {std::min(std::sqrt(v[1]), most.joints), std::min(std::sqrt(v[2]), most.place)};
+}
+
+std::vector<Scatter> scatter_levels(const LinearModel& model, const NoiseKnowledge& noise) {
+  const LinearModel base = model.candidates() > 0 ? without_candidates(model) : model;
+  const auto evidence = [&](const Scatter& s) { return whiten(base, s, noise).ln_evidence; };
+  std::vector<Scatter> levels = usual_levels();
+  Scatter best;
+  double top = -1e300;
+  for (const Scatter& level : levels)
+    if (const double e = evidence(level); e > top) {
+      top = e;
+      best = level;
+    }
+  for (const bool with_place : {false, true}) {
+    if (with_place && !noise.known) continue;
+    const Scatter likely = likely_scatter(base, best, noise, with_place);
+    const double e = evidence(likely);
+    if (e <= top + clearly_likelier) continue;
+    top = e;
+    best = likely;
+    levels = parts_of(likely);
+  }
+  return levels;
+}
+
+std::string scatter_text(const Scatter& s) {
+  std::string text;
+  if (s.joints > 0) text = fmt::format("joints that repeat to {:.2g} mrad", 1e3 * s.joints);
+  if (s.place >= least_told_place)
+    text += fmt::format("{}a hand whose place scatters by {:.2g} mm", text.empty() ? "" : " and ", 1e3 * s.place);
+  return text;
+}
+
+}  // namespace handsight

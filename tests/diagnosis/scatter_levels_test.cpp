@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/scatter_levels.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "estimation/fit.h"
+#include "fixtures/arms.h"
+
+namespace handsight {
+namespace {
+
+constexpr double noise = 0.2;
+
+/// A fitted session with nothing missing, linearised.
+LinearModel model_of(int observations) {
+  SimulationOptions o;
+  o.seed = 7;
+  o.observations = observations;
+  o.noise = noise;
+  const SimulatedSession simulated = simulate_session(fixture::stand_session(), o);
+  const Fit f = fit(simulated.session, {});
+  return linear_model(with_motions(f.problem), estimate(f), 0, noise);
+}
+
+/// The errors drawn again: noise and this scatter.
+void draw_errors(const Scatter& scatter, std::uint64_t seed, LinearModel& model) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const auto drawn = [&](Eigen::Index n) {
+    Eigen::VectorXd x(n);
+    for (double& value : x) value = normal(random);
+    return x;
+  };
+  for (const LinearObservation& o : model.observations)
+    model.external_error.segment(o.first, o.count) = drawn(o.count) +
+                                                     scatter.joints * o.by_joints * drawn(o.by_joints.cols()) +
+                                                     scatter.place * o.by_body.leftCols<3>() * drawn(3);
+}
+
+TEST(ScatterLevels, LikelyScatterIsTheOneThatWasDrawn) {
+  LinearModel model = model_of(300);
+  for (const Scatter& truth : {Scatter{4e-4, 0}, Scatter{1e-3, 3e-4}, Scatter{2e-4, 5e-4}}) {
+    double joints = 0, place = 0;
+    constexpr int draws = 8;
+    for (int i = 0; i < draws; ++i) {
+      draw_errors(truth, 100 + static_cast<std::uint64_t>(i), model);
+      const Scatter found = likely_scatter(model, {}, {}, true);
+      joints += found.joints / draws;
+      place += found.place / draws;
+    }
+    EXPECT_NEAR(joints, truth.joints, 0.15 * truth.joints);
+    EXPECT_NEAR(place, truth.place, std::max(0.15 * truth.place, 1e-4));
+  }
+}
+
+TEST(ScatterLevels, LikelyScatterDoesNotDependOnWhereTheSearchBegins) {
+  LinearModel model = model_of(200);
+  draw_errors({7e-4, 3e-4}, 3, model);
+  const Scatter a = likely_scatter(model, {}, {}, true), b = likely_scatter(model, {3e-3, 0}, {}, true);
+  EXPECT_NEAR(a.joints, b.joints, 0.1 * a.joints);
+  EXPECT_NEAR(a.place, b.place, 0.1 * a.place);
+}
+
+TEST(ScatterLevels, WhereTheNoiseIsUnknownOnlyTheJointsShare) {
+  LinearModel model = model_of(300);
+  draw_errors({1e-3, 0}, 5, model);
+  const Scatter found = likely_scatter(model, {}, {false, 1000}, false);
+  EXPECT_NEAR(found.joints, 1e-3, 2e-4);
+  EXPECT_EQ(found.place, 0);
+}
+
+TEST(ScatterLevels, AreTheUsualOnesWhereNothingScatters) {
+  LinearModel model = model_of(100);
+  draw_errors({}, 9, model);
+  const std::vector<Scatter> levels = scatter_levels(model, {});
+  EXPECT_EQ(levels.front(), Scatter{});
+  EXPECT_EQ(levels.back(), (Scatter{3e-3, 0}));
+}
+
+TEST(ScatterLevels, EndAtTheScatterThatIsThere) {
+  LinearModel model = model_of(200);
+  draw_errors({1.7e-3, 6e-4}, 11, model);
+  const std::vector<Scatter> levels = scatter_levels(model, {});
+  EXPECT_EQ(levels.front(), Scatter{});
+  EXPECT_NEAR(levels.back().joints, 1.7e-3, 3e-4);
+  EXPECT_NEAR(levels.back().place, 6e-4, 2e-4);
+  const auto evidence = [&](const Scatter& s) { return whiten(model, s, {}).ln_evidence; };
+  for (const Scatter& usual : {Scatter{1e-3, 0}, Scatter{3e-3, 0}}) EXPECT_GT(evidence(levels.back()), evidence(usual));
+}
+
+TEST(ScatterLevels, AreToldInWords) {
+  EXPECT_EQ(scatter_text({}), "");
+  EXPECT_EQ(scatter_text({1.3e-3, 0}), "joints that repeat to 1.3 mrad");
+  EXPECT_EQ(scatter_text({1.3e-3, 9e-4}), "joints that repeat to 1.3 mrad and a hand whose place scatters by 0.9 mm");
+  EXPECT_EQ(scatter_text({0, 9e-4}), "a hand whose place scatters by 0.9 mm");
+}
+
+}  // namespace
+}  // namespace handsight
