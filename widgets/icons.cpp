@@ -5,8 +5,6 @@
 #include <QIconEngine>
 #include <QSvgRenderer>
 
-#include "widgets/theme.h"
-
 /// Outside of any namespace, as the macro wants it: the drawings lie in a static library.
 static void init_icons() { Q_INIT_RESOURCE(icons); }
 
@@ -52,9 +50,10 @@ void draw_icon(QPainter& painter, const QRectF& area, const QString& name, const
   QSvgRenderer(svg).render(&painter, area);
 }
 
-QPixmap drawn_picture(const QString& name) {
+QPixmap drawn_picture(const QString& name, ThemeKind theme) {
   has_icon(name);  // the resources are ready
-  QPixmap picture(QStringLiteral(":/pictures/%1.png").arg(name));
+  const QString folder = theme == ThemeKind::dark ? QStringLiteral("pictures/dark") : QStringLiteral("pictures");
+  QPixmap picture(QStringLiteral(":/%1/%2.png").arg(folder, name));
   picture.setDevicePixelRatio(2);
   return picture;
 }

@@ -24,6 +24,20 @@
 namespace handsight::widgets {
 namespace {
 
+/// What these words need in the view's font, with so much round them.
+int width_of(const QTableView& view, const QStringList& words, int round_them) {
+  int wide = 0;
+  for (const QString& word : words) wide = std::max(wide, view.fontMetrics().horizontalAdvance(word));
+  return wide + round_them;
+}
+
+int state_width(const QTableView& view) {
+  return width_of(view,
+                  {QObject::tr("used"), QObject::tr("odd"), QObject::tr("rejected"), QObject::tr("excluded"),
+                   QObject::tr("waiting")},
+                  14);
+}
+
 void set_up_view(QTableView& view) {
   view.setSelectionBehavior(QAbstractItemView::SelectRows);
   view.setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -45,22 +59,25 @@ void set_up_view(QTableView& view) {
   header.setHighlightSections(false);
   header.setFixedHeight(kControlHeight);
   header.setMinimumSectionSize(36);
-  const std::array<int, 6> widths = {46, 50, 50, 50, 72, 70};
+  const int id = width_of(view, {view.model()->headerData(0, Qt::Horizontal).toString()}, 26);  // and the arrow
+  const int worst = width_of(view, {"0, " + QObject::tr("right"), "0, " + QObject::tr("left")}, 32);
+  const std::array<int, 6> widths = {std::max(46, id), 50, 50, 50, worst, state_width(view)};
   for (std::size_t i = 0; i < widths.size(); ++i) view.setColumnWidth(static_cast<int>(i), widths[i]);
   header.setSectionResizeMode(static_cast<int>(TableColumn::reason), QHeaderView::Stretch);
 }
 
 // Two letters of a reason tell nothing: without room for more the state's tool tip gives it.
 void give_room_to_reason(QTableView& view) {
-  constexpr int kLeastWidth = 90, kStateWidth = 70;
+  constexpr int kLeastWidth = 90;
+  const int state_needs = state_width(view);
   const int reason = static_cast<int>(TableColumn::reason), state = static_cast<int>(TableColumn::state);
-  int room = view.viewport()->width() - kStateWidth;
+  int room = view.viewport()->width() - state_needs;
   for (int i = 0; i < state; ++i) room -= view.isColumnHidden(i) ? 0 : view.columnWidth(i);
   const bool is_hidden = room < kLeastWidth;
   if (view.isColumnHidden(reason) == is_hidden) return;
   view.setColumnHidden(reason, is_hidden);
   view.horizontalHeader()->setSectionResizeMode(state, is_hidden ? QHeaderView::Stretch : QHeaderView::Interactive);
-  if (!is_hidden) view.setColumnWidth(state, kStateWidth);
+  if (!is_hidden) view.setColumnWidth(state, state_needs);
 }
 
 }  // namespace

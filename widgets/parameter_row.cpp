@@ -82,8 +82,14 @@ void ParameterRow::paintEvent(QPaintEvent*) {
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
   if (is_long) {
-    draw_text(painter, QRectF(0, 0, text_width(), 20), Qt::AlignLeft | Qt::AlignVCenter, parameter_.of);
-    draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, parameter_.name);
+    // A long name stands beside its joint rather than cut short before its number.
+    const QFontMetricsF metrics(painter.font());
+    const bool is_above = metrics.horizontalAdvance(parameter_.name) > line.width() - wide - 6 &&
+                          metrics.horizontalAdvance(name()) <= text_width();
+    draw_text(painter, QRectF(0, 0, text_width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
+              is_above ? name() : parameter_.of);
+    if (!is_above)
+      draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, parameter_.name);
   } else {
     draw_text(painter, line.adjusted(0, 0, -wide - 6, 0), Qt::AlignLeft | Qt::AlignVCenter, name());
   }

@@ -111,8 +111,9 @@ void PlotWidget::showEvent(QShowEvent* event) {
 
 void PlotWidget::resizeEvent(QResizeEvent*) {
   empty_label_->setGeometry(rect().adjusted(0, 21, 0, 0));
-  constexpr int frame = 66, step = 26;  // px: title and axis; a line of the grid
-  plot_->yAxis->ticker()->setTickCount(std::clamp((height() - frame) / step, 2, 5));
+  constexpr int frame = 66, step = 22;  // px: title and axis; a line of the grid
+  const int fewest = height() < 2 * frame ? 2 : 3;
+  plot_->yAxis->ticker()->setTickCount(std::clamp((height() - frame) / step, fewest, 5));
 }
 
 void PlotWidget::brushed(const QRectF&) {}

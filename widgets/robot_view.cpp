@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <QToolButton>
+#include <utility>
 
 #include "widgets/paint_tools.h"
 #include "widgets/robot_view_parts.h"
@@ -250,8 +251,14 @@ void RobotView::draw(const QSize& size) {
 
 void RobotView::paintEvent(QPaintEvent*) {
   const double ratio = devicePixelRatioF();
-  draw((QSizeF(size()) * ratio).toSize());
   QPainter painter(this);
+  // OpenGL takes as long to load as all the rest of the window: that is shown first.
+  if (!std::exchange(parts_->was_painted, true) && !parts_->gl.is_ready()) {
+    painter.fillRect(rect(), colors().panel);
+    QTimer::singleShot(0, this, [this] { update(); });
+    return;
+  }
+  draw((QSizeF(size()) * ratio).toSize());
   if (parts_->picture.isNull()) {
     painter.fillRect(rect(), colors().panel);
     draw_sentence(painter, rect(), parts_->empty_text);

@@ -64,9 +64,9 @@ void RobotView::mouseMoveEvent(QMouseEvent* event) {
   if (!p.has_moved) return;
   const QPointF d = event->position() - p.last_at;
   p.last_at = event->position();
-  if (p.button == Qt::LeftButton) p.orbit.turn(-0.008 * d.x(), 0.008 * d.y());
-  if (p.button == Qt::MiddleButton) p.orbit.pan(d.x(), d.y(), height());
-  if (p.button == Qt::RightButton) p.orbit.zoom(std::exp(-0.008 * d.y()));
+  if (p.button == Qt::LeftButton) p.by_hand().turn(-0.008 * d.x(), 0.008 * d.y());
+  if (p.button == Qt::MiddleButton) p.by_hand().pan(d.x(), d.y(), height());
+  if (p.button == Qt::RightButton) p.by_hand().zoom(std::exp(-0.008 * d.y()));
   change();
 }
 
@@ -84,7 +84,7 @@ void RobotView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void RobotView::wheelEvent(QWheelEvent* event) {
-  parts_->orbit.zoom(std::pow(1.15, event->angleDelta().y() / 120.0));
+  parts_->by_hand().zoom(std::pow(1.15, event->angleDelta().y() / 120.0));
   event->accept();
   change();
 }
@@ -119,22 +119,22 @@ void RobotView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_0:
       return look(StandardView::camera);
     case Qt::Key_Plus:
-      p.orbit.zoom(1.15);
+      p.by_hand().zoom(1.15);
       return change();
     case Qt::Key_Minus:
-      p.orbit.zoom(1 / 1.15);
+      p.by_hand().zoom(1 / 1.15);
       return change();
     case Qt::Key_Left:
-      p.orbit.turn(0.1, 0);
+      p.by_hand().turn(0.1, 0);
       return change();
     case Qt::Key_Right:
-      p.orbit.turn(-0.1, 0);
+      p.by_hand().turn(-0.1, 0);
       return change();
     case Qt::Key_Up:
-      p.orbit.turn(0, 0.1);
+      p.by_hand().turn(0, 0.1);
       return change();
     case Qt::Key_Down:
-      p.orbit.turn(0, -0.1);
+      p.by_hand().turn(0, -0.1);
       return change();
     default:
       QWidget::keyPressEvent(event);

@@ -47,12 +47,15 @@ const SceneArrow* RobotView::Parts::arrow_of(ObservationId id) const {
 void RobotView::Parts::make_ready() {
   if (robot_changed) make_robot();
   if (theme_changed) set_colors();
+  const bool has_moved_robot = posture_changed;
   if (posture_changed || ghost_changed) place_robot();
   if (marks_changed) make_marks();
   if (arrows_changed || rings_changed) make_arrows();
   if (wants_fit && has_robot() && !posture.empty()) {
     look(StandardView::all);
     wants_fit = false;
+  } else if (is_framed && has_moved_robot && has_robot() && !is_in_sight()) {
+    look(StandardView::all);
   }
   orbit.apply(*renderer->GetActiveCamera());
   renderer->ResetCameraClippingRange();
@@ -156,7 +159,21 @@ std::pair<Vector3, Vector3> RobotView::Parts::extent() const {
   return {low, high};
 }
 
+bool RobotView::Parts::is_in_sight() const {
+  const auto [low, high] = extent();
+  const QSizeF size(aspect, 1);
+  int seen = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3 place(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
+                        corner & 4 ? high.z() : low.z());
+    const auto at = to_screen(place, size);
+    if (at && QRectF(QPointF(0, 0), size).contains(*at)) ++seen;
+  }
+  return seen >= 7;
+}
+
 void RobotView::Parts::look(StandardView view) {
+  is_framed = view == StandardView::all;
   const auto from = [this](double azimuth, double elevation) {
     orbit.azimuth = azimuth;
     orbit.elevation = elevation;

@@ -52,13 +52,20 @@ struct RobotView::Parts {
   bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, arrows_changed = true,
        rings_changed = true, theme_changed = true;
   bool wants_fit = true;
-  double aspect = 1.3;  // width over height of the view
+  bool is_framed = false;    // the eye is where the view itself put it: it may follow a robot that leaves the picture
+  bool was_painted = false;  // once at least, with the scene or before there was one
+  double aspect = 1.3;       // width over height of the view
 
   // What the pointer does.
   Qt::MouseButton button = Qt::NoButton;
   QPointF pressed_at, last_at;
   bool has_moved = false;
 
+  /// The eye, moved by the user: from then on it stays.
+  Orbit& by_hand() {
+    is_framed = false;
+    return orbit;
+  }
   void make_ready();
   void make_robot();
   void place_robot();
@@ -71,6 +78,8 @@ struct RobotView::Parts {
   /// round the robot; m, root frame.
   std::pair<Vector3, Vector3> extent() const;
   void look(StandardView view);
+  /// Is most of what the session is about in the picture?
+  bool is_in_sight() const;
   /// The cube in the corner as it is painted now; empty where the view is too narrow for it.
   std::vector<CubeFace> cube(const QSizeF& size) const;
   std::optional<QPointF> to_screen(const Vector3& in_root, const QSizeF& size) const;

@@ -84,6 +84,11 @@ void apply_theme(QApplication& application, ThemeKind kind) {
   const QPalette palette = palette_of(colors_of(kind));
   // Tool tips of Fusion read the application's palette; a style sheet would switch off the style's own drawing.
   QApplication::setPalette(palette);
+  // What is chosen in a list is a row that is tinted, in tables and menus of choices alike.
+  QPalette lists = palette;
+  lists.setColor(QPalette::Highlight, colors().selected_row);
+  lists.setColor(QPalette::HighlightedText, colors().ink1);
+  QApplication::setPalette(lists, "QAbstractItemView");
   QApplication::setFont(text_font(TextRole::body));
   application.setProperty("handsight_theme", kind == ThemeKind::dark ? "dark" : "light");
 }

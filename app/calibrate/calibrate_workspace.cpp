@@ -279,7 +279,9 @@ void CalibrateWorkspace::recall() {
   is_recalled_ = true;
   bench_.background.start<std::vector<OnlineStep>>(
       "recall", tr("Recalling the play"),
-      [session = s](JobControl& control) { return recalled_steps(session, going_on(control)); },
+      [session = bench_.document.shared_session()](JobControl& control) {
+        return recalled_steps(*session, going_on(control));
+      },
       [this](const std::vector<OnlineStep>& steps) {
         if (player_.position() > 0 || player_.is_playing()) return;
         std::vector<widgets::ConvergencePoint> points;

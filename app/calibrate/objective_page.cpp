@@ -52,7 +52,7 @@ ObjectivePage::ObjectivePage(Workbench& bench, QWidget* parent) : QWidget(parent
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setFocusPolicy(Qt::NoFocus);
   table_->verticalHeader()->setDefaultSectionSize(22);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   QStringList names;
   for (const Objective o : objectives) names << objective_name(o);
   table_->setHorizontalHeaderLabels(names);
@@ -109,12 +109,12 @@ void ObjectivePage::compare() {
   compared_ = bench_.document.revision();
   bench_.jobs.start<std::array<ModelVersionPointer, 3>>(
       "objectives", tr("Comparing the three objectives"),
-      [session = bench_.document.session(), settings, revision = compared_](JobControl& control) {
+      [session = bench_.document.shared_session(), settings, revision = compared_](JobControl& control) {
         std::array<ModelVersionPointer, 3> results;
         for (std::size_t i = 0; i < 3 && !control.is_cancelled(); ++i) {
           ModelSettings one = settings;
           one.objective = objectives[i];
-          results[i] = make_version(session, one, revision, {}, {}, going_on(control));
+          results[i] = make_version(*session, one, revision, {}, {}, going_on(control));
           control.report(static_cast<double>(i + 1) / 3);
         }
         return results;

@@ -29,7 +29,7 @@ OneMarkerPage::OneMarkerPage(Workbench& bench, QWidget* parent) : QWidget(parent
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(22);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   sentence_ = new QLabel(this);
   sentence_->setWordWrap(true);
   auto* row = new QHBoxLayout;
@@ -74,7 +74,9 @@ void OneMarkerPage::compute() {
   options.marker_in_tcp = estimate(*model->fit).markers_in_tcp[static_cast<std::size_t>(options.marker)];
   bench_.jobs.start<OneMarkerResult>(
       "one marker", tr("Effective masses"),
-      [session = bench_.document.session(), options](JobControl&) { return effective_masses(session, options); },
+      [session = bench_.document.shared_session(), options](JobControl&) {
+        return effective_masses(*session, options);
+      },
       [this](const OneMarkerResult& result) { show_result(result); },
       [this](const QString& refusal) {
         table_->setRowCount(0);

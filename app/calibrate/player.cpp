@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "document/core_words.h"
 #include "model/chain.h"
 #include "session/target_finding.h"
 
@@ -230,7 +231,7 @@ void Player::next() {
       run_ = std::make_shared<Run>(bench_.document.session());
     } catch (const std::exception& error) {
       stop();
-      emit bench_.document.noticed(QString::fromStdString(error.what()));
+      emit bench_.document.noticed(translated_error(error));
       emit state_changed();
       return;
     }

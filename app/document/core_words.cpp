@@ -10,6 +10,12 @@ QString translated(const std::string& english) {
   return english.empty() ? QString() : QCoreApplication::translate("core", english.c_str());
 }
 
+QString translated_of_file(const std::string& english) {
+  return english.empty() ? QString() : QCoreApplication::translate("errors", english.c_str());
+}
+
+QString translated_error(const std::exception& error) { return translated_of_file(error.what()); }
+
 QString within_sentence(QString title) {
   // As Qt asks for the direction of writing: what the translation of a text is tells of the language.
   static constexpr const char* english = "a noun begins small";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <exception>
 #include <string>
 
 namespace handsight::app {
@@ -10,6 +11,10 @@ namespace handsight::app {
 /// A text of the catalogue (a title, a cause, a number's name) or a sentence of the core, translated by the contexts
 /// "effects" and "core" of resources/translations; as it stands where these do not have it.
 QString translated(const std::string& english);
+
+/// What is said of a file, whichever it is: the same, by the context "errors" too.
+QString translated_of_file(const std::string& english);
+QString translated_error(const std::exception& error);
 
 /// A title as it stands within a sentence: English begins it small, a language that writes its nouns with a capital
 /// leaves it.

@@ -20,9 +20,15 @@ std::shared_ptr<const CandidateView> make_view(const ModelResiduals& residuals, 
 
 }  // namespace
 
-std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit) {
+QString titled(const QString& title, const ModelResiduals& residuals) {
+  const auto shown = static_cast<int>(residuals.views.problem.observations.size());
+  if (shown >= residuals.views.fitted) return title;
+  return QObject::tr("%1 (%2 of %3 observations)").arg(title).arg(shown).arg(residuals.views.fitted);
+}
+
+std::shared_ptr<const ModelResiduals> make_residuals(const ModelVersion& version) {
   auto made = std::make_shared<ModelResiduals>();
-  made->views = residual_views(fit);
+  made->views = residual_views(*version.fit, most_shown, static_cast<std::size_t>(version.report->used));
   made->patterns = find_patterns(made->views.series, made->views.variables);
   return made;
 }
@@ -61,7 +67,13 @@ Diagnosing::ResultPointer Diagnosing::known(const ModelVersionPointer& version) 
   return nullptr;
 }
 
+/// A fit that the document has forgotten never comes again.
+void Diagnosing::forget_with_the_document() {
+  std::erase_if(earlier_, [this](const ResultPointer& r) { return r != now_ && !document_.keeps(*r->version); });
+}
+
 void Diagnosing::follow() {
+  forget_with_the_document();
   const ModelVersionPointer model = document_.model();
   if (!is_wanted_ || !model || !model->fit) return;
   if (now_ && same_fit(*now_->version, *model)) {
@@ -90,7 +102,7 @@ void Diagnosing::start() {
   jobs_.start<bool>(
       "diagnosis", tr("Looking for what is missing"),
       [this, result = now_, residuals = now_->residuals, diagnosis = now_->diagnosis, version = now_->version,
-       session = document_.session()](JobControl& control) {
+       session = document_.shared_session()](JobControl& control) {
         // The result itself belongs to the window's thread: parts are made here and handed over.
         auto part = std::make_shared<Result>();
         part->version = version;
@@ -108,7 +120,7 @@ void Diagnosing::start() {
           });
         };
         if (!part->residuals) {
-          part->residuals = make_residuals(*version->fit);
+          part->residuals = make_residuals(*version);
           hand_over(&Diagnosing::residuals_changed);
         }
         if (control.is_cancelled()) return false;
@@ -122,7 +134,7 @@ void Diagnosing::start() {
           return !control.is_cancelled();
         };
         if (!part->diagnosis) {
-          auto made = std::make_shared<Diagnosis>(diagnosed(session, options));
+          auto made = std::make_shared<Diagnosis>(diagnosed(*session, options));
           if (made->stopped) return false;
           part->diagnosis = made;
         }
@@ -164,7 +176,7 @@ std::shared_ptr<const ModelResiduals> Diagnosing::residuals_of(const ModelVersio
     if (earlier_.size() > most_kept) earlier_.pop_back();
   }
   if (!result->residuals && is_wanted_ && result == now_) return nullptr;  // they are on their way
-  if (!result->residuals) result->residuals = make_residuals(*version->fit);
+  if (!result->residuals) result->residuals = make_residuals(*version);
   return result->residuals;
 }
 

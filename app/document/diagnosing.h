@@ -20,8 +20,11 @@ struct ModelResiduals {
   std::vector<Pattern> patterns;  // all pairs, most structured first
 };
 
+/// The title of what these residuals are drawn in; where they are those of a part of the observations it says so.
+QString titled(const QString& title, const ModelResiduals& residuals);
+
 /// Takes a moment: for the background.
-std::shared_ptr<const ModelResiduals> make_residuals(const Fit& fit);
+std::shared_ptr<const ModelResiduals> make_residuals(const ModelVersion& version);
 
 /// How a candidate shows on these poses, once TCP->Body and the rest have taken up what they can.
 struct CandidateView {
@@ -74,6 +77,7 @@ class Diagnosing : public QObject {
   void follow();
   void start();
   void post(std::function<void()> news);
+  void forget_with_the_document();
   ResultPointer known(const ModelVersionPointer& version) const;
 
   Document& document_;

@@ -2,9 +2,11 @@
 #include "document/document.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "document/core_words.h"
 #include "document/counted.h"
 #include "document/effect_words.h"
 #include "session/session_xml.h"
@@ -50,12 +52,12 @@ void Document::open(const std::filesystem::path& path) {
   Session session = read_session(path);
   const std::string digest = digest_of(read_file(session.file));
   const bool is_same_file =
-      journal_ && std::filesystem::weakly_canonical(session.file) == std::filesystem::weakly_canonical(session_.file);
+      journal_ && std::filesystem::weakly_canonical(session.file) == std::filesystem::weakly_canonical(session_->file);
   if (is_same_file) close();
   auto journal = std::make_unique<Journal>(session.file, digest, &session);
   close();
   journal_ = std::move(journal);
-  session_ = std::move(session);
+  session_ = std::make_shared<Session>(std::move(session));
   settings_ = {};
   readings_.clear();
   drafts_.clear();
@@ -80,7 +82,7 @@ void Document::close() {
   // What session.xml cannot hold (the model's effects, what was measured) stays in the journal.
   if (stack_.isClean() && settings_ == ModelSettings{} && readings_.empty() && drafts_.empty()) {
     try {
-      journal_->clear(digest_of(read_file(session_.file)));
+      journal_->clear(digest_of(read_file(session_->file)));
     } catch (const InputError&) {
       // The session's folder is gone; the journal is then set aside when it comes back.
     }
@@ -90,7 +92,7 @@ void Document::close() {
   versions_.clear();
   shown_.reset();
   second_looks_.clear();
-  session_ = {};
+  session_ = std::make_shared<Session>();
   readings_.clear();
   drafts_.clear();
   index_of_.clear();
@@ -106,27 +108,43 @@ std::int64_t id_at(const Session& session, int index) {
 
 void Document::number_observations() {
   index_of_.clear();
-  for (std::size_t i = 0; i < session_.observations.size(); ++i)
-    index_of_[session_.observations[i].id] = static_cast<int>(i);
+  for (std::size_t i = 0; i < session_->observations.size(); ++i)
+    index_of_[session_->observations[i].id] = static_cast<int>(i);
+}
+
+/// To be changed: whoever works on the session as it was keeps that.
+Session& Document::own_session() {
+  if (session_.use_count() == 1) {
+    std::atomic_thread_fence(std::memory_order_acquire);  // what the last job read, it has read
+    return *session_;
+  }
+  const std::shared_ptr<const Session> before = session_;
+  session_ = std::make_shared<Session>(*before);
+  // Who was given a reference in this round of events may look at it to the end of the round.
+  QMetaObject::invokeMethod(
+      this, [before] {}, Qt::QueuedConnection);
+  return *session_;
 }
 
 void Document::add_observations(const std::vector<Observation>& added) {
+  if (added.empty()) return;
+  std::vector<Observation>& observations = own_session().observations;
   for (const Observation& o : added)
     if (index_of(o.id) < 0) {
-      session_.observations.push_back(o);
-      index_of_[o.id] = static_cast<int>(session_.observations.size()) - 1;
+      observations.push_back(o);
+      index_of_[o.id] = static_cast<int>(observations.size()) - 1;
     }
 }
 
 void Document::remove_observations(const std::vector<Observation>& removed) {
   if (removed.empty()) return;
-  std::erase_if(session_.observations, [&](const Observation& o) {
+  std::erase_if(own_session().observations, [&](const Observation& o) {
     return std::any_of(removed.begin(), removed.end(), [&](const Observation& r) { return r.id == o.id; });
   });
   number_observations();
   // A model that knows what has gone is shown no longer: rather the last one before.
   const auto fits = [this](const ModelVersionPointer& version) {
-    return !version || !version->inspection || version->inspection->rows.size() <= session_.observations.size();
+    return !version || !version->inspection || version->inspection->rows.size() <= session_->observations.size();
   };
   if (fits(shown_)) return;
   shown_ = model();
@@ -142,7 +160,7 @@ int Document::index_of(std::int64_t id) const {
 
 const Observation* Document::find(std::int64_t id) const {
   const int index = index_of(id);
-  return index < 0 ? nullptr : &session_.observations[static_cast<std::size_t>(index)];
+  return index < 0 ? nullptr : &session_->observations[static_cast<std::size_t>(index)];
 }
 
 Edit Document::edit_of(const QString& sentence,
@@ -191,7 +209,7 @@ bool Document::write_down(const JournalEntry& entry) {
     journal_->append(entry);
     return true;
   } catch (const InputError& error) {
-    emit noticed(QString::fromStdString(error.what()));
+    emit noticed(translated_error(error));
     return false;
   }
 }
@@ -246,17 +264,17 @@ void Document::undo_all() {
 
 void Document::save() {
   if (!journal_) return;
-  const std::string text = session_text(session_);
+  const std::string text = session_text(*session_);
   const std::string digest = digest_of(text);
   const std::string aside = set_aside_what_another_wrote();
   // Marked before the file is replaced: a kill between the two finds the old content, and replays.
   // Where the state folder's disk is full the session itself is saved all the same.
   const bool is_marked = write_down({JournalEntry::Kind::saved, {}, digest});
-  replace_file(session_.file, text);
-  session_.source = std::make_shared<const std::string>(text);
+  replace_file(session_->file, text);
+  own_session().source = std::make_shared<const std::string>(text);
   digest_ = digest;
   stack_.setClean();
-  const QString saved = tr("Saved in %1").arg(QString::fromStdString(session_.file.string()));
+  const QString saved = tr("Saved in %1").arg(QString::fromStdString(session_->file.string()));
   emit noticed(aside.empty() ? saved
                              : tr("%1; another program had changed it meanwhile, and what it wrote is kept in %2.")
                                    .arg(saved, QString::fromStdString(aside)));
@@ -266,13 +284,13 @@ void Document::save() {
 /// Where session.xml is no longer what was read or last written: copies it beside, and says where to.
 std::string Document::set_aside_what_another_wrote() const {
   std::error_code error;
-  if (!std::filesystem::exists(session_.file, error)) return {};
-  const std::string theirs = read_file(session_.file);
+  if (!std::filesystem::exists(session_->file, error)) return {};
+  const std::string theirs = read_file(session_->file);
   const std::string digest = digest_of(theirs);
   if (digest == digest_) return {};
-  std::filesystem::path aside = session_.file;
-  aside.replace_filename(session_.file.stem().string() + "." + digest.substr(0, 8) +
-                         session_.file.extension().string());
+  std::filesystem::path aside = session_->file;
+  aside.replace_filename(session_->file.stem().string() + "." + digest.substr(0, 8) +
+                         session_->file.extension().string());
   replace_file(aside, theirs);
   return aside.string();
 }
@@ -310,7 +328,7 @@ void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
     const int index = index_of(o.id);
     if (index < 0) continue;
     const ObservationState& state = forward ? o.after : o.before;
-    Observation& observation = session_.observations[static_cast<std::size_t>(index)];
+    Observation& observation = own_session().observations[static_cast<std::size_t>(index)];
     observation.sightings = state.sightings;
     observation.decision = state.decision;
     observation.reason = state.reason;
@@ -387,10 +405,29 @@ void Document::take_second_looks(const SecondLooks& looks) {
   emit edited({});
 }
 
+bool Document::keeps(const ModelVersion& version) const {
+  if (shown_ && same_fit(*shown_, version)) return true;
+  return std::any_of(versions_.begin(), versions_.end(),
+                     [&](const auto& kept) { return kept.second && same_fit(*kept.second, version); });
+}
+
+/// A version knows every observation, which with a hundred thousand is a third of a gigabyte.
+void Document::forget_old_versions() {
+  constexpr std::size_t fewest = 2;
+  const std::size_t most = std::max(fewest, most_kept_ / std::max<std::size_t>(session_->observations.size(), 1));
+  // The first stays as long as there is room for more than this one and the one before: all others are compared with
+  // it.
+  for (auto oldest = versions_.begin(); versions_.size() > most && oldest != versions_.end();) {
+    const bool stays = oldest->first == stack_.index() || (most > fewest && oldest == versions_.begin());
+    oldest = stays ? std::next(oldest) : versions_.erase(oldest);
+  }
+}
+
 void Document::take_version(const ModelVersionPointer& version) {
   if (!version || version->revision != revision()) return;
   versions_[stack_.index()] = version;
   shown_ = version;
+  forget_old_versions();
   emit model_changed();
 }
 

@@ -33,7 +33,9 @@ class Document : public QObject {
   void close();
   bool is_open() const { return journal_ != nullptr; }
 
-  const Session& session() const { return session_; }
+  const Session& session() const { return *session_; }
+  /// The same for a job: nothing is copied, and what is changed later is changed in a copy.
+  std::shared_ptr<const Session> shared_session() const { return session_; }
   const ModelSettings& settings() const { return settings_; }
   /// Index into Session::observations, -1 where there is none of this id.
   int index_of(std::int64_t id) const;
@@ -65,6 +67,11 @@ class Document : public QObject {
   void show_version(const ModelVersionPointer& version);
   /// Versions from the beginning to the present state, null where an action's fit was never asked for.
   std::vector<ModelVersionPointer> versions() const;
+  /// Is this fit, or one that shares it, still at hand? Of long sessions the versions of a while ago are forgotten
+  /// (their errors stay in stairs_memory.h); undone to, they are fitted again.
+  bool keeps(const ModelVersion& version) const;
+  /// How many observations the versions at hand may have together; two versions are kept whatever they have.
+  void keep_at_most(std::size_t observations) { most_kept_ = observations; }
   /// Takes a fit, unless it is stale.
   void take_version(const ModelVersionPointer& version);
 
@@ -111,16 +118,18 @@ class Document : public QObject {
   std::string set_aside_what_another_wrote() const;
   static constexpr std::int64_t most_looks = 1 << 20;
   static std::int64_t state_in(std::int64_t revision) { return revision / most_looks; }
+  Session& own_session();
   void add_observations(const std::vector<Observation>& added);
   void remove_observations(const std::vector<Observation>& removed);
   void number_observations();
   void replay(const JournalContents& contents);
   bool write_down(const JournalEntry& entry);
   void push(Edit edit);
+  void forget_old_versions();
   /// " (0.24 → 9.1 px)": the errors at two indices of the undo stack; empty where they are not known.
   QString errors_text(int from, int to) const;
 
-  Session session_;
+  std::shared_ptr<Session> session_ = std::make_shared<Session>();
   ModelSettings settings_;
   std::map<std::string, RobotReading> readings_;
   std::map<std::int64_t, LabelDraft> drafts_;
@@ -133,6 +142,7 @@ class Document : public QObject {
   SecondLooks second_looks_;
   std::int64_t state_ = 0, last_state_ = 0, looks_ = 0;
   std::int64_t last_join_ = 0;
+  std::size_t most_kept_ = 200000;
   bool is_replaying_ = false;
   bool applies_ = true;  // false while entries are replayed that session.xml already holds
 };

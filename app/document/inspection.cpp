@@ -138,8 +138,10 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     const auto look = looks.find(row.id);
     row.at_second_look = session.observations[i].sightings.empty() && look != looks.end() && !look->second.empty();
   }
-  const Session shown = shown_as_fitted(with_everything(session, looks), estimate(fit));
+  Session shown = with_everything(session, looks);
+  if (session.pose_sensor) shown = shown_as_fitted(shown, estimate(fit));
   Problem problem = make_problem(shown, chain_of(shown), terms_of(fit));
+  shown = {};  // of a long session every copy counts
   if (!problem.terms.empty()) {
     problem.tcp_from_slip = fit.problem.tcp_from_slip;
     place_observations(problem);

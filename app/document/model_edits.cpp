@@ -123,7 +123,7 @@ void bring_by_hand(ModelSettings& settings, const std::string& id) {
 QString number_text(const Document& document, const NumberPlace& place) {
   const Effect& effect = effect_of(*place.term);
   return QObject::tr("the %1 of %2")
-      .arg(QString::fromStdString(effect.parameters[place.parameter].name), name_of({*place.term}, document.session()));
+      .arg(number_title(effect.parameters[place.parameter].name), name_of({*place.term}, document.session()));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include "base/error.h"
 #include "diagnosis/clean_model.h"
+#include "diagnosis/residual_views.h"
+#include "document/core_words.h"
 #include "estimation/export.h"
 
 namespace handsight::app {
@@ -44,14 +46,16 @@ std::shared_ptr<const Inspection> inspection_of(const Session& session, const Se
 }
 
 /// Everything that a fit says, of a session with all its points.
-void tell(const Session& session, const SecondLooks& looks, std::shared_ptr<const Fit> fitted,
-          std::shared_ptr<const FitReport> told, ModelVersion& version) {
+void tell(const Session& session, const SecondLooks& looks, Fit fitted, std::shared_ptr<const FitReport> told,
+          ModelVersion& version) {
   for (std::size_t i = 0; i < told->per_observation.size(); ++i)
     version.row_of[told->per_observation[i].id] = static_cast<int>(i);
   version.calibration = std::make_shared<Calibration>(
-      calibration_of(session, *fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
-  version.prediction = prediction_model(*fitted);
-  version.fit = std::move(fitted);
+      calibration_of(session, fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
+  version.prediction = prediction_model(fitted);
+  // From here on only some are looked at one by one.
+  fitted.problem.observations = evenly(std::move(fitted.problem.observations), most_shown);
+  version.fit = std::make_shared<const Fit>(std::move(fitted));
   version.report = std::move(told);
   version.inspection = inspection_of(session, looks, version);
 }
@@ -96,7 +100,7 @@ std::shared_ptr<ModelVersion> version_of(const Session& session, const Diagnosis
   version->options = d.model_options;
   version->wrong_points = d.model.wrong;
   version->lone = d.model.lone;
-  tell(session, looks, std::make_shared<Fit>(d.model.fit), std::make_shared<FitReport>(d.report), *version);
+  tell(session, looks, d.model.fit, std::make_shared<FitReport>(d.report), *version);
   return version;
 }
 
@@ -133,9 +137,10 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
     if (settings.has_effects()) version->options.start = estimate(clean.fit);
     auto told = std::make_shared<FitReport>(report(clean.session, clean.fit, asking(version->options)));
     stop_here();
-    tell(session, looks, std::make_shared<Fit>(std::move(clean.fit)), std::move(told), *version);
+    clean.session = {};  // of a long one every copy counts
+    tell(session, looks, std::move(clean.fit), std::move(told), *version);
   } catch (const InputError& error) {
-    version->refusal = QString::fromStdString(error.what());
+    version->refusal = translated_error(error);
   }
   return version;
 }

@@ -16,12 +16,16 @@
 
 namespace handsight::app {
 
+/// Of longer sessions so many observations are shown, evenly over the session, as many as a diagnosis goes by.
+inline constexpr int most_shown = 3000;
+
 struct ModelVersion {
   std::int64_t revision = 0;  // of the document's state that was fitted
   QString cause;              // the action that led to it
   ModelSettings settings;
   FitOptions options;
-  std::shared_ptr<const Fit> fit;                  // null: nothing could be fitted, and `refusal` says why
+  std::shared_ptr<const Fit> fit;  // null: nothing could be fitted, and `refusal` says why; its problem holds no more
+                                   // than `most_shown` of the observations
   std::shared_ptr<const FitReport> report;         // null with the fit
   std::shared_ptr<const Inspection> inspection;    // null with the fit
   std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit

@@ -45,10 +45,10 @@ void Refit::start() {
   const QString cause = document_.undo_stack().undoText();
   jobs_.start<ModelVersionPointer>(
       "fit", tr("Fitting %1").arg(counted(used, "%n observation(s)")),
-      [copy = session, settings = document_.settings(), revision = document_.revision(), cause,
+      [session = document_.shared_session(), settings = document_.settings(), revision = document_.revision(), cause,
        looks = document_.second_looks(), before = document_.model_before_second_looks()](JobControl& control) {
-        return before && before->fit ? inspected_again(copy, *before, revision, looks)
-                                     : make_version(copy, settings, revision, cause, looks, going_on(control));
+        return before && before->fit ? inspected_again(*session, *before, revision, looks)
+                                     : make_version(*session, settings, revision, cause, looks, going_on(control));
       },
       [this](const ModelVersionPointer& version) { document_.take_version(version); },
       [this](const QString& sentence) { emit document_.noticed(sentence); });

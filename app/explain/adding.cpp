@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/adding.h"
 
+#include <algorithm>
+
+#include "base/error.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "document/model_edits.h"
@@ -29,18 +32,36 @@ QString sentence_of(const ModelChange& change, const Session& session) {
   return parts.join(", ");
 }
 
+/// Where an observation is among those that a diagnosis went by; one near it where it was not among them.
+int place_of(const std::vector<Observation>& observations, std::int64_t id) {
+  const auto found = std::find_if(observations.begin(), observations.end(), [id](const auto& o) { return o.id >= id; });
+  return static_cast<int>(
+      std::min<std::ptrdiff_t>(found - observations.begin(), static_cast<std::ptrdiff_t>(observations.size()) - 1));
+}
+
 /// For the eye the candidate's full fit, as the diagnosis ran it: from the model as it stands over the linear estimate
 /// to the answer, from which the model's next fit starts.
-void show_the_fit(const Diagnosis& before, const DiagnosisCandidate& candidate, int observation, FitWatch& watch) {
+void show_the_fit(const Diagnosis& before, const DiagnosisCandidate& candidate, std::int64_t observation,
+                  FitWatch& watch) {
   std::vector<EffectTerm> estimated = before.model_options.estimated;
   estimated.insert(estimated.end(), candidate.terms.begin(), candidate.terms.end());
-  watch.begin(before.model.session, before.model_options.effects, estimated, observation);
+  watch.begin(before.model.session, before.model_options.effects, estimated,
+              place_of(before.model.session.observations, observation));
   Unknowns start = estimate(before.model.fit);
   const Eigen::Index known = start.effects.size();
   start.effects.conservativeResize(watch.effect_count());
   start.effects.tail(watch.effect_count() - known).setZero();
   watch.iteration(before.model.fit.solution.normal.data_cost(), start);
   for (const FitIteration& i : candidate.path) watch.iteration(i.cost, i.unknowns);
+}
+
+/// A long session's diagnosis went by a sample: the model is that of all observations.
+std::shared_ptr<ModelVersion> version_of_all(const Session& session, const ModelSettings& settings,
+                                             std::int64_t revision, const QString& cause, const SecondLooks& looks,
+                                             const std::function<bool()>& goes_on) {
+  const ModelVersionPointer made = make_version(session, settings, revision, cause, looks, goes_on);
+  if (!made->fit && goes_on()) throw InputError(made->refusal.toStdString());
+  return std::make_shared<ModelVersion>(*made);
 }
 
 QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c, const Session& session) {
@@ -79,8 +100,8 @@ void Adding::add(const std::string& id) {
   if (found == before->candidates.end()) return;
   const Run run{before, *found, bench_.document.revision()};
   const ModelSettings settings = bench_.document.settings();
-  const int observation = bench_.document.index_of(
-      bench_.selection.current().observation.value_or(bench_.document.session().observations.front().id));
+  const std::int64_t observation =
+      bench_.selection.current().observation.value_or(bench_.document.session().observations.front().id);
   watch_ = std::make_shared<FitWatch>();
   pictures_ = skipped_ = 0;
   is_running_ = true;
@@ -92,7 +113,7 @@ void Adding::add(const std::string& id) {
   timer_.start();
   bench_.explaining.start<Outcome>(
       "add", tr("Adding %1").arg(name),
-      [session = bench_.document.session(), settings, run, observation, watch = watch_,
+      [session = bench_.document.shared_session(), settings, run, observation, watch = watch_,
        looks = bench_.document.second_looks()](JobControl& control) {
         show_the_fit(*run.before, run.candidate, observation, *watch);
         ImprovementOptions options;
@@ -103,15 +124,20 @@ void Adding::add(const std::string& id) {
           return !control.is_cancelled();
         };
         options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
-        Outcome outcome{add_candidate(session, options, *run.before, run.candidate)};
+        Outcome outcome{add_candidate(*session, options, *run.before, run.candidate)};
         if (outcome.change.model) {
           outcome.model = std::make_shared<const Diagnosis>(std::move(*outcome.change.model));
           outcome.change.model.reset();
           const Diagnosis& made = *outcome.model;
-          outcome.version = version_of(session, made, with_estimated(settings, made.model_options.estimated),
-                                       run.revision, sentence_of(outcome.change, session), looks);
-          outcome.residuals = make_residuals(*outcome.version->fit);
-          outcome.proof = proof_of(session, *outcome.version->fit, run.candidate.terms);
+          const ModelSettings after = with_estimated(settings, made.model_options.estimated);
+          const QString cause = sentence_of(outcome.change, *session);
+          outcome.version = made.sample ? version_of_all(*session, after, run.revision, cause, looks, going_on(control))
+                                        : version_of(*session, made, after, run.revision, cause, looks);
+          outcome.change.stopped = control.is_cancelled();
+          if (outcome.change.stopped) return outcome;
+          outcome.residuals = make_residuals(*outcome.version);
+          outcome.proof = proof_of(made.sample ? made.model.session : *session,
+                                   made.sample ? made.model.fit : *outcome.version->fit, run.candidate.terms);
         }
         return outcome;
       },

@@ -20,6 +20,7 @@ AddingOn::AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& car
 void AddingOn::start() {
   if (is_running_) return;
   is_running_ = true;
+  is_paused_ = false;
   added_ = 0;
   emit changed();
   look();
@@ -31,9 +32,23 @@ void AddingOn::stop() {
   if (adding_.is_running()) bench_.explaining.stop();
 }
 
+void AddingOn::pause() {
+  if (!is_running_ || is_paused_) return;
+  is_paused_ = true;
+  next_.stop();
+  emit changed();
+}
+
+void AddingOn::go_on() {
+  if (!is_paused_) return;
+  is_paused_ = false;
+  emit changed();
+  look();
+}
+
 void AddingOn::end(const QString& sentence) {
   if (!is_running_) return;
-  is_running_ = false;
+  is_running_ = is_paused_ = false;
   next_.stop();
   emit changed();
   if (!sentence.isEmpty()) emit bench_.document.noticed(sentence);
@@ -45,11 +60,11 @@ bool AddingOn::is_waiting() const {
 }
 
 void AddingOn::look() {
-  if (is_running_ && !is_waiting()) next_.start();
+  if (is_running_ && !is_paused_ && !is_waiting()) next_.start();
 }
 
 void AddingOn::add_first() {
-  if (!is_running_ || is_waiting()) return;
+  if (!is_running_ || is_paused_ || is_waiting()) return;
   const widgets::CardState& first = cards_.card(0)->state();
   if (first.kind == widgets::CardKind::candidate && first.can_add && first.caution.isEmpty())
     return adding_.add(first.id.toStdString());

@@ -16,7 +16,11 @@ class AddingOn : public QObject {
   void start();
   /// What is being added now is stopped with it.
   void stop();
+  /// What is being added is added to its end; then it rests, on the proof of what came last, until it goes on.
+  void pause();
+  void go_on();
   bool is_running() const { return is_running_; }
+  bool is_paused() const { return is_paused_; }
   /// The cards are up to date: takes the first where it can be added, else it is done.
   void look();
 
@@ -32,7 +36,7 @@ class AddingOn : public QObject {
   Adding& adding_;
   widgets::CandidateList& cards_;
   QTimer next_;  // a stair stands for a moment before the next one
-  bool is_running_ = false;
+  bool is_running_ = false, is_paused_ = false;
   int added_ = 0;
 };
 

@@ -137,7 +137,7 @@ void ExplainWorkspace::connect_bench() {
   });
   connect(&bench_.document, &Document::model_changed, this, [this] {
     emit status_changed();
-    if (is_active()) refresh_all();
+    is_active() ? refresh_all() : watching_->remember();
   });
   connect(&bench_.units, &DisplayUnits::changed, this, [this] {
     if (is_active()) refresh_units();

@@ -27,6 +27,7 @@ FailingPane::FailingPane(Workbench& bench, QWidget* parent) : QWidget(parent), b
 
 void FailingPane::make_layout() {
   title_ = new QLabel(tr("Where it fails"), this);
+  title_->setObjectName("failing_title");
   title_->setFixedHeight(widgets::kControlHeight);
   title_->setFont(widgets::text_font(widgets::TextRole::title));
   patterns_ = new QPushButton(tr("Back to the patterns"), this);
@@ -154,6 +155,7 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
     page_->set_plots({});
     return;
   }
+  say_proof();
   const std::vector<PlotKey> strongest = strongest_plots(*residuals_);
   const bool first = places_.empty();
   if (first) places_ = strongest;

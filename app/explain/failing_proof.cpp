@@ -14,7 +14,7 @@ void FailingPane::say_proof() {
   patterns_->setVisible(is_proof && (added_ > 0 || !is_tried_));
   const auto place = static_cast<std::size_t>(std::max(chosen_, 0));
   if (!is_proof) {
-    title_->setText(tr("Where it fails"));
+    title_->setText(residuals_ ? titled(tr("Where it fails"), *residuals_) : tr("Where it fails"));
     hint_->setText(tr("Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?"));
   } else {
     title_->setText(added_ > 0 ? tr("Where it failed") : tr("Where it fails: the proof"));

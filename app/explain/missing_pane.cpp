@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "base/error.h"
+#include "document/core_words.h"
 #include "explain/adding_on.h"
 #include "explain/poses_pane.h"
 #include "explain/robot_checks.h"
@@ -75,6 +76,7 @@ void MissingPane::make_layout() {
   column->addWidget(cards_, 1);
   make_until_it_stops();
   cards_->add_at_foot(until_it_stops_);
+  cards_->add_at_foot(pause_);
   cards_->add_at_foot(reveal_);
   pages_ = new QStackedWidget(this);
   for (QWidget* page : {cards, table_page_, truth_page_, static_cast<QWidget*>(poses_)}) pages_->addWidget(page);
@@ -89,13 +91,20 @@ void MissingPane::make_until_it_stops() {
   until_it_stops_ = new QPushButton(this);
   until_it_stops_->setObjectName("until_it_stops");
   until_it_stops_->setToolTip(tr("Adds the first card, and the first of what is left, until nothing more helps"));
+  pause_ = new QPushButton(this);
+  pause_->setObjectName("pause_adding");
+  pause_->setToolTip(tr("Rests after the cause that is being added, so that its proof can be looked at"));
   const auto show_state = [this] {
     until_it_stops_->setText(adding_on_->is_running() ? tr("Stop") : tr("Add until it stops"));
+    pause_->setText(adding_on_->is_paused() ? tr("Go on") : tr("Pause"));
+    pause_->setVisible(adding_on_->is_running());
   };
   show_state();
   connect(adding_on_, &AddingOn::changed, this, show_state);
   connect(until_it_stops_, &QPushButton::clicked, this,
           [this] { adding_on_->is_running() ? adding_on_->stop() : adding_on_->start(); });
+  connect(pause_, &QPushButton::clicked, this,
+          [this] { adding_on_->is_paused() ? adding_on_->go_on() : adding_on_->pause(); });
 }
 
 void MissingPane::connect_all() {
@@ -169,7 +178,7 @@ void MissingPane::refresh_truth() {
     if (c.rows.empty()) truth_->set_empty_text(c.sentence);
     truth_->set_rows(c.rows, c.sentence);
   } catch (const InputError& error) {
-    truth_->set_empty_text(QString::fromStdString(error.what()));
+    truth_->set_empty_text(translated_error(error));
     truth_->set_rows({}, {});
   }
 }

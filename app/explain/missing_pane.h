@@ -53,7 +53,7 @@ class MissingPane : public QWidget {
   Workbench& bench_;
   Adding& adding_;
   AddingOn* adding_on_;
-  QPushButton* until_it_stops_;
+  QPushButton *until_it_stops_, *pause_;
   ModelVersionPointer shown_for_;  // the version that the cards are of
   QStackedWidget* pages_;
   widgets::CandidateList* cards_;

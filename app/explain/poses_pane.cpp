@@ -11,6 +11,7 @@
 
 #include "base/files.h"
 #include "base/numbers.h"
+#include "document/core_words.h"
 #include "document/effect_words.h"
 #include "explain/explain_texts.h"
 #include "widgets/number_text.h"
@@ -54,6 +55,8 @@ PosesPane::PosesPane(Workbench& bench, QWidget* parent) : QWidget(parent), bench
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->verticalHeader()->setHighlightSections(false);
   path_ = new QLineEdit(this);
   path_->setObjectName("poses_path");
   save_ = new QPushButton(tr("Save as a table"), this);
@@ -113,7 +116,7 @@ void PosesPane::plan_for(const std::string& id) {
   sentence_->setText(tr("Looking for poses that would %1 ...").arg(what));
   bench_.explaining.start<Plan>(
       "plan", tr("Planning poses"),
-      [session = bench_.document.session(), options](JobControl&) { return plan(session, options); },
+      [session = bench_.document.shared_session(), options](JobControl&) { return plan(*session, options); },
       [this, what](const Plan& made) { show_plan(made, what); },
       [this](const QString& sentence) { sentence_->setText(sentence); });
 }
@@ -153,7 +156,7 @@ void PosesPane::save() {
     replace_file(path_->text().trimmed().toStdString(), poses_csv(bench_.document.session(), *plan_));
     said_->setText(tr("Written: %1, in rad and m.").arg(path_->text().trimmed()));
   } catch (const std::exception& error) {
-    said_->setText(QString::fromStdString(error.what()));
+    said_->setText(translated_error(error));
   }
 }
 

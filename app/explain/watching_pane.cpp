@@ -50,7 +50,6 @@ const RememberedStair* WatchingPane::memory_of(int index) const {
   return nullptr;
 }
 
-/// What the next start is to show.
 void WatchingPane::remember() {
   if (!bench_.document.is_open()) return;
   const QUndoStack& stack = bench_.document.undo_stack();
@@ -160,8 +159,10 @@ void WatchingPane::refresh_cloud() {
     if (!residuals) return std::vector<widgets::CloudPoint>{};
     return in_unit(cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, session)));
   };
-  const auto title = [](const ModelVersionPointer& v) {
-    return v->cause.isEmpty() ? QObject::tr("as opened") : v->cause;
+  const auto title = [&](const ModelVersionPointer& v) {
+    const QString name = v->cause.isEmpty() ? tr("as opened") : v->cause;
+    const auto residuals = bench_.diagnosing.residuals_of(v);
+    return residuals ? titled(name, *residuals) : name;
   };
   if (const auto residuals = bench_.diagnosing.residuals_of(now)) {
     const double noise = *shown(residuals->views.weighing.noise, now->inspection->in_pixels);

@@ -30,6 +30,8 @@ class WatchingPane : public QWidget {
 
   /// The versions, the cloud and the robot of the model that is shown.
   void refresh();
+  /// Writes down the errors of the versions, for the next start and for versions that the document forgets.
+  void remember();
   /// A candidate on trial: its residuals, its bending, the step that it would be. Null: nothing.
   void set_prediction(const ModelResiduals* residuals, const CandidateView* view, const Eigen::VectorXd& numbers,
                       const std::vector<EffectTerm>& terms, const QString& name);
@@ -68,7 +70,6 @@ class WatchingPane : public QWidget {
   void set_ghost(const std::vector<Rigid>& bent);
   ModelVersionPointer version_at(int row) const;
   const RememberedStair* memory_of(int index) const;
-  void remember();
   int selected_index() const;  // the selected observation, into Session::observations
 
   Workbench& bench_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "document/core_words.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
@@ -87,7 +88,7 @@ std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form)
   if (form == MotionForm::xyz_rpy) {
     const Vector3 rpy = degrees * rpy_from_rotation(m.rotation);
     const char* names[] = {"roll", "pitch", "yaw"};
-    for (int i = 0; i < 3; ++i) lines.push_back(split(names[i], rpy[i], degrees * sigma[i + 3], "deg"));
+    for (int i = 0; i < 3; ++i) lines.push_back(split(names[i], rpy[i], degrees * sigma[i + 3], QObject::tr("deg")));
     return lines;
   }
   const Eigen::Quaterniond q(m.rotation);
@@ -153,7 +154,7 @@ std::vector<ExportRemark> export_remarks(const Document& document, const ModelVe
                        false});
   if (!model.wrong_points.empty()) remarks.push_back({wrong_points_text(model, 3), false});
   if (document.session().mount.estimate) remarks.push_back({mount_text(document.session(), *model.fit), false});
-  for (const std::string& note : model.fit->notes) remarks.push_back({QString::fromStdString(note), true});
+  for (const std::string& note : model.fit->notes) remarks.push_back({translated(note), true});
   return remarks;
 }
 

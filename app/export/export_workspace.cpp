@@ -98,7 +98,7 @@ void ExportWorkspace::refresh() {
     require_finite(*model->calibration);
     text = QString::fromStdString(calibration_text(*model->calibration));
   } catch (const InputError& error) {  // numbers that are not finite
-    text = QString::fromStdString(error.what());
+    text = translated_error(error);
     save_->setEnabled(false);
   }
   if (xml_->toPlainText() != text) xml_->setPlainText(text);
@@ -221,7 +221,7 @@ void ExportWorkspace::save_xml() {
     refresh();
     emit status_changed();
   } catch (const std::exception& error) {
-    say(QString::fromStdString(error.what()), true);
+    say(translated_error(error), true);
   }
 }
 
@@ -239,7 +239,7 @@ void ExportWorkspace::save_report(bool pdf) {
     replace_file(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     say(tr("Written: %1").arg(QString::fromStdString(file.string())), false);
   } catch (const std::exception& error) {
-    say(QString::fromStdString(error.what()), true);
+    say(translated_error(error), true);
   }
 }
 

@@ -20,22 +20,23 @@
 namespace handsight::app {
 namespace {
 
-/// What stands in the columns after the first: numbers to the right, words to the left.
-enum class Columns { numbers, words };
+/// What stands in the columns: after a name numbers, to the right, or words, to the left; or numbers alone.
+enum class Columns { numbers, words, numbers_alone };
 
 QString row(const QStringList& cells, Columns columns, const char* tag = "td") {
   QString text = "<tr>";
   for (int i = 0; i < cells.size(); ++i)
     text += QString("<%1 align=\"%2\">%3</%1>")
-                .arg(tag, i == 0 || columns == Columns::words ? "left" : "right", cells[i].toHtmlEscaped());
+                .arg(tag, columns == Columns::words || (i == 0 && columns == Columns::numbers) ? "left" : "right",
+                     cells[i].toHtmlEscaped());
   return text + "</tr>\n";
 }
 
 QString table(const QStringList& head, const std::vector<QStringList>& rows, Columns columns = Columns::numbers) {
-  QString text = "<table cellspacing=\"0\" cellpadding=\"4\">\n";
+  QString text = "<div class=\"wide\"><table cellspacing=\"0\" cellpadding=\"4\">\n";
   if (!head.isEmpty()) text += row(head, columns, "th");
   for (const QStringList& r : rows) text += row(r, columns);
-  return text + "</table>\n";
+  return text + "</table></div>\n";
 }
 
 QString error_text(const ErrorSummary& e) {
@@ -54,7 +55,7 @@ QString matrix_table(const Rigid& motion) {
     for (int c = 0; c < 4; ++c) cells << widgets::fixed_text(m(r, c), r < 3 ? 9 : 0);
     rows.push_back(cells);
   }
-  return table({}, rows);
+  return table({}, rows, Columns::numbers_alone);
 }
 
 QString numbers_part(const Document& document, const ModelVersion& model) {
@@ -124,18 +125,37 @@ QString actions_part(const Document& document) {
          table({QObject::tr("Action"), QObject::tr("Error after it")}, rows);
 }
 
+QString title_of(const Session& s) {
+  return QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
+}
+
+/// On a telephone as on a wide screen and on paper: what is too wide scrolls by itself, a picture keeps its caption, a
+/// row stays whole. Always light, as the pictures are.
+constexpr const char* style =
+    ":root{color-scheme:light}\n"
+    "body{font:14px/1.45 sans-serif;max-width:760px;margin:0 auto;padding:32px 16px;color:#1b2128;background:#fff;"
+    "overflow-wrap:anywhere}\n"
+    "h1{line-height:1.2}h2{margin-top:32px;break-after:avoid}\n"
+    "table{border-collapse:collapse;font-variant-numeric:tabular-nums}\n"
+    "th,td{border-bottom:1px solid #d0d5db;padding:4px 16px 4px 0;overflow-wrap:normal}tr{break-inside:avoid}\n"
+    ".wide{overflow-x:auto}\n"
+    ".from{color:#4a5560}\n"
+    ".picture{margin:28px 0;color:#4a5560;break-inside:avoid}\n"
+    "img{max-width:100%;height:auto;margin-bottom:4px}\n"
+    "@media print{body{max-width:none;padding:0;font-size:10pt}.wide{overflow-x:visible}}\n";
+
 /// `source` gives the picture's address: inside the file, or of a resource.
 QString body(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
              const QString& verdict, const std::function<QString(std::size_t)>& source) {
   const Session& s = document.session();
-  const QString title = QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
-  QString text = "<h1>" + title.toHtmlEscaped() + "</h1>\n<p><b>" + verdict.toHtmlEscaped() + "</b></p>\n<p>" +
-                 QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
+  QString text = "<h1>" + title_of(s).toHtmlEscaped() + "</h1>\n<p><b>" + verdict.toHtmlEscaped() +
+                 "</b></p>\n<p class=\"from\">" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
                  QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
   text += numbers_part(document, model);
   for (std::size_t i = 0; i < pictures.size(); ++i)
     // The caption below: a picture that goes to the next page takes it along.
-    text += "<p><img width=\"600\" src=\"" + source(i) + "\"/><br/>" + pictures[i].caption.toHtmlEscaped() + "</p>\n";
+    text += "<p class=\"picture\"><img width=\"600\" alt=\"\" src=\"" + source(i) + "\"/><br/>" +
+            pictures[i].caption.toHtmlEscaped() + "</p>\n";
   return text + decisions_part(model) + checks_part(document) + actions_part(document);
 }
 
@@ -150,11 +170,12 @@ QString report_html(const Document& document, const ModelVersion& model, const s
     pictures[i].image.save(&buffer, "PNG");
     return "data:image/png;base64," + QString::fromLatin1(bytes.toBase64());
   };
-  return "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"/><title>Handsight</title><style>\n"
-         "body{font:14px sans-serif;max-width:760px;margin:32px auto;color:#1b2128;background:#fff}\n"
-         "th,td{border-bottom:1px solid #d0d5db;padding:4px 12px 4px "
-         "0}h2{margin-top:32px}img{max-width:100%}\n"
-         "</style></head><body>\n" +
+  //: the code of the language of the report, as HTML wants it
+  const QString language = QObject::tr("en");
+  return "<!DOCTYPE html>\n<html lang=\"" + language +
+         "\"><head><meta charset=\"utf-8\"/>"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/><title>" +
+         title_of(document.session()).toHtmlEscaped() + "</title><style>\n" + style + "</style></head><body>\n" +
          body(document, model, pictures, verdict, inside) + "</body></html>\n";
 }
 

@@ -101,11 +101,11 @@ void add_cloud(Workbench& bench, const std::vector<ModelVersionPointer>& version
   if (!is_one) cloud.set_after(std::move(after), name_of(*last));
   cloud.fit();
   lay_out(cloud, 640, 330);
-  pictures.push_back({is_one
-                          ? QObject::tr("The residual of every corner; the rings are one and three sigma")
-                          : QObject::tr("The residual of every corner, at first and now, on the same axes; the rings "
-                                        "are one and three sigma"),
-                      painted(cloud)});
+  const QString caption = is_one ? QObject::tr("The residual of every corner; the rings are one and three sigma")
+                                 : QObject::tr(
+                                       "The residual of every corner, at first and now, on the same axes; the rings "
+                                       "are one and three sigma");
+  pictures.push_back({titled(caption, *bench.diagnosing.residuals_of(last)), painted(cloud)});
 }
 
 void add_patterns(Workbench& bench, const ModelVersionPointer& version, const std::vector<PlotKey>& keys,
@@ -119,7 +119,7 @@ void add_patterns(Workbench& bench, const ModelVersionPointer& version, const st
   widgets::PatternPage page;
   lay_out(page, 660, 420);
   page.set_plots(std::move(plots));
-  pictures.push_back({caption, painted(page)});
+  pictures.push_back({titled(caption, *residuals), painted(page)});
 }
 
 /// Where the first model failed, and the same plots of the last one.

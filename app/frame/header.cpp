@@ -97,7 +97,7 @@ Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QW
   job_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names must not widen the window
   progress_ = new QProgressBar(this);
   progress_->setTextVisible(false);
-  progress_->setFixedSize(120, 6);
+  progress_->setFixedSize(80, 6);
   progress_->setRange(0, 1000);
   cancel_ = button("cancel", tr("Cancel"), tr("Stops the job; everything stays as it was before"));
   numbers_ = new widgets::ThreeNumbers(this);

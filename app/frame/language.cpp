@@ -14,7 +14,10 @@ static void init_translations() { Q_INIT_RESOURCE(translations); }
 namespace handsight::app {
 namespace {
 
-constexpr const char* core = "core";  // the context of the core's sentences
+// The contexts of the core's sentences.
+constexpr const char* core = "core";
+constexpr const char* errors = "errors";
+constexpr const char* system = "system";
 
 /// One <message>: its source and the forms of its translation; nothing where it has none.
 struct Message {
@@ -64,14 +67,17 @@ Translation::Translation(const QString& language) {
     if (!message) continue;
     sources_[context] << message->source;
     forms_[message->source] = message->translated;
-    if (context == QLatin1String(core) && message->source.contains(place_in_text()))
-      add_phrase(message->source, message->translated.front());
+    if (!message->source.contains(place_in_text())) continue;
+    if (context == QLatin1String(core)) core_.push_back(phrase_of(message->source, message->translated.front()));
+    if (context == QLatin1String(errors)) errors_.push_back(phrase_of(message->source, message->translated.front()));
   }
-  std::stable_sort(phrases_.begin(), phrases_.end(),
-                   [](const Phrase& a, const Phrase& b) { return a.form.pattern().size() > b.form.pattern().size(); });
+  for (Phrases* phrases : {&core_, &errors_})
+    std::stable_sort(phrases->begin(), phrases->end(), [](const Phrase& a, const Phrase& b) {
+      return a.form.pattern().size() > b.form.pattern().size();
+    });
 }
 
-void Translation::add_phrase(const QString& source, const QString& translated) {
+Translation::Phrase Translation::phrase_of(const QString& source, const QString& translated) {
   Phrase phrase{.translated = translated};
   QString form;
   qsizetype end = 0;
@@ -83,42 +89,53 @@ void Translation::add_phrase(const QString& source, const QString& translated) {
     end = place.capturedEnd();
   }
   phrase.form.setPattern(QRegularExpression::anchoredPattern(form + QRegularExpression::escape(source.mid(end))));
-  phrases_.push_back(std::move(phrase));
+  return phrase;
 }
 
-QString Translation::of_core(const QString& source) const {
-  const auto whole = forms_.find(source);
-  return whole == forms_.end() ? phrase(source) : whole->front();
+/// What takes a place. In an error it may be the name of an element or a file, which stays what it is: only what is
+/// said of files is translated.
+QString Translation::of_place(const QString& put_in, bool is_error) const {
+  const auto whole = forms_.find(put_in);
+  const bool is_said = !is_error || sources_[errors].contains(put_in) || sources_[system].contains(put_in);
+  return whole != forms_.end() && is_said ? whole->front() : phrase(put_in, is_error);
+}
+
+QString Translation::put_together(const Phrase& phrase, const QRegularExpressionMatch& match, bool is_error) const {
+  QString text;
+  for (qsizetype at = 0; at < phrase.translated.size(); ++at) {
+    const qsizetype place = phrase.places.indexOf(phrase.translated.mid(at, 2));
+    if (place < 0) {
+      text += phrase.translated[at];
+      continue;
+    }
+    const QString put_in = match.captured(static_cast<int>(place) + 1), known = of_place(put_in, is_error);
+    text += known.isEmpty() ? put_in : known;
+    ++at;
+  }
+  return text;
 }
 
 /// Empty: none has that form.
-QString Translation::phrase(const QString& source) const {
-  for (const Phrase& p : phrases_) {
+QString Translation::phrase(const Phrases& phrases, const QString& source, bool is_error) const {
+  for (const Phrase& p : phrases) {
     if (!source.startsWith(p.begin)) continue;
     const auto match = p.form.match(source);
-    if (!match.hasMatch()) continue;
-    QString text;
-    for (qsizetype at = 0; at < p.translated.size(); ++at) {
-      const qsizetype place = p.places.indexOf(p.translated.mid(at, 2));
-      if (place < 0) {
-        text += p.translated[at];
-        continue;
-      }
-      const QString put_in = match.captured(static_cast<int>(place) + 1);
-      const QString known = of_core(put_in);
-      text += known.isEmpty() ? put_in : known;
-      ++at;
-    }
-    return text;
+    if (match.hasMatch()) return put_together(p, match, is_error);
   }
   return {};
+}
+
+QString Translation::phrase(const QString& source, bool is_error) const {
+  const QString of_core = phrase(core_, source, is_error);
+  return of_core.isEmpty() && is_error ? phrase(errors_, source, is_error) : of_core;
 }
 
 QString Translation::translate(const char* context, const char* source, const char*, int n) const {
   const QString text = QString::fromUtf8(source);
   const auto found = forms_.find(text);
-  if (found == forms_.end()) return qstrcmp(context, core) == 0 ? phrase(text) : QString();
-  return n >= 0 && n != 1 ? found->back() : found->front();
+  if (found != forms_.end()) return n >= 0 && n != 1 ? found->back() : found->front();
+  const bool is_error = qstrcmp(context, errors) == 0;
+  return is_error || qstrcmp(context, core) == 0 ? phrase(text, is_error) : QString();
 }
 
 QStringList languages() { return {"de"}; }

@@ -13,8 +13,9 @@ class QCoreApplication;
 namespace handsight::app {
 
 /// Texts by what they are in English, wherever they stand; plurals by Qt's numbers (two forms: one, and all others). In
-/// the context "core" a text with %1, %2 ... stands for every sentence of that form: what takes their places is
-/// translated in its turn where that is known ("rejected: %1").
+/// the contexts "core" and "errors" a text with %1, %2 ... stands for every sentence of that form: what takes their
+/// places is translated in its turn where that is known ("rejected: %1"). Forms of errors ("%1, line %2: %3") are so
+/// wide that they count for errors alone.
 class Translation : public QTranslator {
  public:
   /// Of "de" and the like; empty where there is none of that language.
@@ -32,12 +33,15 @@ class Translation : public QTranslator {
     QStringList places;  // "%1" and so on, in the order of the English sentence
     QString translated;
   };
-  void add_phrase(const QString& source, const QString& translated);
-  QString phrase(const QString& source) const;
-  QString of_core(const QString& source) const;
+  using Phrases = std::vector<Phrase>;  // those that say most first
+  static Phrase phrase_of(const QString& source, const QString& translated);
+  QString of_place(const QString& put_in, bool is_error) const;
+  QString put_together(const Phrase& phrase, const QRegularExpressionMatch& match, bool is_error) const;
+  QString phrase(const QString& source, bool is_error) const;
+  QString phrase(const Phrases& phrases, const QString& source, bool is_error) const;
 
   QHash<QString, QStringList> forms_, sources_;
-  std::vector<Phrase> phrases_;  // those that say most first
+  Phrases core_, errors_;
 };
 
 /// Those that there are, besides English: "de".

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "document/core_words.h"
 #include "frame/main_window.h"
 #include "start/session_places.h"
 #include "start/start_page.h"
@@ -48,7 +49,7 @@ bool MainWindow::open(const QString& path) {
     bench_.document.open(std::filesystem::path(path.toStdString()));
     return true;
   } catch (const std::exception& error) {
-    const QString sentence = QString::fromStdString(error.what());
+    const QString sentence = translated_error(error);
     start_->set_refusal(sentence);
     read_out_->show_message(sentence);
     return false;
@@ -62,7 +63,7 @@ bool MainWindow::open_sample(const QString& name, bool fresh) {
         return open(QString::fromStdString((fresh ? fresh_copy(sample) : working_copy(sample)).string()));
     throw InputError(fmt::format("There is no sample session \"{}\".", name.toStdString()));
   } catch (const InputError& error) {
-    start_->set_refusal(QString::fromStdString(error.what()));
+    start_->set_refusal(translated_error(error));
     return false;
   }
 }
@@ -81,7 +82,7 @@ void MainWindow::save() {
   try {
     bench_.document.save();
   } catch (const InputError& error) {
-    read_out_->show_message(QString::fromStdString(error.what()));
+    read_out_->show_message(translated_error(error));
   }
 }
 

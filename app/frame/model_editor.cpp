@@ -16,8 +16,8 @@ void ModelEditor::tick(const QString& id, bool in_model) {
   const std::int64_t revision = bench_.document.revision();
   bench_.jobs.start<std::vector<EffectTerm>>(
       "places", tr("Looking where %1 would act").arg(effect_of(name, {})),
-      [session = bench_.document.session(), settings = bench_.document.settings(), name](JobControl&) {
-        return best_places(session, settings, name);
+      [session = bench_.document.shared_session(), settings = bench_.document.settings(), name](JobControl&) {
+        return best_places(*session, settings, name);
       },
       [this, revision, name](const std::vector<EffectTerm>& terms) {
         if (revision != bench_.document.revision()) return;

@@ -22,7 +22,7 @@ std::vector<widgets::ModelParameter> six_parameters(const Rigid& motion, const V
   std::vector<widgets::ModelParameter> list;
   for (int i = 0; i < 6; ++i) {
     const double scale = i < 3 ? 1e3 : degrees;
-    widgets::ModelParameter p{.name = names[i], .unit = i < 3 ? "mm" : "deg"};
+    widgets::ModelParameter p{.name = names[i], .unit = i < 3 ? "mm" : QObject::tr("deg")};
     p.value = scale * (i < 3 ? motion.translation[i] : rpy[i - 3]);
     p.sigma = scale * sigma[i];
     list.push_back(p);

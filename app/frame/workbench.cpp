@@ -136,17 +136,17 @@ void Workbench::look_again() {
   background.start<SecondLooks>(
       "second look",
       tr("Looking again at %1").arg(counted(static_cast<qint64>(rejected.size()), "%n rejected observation(s)")),
-      [session = document.session(), model, rejected](JobControl& control) {
+      [session = document.shared_session(), model, rejected](JobControl& control) {
         SecondLooks found;
         for (std::size_t i = 0; i < rejected.size() && !control.is_cancelled(); ++i) {
           const Observation& o = rejected[i];
           const ShownImage left =
-              read_shown_image(folder(session) / o.images[0], o.images[0], session.rig->at(0).camera);
+              read_shown_image(folder(*session) / o.images[0], o.images[0], session->rig->at(0).camera);
           const ShownImage right =
-              read_shown_image(folder(session) / o.images[1], o.images[1], session.rig->at(1).camera);
+              read_shown_image(folder(*session) / o.images[1], o.images[1], session->rig->at(1).camera);
           if (left.image.isNull() || right.image.isNull()) continue;
           // What was looked at and not found is remembered too, so that it is not looked for again.
-          found[o.id] = second_look(session, *model->fit, o, {grey_image(left.image), grey_image(right.image)})
+          found[o.id] = second_look(*session, *model->fit, o, {grey_image(left.image), grey_image(right.image)})
                             .value_or(std::vector<Sighting>{});
           control.report(static_cast<double>(i + 1) / static_cast<double>(rejected.size()));
         }

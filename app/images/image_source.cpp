@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "document/core_words.h"
 #include "vision/image_file.h"
 
 namespace handsight::app {
@@ -23,7 +24,7 @@ ShownImage read_shown_image(const std::filesystem::path& file, const std::string
   try {
     content = read_file(file);
   } catch (const InputError& error) {
-    return {{}, QString::fromUtf8(error.what())};
+    return {{}, translated_error(error)};
   }
   if (is_cut_off(content))
     return {

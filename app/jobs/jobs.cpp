@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/jobs.h"
 
+#include "document/core_words.h"
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <exception>
 
@@ -12,6 +18,14 @@ namespace {
 void clear_upper_registers() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx")) asm volatile("vzeroupper" ::: "memory");
+#endif
+}
+
+/// What a long job has freed goes back to the system, rather than staying with this process for the next one.
+void give_back_memory(std::chrono::steady_clock::time_point begin) {
+#if defined(__GLIBC__)
+  constexpr auto is_long = std::chrono::seconds(1);
+  if (std::chrono::steady_clock::now() - begin > is_long) malloc_trim(0);
 #endif
 }
 
@@ -62,10 +76,11 @@ void Jobs::start_next() {
     try {
       if (!job->control.is_cancelled()) job->work(job->control);
     } catch (const std::exception& error) {
-      job->failure = QString::fromUtf8(error.what());
+      job->failure = translated_error(error);
       if (job->failure.isEmpty()) job->failure = tr("The job failed without saying why.");
     }
     job->work = nullptr;  // what it worked on, often a whole session, goes here: the window does not wait for it
+    give_back_memory(job->begin);
     QMetaObject::invokeMethod(this, [this, job] { finish(job); });
   });
 }

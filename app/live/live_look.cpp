@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "document/core_words.h"
 #include "images/image_source.h"
 #include "session/csv.h"
 #include "session/new_session.h"
@@ -134,7 +135,7 @@ class Look {
     try {
       instants = find_images(task_.sources.folders, camera_names_of(task_));
     } catch (const InputError& error) {
-      look_.remarks << QString::fromUtf8(error.what());
+      look_.remarks << translated_error(error);
       return std::move(look_);
     }
     if (std::none_of(instants.begin(), instants.end(), [this](const InstantImages& i) { return is_new(i); }))
@@ -163,7 +164,7 @@ class Look {
     try {
       angles_ = read_angles(task_.sources.table, task_);
     } catch (const InputError& refusal) {
-      look_.remarks << QString::fromUtf8(refusal.what());
+      look_.remarks << translated_error(refusal);
       return false;
     }
     const QString refusal = counting_refusal(angles_, instants, task_);
@@ -226,7 +227,7 @@ class Look {
       whole.time = angles_.time(*line);
       look_.instants.push_back(std::move(whole));
     } catch (const InputError& error) {
-      look_.remarks << QString::fromUtf8(error.what());
+      look_.remarks << translated_error(error);
     }
   }
 

@@ -52,9 +52,10 @@ class PlaceButton : public QAbstractButton {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
-  /// The image, or without one the icon of the work that begins there.
-  void set_picture(const QPixmap& thumbnail, const QString& icon) {
+  /// The image, one for each theme where it was drawn, or without one the icon of the work that begins there.
+  void set_picture(const QPixmap& thumbnail, const QPixmap& in_the_dark, const QString& icon) {
     thumbnail_ = thumbnail;
+    in_the_dark_ = in_the_dark;
     icon_ = icon;
   }
   /// Per observation rms over noise: a strip in the window's colours.
@@ -96,16 +97,17 @@ class PlaceButton : public QAbstractButton {
  private:
   void paint_picture(QPainter& p, const QRectF& area) const {
     const auto& c = colors();
-    if (thumbnail_.isNull()) {
+    const QPixmap& thumbnail = widgets::theme() == widgets::ThemeKind::dark ? in_the_dark_ : thumbnail_;
+    if (thumbnail.isNull()) {
       p.fillRect(area, c.sunken);
       widgets::draw_icon(p, QRectF(area.center() - QPointF(14, 14), QSizeF(28, 28)), icon_, c.ink3);
       return;
     }
-    const QSizeF shown = thumbnail_.deviceIndependentSize();
+    const QSizeF shown = thumbnail.deviceIndependentSize();
     const QRectF source(QPointF((shown.width() - area.width()) / 2, (shown.height() - area.height()) / 2) *
-                            thumbnail_.devicePixelRatio(),
-                        area.size() * thumbnail_.devicePixelRatio());
-    p.drawPixmap(area, thumbnail_, source);
+                            thumbnail.devicePixelRatio(),
+                        area.size() * thumbnail.devicePixelRatio());
+    p.drawPixmap(area, thumbnail, source);
   }
   void paint_strip(QPainter& p, const QRectF& area) const {
     if (ratios_.empty()) return;
@@ -118,7 +120,7 @@ class PlaceButton : public QAbstractButton {
   }
 
   QString sentence_, icon_, state_;
-  QPixmap thumbnail_;
+  QPixmap thumbnail_, in_the_dark_;
   std::vector<double> ratios_;
 };
 
@@ -134,17 +136,27 @@ StartPage::StartPage(QWidget* parent) : QScrollArea(parent) {
   setObjectName("start_page");
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
-  content_ = nullptr;
-  list_ = nullptr;
-  refusal_ = nullptr;
-  refresh();
 }
 
-void StartPage::changeEvent(QEvent* event) { QScrollArea::changeEvent(event); }
+void StartPage::refresh() {
+  is_stale_ = true;
+  refused_.clear();
+  if (isVisible()) make();
+}
+
+void StartPage::showEvent(QShowEvent* event) {
+  if (is_stale_) make();
+  QScrollArea::showEvent(event);
+}
 
 void StartPage::set_refusal(const QString& sentence) {
-  refusal_->setText(sentence);
-  refusal_->setVisible(!sentence.isEmpty());
+  refused_ = sentence;
+  if (refusal_) show_refusal();
+}
+
+void StartPage::show_refusal() {
+  refusal_->setText(refused_);
+  refusal_->setVisible(!refused_.isEmpty());
 }
 
 QGridLayout* StartPage::make_grid() {
@@ -156,7 +168,8 @@ QGridLayout* StartPage::make_grid() {
   return grid;
 }
 
-void StartPage::refresh() {
+void StartPage::make() {
+  is_stale_ = false;
   content_ = new QWidget(this);
   auto* outer = new QHBoxLayout(content_);
   auto* column = new QWidget(content_);
@@ -200,9 +213,14 @@ void StartPage::refresh() {
   tinted.setColor(QPalette::Window, colors().bad_tint);
   tinted.setColor(QPalette::WindowText, colors().ink1);
   refusal_->setPalette(tinted);
-  refusal_->hide();
   list_->addWidget(refusal_);
+  show_refusal();
+  make_lists(column);
+  list_->addStretch(1);
+  setWidget(content_);
+}
 
+void StartPage::make_lists(QWidget* column) {
   const auto recent = recent_sessions();
   if (!recent.empty()) {
     list_->addSpacing(16);
@@ -212,7 +230,8 @@ void StartPage::refresh() {
       const QString path = QString::fromStdString(recent[i].file.string());
       auto* row = new PlaceButton(recent[i].title, path, column);
       row->setObjectName("recent_" + QString::number(i));
-      row->set_picture(thumbnail_of(recent[i].file.parent_path(), devicePixelRatioF()), "calibrate");
+      const QPixmap picture = thumbnail_of(recent[i].file.parent_path(), devicePixelRatioF());
+      row->set_picture(picture, picture, "calibrate");
       row->set_state(recent[i].state, recent[i].ratios);
       connect(row, &QAbstractButton::clicked, this, [this, path] { emit session_chosen(path); });
       grid->addWidget(row, static_cast<int>(i) / 2, static_cast<int>(i) % 2);
@@ -228,15 +247,16 @@ void StartPage::refresh() {
       auto* row = new PlaceButton(sample.title, sample.sentence, column);
       const QString id = QString::fromStdString(sample.name);
       row->setObjectName("sample_" + id);
-      QPixmap picture = thumbnail_of(sample.folder, devicePixelRatioF());
-      if (picture.isNull()) picture = widgets::drawn_picture(id);
-      row->set_picture(picture, "explain");
+      const QPixmap picture = thumbnail_of(sample.folder, devicePixelRatioF());
+      if (picture.isNull())
+        row->set_picture(widgets::drawn_picture(id, widgets::ThemeKind::light),
+                         widgets::drawn_picture(id, widgets::ThemeKind::dark), "explain");
+      else
+        row->set_picture(picture, picture, "explain");
       connect(row, &QAbstractButton::clicked, this, [this, id] { emit sample_chosen(id); });
       grid->addWidget(row, i / 2, i % 2);
     }
   }
-  list_->addStretch(1);
-  setWidget(content_);
 }
 
 }  // namespace handsight::app

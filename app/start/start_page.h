@@ -16,7 +16,7 @@ class StartPage : public QScrollArea {
 
  public:
   explicit StartPage(QWidget* parent = nullptr);
-  /// Reads recent and sample sessions anew.
+  /// Reads recent and sample sessions anew, at once or, where nobody sees the page, when it is shown.
   void refresh();
   /// A sentence about what could not be opened, beside the buttons; empty: none.
   void set_refusal(const QString& sentence);
@@ -28,14 +28,19 @@ class StartPage : public QScrollArea {
   void sample_chosen(const QString& name);
 
  protected:
-  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
+  void make();
+  void make_lists(QWidget* column);
+  void show_refusal();
   QGridLayout* make_grid();
 
-  QWidget* content_;
-  QVBoxLayout* list_;
-  QLabel* refusal_;
+  bool is_stale_ = true;
+  QString refused_;
+  QWidget* content_ = nullptr;
+  QVBoxLayout* list_ = nullptr;
+  QLabel* refusal_ = nullptr;
 };
 
 }  // namespace handsight::app

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "document/core_words.h"
 #include "document/counted.h"
 #include "frame/main_window.h"
 #include "live/live_watch.h"
@@ -138,7 +139,7 @@ void SessionWizard::make() {
     accept();
     window_.open(QString::fromStdString(made.file.string()));
   } catch (const std::exception& error) {
-    refusal_->setText(QString::fromStdString(error.what()));
+    refusal_->setText(translated_error(error));
   }
 }
 

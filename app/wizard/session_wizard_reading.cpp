@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "document/core_words.h"
 #include "document/counted.h"
 #include "robot/urdf.h"
 #include "session/csv.h"
@@ -17,7 +18,7 @@ namespace handsight::app {
 namespace {
 
 QString with_notes(QString sentence, const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) sentence += " " + QString::fromStdString(note);
+  for (const std::string& note : notes) sentence += " " + translated_of_file(note);
   return sentence;
 }
 
@@ -55,7 +56,7 @@ void SessionWizard::read_images() {
       images_ = find_images(folders);
       say(where, images_sentence(), false);
     } catch (const InputError& error) {
-      say(where, QString::fromStdString(error.what()), true);
+      say(where, translated_error(error), true);
     }
   refresh();
 }
@@ -74,7 +75,7 @@ void SessionWizard::read_robot() {
               .arg(joint_names(*read_robot_).size()),
           false);
     } catch (const InputError& error) {
-      say(robot_, QString::fromStdString(error.what()), true);
+      say(robot_, translated_error(error), true);
     }
   }
   offer_links();
@@ -111,7 +112,7 @@ void SessionWizard::read_angles() {
     else
       read_joints(notes);
   } catch (const InputError& error) {
-    say(angles_, QString::fromStdString(error.what()), true);
+    say(angles_, translated_error(error), true);
   }
   refresh();
 }
@@ -157,7 +158,7 @@ void SessionWizard::read_calibration() {
               : tr("%1 cameras.").arg(rig_.count());
       say(calibration_, with_notes(sentence, notes), false);
     } catch (const InputError& error) {
-      say(calibration_, QString::fromStdString(error.what()), true);
+      say(calibration_, translated_error(error), true);
     }
   refresh();
 }
@@ -171,7 +172,7 @@ void SessionWizard::read_poses_of_target() {
       say(poses_, with_notes(counted(static_cast<int>(target_poses_.size()), "%n pose(s) of the target") + ".", notes),
           false);
     } catch (const InputError& error) {
-      say(poses_, QString::fromStdString(error.what()), true);
+      say(poses_, translated_error(error), true);
     }
   refresh();
 }

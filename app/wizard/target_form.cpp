@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/numbers.h"
+#include "document/core_words.h"
 #include "targets/dictionary.h"
 #include "targets/sheet.h"
 #include "targets/target_xml.h"
@@ -164,12 +165,12 @@ void TargetForm::read() {
   target_.reset();
   try {
     target_ = target_from_words(words(), "The target");
-    sentence = QString::fromStdString(description_of(*target_)) + ".";
+    sentence = translated(description_of(*target_)) + ".";
     if (is_printed_) sentence += " " + tr("Print it at 100 %, check its ruler, and glue it to something flat.");
     if (looks_the_same_turned(*target_))
       sentence += " " + tr("It looks the same after half a turn: one column more or less tells its ends apart.");
   } catch (const InputError& error) {
-    sentence = QString::fromUtf8("✗ ") + QString::fromStdString(error.what());
+    sentence = QString::fromUtf8("✗ ") + translated_error(error);
   }
   sheet_->setEnabled(target_.has_value());
   said_->setText(sentence);
@@ -196,7 +197,7 @@ void TargetForm::save_sheet(const QString& file) {
                        .arg(1e3 * sheet.width, 0, 'f', 0)
                        .arg(1e3 * sheet.height, 0, 'f', 0));
   } catch (const InputError& error) {
-    said_->setText(QString::fromUtf8("✗ ") + QString::fromStdString(error.what()));
+    said_->setText(QString::fromUtf8("✗ ") + translated_error(error));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "base/error.h"
 #include "diagnosis/candidates.h"
 #include "diagnosis/observation_rows.h"
 #include "estimation/fit_report.h"
@@ -48,7 +49,40 @@ Eigen::MatrixXd corner_changes(const Problem& p, const Unknowns& u, const Eigen:
   return changes.topRows(next);
 }
 
+int row_count(const Problem& problem, const Unknowns& unknowns) {
+  int rows = 0;
+  for (const ProblemObservation& o : problem.observations)
+    each_sighting(problem, o, unknowns, sensor_from_tcp_at(o, unknowns.mount_from_sensor),
+                  [&](const Sighting&, const Vector3&, const SightingResidual& r) { rows += r.rows; });
+  return rows;
+}
+
+/// Of a problem that stands where the model does.
+ResidualViews views_of(Problem problem, const Fit& model, int rows) {
+  ResidualViews v;
+  v.problem = std::move(problem);
+  v.unknowns = estimate(model);
+  v.weighing = weighing(model);
+  v.model = linear_model(v.problem, v.unknowns, v.problem.effect_count(), v.weighing.noise);
+  v.variables = variables_of(v.problem, v.unknowns);
+  v.axes = residual_axes(v.problem, v.model);
+  v.series = residual_series(v.problem, v.model);
+  v.corners = corner_residuals(v.problem, v.unknowns);
+  v.degrees = std::max(rows - model.unknowns, 1);
+  v.fitted = static_cast<int>(model.problem.observations.size());
+  return v;
+}
+
 }  // namespace
+
+std::vector<ProblemObservation> evenly(std::vector<ProblemObservation> all, std::size_t most) {
+  check(most >= 2, "a part of a session is two observations at least, not {}", most);
+  if (all.size() <= most) return all;
+  std::vector<ProblemObservation> part;
+  part.reserve(most);
+  for (std::size_t k = 0; k < most; ++k) part.push_back(std::move(all[k * (all.size() - 1) / (most - 1)]));
+  return part;
+}
 
 std::vector<CornerResidual> corner_residuals(const Problem& problem, const Unknowns& unknowns) {
   std::vector<CornerResidual> corners;
@@ -71,18 +105,17 @@ std::vector<CornerResidual> corner_residuals(const Problem& problem, const Unkno
   return corners;
 }
 
-ResidualViews residual_views(const Fit& model) {
-  ResidualViews v;
-  v.problem = with_motions(model.problem);
-  v.unknowns = estimate(model);
-  v.weighing = weighing(model);
-  v.model = linear_model(v.problem, v.unknowns, v.problem.effect_count(), v.weighing.noise);
-  v.variables = variables_of(v.problem, v.unknowns);
-  v.axes = residual_axes(v.problem, v.model);
-  v.series = residual_series(v.problem, v.model);
-  v.corners = corner_residuals(v.problem, v.unknowns);
-  v.degrees = std::max(model.rows - model.unknowns, 1);
-  return v;
+ResidualViews residual_views(const Fit& model) { return views_of(with_motions(model.problem), model, model.rows); }
+
+ResidualViews residual_views(const Fit& model, std::size_t most, std::size_t fitted) {
+  const std::size_t held = model.problem.observations.size();
+  if (held <= most && fitted <= held) return residual_views(model);
+  Problem part = model.problem;
+  part.observations = evenly(std::move(part.observations), most);
+  const int rows = row_count(part, estimate(model));
+  ResidualViews views = views_of(with_motions(part), model, rows);
+  views.fitted = static_cast<int>(std::max(fitted, held));
+  return views;
 }
 
 std::vector<Eigen::VectorXd> noise_alone(const ResidualViews& views, std::uint64_t seed) {

@@ -27,9 +27,18 @@ struct ResidualViews {
   std::vector<ResidualSeries> series;  // measured
   std::vector<CornerResidual> corners;
   double degrees = 1;  // rows less unknowns
+  int fitted = 0;      // observations that the model was fitted to: those of `problem`, or more
 };
 
 ResidualViews residual_views(const Fit& model);
+
+/// So many of a problem's observations, evenly over the session, the first and the last among them; all where there are
+/// no more. `most` is 2 at least.
+std::vector<ProblemObservation> evenly(std::vector<ProblemObservation> all, std::size_t most);
+
+/// What all observations of a long session would show, in a part of the memory: of more than `most` by so many of them,
+/// taken `evenly`. Where the model's problem holds only some already, `fitted` says to how many it was fitted.
+ResidualViews residual_views(const Fit& model, std::size_t most, std::size_t fitted = 0);
 
 /// Every corner at other unknowns than those the problem stands at, to first order in the effects' numbers.
 std::vector<CornerResidual> corner_residuals(const Problem& problem, const Unknowns& unknowns);

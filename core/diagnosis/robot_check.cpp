@@ -13,6 +13,15 @@
 namespace handsight {
 namespace {
 
+/// Symbols of a joint's axes mean nothing to who reads a sentence.
+std::string in_words(const std::string& name) {
+  if (name == "tu") return "shift across, u,";
+  if (name == "tw") return "shift across, w,";
+  if (name == "ru") return "tilt about u";
+  if (name == "rw") return "tilt about w";
+  return name;
+}
+
 /// What would be read with these effects in the model; nothing where it cannot be worked out.
 using Reading = std::function<ReadValue(const Terms&)>;
 
@@ -142,7 +151,7 @@ class Prediction {
     if (!best) return std::nullopt;
     const EffectParameter& p = effect.parameters[numbers[*best].parameter];
     const std::string place = place_name(effect, c_.terms[numbers[*best].term].joint, chain_.robot);
-    return CheckPrediction{fmt::format("The {}{} differs by", p.name, place.empty() ? "" : " of " + place),
+    return CheckPrediction{fmt::format("The {}{} differs by", in_words(p.name), place.empty() ? "" : " of " + place),
                            "from the model's",
                            value(*best),
                            sigma(*best),

@@ -290,7 +290,7 @@
     </message>
     <message>
         <source>%1 taken, %2 rejected</source>
-        <translation>%1 genommen, %2 nicht</translation>
+        <translation>%1 benutzt, %2 nicht</translation>
     </message>
     <message>
         <source>%1 to %2 %4: %3 observations</source>
@@ -680,6 +680,14 @@
         <translation>Füge sie hinzu: drücke den Knopf auf der Karte. Die Anpassung läuft vor deinen Augen.</translation>
     </message>
     <message>
+        <source>Rests after the cause that is being added, so that its proof can be looked at</source>
+        <translation>Ruht nach der Ursache, die gerade dazukommt, damit man ihren Beweis ansehen kann</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
         <source>Add until it stops</source>
         <translation>Hinzufügen, bis Schluss ist</translation>
     </message>
@@ -761,7 +769,7 @@
     </message>
     <message>
         <source>As the other observations number them</source>
-        <translation>Wie die anderen Beobachtungen sie nummerieren</translation>
+        <translation>So nummerieren es die anderen</translation>
     </message>
     <message>
         <source>Back to the candidates</source>
@@ -1010,6 +1018,14 @@
     <message>
         <source>Every observation was used</source>
         <translation>Jede Beobachtung wurde benutzt</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3 observations)</source>
+        <translation>%1 (%2 von %3 Beobachtungen)</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>de</translation>
     </message>
     <message>
         <source>Every observation was used.</source>
@@ -1449,7 +1465,7 @@
     </message>
     <message>
         <source>Looking for what is missing</source>
-        <translation>Suche nach dem, was fehlt</translation>
+        <translation>Suche, was fehlt</translation>
     </message>
     <message>
         <source>Looking where %1 would act</source>
@@ -1841,7 +1857,7 @@
     </message>
     <message>
         <source>Own pose</source>
-        <translation>Eigene Stellung</translation>
+        <translation>Stellung</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -4503,7 +4519,7 @@
     </message>
     <message>
         <source>The joint is a spring: its gear, its torque sensor or its controller gives way to the moment of gravity about its axis, on top of the declared stiffness. The angle sensor sits on the motor's side and does not see it.</source>
-        <translation>Das Gelenk ist eine Feder: Getriebe, Drehmomentsensor oder Regler geben dem Moment der Schwerkraft um die Achse nach, zusätzlich zur angegebenen Steifigkeit. Der Winkelgeber sitzt auf der Seite des Motors und sieht es nicht.</translation>
+        <translation>Das Gelenk ist eine Feder: Getriebe, Drehmomentsensor oder Regler geben der Schwerkraft nach, mehr als die angegebene Steifigkeit sagt. Der Winkelgeber am Motor sieht es nicht.</translation>
     </message>
     <message>
         <source>The joint that follows others does so in a slightly other ratio, or from another zero.</source>
@@ -5060,6 +5076,854 @@
     <message>
         <source>velocity of %1</source>
         <translation>Geschwindigkeit von %1</translation>
+    </message>
+    <message>
+        <source>All %1 %2; of the other %3 %4.</source>
+        <translation>Alle %1 %2; von den %3 anderen %4.</translation>
+    </message>
+    <message>
+        <source>%1 of these %2 %3; of the other %4 %5.</source>
+        <translation>%1 von diesen %2 %3; von den %4 anderen %5.</translation>
+    </message>
+    <message>
+        <source>have the %1 above %2</source>
+        <translation>haben %1 über %2</translation>
+    </message>
+    <message>
+        <source>have the %1 below %2</source>
+        <translation>haben %1 unter %2</translation>
+    </message>
+    <message>
+        <source>have the %1 between %2 and %3</source>
+        <translation>haben %1 zwischen %2 und %3</translation>
+    </message>
+    <message>
+        <source>share the %1 (%2)</source>
+        <translation>haben gemeinsam: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>positive</source>
+        <translation>positiv</translation>
+    </message>
+    <message>
+        <source>negative</source>
+        <translation>negativ</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 too</source>
+        <translation>auch %1</translation>
+    </message>
+    <message>
+        <source>only %1</source>
+        <translation>nur %1</translation>
+    </message>
+    <message>
+        <source>chessboard of %1 x %2 inner corners, squares of %3</source>
+        <translation>Schachbrett mit %1 × %2 inneren Ecken, Felder von %3</translation>
+    </message>
+    <message>
+        <source>ChArUco board of %1 x %2 squares of %3, tags of %4 from %5, old layout</source>
+        <translation>ChArUco-Brett mit %1 × %2 Feldern von %3, Tags von %4 aus %5, alte Anordnung</translation>
+    </message>
+    <message>
+        <source>ChArUco board of %1 x %2 squares of %3, tags of %4 from %5</source>
+        <translation>ChArUco-Brett mit %1 × %2 Feldern von %3, Tags von %4 aus %5</translation>
+    </message>
+    <message>
+        <source>grid of %1 x %2 tags of %3 from %4, gaps of %5</source>
+        <translation>Gitter aus %1 × %2 Tags von %3 aus %4, Lücken von %5</translation>
+    </message>
+    <message>
+        <source>tags %1 of %2 from %3</source>
+        <translation>Tags %1 von %2 aus %3</translation>
+    </message>
+    <message>
+        <source>%1he angle of %2 moves with the %3, %4: it has no name in the catalogue.</source>
+        <translation>Der Winkel von %2 folgt der Größe „%3“ (%4): im Katalog hat das keinen Namen.</translation>
+    </message>
+    <message>
+        <source>%1he hand%2 moves with the %3, %4: it has no name in the catalogue.</source>
+        <translation>Die Hand%2 folgt der Größe „%3“ (%4): im Katalog hat das keinen Namen.</translation>
+    </message>
+    <message>
+        <source>%1he sensor's mount%2 moves with the %3, %4: it has no name in the catalogue.</source>
+        <translation>Der Sitz des Sensors%2 folgt der Größe „%3“ (%4): im Katalog hat das keinen Namen.</translation>
+    </message>
+    <message>
+        <source>sine and cosine of %1 times it</source>
+        <translation>Sinus und Kosinus vom %1-fachen</translation>
+    </message>
+    <message>
+        <source>in proportion to it</source>
+        <translation>im gleichen Verhältnis</translation>
+    </message>
+    <message>
+        <source>its square, signed</source>
+        <translation>sein Quadrat mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>a saturation of it</source>
+        <translation>eine Sättigung davon</translation>
+    </message>
+    <message>
+        <source>a steep saturation of it</source>
+        <translation>eine steile Sättigung davon</translation>
+    </message>
+    <message>
+        <source>a curve of it</source>
+        <translation>eine Kurve davon</translation>
+    </message>
+    <message>
+        <source>its product with the %1</source>
+        <translation>ihr Produkt mit %1</translation>
+    </message>
+    <message>
+        <source>What is left is more than few robots explain: look for a wrong mount, rig, joint or label before any number is used.</source>
+        <translation>Was bleibt, ist mehr, als wenige Roboter erklären: suche nach falschem Kamerasitz, falschen Kameras, Gelenken oder Marken, bevor du eine Zahl benutzt.</translation>
+    </message>
+    <message>
+        <source>What is left is more than any robot explains: this is no answer; check mount, cameras, joints' order and labels.</source>
+        <translation>Was bleibt, ist mehr, als irgendein Roboter erklärt: das ist keine Antwort; prüfe Kamerasitz, Kameras, Reihenfolge der Gelenke und Marken.</translation>
+    </message>
+    <message>
+        <source>A marker would lie behind a camera that saw it: this is no answer; check the mount, the cameras and the labels.</source>
+        <translation>Ein Marker läge hinter einer Kamera, die ihn sah: das ist keine Antwort; prüfe Kamerasitz, Kameras und Marken.</translation>
+    </message>
+    <message>
+        <source>All observations have the same joint positions: nothing can be told from one pose.</source>
+        <translation>Alle Beobachtungen haben dieselben Gelenkwinkel: aus einer einzigen Stellung lässt sich nichts sagen.</translation>
+    </message>
+    <message>
+        <source>Only one observation is used: tcp_from_body is that of thesis (4.35), and nothing checks it.</source>
+        <translation>Nur eine Beobachtung ist benutzt: tcp_from_body ist das der Arbeit (4.35), und nichts prüft es.</translation>
+    </message>
+    <message>
+        <source>The fit did not converge in %1 iterations.</source>
+        <translation>Die Anpassung ist nach %1 Schritten nicht zur Ruhe gekommen.</translation>
+    </message>
+    <message>
+        <source>%1 direction%2 of the unknowns cannot be observed in these poses and stay as they were.</source>
+        <translation>%1 Richtungen der Unbekannten zeigen sich in diesen Stellungen nicht und bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>%1 sightings by one camera only cannot take part in this objective, which needs triangulated points.</source>
+        <translation>%1 Marken, die nur eine Kamera sah, können bei dieser Zielfunktion nicht mitmachen: sie braucht Punkte im Raum.</translation>
+    </message>
+    <message>
+        <source>Observation %1: the declared springs are too soft for the load; no equilibrium is found.</source>
+        <translation>Beobachtung %1: die angegebenen Federn sind für die Last zu weich; es findet sich kein Gleichgewicht.</translation>
+    </message>
+    <message>
+        <source>Observation %1: marker %2 cannot be triangulated; its %3 image points are not one point in front of the cameras.</source>
+        <translation>Beobachtung %1: Marker %2 ergibt keinen Punkt im Raum; seine %3 Bildpunkte sind nicht ein Punkt vor den Kameras.</translation>
+    </message>
+    <message>
+        <source>The noise is neither declared nor to be estimated: %1 %2 is assumed.</source>
+        <translation>Das Rauschen ist weder angegeben noch zu schätzen: angenommen sind %1 %2.</translation>
+    </message>
+    <message>
+        <source>The declared noise %1 and the noise seen in the measurements %2 +- %3 %4 differ by more than 3 sigma; check the declaration, or look for wrong corners and camera errors.</source>
+        <translation>Das angegebene Rauschen %1 und das in den Messungen gesehene %2 +- %3 %4 unterscheiden sich um mehr als 3 Sigma; prüfe die Angabe, oder suche nach falschen Ecken und Fehlern der Kameras.</translation>
+    </message>
+    <message>
+        <source>With %1 the rotation of tcp_from_body is %2 observable; what is not is left at its start value.</source>
+        <translation>Mit %1 ist die Drehung von tcp_from_body %2 zu beobachten; was nicht, bleibt beim Anfangswert.</translation>
+    </message>
+    <message>
+        <source>Nothing but the measurements' own sigmas (usually %1 %2) tells the noise; they are taken at their word.</source>
+        <translation>Nichts als die Sigmas der Messungen selbst (gewöhnlich %1 %2) sagt etwas über das Rauschen; sie gelten, wie sie dastehen.</translation>
+    </message>
+    <message>
+        <source>The noise, %1 %2, is that of poses which were measured again; how well the robot repeats is part of it.</source>
+        <translation>Das Rauschen, %1 %2, ist das von Stellungen, die noch einmal gemessen wurden; wie gut der Roboter wiederholt, gehört dazu.</translation>
+    </message>
+    <message>
+        <source>%1: the measurements say more than 5 times what is plausible; its plausible sizes were taken %2 times as large.</source>
+        <translation>%1: die Messungen sagen mehr als das 5-fache des Plausiblen; die plausiblen Größen gelten hier %2-fach.</translation>
+    </message>
+    <message>
+        <source>An effect of the model shows only while the joints move; these poses are at rest and cannot show it.</source>
+        <translation>Eine Ursache des Modells zeigt sich nur, während die Gelenke sich bewegen; diese Stellungen ruhen und können sie nicht zeigen.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cannot be told apart at any of the %3 poses that this robot and these cameras allow: whatever one of them does, the other does too.</source>
+        <translation>%1 und %2 lassen sich in keiner der %3 Stellungen unterscheiden, die dieser Roboter und diese Kameras erlauben: was das eine tut, tut auch das andere.</translation>
+    </message>
+    <message>
+        <source>An effect depends on where a pose is approached from: drive to the poses in this order, each straight from the one before.</source>
+        <translation>Eine Ursache hängt davon ab, von wo eine Stellung angefahren wird: fahre sie in dieser Reihenfolge an, jede geradewegs von der davor.</translation>
+    </message>
+    <message>
+        <source>shift across, u,</source>
+        <translation>Verschiebung quer, u,</translation>
+    </message>
+    <message>
+        <source>shift across, w,</source>
+        <translation>Verschiebung quer, w,</translation>
+    </message>
+</context>
+<context>
+    <name>errors</name>
+    <!-- What is wrong with a file, and the forms that such sentences have: translated where an error is shown. -->
+    <message>
+        <source>%1, line %2: &lt;%3&gt; %4</source>
+        <translation>%1, Zeile %2: &lt;%3&gt; %4</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: the file %2: %3.</source>
+        <translation>%1: die Datei %2: %3.</translation>
+    </message>
+    <message>
+        <source>cannot be written, and is as it was</source>
+        <translation>lässt sich nicht schreiben und ist, wie sie war</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>is longer than 1 GiB</source>
+        <translation>ist länger als 1 GiB</translation>
+    </message>
+    <message>
+        <source>is write protected and is as it was; name another file.</source>
+        <translation>ist schreibgeschützt und ist, wie sie war; nenne eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>is a device or a pipe and is not read; expected a regular file.</source>
+        <translation>ist ein Gerät oder eine Pipe und wird nicht gelesen; erwartet wird eine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>is a device or a pipe and is not written over; name a file, or - for standard output where an option takes it.</source>
+        <translation>ist ein Gerät oder eine Pipe und wird nicht überschrieben; nenne eine Datei.</translation>
+    </message>
+    <message>
+        <source>another program has changed the file since it was read; it is as that program left it. Run the command again on what it holds now.</source>
+        <translation>ein anderes Programm hat die Datei geändert, seit sie gelesen wurde; sie ist, wie jenes sie hinterließ. Versuche es noch einmal mit dem, was jetzt darin steht.</translation>
+    </message>
+    <message>
+        <source>no folder can be made in it: %1.</source>
+        <translation>darin lässt sich kein Ordner anlegen: %1.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read (%1).</source>
+        <translation>der Ordner lässt sich nicht lesen (%1).</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made (%1).</source>
+        <translation>der Ordner lässt sich nicht anlegen (%1).</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder, expected a session's folder or its session.xml.</source>
+        <translation>eine solche Datei gibt es nicht; erwartet wird der Ordner einer Sitzung oder ihre session.xml.</translation>
+    </message>
+    <message>
+        <source>the folder holds no session.xml, expected a session's folder.</source>
+        <translation>der Ordner enthält keine session.xml; erwartet wird der Ordner einer Sitzung.</translation>
+    </message>
+    <message>
+        <source>belongs to the session and is not written over; name another file.</source>
+        <translation>gehört zur Sitzung und wird nicht überschrieben; nenne eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>there is a session already; take another folder.</source>
+        <translation>dort ist schon eine Sitzung; nimm einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>the file holds bytes that are not UTF-8, expected XML saved as UTF-8.</source>
+        <translation>die Datei enthält Bytes, die kein UTF-8 sind; erwartet wird XML, als UTF-8 gespeichert.</translation>
+    </message>
+    <message>
+        <source>holds bytes that are not UTF-8, expected UTF-8 text.</source>
+        <translation>enthält Bytes, die kein UTF-8 sind; erwartet wird Text in UTF-8.</translation>
+    </message>
+    <message>
+        <source>the file holds a zero byte, expected XML, which is text.</source>
+        <translation>die Datei enthält ein Nullbyte; erwartet wird XML, also Text.</translation>
+    </message>
+    <message>
+        <source>the file is empty, expected well-formed XML.</source>
+        <translation>die Datei ist leer; erwartet wird wohlgeformtes XML.</translation>
+    </message>
+    <message>
+        <source>%1, expected well-formed XML.</source>
+        <translation>%1; erwartet wird wohlgeformtes XML.</translation>
+    </message>
+    <message>
+        <source>an element is closed by another name or not at all</source>
+        <translation>ein Element wird mit anderem Namen oder gar nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>an attribute stands twice or is not written as name="value"</source>
+        <translation>ein Attribut steht zweimal da oder ist nicht als name="wert" geschrieben</translation>
+    </message>
+    <message>
+        <source>a comment is not closed</source>
+        <translation>ein Kommentar ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>a text does not end</source>
+        <translation>ein Text endet nicht</translation>
+    </message>
+    <message>
+        <source>elements are nested too deeply</source>
+        <translation>Elemente sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>an element is broken off or misplaced</source>
+        <translation>ein Element ist abgebrochen oder steht am falschen Ort</translation>
+    </message>
+    <message>
+        <source>an XML declaration is misplaced or not closed</source>
+        <translation>eine XML-Deklaration steht am falschen Ort oder ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>there is no element in the file, expected &lt;%1&gt;.</source>
+        <translation>in der Datei ist kein Element; erwartet wird &lt;%1&gt;.</translation>
+    </message>
+    <message>
+        <source>the outermost element is &lt;%1&gt;, expected &lt;%2&gt;.</source>
+        <translation>das äußerste Element ist &lt;%1&gt;; erwartet wird &lt;%2&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; is a second outermost element, expected only &lt;%2&gt;.</source>
+        <translation>&lt;%1&gt; ist ein zweites äußerstes Element; erwartet wird nur &lt;%2&gt;.</translation>
+    </message>
+    <message>
+        <source>the text %1 stands outside of the outermost element, expected only comments there.</source>
+        <translation>der Text %1 steht außerhalb des äußersten Elements; erwartet werden dort nur Kommentare.</translation>
+    </message>
+    <message>
+        <source>a closing tag too many stands after what begins here, expected well-formed XML.</source>
+        <translation>nach dem, was hier beginnt, steht ein schließendes Tag zu viel; erwartet wird wohlgeformtes XML.</translation>
+    </message>
+    <message>
+        <source>has no attribute %1, expected %2="...".</source>
+        <translation>hat kein Attribut %1; erwartet wird %2="...".</translation>
+    </message>
+    <message>
+        <source>has no element &lt;%1&gt;, expected one.</source>
+        <translation>hat kein Element &lt;%1&gt;; erwartet wird eines.</translation>
+    </message>
+    <message>
+        <source>stands a second time in &lt;%1&gt;, expected once.</source>
+        <translation>steht ein zweites Mal in &lt;%1&gt;; erwartet wird einmal.</translation>
+    </message>
+    <message>
+        <source>has %1 bytes in %2 (%3), expected at most %4.</source>
+        <translation>hat %1 Bytes in %2 (%3); erwartet werden höchstens %4.</translation>
+    </message>
+    <message>
+        <source>%1, expected version="1", the only one that this program reads.</source>
+        <translation>%1; erwartet wird version="1", die einzige, die dieses Programm liest.</translation>
+    </message>
+    <message>
+        <source>%1, expected a name.</source>
+        <translation>%1; erwartet wird ein Name.</translation>
+    </message>
+    <message>
+        <source>%1, expected a positive number.</source>
+        <translation>%1; erwartet wird eine positive Zahl.</translation>
+    </message>
+    <message>
+        <source>%1, expected %2.</source>
+        <translation>%1; erwartet wird %2.</translation>
+    </message>
+    <message>
+        <source>%1, expected one of: %2.</source>
+        <translation>%1; erwartet wird eines von: %2.</translation>
+    </message>
+    <message>
+        <source>%1, expected an integer %2.</source>
+        <translation>%1; erwartet wird eine ganze Zahl %2.</translation>
+    </message>
+    <message>
+        <source>of at least %1</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>has %1 in %2, expected %3 finite numbers%4.</source>
+        <translation>hat %1 in %2; erwartet werden %3 endliche Zahlen%4.</translation>
+    </message>
+    <message>
+        <source>has %1 numbers in %2, expected %3.</source>
+        <translation>hat %1 Zahlen in %2; erwartet werden %3.</translation>
+    </message>
+    <message>
+        <source>has %1 numbers, expected %2%3.</source>
+        <translation>hat %1 Zahlen; erwartet werden %2%3.</translation>
+    </message>
+    <message>
+        <source>has %1, expected %2 finite numbers%3.</source>
+        <translation>hat %1; erwartet werden %2 endliche Zahlen%3.</translation>
+    </message>
+    <message>
+        <source>has the number %1%2, expected a number from %3 to %4.</source>
+        <translation>hat die Zahl %1%2; erwartet wird eine von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>'&amp;' stands alone, expected &amp;amp; for the character itself.</source>
+        <translation>'&amp;' steht allein; für das Zeichen selbst wird &amp;amp; erwartet.</translation>
+    </message>
+    <message>
+        <source>the mesh is of a kind that is not read, expected an STL or an OBJ file.</source>
+        <translation>das Netz ist von einer Art, die nicht gelesen wird; erwartet wird eine STL- oder OBJ-Datei.</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 MB, expected at most %2.</source>
+        <translation>das Netz hat %1 MB; erwartet werden höchstens %2.</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangle, expected at least one.</source>
+        <translation>das Netz hat kein Dreieck; erwartet wird mindestens eines.</translation>
+    </message>
+    <message>
+        <source>has lower=%1 above upper=%2, expected lower &lt;= upper.</source>
+        <translation>hat lower=%1 über upper=%2; erwartet wird lower &lt;= upper.</translation>
+    </message>
+    <message>
+        <source>is a zero vector, expected the direction of the joint's axis.</source>
+        <translation>ist ein Nullvektor; erwartet wird die Richtung der Gelenkachse.</translation>
+    </message>
+    <message>
+        <source>has value="%1", a negative mass, expected at least 0 kg.</source>
+        <translation>hat value="%1", eine negative Masse; erwartet werden mindestens 0 kg.</translation>
+    </message>
+    <message>
+        <source>has the name %1, which line %2 has already given, expected another name.</source>
+        <translation>hat den Namen %1, den Zeile %2 schon vergeben hat; erwartet wird ein anderer.</translation>
+    </message>
+    <message>
+        <source>%1 has the %2 link %3, expected the name of a link in the file.</source>
+        <translation>%1 hat das %2-Glied %3; erwartet wird der Name eines Gliedes in der Datei.</translation>
+    </message>
+    <message>
+        <source>%1 carries link %2, which joint %3 carries already, expected one parent for each link.</source>
+        <translation>%1 trägt das Glied %2, das Gelenk %3 schon trägt; erwartet wird ein einziges Gelenk über jedem Glied.</translation>
+    </message>
+    <message>
+        <source>has no &lt;link&gt;, expected at least one.</source>
+        <translation>hat kein &lt;link&gt;; erwartet wird mindestens eines.</translation>
+    </message>
+    <message>
+        <source>has a joint above each of its links, a cycle, expected one root link without a parent.</source>
+        <translation>hat über jedem Glied ein Gelenk, also einen Kreis; erwartet wird ein Wurzelglied ohne Gelenk darüber.</translation>
+    </message>
+    <message>
+        <source>%1 is part of a cycle or hangs on one, expected a tree that starts at the root link.</source>
+        <translation>%1 ist Teil eines Kreises oder hängt an einem; erwartet wird ein Baum, der beim Wurzelglied beginnt.</translation>
+    </message>
+    <message>
+        <source>is of type %1, which has several coordinates and is not supported, expected fixed, revolute, continuous or prismatic.</source>
+        <translation>ist vom Typ %1, der mehrere Koordinaten hat und nicht geht; erwartet wird fixed, revolute, continuous oder prismatic.</translation>
+    </message>
+    <message>
+        <source>is of xacro, expected a URDF: expand it first with `xacro %1 &gt; expanded.urdf` %2 and name expanded.urdf.</source>
+        <translation>gehört zu xacro; erwartet wird eine URDF: entfalte sie zuerst mit `xacro %1 &gt; expanded.urdf` und nenne expanded.urdf.</translation>
+    </message>
+    <message>
+        <source>has both quaternion and rpy, expected one of the two.</source>
+        <translation>hat quaternion und rpy; erwartet wird eines von beiden.</translation>
+    </message>
+    <message>
+        <source>has a quaternion of length %1, expected "x y z w" of length 1.</source>
+        <translation>hat eine Quaternion der Länge %1; erwartet wird "x y z w" der Länge 1.</translation>
+    </message>
+    <message>
+        <source>has id="%1" a second time, expected each id once.</source>
+        <translation>hat id="%1" ein zweites Mal; erwartet wird jede id einmal.</translation>
+    </message>
+    <message>
+        <source>has time="%1" after %2 of the observation before, expected times that do not go back.</source>
+        <translation>hat time="%1" nach %2 der Beobachtung davor; erwartet werden Zeiten, die nicht zurückgehen.</translation>
+    </message>
+    <message>
+        <source>holds no observation, expected at least one &lt;observation&gt;.</source>
+        <translation>enthält keine Beobachtung; erwartet wird mindestens eine &lt;observation&gt;.</translation>
+    </message>
+    <message>
+        <source>has no &lt;observations&gt;, so there is no observation, expected at least one.</source>
+        <translation>hat kein &lt;observations&gt;, also keine Beobachtung; erwartet wird mindestens eine.</translation>
+    </message>
+    <message>
+        <source>names %1, %2, expected joints of the robot that move by themselves.</source>
+        <translation>nennt %1, %2; erwartet werden Gelenke des Roboters, die sich von selbst bewegen.</translation>
+    </message>
+    <message>
+        <source>which the robot does not have</source>
+        <translation>das der Roboter nicht hat</translation>
+    </message>
+    <message>
+        <source>which is fixed</source>
+        <translation>das fest ist</translation>
+    </message>
+    <message>
+        <source>which follows other joints (&lt;mimic&gt;)</source>
+        <translation>das anderen Gelenken folgt (&lt;mimic&gt;)</translation>
+    </message>
+    <message>
+        <source>%1=%2 is no link of the robot, expected the name of a link in %3.</source>
+        <translation>%1=%2 ist kein Glied des Roboters; erwartet wird der Name eines Gliedes in %3.</translation>
+    </message>
+    <message>
+        <source>has file=%1, which is not there, expected a URDF file, its path relative to the session's folder.</source>
+        <translation>hat file=%1, und die ist nicht da; erwartet wird eine URDF, ihr Pfad vom Ordner der Sitzung aus.</translation>
+    </message>
+    <message>
+        <source>has file=%1, which leads out of the session's folder, expected a URDF file inside it, in a folder "robots" beside or above it, or in one that the environment variable %2 names.</source>
+        <translation>hat file=%1, und das führt aus dem Ordner der Sitzung hinaus; erwartet wird eine URDF darin, in einem Ordner "robots" daneben oder darüber, oder in einem, den die Umgebungsvariable %2 nennt.</translation>
+    </message>
+    <message>
+        <source>names joint %1 a second time, expected each joint once.</source>
+        <translation>nennt Gelenk %1 ein zweites Mal; erwartet wird jedes einmal.</translation>
+    </message>
+    <message>
+        <source>names no joint, expected those that the observations' vectors hold.</source>
+        <translation>nennt kein Gelenk; erwartet werden die, die in den Vektoren der Beobachtungen stehen.</translation>
+    </message>
+    <message>
+        <source>has neither &lt;stereo&gt; nor &lt;tracker&gt; nor &lt;cameras&gt; nor &lt;pose_sensor&gt;, expected one of them.</source>
+        <translation>hat weder &lt;stereo&gt; noch &lt;tracker&gt; noch &lt;cameras&gt; noch &lt;pose_sensor&gt;; erwartet wird eines davon.</translation>
+    </message>
+    <message>
+        <source>has index="%1" a second time in its observation, expected each marker once.</source>
+        <translation>hat index="%1" in seiner Beobachtung ein zweites Mal; erwartet wird jeder Marker einmal.</translation>
+    </message>
+    <message>
+        <source>has no point, expected point="x y z" as this is a tracker session.</source>
+        <translation>hat keinen Punkt; erwartet wird point="x y z", denn dies ist eine Sitzung mit Tracker.</translation>
+    </message>
+    <message>
+        <source>has %1=%2, expected %3.</source>
+        <translation>hat %1=%2; erwartet wird %3.</translation>
+    </message>
+    <message>
+        <source>has no translation, expected the two cameras apart: without a baseline there is no depth.</source>
+        <translation>hat keine Verschiebung; erwartet werden zwei Kameras mit Abstand: ohne Basis keine Tiefe.</translation>
+    </message>
+    <message>
+        <source>has %1 columns and no header, the robot %2 joints that move by themselves: %3. Write a first line with the columns' names.</source>
+        <translation>hat %1 Spalten und keine Überschrift, der Roboter %2 Gelenke, die sich von selbst bewegen: %3. Schreib eine erste Zeile mit den Namen der Spalten.</translation>
+    </message>
+    <message>
+        <source>no column has the name of a joint of the robot, which has: %1.</source>
+        <translation>keine Spalte hat den Namen eines Gelenks des Roboters; er hat: %1.</translation>
+    </message>
+    <message>
+        <source>%1 columns are no joints of the robot and are left out.</source>
+        <translation>%1 Spalten sind keine Gelenke des Roboters und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>joint %1 stands at %2, which in rad is %3 turns: these are degrees. Say --degrees, or write the unit into the header: "%4".</source>
+        <translation>Gelenk %1 steht bei %2, das wären in rad %3 Umdrehungen: es sind Grad. Schreib die Einheit in die Überschrift: "%4".</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same number; one image an instant and side is wanted.</source>
+        <translation>%1 und %2 haben dieselbe Nummer; gebraucht wird ein Bild je Zeitpunkt und Seite.</translation>
+    </message>
+    <message>
+        <source>has no %1images with a number in their names (PNG, JPEG, PGM, BMP or TIFF).</source>
+        <translation>enthält keine %1Bilder mit einer Nummer im Namen (PNG, JPEG, PGM, BMP oder TIFF).</translation>
+    </message>
+    <message>
+        <source>There are %1 %2 for %3 %4; each instant needs one of each, in the same order.</source>
+        <translation>Es sind %1 %2 für %3 %4; jeder Zeitpunkt braucht von jedem eines, in derselben Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>There are %1 %2 and %3 %4; expected one for each, in the order of the images' numbers. The first has the number %5, the last %6.</source>
+        <translation>Es sind %1 %2 und %3 %4; erwartet wird eines für jedes, in der Reihenfolge der Bildnummern. Das erste hat die Nummer %5, das letzte %6.</translation>
+    </message>
+    <message>
+        <source>poses of the flange</source>
+        <translation>Lagen des Flansches</translation>
+    </message>
+    <message>
+        <source>lines of joint angles</source>
+        <translation>Zeilen mit Gelenkwinkeln</translation>
+    </message>
+    <message>
+        <source>poses of the target</source>
+        <translation>Lagen des Ziels</translation>
+    </message>
+    <message>
+        <source>pairs of images</source>
+        <translation>Bildpaare</translation>
+    </message>
+    <message>
+        <source>instants with images</source>
+        <translation>Zeitpunkte mit Bildern</translation>
+    </message>
+    <message>
+        <source>There are images of %1 cameras and a calibration of %2; each camera needs both.</source>
+        <translation>Es sind Bilder von %1 Kameras da und eine Kalibrierung von %2; jede Kamera braucht beides.</translation>
+    </message>
+    <message>
+        <source>A session needs at least one observation; there is no pose.</source>
+        <translation>Eine Sitzung braucht mindestens eine Beobachtung; es ist keine Stellung da.</translation>
+    </message>
+    <message>
+        <source>has no link %1.</source>
+        <translation>hat kein Glied %1.</translation>
+    </message>
+    <message>
+        <source>is no file that OpenCV's FileStorage wrote (YAML, XML or JSON): %1; name the stereo calibration.</source>
+        <translation>ist keine Datei, die OpenCVs FileStorage geschrieben hat (YAML, XML oder JSON): %1; nenne die Stereokalibrierung.</translation>
+    </message>
+    <message>
+        <source>it has no entries with names</source>
+        <translation>sie hat keine Einträge mit Namen</translation>
+    </message>
+    <message>
+        <source>it holds a zero byte</source>
+        <translation>sie enthält ein Nullbyte</translation>
+    </message>
+    <message>
+        <source>it is no JSON object</source>
+        <translation>sie ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>it has %1 MB</source>
+        <translation>sie hat %1 MB</translation>
+    </message>
+    <message>
+        <source>it is no matrix</source>
+        <translation>sie ist keine Matrix</translation>
+    </message>
+    <message>
+        <source>it holds something that is no number</source>
+        <translation>sie enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>%1 is no matrix of finite numbers: %2; expected what OpenCV's stereoCalibrate writes.</source>
+        <translation>%1 ist keine Matrix endlicher Zahlen: %2; erwartet wird, was OpenCVs stereoCalibrate schreibt.</translation>
+    </message>
+    <message>
+        <source>the %1 camera matrix is %2 x %3; expected 3 x 3 with positive focal lengths.</source>
+        <translation>die Matrix der Kamera (%1) ist %2 x %3; erwartet wird 3 x 3 mit positiven Brennweiten.</translation>
+    </message>
+    <message>
+        <source>the %1 camera has a focal length of %2 px; expected one from %3 to %4.</source>
+        <translation>die Kamera (%1) hat eine Brennweite von %2 px; erwartet wird eine von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>has a focal length of %1 px; expected one from %2 to %3.</source>
+        <translation>hat eine Brennweite von %1 px; erwartet wird eine von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>R is no rotation (its columns are not of length 1 and square to each other).</source>
+        <translation>R ist keine Drehung (ihre Spalten sind nicht von Länge 1 und senkrecht zueinander).</translation>
+    </message>
+    <message>
+        <source>has no %1; name the file of OpenCV's stereoCalibrate that has it too.</source>
+        <translation>hat keine %1; nenne auch die Datei von OpenCVs stereoCalibrate, in der sie steht.</translation>
+    </message>
+    <message>
+        <source>left camera matrix (M1, K1 or cameraMatrix1)</source>
+        <translation>linke Kameramatrix (M1, K1 oder cameraMatrix1)</translation>
+    </message>
+    <message>
+        <source>right camera matrix (M2, K2 or cameraMatrix2)</source>
+        <translation>rechte Kameramatrix (M2, K2 oder cameraMatrix2)</translation>
+    </message>
+    <message>
+        <source>does not say how large the images are; expected image_width and image_height.</source>
+        <translation>sagt nicht, wie groß die Bilder sind; erwartet werden image_width und image_height.</translation>
+    </message>
+    <message>
+        <source>The images are %1 x %2 px, the calibration of the %3 camera is of %4 x %5 px: name the calibration of these images, or images of this size.</source>
+        <translation>Die Bilder haben %1 x %2 px, die Kalibrierung der Kamera (%3) ist von %4 x %5 px: nenne die Kalibrierung dieser Bilder oder Bilder dieser Größe.</translation>
+    </message>
+    <message>
+        <source>is no image that can be read (%1 bytes); PNG, JPEG, PGM, BMP and TIFF can.</source>
+        <translation>ist kein Bild, das sich lesen lässt (%1 Bytes); PNG, JPEG, PGM, BMP und TIFF gehen.</translation>
+    </message>
+    <message>
+        <source>the image is cut off after %1 bytes; copy it again from where it came.</source>
+        <translation>das Bild bricht nach %1 Bytes ab; kopiere es noch einmal von dort, wo es herkam.</translation>
+    </message>
+    <message>
+        <source>the image says that it has %1 x %2 pixels; at most %3 million are read.</source>
+        <translation>das Bild sagt, es habe %1 x %2 Pixel; höchstens %3 Millionen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 x %3, the camera says %4 x %5; use the images that the camera was calibrated with.</source>
+        <translation>%1 ist %2 x %3, die Kamera sagt %4 x %5; nimm die Bilder, mit denen die Kamera kalibriert wurde.</translation>
+    </message>
+    <message>
+        <source>is no YAML: %1; expected `name: value` lines.</source>
+        <translation>ist kein YAML: %1; erwartet werden Zeilen `name: wert`.</translation>
+    </message>
+    <message>
+        <source>The calibration cannot be written: %1 is not finite; the observations do not determine it. Look at the session with check and diagnose.</source>
+        <translation>Die Kalibrierung lässt sich nicht schreiben: %1 ist nicht endlich; die Beobachtungen bestimmen es nicht. Sieh nach, was an der Sitzung auffällt.</translation>
+    </message>
+    <message>
+        <source>TCP-&gt;Body or its covariance</source>
+        <translation>TCP-&gt;Body oder seine Kovarianz</translation>
+    </message>
+    <message>
+        <source>the mount or its covariance</source>
+        <translation>der Kamerasitz oder seine Kovarianz</translation>
+    </message>
+    <message>
+        <source>the scatter of the TCP</source>
+        <translation>die Streuung des TCP</translation>
+    </message>
+    <message>
+        <source>the covariance of the effects</source>
+        <translation>die Kovarianz der Ursachen</translation>
+    </message>
+    <message>
+        <source>a chessboard needs at least 6 inner corners, for example columns="3" rows="2".</source>
+        <translation>ein Schachbrett braucht mindestens 6 innere Ecken, zum Beispiel columns="3" rows="2".</translation>
+    </message>
+    <message>
+        <source>its markers of %1 m do not fit into its squares of %2 m.</source>
+        <translation>seine Tags von %1 m passen nicht in seine Felder von %2 m.</translation>
+    </message>
+    <message>
+        <source>tags need the numbers that are used, for example ids="3 7 9".</source>
+        <translation>Tags brauchen die Nummern, die benutzt werden, zum Beispiel ids="3 7 9".</translation>
+    </message>
+    <message>
+        <source>the tag %1 is named twice; every id once.</source>
+        <translation>der Tag %1 ist zweimal genannt; jede Nummer einmal.</translation>
+    </message>
+    <message>
+        <source>the tag %1 is not in %2, which has 0 to %3.</source>
+        <translation>den Tag %1 gibt es in %2 nicht; dort sind 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>it has %1 columns and %2 rows; expected %3 to %4 of each.</source>
+        <translation>es hat %1 Spalten und %2 Zeilen; erwartet werden je %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>it has %1 points; expected at most %2.</source>
+        <translation>es hat %1 Punkte; erwartet werden höchstens %2.</translation>
+    </message>
+    <message>
+        <source>none of the %1 observations has a labelled marker that may be used; label one first (handsight-cli label).</source>
+        <translation>in keiner der %1 Beobachtungen ist ein Marker markiert, der benutzt werden darf; markiere erst einen.</translation>
+    </message>
+    <message>
+        <source>no used observation shows marker %1 as a point; label it in both images first.</source>
+        <translation>keine benutzte Beobachtung zeigt Marker %1 als Punkt; markiere ihn erst in beiden Bildern.</translation>
+    </message>
+    <message>
+        <source>nothing is known of the mount, and no marker is seen by two cameras, so that no start can be found; give %1 an xyz and rpy.</source>
+        <translation>vom Kamerasitz ist nichts bekannt, und kein Marker wird von zwei Kameras gesehen, so dass sich kein Anfang findet; gib %1 ein xyz und rpy.</translation>
+    </message>
+    <message>
+        <source>the %1 objective cannot estimate %2; use the image objective.</source>
+        <translation>die Zielfunktion %1 kann %2 nicht schätzen; nimm die der Bilder.</translation>
+    </message>
+    <message>
+        <source>the target is found in none of the %1 observations that may be used; look at an image and at what &lt;target&gt; says of it.</source>
+        <translation>das Ziel findet sich in keiner der %1 Beobachtungen, die benutzt werden dürfen; sieh dir ein Bild an und was &lt;target&gt; davon sagt.</translation>
+    </message>
+    <message>
+        <source>the header names %1 twice, expected each column once.</source>
+        <translation>die Überschrift nennt %1 zweimal; erwartet wird jede Spalte einmal.</translation>
+    </message>
+    <message>
+        <source>the header has no column %1, expected one for each joint of the session.</source>
+        <translation>die Überschrift hat keine Spalte %1; erwartet wird eine für jedes Gelenk der Sitzung.</translation>
+    </message>
+    <message>
+        <source>%1 stands in column %2, expected a finite number such as 0.5.</source>
+        <translation>%1 steht in Spalte %2; erwartet wird eine endliche Zahl wie 0.5.</translation>
+    </message>
+    <message>
+        <source>%1 stands in column %2, expected a number from %3 to %4.</source>
+        <translation>%1 steht in Spalte %2; erwartet wird eine Zahl von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>the line has %1 columns, expected %2.</source>
+        <translation>die Zeile hat %1 Spalten; erwartet werden %2.</translation>
+    </message>
+    <message>
+        <source>there is no pose in the file, expected a line of joint positions for each.</source>
+        <translation>in der Datei ist keine Stellung; erwartet wird für jede eine Zeile mit Gelenkwinkeln.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>one finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a positive number</source>
+        <translation>eine positive Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>system</name>
+    <!-- What the operating system says of a file, and the window of a fit. -->
+    <message>
+        <source>The fit was stopped.</source>
+        <translation>Die Anpassung wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>es gibt sie nicht</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>der Zugriff ist verweigert</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ein Teil des Pfades ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>auf dem Datenträger ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>der Datenträger lässt sich nur lesen</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>der Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>der Datenträger antwortet mit einem Fehler</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>der zugeteilte Platz ist voll</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>sie würde zu groß</translation>
     </message>
 </context>
 </TS>

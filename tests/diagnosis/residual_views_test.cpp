@@ -109,5 +109,42 @@ TEST(ResidualViews, CornersFollowTheUnknowns) {
   EXPECT_LT(rms(stacked(corner_residuals(f.problem, u)) - expected), 0.02 * rms(change));
 }
 
+TEST(ResidualViews, APartShowsWhatAllOfThemShowInTheSamePlaces) {
+  const Fit f = fit(simulated({{"joint_elasticity", 1, {1e-4}}}, 9, 0.2));
+  const ResidualViews all = residual_views(f), part = residual_views(f, 21);
+  EXPECT_EQ(all.problem.observations.size(), 60u);
+  EXPECT_EQ(part.fitted, 60);
+  ASSERT_EQ(part.problem.observations.size(), 21u);
+  EXPECT_EQ(part.problem.observations.front().index, all.problem.observations.front().index);
+  EXPECT_EQ(part.problem.observations.back().index, all.problem.observations.back().index);
+  ASSERT_EQ(part.series.size(), all.series.size());
+  const double corners_each = static_cast<double>(all.corners.size()) / 60;
+  EXPECT_EQ(static_cast<double>(part.corners.size()), 21 * corners_each);
+  for (std::size_t i = 0, j = 0; i < part.problem.observations.size(); ++i) {
+    while (all.problem.observations[j].index != part.problem.observations[i].index) ++j;
+    const auto at = static_cast<Eigen::Index>(i), there = static_cast<Eigen::Index>(j);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(corners_each); ++c)
+      EXPECT_EQ(part.corners[i * static_cast<std::size_t>(corners_each) + c].residual,
+                all.corners[j * static_cast<std::size_t>(corners_each) + c].residual);
+    for (std::size_t v = 0; v < all.variables.size(); ++v)
+      EXPECT_EQ(part.variables[v].values[at], all.variables[v].values[there]) << all.variables[v].name;
+    for (std::size_t s = 0; s < all.series.size(); ++s)
+      EXPECT_NEAR(part.series[s].values[at], all.series[s].values[there], 1e-9) << all.series[s].name;
+  }
+  // An effect looks as large by a part as by all, and leaves as much.
+  const std::vector<EffectTerm> spring = {{"joint_elasticity", 1, {1e-4}}};
+  const EffectView by_all = effect_view(all, spring), by_part = effect_view(part, spring);
+  EXPECT_NEAR(by_part.best[0], by_all.best[0], 4 * by_part.best_sigma[0]);
+  EXPECT_NEAR(rms_left(part, by_part, by_part.best), rms_left(all, by_all, by_all.best), 0.03) << "0.2 px are the noise";
+}
+
+TEST(ResidualViews, APartThatIsNotSmallerIsAll) {
+  const Fit f = fit(simulated({}, 9, 0.2));
+  const ResidualViews all = residual_views(f), part = residual_views(f, 60);
+  EXPECT_EQ(part.problem.observations.size(), 60u);
+  EXPECT_EQ(part.degrees, all.degrees);
+  EXPECT_EQ(stacked(part.corners), stacked(all.corners));
+}
+
 }  // namespace
 }  // namespace handsight

@@ -104,6 +104,34 @@ TEST_F(RobotViewTest, ArmAndCamerasAreSeenInViewsOfAnyShapeBelowTheButtons) {
   }
 }
 
+TEST_F(RobotViewTest, ARobotThatLeavesThePictureIsFollowedUntilTheUserMovesTheEye) {
+  test::show(view_, {430, 170});
+  view_.picture();
+  const auto moved = [&](double metres) {
+    std::vector<Rigid> links = data_.posture(0);
+    for (Rigid& link : links) link.translation.z() += metres;
+    Rigid tcp = data_.root_from_tcp(0);
+    tcp.translation.z() += metres;
+    std::vector<SceneCamera> cameras = data_.cameras(0);
+    for (SceneCamera& camera : cameras) camera.root_from_camera.translation.z() += metres;
+    view_.set_posture(links);
+    view_.set_tcp(tcp);
+    view_.set_cameras(cameras);
+    view_.picture();
+    return view_.to_screen(tcp.translation);
+  };
+  const QRectF sight(QPointF(0, 0), QSizeF(view_.size()));
+  const auto before = view_.to_screen(data_.root_from_tcp(0).translation), near_by = moved(0.02);
+  ASSERT_TRUE(before && near_by);
+  EXPECT_GT(std::abs(near_by->y() - before->y()), 0.5) << "what stays in the picture does not move the eye";
+  const auto far = moved(3);
+  ASSERT_TRUE(far);
+  EXPECT_TRUE(sight.contains(*far));
+  QTest::keyClick(&view_, Qt::Key_Left);
+  const auto away = moved(0);
+  EXPECT_FALSE(away && sight.contains(*away)) << "the user has looked there";
+}
+
 TEST_F(RobotViewTest, WithoutThemTheWholeRobotIsSeen) {
   std::vector<Vector3> places;
   for (const Rigid& link : data_.posture(0)) places.push_back(link.translation);

@@ -22,9 +22,10 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
   painter.setFont(text_font(TextRole::small));
   const QFontMetricsF metrics(painter.font());
   /// With the word before it where there is room for both.
-  const auto worded = [&](const QString& sentence, const QString& alone, const QRectF& room) {
-    draw_text(painter, room, Qt::AlignLeft | Qt::AlignVCenter,
-              metrics.horizontalAdvance(sentence) <= room.width() ? sentence : alone);
+  const auto worded = [&](const QString& sentence, const QString& alone, const QRectF& room, Qt::TextElideMode mode) {
+    draw_text(
+        painter, room, Qt::AlignLeft | Qt::AlignVCenter,
+        metrics.horizontalAdvance(sentence) <= room.width() ? sentence : metrics.elidedText(alone, mode, room.width()));
   };
   const QRectF head(cell.left(), cell.top(), cell.width(), 16), last(cell.left(), cell.bottom() - 15, cell.width(), 15);
   const QRectF foot(cell.left(), last.top() - 14, cell.width(), 15);
@@ -39,9 +40,9 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
     painter.fillRect(QRectF(mark.left(), mark.top(), mark.width() * std::clamp(plot.strength, 0.0, 1.0), mark.height()),
                      c.ink2);
   painter.setPen(c.ink2);
-  worded(tr("against %1").arg(plot.against), plot.against, foot);
+  worded(tr("against %1").arg(plot.against), plot.against, foot, Qt::ElideMiddle);  // joints differ at their ends
   painter.setPen(c.ink3);
-  if (!plot.shows.isEmpty()) worded(tr("shows %1").arg(plot.shows), plot.shows, last);
+  if (!plot.shows.isEmpty()) worded(tr("shows %1").arg(plot.shows), plot.shows, last, Qt::ElideRight);
 }
 
 void PatternPage::paint_curves(QPainter& painter, int place) const {

@@ -25,6 +25,7 @@ class GlWindow {
 
   /// Makes the context current, at the first call also the context itself. False where the display has no OpenGL 3.2.
   bool make_ready();
+  bool is_ready() const { return is_ready_; }
   /// The scene in this many device px; null where make_ready() is false.
   QImage picture(const QSize& size);
   void release();

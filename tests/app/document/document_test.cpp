@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "document/diagnosing.h"
 #include "document/refit.h"
 #include "document/selection.h"
 #include "images/image_source.h"
@@ -74,6 +75,56 @@ TEST_F(DocumentTest, TheFitFollowsEveryActionAndItsUndo) {
   wait_until([&] { return document.model() != nullptr; });
   EXPECT_EQ(document.model()->fit->tcp_from_body.translation, first.translation);
   EXPECT_EQ(document.versions().size(), 1U);
+}
+
+TEST_F(DocumentTest, VersionsOfAWhileAgoAreForgottenAndFittedAgain) {
+  Jobs jobs;
+  Refit refit(document, jobs);
+  document.keep_at_most(12);  // of six observations: two versions
+  document.open(session);
+  const auto fitted = [&] { return wait_until([&] { return document.model() != nullptr; }); };
+  fitted();
+  const auto first = document.model();
+  for (const std::int64_t id : {1, 2, 3}) {
+    document.perform(change(id, Decision::excluded));
+    fitted();
+  }
+  EXPECT_FALSE(document.keeps(*first));
+  EXPECT_TRUE(document.keeps(*document.model()));
+  const auto versions = document.versions();
+  ASSERT_EQ(versions.size(), 4U);
+  EXPECT_EQ(versions[0], nullptr);
+  EXPECT_EQ(versions[1], nullptr);
+  EXPECT_NE(versions[2], nullptr);
+  for (int i = 0; i < 3; ++i) document.undo();
+  fitted();
+  EXPECT_NE(document.model(), first);
+  EXPECT_EQ(document.model()->fit->tcp_from_body.translation, first->fit->tcp_from_body.translation);
+}
+
+TEST_F(DocumentTest, TheFirstVersionStaysWhereThereIsRoomForThree) {
+  document.keep_at_most(18);
+  document.open(session);
+  const auto take = [&] {
+    document.take_version(make_version(document.session(), {}, document.revision(), ""));
+    return document.model();
+  };
+  const auto first = take();
+  for (const std::int64_t id : {1, 2, 3}) {
+    document.perform(change(id, Decision::excluded));
+    take();
+  }
+  EXPECT_TRUE(document.keeps(*first)) << "all others are compared with it";
+  EXPECT_EQ(document.versions()[1], nullptr);
+}
+
+TEST(ShownResiduals, APartOfTheObservationsIsSaidInTheTitle) {
+  ModelResiduals residuals;
+  residuals.views.problem.observations.resize(3);
+  residuals.views.fitted = 3;
+  EXPECT_EQ(titled("Where it fails", residuals), "Where it fails");
+  residuals.views.fitted = 100;
+  EXPECT_EQ(titled("Where it fails", residuals), "Where it fails (3 of 100 observations)");
 }
 
 TEST_F(DocumentTest, AStaleFitIsDropped) {

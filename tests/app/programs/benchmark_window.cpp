@@ -7,6 +7,8 @@
 #include <QApplication>
 #include <QTabWidget>
 #include <algorithm>
+#include <cstring>
+#include <fstream>
 
 #include "app/window/pages.h"
 #include "session/session_xml.h"
@@ -64,12 +66,77 @@ void say(const char* what, double value, const char* unit, double limit) {
 TEST(Window, StartToFirstPicture) {
   const TemporaryFolder folder;
   const auto session = make_session(folder, 100);
+  const double thread = thread_seconds();
   QElapsedTimer timer;
   timer.start();
-  Desk desk;
-  desk.window.open(QString::fromStdString(session.string()));
+  app::MainWindow window;
+  window.open(QString::fromStdString(session.string()));
+  window.show();
+  EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+  QCoreApplication::sendPostedEvents();
+  say("window made, 100 observations opened and painted", static_cast<double>(timer.elapsed()), "ms", 500);
+  std::printf("%-60s %8.0f ms of the window's thread\n", "", 1e3 * (thread_seconds() - thread));
   paint_everything();
-  say("window made, 100 observations opened and painted", static_cast<double>(timer.elapsed()), "ms", 1000);
+  std::printf("%-60s %8lld ms, %.0f ms of the window's thread\n", "the robot too",
+              static_cast<long long>(timer.elapsed()), 1e3 * (thread_seconds() - thread));
+}
+
+/// "VmRSS" or "VmHWM" of this process, MB.
+long memory(const char* what) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(what)) return std::atol(line.c_str() + std::strlen(what) + 1) / 1024;
+  return 0;
+}
+
+/// A session of a hundred thousand that handsight-cli has made (docs/measurements.md): HANDSIGHT_LONG_SESSION=FOLDER.
+TEST(Window, MemoryWithALongSession) {
+  const QString session = qEnvironmentVariable("HANDSIGHT_LONG_SESSION");
+  if (session.isEmpty()) GTEST_SKIP() << "HANDSIGHT_LONG_SESSION names no session";
+  Desk desk;
+  desk.window.resize(1440, 900);
+  QElapsedTimer timer;
+  double worst = 0;
+  const auto until = [&](const std::function<bool()>& there) {
+    while (!there() && timer.elapsed() < 300000) {
+      const double before = thread_seconds();
+      QCoreApplication::processEvents();
+      worst = std::max(worst, 1e3 * (thread_seconds() - before));
+      QThread::msleep(1);
+    }
+  };
+  const auto tell = [&](const char* what) {
+    std::printf("%-44s %6.1f s  resident %5ld MB, at most %5ld MB; longest round %4.0f ms of this thread\n", what,
+                1e-3 * static_cast<double>(timer.elapsed()), memory("VmRSS"), memory("VmHWM"), worst);
+    std::fflush(stdout);
+    worst = 0;
+  };
+  timer.start();
+  tell("empty window");
+  desk.window.open(session);
+  tell("opened");
+  until([&] { return desk.document().model() != nullptr; });
+  tell("first fit");
+  auto& diagnosing = desk.window.bench().diagnosing;
+  until([&] { return diagnosing.diagnosis() != nullptr; });
+  tell("named");
+  const auto is_quiet = [&] {
+    auto& bench = desk.window.bench();
+    return !bench.jobs.is_busy() && !bench.background.is_busy() && !bench.refit.is_pending();
+  };
+  until(is_quiet);
+  tell("every card");
+  for (const int place : {1, 2, 3}) {
+    desk.window.show_workspace(place);
+    until(is_quiet);
+    paint_everything();
+  }
+  tell("Calibrate, Inspect, Explain shown");
+  for (int i = 0; i < 6; ++i) {
+    desk.window.bench().exclude({desk.document().session().observations[static_cast<std::size_t>(i)].id}, "");
+    until(is_quiet);
+    tell("one excluded, fitted and diagnosed again");
+  }
 }
 
 /// One key that selects the next observation, until every view that is shown is painted.

@@ -2,11 +2,13 @@
 // Adding what is missing: one card or all until it stops, undone, stopped, and still there after opening again.
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QSignalSpy>
 
 #include "app/window/explain_fixture.h"
 #include "cli/cli_runner.h"
 #include "cli/hidden_sessions.h"
+#include "explain/failing_pane.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/staircase.h"
 #include "widgets/explain/version_list.h"
@@ -108,6 +110,59 @@ TEST_F(Explain, ASessionThatIsOpenedAgainHasItsStairs) {
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(explain.is_settled());
   EXPECT_EQ(desk.find<widgets::Staircase>("staircase")->state().versions.size(), 1U);
+}
+
+TEST_F(Explain, AddUntilItStopsRestsWhereItIsToldToAndGoesOn) {
+  open("hidden_3");
+  EXPECT_FALSE(desk.find<QAbstractButton>("pause_adding")->isVisible());
+  desk.press_button("until_it_stops");
+  ASSERT_TRUE(desk.wait([&] { return explain.workspace()->adding().is_running(); }));
+  desk.press_button("pause_adding");
+  EXPECT_EQ(desk.find<QAbstractButton>("pause_adding")->text(), "Go on");
+  ASSERT_TRUE(desk.wait([&] { return desk.document().undo_stack().index() == 1; }))
+      << "what was begun comes to its end";
+  ASSERT_TRUE(explain.is_settled());
+  QTest::qWait(500);
+  EXPECT_EQ(desk.find<QAbstractButton>("until_it_stops")->text(), "Stop") << "it rests; it has not stopped";
+  EXPECT_EQ(desk.document().undo_stack().index(), 1);
+  desk.press_button("pause_adding");
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
+  EXPECT_FALSE(desk.find<QAbstractButton>("pause_adding")->isVisible());
+}
+
+/// Of more than 4000 observations a sample decides; the model is of all of them, and every place says whose it is.
+TEST_F(Explain, OfALongSessionAllIsFittedAndAPartIsShown) {
+  session = folder.path / "long";
+  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
+  ASSERT_EQ(run_cli(folder.path, {"simulate", "--like", like, "--effect", "joint_elasticity:axis_2.compliance=1e-4",
+                                  "--observations", "4200", "--seed", "1", "--out", session.string()})
+                .exit_code,
+            0);
+  desk.window.resize(1440, 900);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.wait([&] { return desk.document().model() != nullptr; }, 60000));
+  ASSERT_TRUE(explain.open());
+  EXPECT_EQ(explain.workspace()->findChild<QLabel*>("failing_title")->text(),
+            "Where it fails (3000 of 4200 observations)");
+  const app::FailingPane* pane = explain.workspace()->findChild<app::FailingPane*>();
+  const Problem& shown = pane->residuals()->views.problem;
+  ASSERT_EQ(shown.observations.size(), 3000U);
+  EXPECT_EQ(shown.observations.front().index, 0);
+  EXPECT_EQ(shown.observations.back().index, 4199);
+  desk.window.bench().selection.select_observation(4199);
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const auto model = desk.document().model();
+  ASSERT_TRUE(model && model->fit);
+  EXPECT_EQ(effects_in_the_model(), std::set<std::string>{"joint_elasticity axis_2"});
+  EXPECT_EQ(model->report->used, 4200);
+  for (const ObservationReport& o : model->report->per_observation)
+    ASSERT_EQ(desk.document().session().observations[static_cast<std::size_t>(o.index)].id, o.id);
+  EXPECT_LT(held_out(), 0.21);
+  // Undo and redo find both again.
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_GT(held_out(), 0.3);
 }
 
 TEST_F(Explain, AddUntilItStopsCanBeStopped) {

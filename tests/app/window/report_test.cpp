@@ -82,6 +82,10 @@ TEST_F(ReportTest, EveryPictureOfTheHtmlIsLargeAndDrawnAllOver) {
   }
   EXPECT_TRUE(html.contains("oint elasticity") || html.contains("gives way")) << "the effect in the model";
   EXPECT_FALSE(html.contains("<pre>"));
+  EXPECT_TRUE(html.contains("<html lang=\"en\">"));
+  EXPECT_TRUE(html.contains("<title>Hidden 3: Justin</title>"));
+  EXPECT_TRUE(html.contains("width=device-width")) << "a telephone would show it as on a wide screen";
+  EXPECT_EQ(html.count("<div class=\"wide\"><table"), html.count("<table")) << "a wide table scrolls by itself";
 }
 
 TEST_F(ReportTest, ThePagesOfThePdfShowPlotsWithinTheirMargins) {
