@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "effects/units.h"
+#include "estimation/sure_fit.h"
 #include "json_values.h"
 
 namespace handsight::cli {
@@ -141,13 +142,7 @@ void print_mount(const Output& out, const Session& s, const Fit& fit) {
   for (int i = 0; i < 3; ++i) out.line(with_sigma(names[i + 3], rpy[i], degrees * std::sqrt(turn(i, i)), "deg"));
 }
 
-}  // namespace
-
-void print_fit(const Output& out, const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {
-  out.line(fmt::format("{}: {} observations, {} used", session.title.empty() ? "Session" : session.title,
-                       told.observations, told.used));
-  for (const Unused& u : told.rejected) out.line(fmt::format("  not used: {} ({})", u.id, u.reason));
-  out.line();
+void print_answer(const Output& out, const Session& session, const Fit& fit) {
   out.line(fmt::format("tcp_from_body{}", fit.converged() ? "" : " (NOT CONVERGED)"));
   const Vector6 sigma = origin_sigma(fit);
   const Vector3 rpy = degrees * rpy_from_rotation(fit.tcp_from_body.rotation);
@@ -164,12 +159,26 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
                          xyz.x(), xyz.y(), xyz.z(), angles.x(), angles.y(), angles.z()));
   }
   print_mount(out, session, fit);
+}
+
+}  // namespace
+
+void print_fit(const Output& out, const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {
+  out.line(fmt::format("{}: {} observations, {} used", session.title.empty() ? "Session" : session.title,
+                       told.observations, told.used));
+  for (const Unused& u : told.rejected) out.line(fmt::format("  not used: {} ({})", u.id, u.reason));
+  out.line();
+  const bool is_answer = !has_no_answer(fit);
+  if (is_answer)
+    print_answer(out, session, fit);
+  else
+    out.line("tcp_from_body: NO ANSWER; no number of this fit is one to be used");
   out.line();
   print_errors(out, fit, told);
   if (fit.objective == Objective::angle_axis)
     out.line(fmt::format("          weights: {:.3f} mm and {:.4f} deg", 1e3 * fit.angle_axis_sigma_m,
                          degrees * fit.angle_axis_sigma_rad));
-  print_effects(out, session, fit);
+  if (is_answer) print_effects(out, session, fit);
   std::string outliers;
   for (const ObservationReport& o : told.per_observation)
     if (o.outlier) outliers += (outliers.empty() ? "" : ", ") + std::to_string(o.id);

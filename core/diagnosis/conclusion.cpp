@@ -12,6 +12,7 @@
 #include "diagnosis/lack_of_fit.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/upkeep.h"
+#include "estimation/sure_fit.h"
 
 namespace handsight {
 namespace {
@@ -101,6 +102,15 @@ std::string refused_text(const std::vector<RefusedStep>& refused) {
                      r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason);
 }
 
+std::string no_answer_text(const Diagnosis& d) {
+  return fmt::format(
+      "The fit finds no answer: {}. What the model lacks cannot be told before; check mount, cameras, "
+      "joints' order and labels.",
+      d.model.fit.solution.normal.in_front
+          ? "it leaves " + error_text(d.report.fitted) + ", more than any robot explains"
+          : "a marker would lie behind a camera that saw it");
+}
+
 }  // namespace
 
 void conclude(const Session& session, const ImprovementOptions&, std::optional<double> excess,
@@ -119,6 +129,10 @@ void conclude(const Session& session, const ImprovementOptions&, std::optional<d
                     "Without a name: " + curves + (curves.back() == '.' ? "" : "."), error_text(d.report.held_out));
   }
   if (passes) d.reason += refused_text(refused);
+  if (has_no_answer(d.model.fit)) {
+    d.verdict = Verdict::unexplained;
+    d.reason = no_answer_text(d);
+  }
 }
 
 }  // namespace handsight

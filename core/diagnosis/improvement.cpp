@@ -12,6 +12,7 @@
 #include "diagnosis/slips.h"
 #include "diagnosis/upkeep.h"
 #include "effects/units.h"
+#include "estimation/sure_fit.h"
 
 namespace handsight {
 namespace {
@@ -112,6 +113,10 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   Diagnosis next = diagnosed_from(session, options, from.estimated, from.start);
   change.stopped = next.stopped;
   if (next.stopped) return change;
+  if (has_no_answer(next.model.fit)) {
+    change.refused.push_back({id, candidate.where, "the fit finds no answer with it: check mount, cameras and labels"});
+    return change;
+  }
   const double before = as_good * held_out_error(model);
   if (held_out_error(next) >= before) {
     change.refused.push_back({id, candidate.where, "the held-out error does not fall"});
@@ -137,6 +142,8 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
   for (const DiagnosisCandidate& c : model.candidates) {
     const bool can_be_taken = !c.unnamed || (options.with_curves && c.refitted);
     if (c.ln_bayes_factor < model.threshold || !can_be_taken) continue;
+    if (has_no_answer(model.model.fit) && !c.refitted)
+      continue;  // nor has the fit with it, or it was not among the likeliest
     ModelChange one = add_candidate(session, options, model, c);
     all.refused.insert(all.refused.end(), one.refused.begin(), one.refused.end());
     all.model = std::move(one.model);

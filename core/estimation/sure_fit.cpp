@@ -121,4 +121,9 @@ void minimise_surely(const Session& session, Problem& images, const Unknowns& st
   if (is_no_answer(images, fit.solution)) fit.solution.converged = false;
 }
 
+bool has_no_answer(const Fit& fit) {
+  if (!fit.solution.normal.in_front) return true;
+  return fit.objective == Objective::image && is_no_answer(fit.problem, fit.solution);
+}
+
 }  // namespace handsight

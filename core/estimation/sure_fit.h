@@ -22,4 +22,8 @@ double widened_by(const Problem& problem, std::size_t term);
 void minimise_surely(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options,
                      double noise, Fit& fit);
 
+/// Is the fit none that anybody should use a number of (`is_no_answer`)? Of other objectives than the images only by
+/// the markers behind cameras.
+bool has_no_answer(const Fit& fit);
+
 }  // namespace handsight

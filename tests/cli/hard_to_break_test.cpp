@@ -269,5 +269,34 @@ TEST_F(HardToBreak, PosesAreTakenInTheirOrderOrByTheirColumns) {
   EXPECT_EQ(height(up), height(fast));
 }
 
+/// The session's poses in the opposite order, each with the images of another.
+void reverse_poses(const fs::path& file) {
+  std::string text = read_text(file);
+  const std::string open = "<position>", close = "</position>";
+  std::vector<std::string> poses;
+  for (auto at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {
+    const auto from = at + open.size();
+    poses.push_back(text.substr(from, text.find(close, from) - from));
+  }
+  for (auto at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {
+    const auto from = at + open.size();
+    text.replace(from, text.find(close, from) - from, poses.back());
+    poses.pop_back();
+  }
+  write_text(file, text);
+}
+
+TEST_F(HardToBreak, NoNumberIsPrintedThatNobodyShouldUse) {
+  const fs::path session = simulated("mixed_up");
+  reverse_poses(session / "session.xml");
+  for (const char* command : {"fit", "improve"}) {
+    const CliResult result = run({command, session.string()});
+    EXPECT_EQ(result.exit_code, 1) << command;
+    EXPECT_NE(result.output.find("NO ANSWER"), std::string::npos) << result.output;
+    EXPECT_EQ(result.output.find("\n  x  "), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find("check"), std::string::npos) << "what to do: " << result.output;
+  }
+}
+
 }  // namespace
 }  // namespace handsight

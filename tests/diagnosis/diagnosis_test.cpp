@@ -210,6 +210,20 @@ TEST(Improvement, DoesNotTakeAWrongNameForAnUnnamedCurve) {
   EXPECT_LT(*m.steps[1].held_out.rms_pixel, 0.22);
 }
 
+TEST(Improvement, TakesNothingWhereNoFitIsAnAnswer) {
+  // Every pose with the image of another: effects bend to that, and what they are then means nothing.
+  Session session = simulated({}, 7, 30);
+  const auto half = static_cast<std::ptrdiff_t>(session.observations.size() / 2);
+  std::vector<std::vector<Sighting>> seen;
+  for (const Observation& o : session.observations) seen.push_back(o.sightings);
+  std::rotate(seen.begin(), seen.begin() + half, seen.end());
+  for (std::size_t i = 0; i < seen.size(); ++i) session.observations[i].sightings = seen[i];
+  const Improvement m = improve(session);
+  EXPECT_EQ(m.steps.size(), 1u);
+  EXPECT_EQ(m.last.verdict, Verdict::unexplained);
+  EXPECT_NE(m.last.reason.find("finds no answer"), std::string::npos) << m.last.reason;
+}
+
 TEST(Improvement, StopsWhenAsked) {
   ImprovementOptions o;
   int calls = 0;
