@@ -25,7 +25,8 @@ Springs springs() {
   o.effects = effect_terms("joint_elasticity", chain);
   for (EffectTerm& t : o.effects)
     for (double& value : t.values) value = 1e-4;
-  Springs s{simulate_session(like, o).session, {}, {}};
+  Springs s;
+  s.session = simulate_session(like, o).session;
   std::vector<EffectTerm> estimated = effect_terms("joint_elasticity", chain);
   const Fit f = fit(s.session, {.estimated = estimated});
   s.problem = f.problem;
