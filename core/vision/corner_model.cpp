@@ -208,14 +208,23 @@ CornerModel first_guess(const Eigen::Vector2d& start, const CrossStructure& cros
   return model;
 }
 
+namespace {
+
+CornerFit begun(const Eigen::Vector2d& start, const CrossStructure& cross, double radius) {
+  CornerFit fit;
+  fit.model = first_guess(start, cross);
+  fit.radius = radius;
+  return fit;
+}
+
+}  // namespace
+
 std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                     double image_noise) {
-  CornerFit fit;
+  CornerFit fit = begun(start, cross, kFirstRadius);
   CornerModel& model = fit.model;
-  model = first_guess(start, cross);
   Progress at;
   at.image_noise = image_noise;
-  fit.radius = kFirstRadius;
   for (const Looseness& loose : {kFirstLook, kSecondLook})
     if (!fit_disc(image, fit.radius, 2, 0.05, loose, at, model) ||
         !looks_right(model, cross, at.noise, image_noise, loose.look))
@@ -245,12 +254,10 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
 
 std::optional<CornerFit> fit_small_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                           double image_noise) {
-  CornerFit fit;
+  CornerFit fit = begun(start, cross, kSmallRadius);
   CornerModel& model = fit.model;
-  model = first_guess(start, cross);
   Progress at;
   at.image_noise = image_noise;
-  fit.radius = kSmallRadius;
   const auto fits = [&](int steps, const Looseness& loose) {
     return fit_disc(image, fit.radius, steps, kPrecision, loose, at, model) &&
            (model.position - start).norm() < kMostMove &&
