@@ -147,10 +147,10 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   out.line(d.reason);
   if (d.verdict == Verdict::too_few_observations) return;
   out.line();
-  out.line(
-      fmt::format("Error     {} held out; noise {}{}", error_text(d.report.held_out),
-                  error_or_unknown(d.noise, tracker) + (tracker && d.noise ? " a coordinate" : ""),
-                  d.verdict == Verdict::adequate && d.scatter.is_any() ? "; as of " + scatter_text(d.scatter) : ""));
+  const std::string scatter = d.verdict == Verdict::adequate ? scatter_text(d.scatter) : "";
+  out.line(fmt::format("Error     {} held out; noise {}{}", error_text(d.report.held_out),
+                       error_or_unknown(d.noise, tracker) + (tracker && d.noise ? " a coordinate" : ""),
+                       scatter.empty() ? "" : "; scatter as of " + scatter));
   if (d.blame.letter != 0)
     out.line(fmt::format("Blame     robot {:.0f} %, marker body {:.0f} %, cameras {:.0f} % of what exceeds the noise",
                          100 * d.blame.robot, 100 * d.blame.body, 100 * d.blame.cameras));

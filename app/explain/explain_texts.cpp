@@ -122,11 +122,17 @@ QString curves_sentence(const ModelVersion& model, const Diagnosis& d, const Tol
 }
 
 QString scatter_sentence(const Diagnosis& d, const Told& t) {
+  const QString place = widgets::short_text(1e3 * d.scatter.place);
+  if (d.scatter.joints == 0)
+    return QObject::
+        tr("What is left (%1, noise %2) differs from pose to pose without a pattern: the hand's place does not repeat "
+           "better than %3 mm. No effect can remove it.")
+            .arg(t.error, t.noise, place);
   if (d.scatter.place >= least_told_place)
     return QObject::tr(
                "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat "
                "better than %3 mrad, nor the hand's place better than %4 mm. No effect can remove it.")
-        .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter.joints), widgets::short_text(1e3 * d.scatter.place));
+        .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter.joints), place);
   return QObject::tr(
              "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better "
              "than %3 mrad. No effect can remove it.")

@@ -154,11 +154,11 @@ std::string adequate_text(const Diagnosis& d, bool has_scatter) {
       "Nothing is missing that these {} observations could show: the held-out error is {} and "
       "the noise {}.",
       d.report.used, error_text(d.report.held_out), noise_text(d));
-  if (has_scatter || d.scatter.is_any())
-    text += d.scatter.is_any()
-                ? fmt::format(" What is left is scatter from pose to pose that follows nothing, as of {}.",
-                              scatter_text(d.scatter))
-                : " What is left is scatter from pose to pose that follows nothing.";
+  if (has_scatter || d.scatter.is_any()) {
+    const std::string size = scatter_text(d.scatter);
+    text += fmt::format(" What is left is scatter from pose to pose that follows nothing{}.",
+                        size.empty() ? "" : ", as of " + size);
+  }
   if (!d.model.lone.empty()) text += fmt::format(" {}", lone_text(d.model.lone, d.model.session.is_tracker()));
   if (!d.model.wrong.empty())
     text +=

@@ -206,7 +206,7 @@ void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& n
   for (const Scatter& scatter : ranking.scatters) {
     std::optional<WhitenedModel> w;
     for (RankedEffect* r : best) {
-      if (!(r->scatter == scatter)) continue;
+      if (r->scatter != scatter) continue;
       if (!w) w = whiten(model, scatter, noise);
       EffectRanker(*w, noise, *r->candidate).search_places(*r);
     }

@@ -59,15 +59,26 @@ Likelihood likelihood(const std::vector<Shares>& all, const Variances& v) {
   return sum;
 }
 
-/// A step of Fisher's scoring from `v` on; no variance falls below a tenth or grows beyond ten times of what it was.
+/// A step of Fisher's scoring from `v` on. No variance falls below a tenth or grows beyond ten times of what it was;
+/// one that moves nothing is 0, and one that has come to nothing stays, so that the others do not step to make up for
+/// it.
 Variances scored(const Likelihood& at, const Variances& v, bool with_noise) {
-  const int first = with_noise ? 0 : 1, count = 3 - first;
-  Eigen::MatrixXd information = at.information.bottomRightCorner(count, count);
-  for (int k = 0; k < count; ++k) information(k, k) += information(k, k) > 0 ? 1e-9 * information(k, k) : 1.0;
-  const Eigen::VectorXd step = information.ldlt().solve((at.squares - at.traces).tail(count));
   Variances next = v;
-  for (int k = 0; k < count; ++k)
-    next[first + k] = std::clamp(v[first + k] + step[k], 0.1 * v[first + k], 10 * v[first + k]);
+  std::vector<int> free;
+  for (int k = with_noise ? 0 : 1; k < 3; ++k) {
+    const bool is_gone = v[k] <= negligible && at.squares[k] < at.traces[k];
+    if (!(at.information(k, k) > 0))
+      next[k] = 0;
+    else if (!is_gone)
+      free.push_back(k);
+  }
+  Eigen::MatrixXd information = at.information(free, free);
+  information.diagonal() *= 1 + 1e-9;
+  const Eigen::VectorXd step = information.ldlt().solve((at.squares - at.traces)(free));
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const double before = v[free[i]];
+    next[free[i]] = std::clamp(before + step[static_cast<Eigen::Index>(i)], 0.1 * before, 10 * before);
+  }
   return next;
 }
 
@@ -95,11 +106,15 @@ Scatter likely_scatter(const LinearModel& model, const Scatter& start, const Noi
   for (int round = 0; round < most_rounds; ++round) {
     const Variances before = v;
     v = scored(likelihood(all, v), v, !noise.known);
-    const bool is_settled = ((v - before).array().abs() <= settled * before.array() || v.array() <= negligible).all();
+    const bool is_settled =
+        ((v - before).array().abs() <= settled * before.array() || before.array() <= negligible).all();
     if (is_settled) break;
   }
   v /= v[0];
-  return {std::min(std::sqrt(v[1]), most.joints), std::min(std::sqrt(v[2]), most.place)};
+  const auto sigma = [](double variance, double most) {
+    return variance <= negligible ? 0 : std::min(std::sqrt(variance), most);
+  };
+  return {sigma(v[1], most.joints), sigma(v[2], most.place)};
 }
 
 std::vector<Scatter> scatter_levels(const LinearModel& model, const NoiseKnowledge& noise) {

@@ -7,7 +7,8 @@
 namespace handsight {
 
 /// The scatter under which what the model leaves is likeliest, sought from `start` on by Fisher's scoring over the
-/// variances (Searle, Casella and McCulloch, Variance Components, 1992, ch. 8); no more than 3 mrad and 1 mm. The place
+/// variances (Searle, Casella and McCulloch, Variance Components, 1992, ch. 8); no more than 3 mrad and 1 mm, 0 below
+/// 1 urad and 1 um. The place
 /// may share where the noise is known: a tracker's own noise would be the same otherwise.
 Scatter likely_scatter(const LinearModel& model, const Scatter& start, const NoiseKnowledge& noise, bool with_place);
 
@@ -18,7 +19,8 @@ std::vector<Scatter> scatter_levels(const LinearModel& model, const NoiseKnowled
 /// What of the place's scatter is worth telling: m.
 inline constexpr double least_told_place = 1e-5;
 
-/// "joints that repeat to 1.3 mrad and a hand whose place scatters by 0.9 mm"; empty where there is none.
+/// "joints that repeat to 1.3 mrad and a hand whose place scatters by 0.9 mm"; empty where there is none worth
+/// telling.
 std::string scatter_text(const Scatter& scatter);
 
 }  // namespace handsight

@@ -2356,8 +2356,8 @@
         <translation>Die Arbeit misslang, ohne zu sagen warum.</translation>
     </message>
     <message>
-        <source>The joints do not repeat better</source>
-        <translation>Die Gelenke wiederholen nicht besser</translation>
+        <source>The robot does not repeat better</source>
+        <translation>Der Roboter wiederholt nicht besser</translation>
     </message>
     <message>
         <source>The marker body</source>
@@ -2694,6 +2694,10 @@
     <message>
         <source>What if: %1</source>
         <translation>Was wäre: %1</translation>
+    </message>
+    <message>
+        <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the hand's place does not repeat better than %3 mm. No effect can remove it.</source>
+        <translation>Was bleibt (%1, Rauschen %2), wechselt von Stellung zu Stellung ohne Muster: der Ort der Hand wiederholt nicht besser als %3 mm. Keine Ursache nimmt das weg.</translation>
     </message>
     <message>
         <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better than %3 mrad, nor the hand's place better than %4 mm. No effect can remove it.</source>

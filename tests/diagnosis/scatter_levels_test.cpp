@@ -64,6 +64,21 @@ TEST(ScatterLevels, LikelyScatterDoesNotDependOnWhereTheSearchBegins) {
   EXPECT_NEAR(a.place, b.place, 0.1 * a.place);
 }
 
+TEST(ScatterLevels, WhereThePlaceAloneScattersTheJointsHaveNone) {
+  LinearModel model = model_of(200);
+  for (LinearObservation& o : model.observations) o.by_joints.setZero();
+  draw_errors({0, 5e-4}, 13, model);
+  const Scatter found = likely_scatter(model, {}, {}, true);
+  EXPECT_NEAR(found.place, 5e-4, 5e-5);
+  EXPECT_EQ(found.joints, 0);
+}
+
+TEST(ScatterLevels, WhatIsNegligibleIsNone) {
+  LinearModel model = model_of(200);
+  model.external_error.setZero();
+  EXPECT_EQ(likely_scatter(model, {}, {}, true), Scatter{});
+}
+
 TEST(ScatterLevels, WhereTheNoiseIsUnknownOnlyTheJointsShare) {
   LinearModel model = model_of(300);
   draw_errors({1e-3, 0}, 5, model);
@@ -93,6 +108,7 @@ TEST(ScatterLevels, EndAtTheScatterThatIsThere) {
 
 TEST(ScatterLevels, AreToldInWords) {
   EXPECT_EQ(scatter_text({}), "");
+  EXPECT_EQ(scatter_text({0, 4e-6}), "") << "not worth telling";
   EXPECT_EQ(scatter_text({1.3e-3, 0}), "joints that repeat to 1.3 mrad");
   EXPECT_EQ(scatter_text({1.3e-3, 9e-4}), "joints that repeat to 1.3 mrad and a hand whose place scatters by 0.9 mm");
   EXPECT_EQ(scatter_text({0, 9e-4}), "a hand whose place scatters by 0.9 mm");

@@ -150,7 +150,7 @@ std::vector<CardState> honest_cards() {
                "Show the curve"),
           card(CardKind::too_few, "plan", "Too few observations",
                "12 observations cannot tell causes apart; with this model it takes about 25.", "Plan poses"),
-          card(CardKind::scatter, "scatter", "The joints do not repeat better",
+          card(CardKind::scatter, "scatter", "The robot does not repeat better",
                "What is left (0.6 px) differs from pose to pose without a pattern: the joints do not repeat better. No "
                "effect can remove it.",
                ""),
