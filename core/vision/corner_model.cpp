@@ -248,6 +248,7 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
     return std::nullopt;
   if (model.blur > kMostBlur * fit.radius) return std::nullopt;
   fit.noise = at.noise;
+  fit.is_clipped = at.patch.is_clipped;
   fit.covariance = position_covariance(at);
   return is_determined(fit) ? std::optional(fit) : std::nullopt;
 }
@@ -268,6 +269,7 @@ std::optional<CornerFit> fit_small_corner(const Image& image, const Eigen::Vecto
   if (!fits(4, kGrown) || model.blur > kMostBlur * fit.radius) return std::nullopt;
   fit.misfit = misfit_of(at.patch);
   fit.noise = std::max(at.promise, kLeastNoise);
+  fit.is_clipped = at.patch.is_clipped;
   at.noise = fit.noise;
   fit.covariance = position_covariance(at);
   return is_determined(fit) ? std::optional(fit) : std::nullopt;
@@ -300,6 +302,7 @@ std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vect
     return std::nullopt;
   if (std::abs(fit.model.shadow.depth) < kLeastDepth || fit.model.shadow.distance < kNearestShadow) return std::nullopt;
   fit.misfit = misfit_of(at.patch);
+  fit.is_clipped = at.patch.is_clipped;
   fit.covariance = position_covariance_with_shadow(fit.noise, fit.model, at.patch);
   return is_determined(fit) ? std::optional(fit) : std::nullopt;
 }

@@ -50,6 +50,7 @@ struct CornerFit {
   double radius = 0;           // px, of the disc of pixels that took part
   double noise = 0;            // grey levels, sigma of a pixel
   double misfit = 0;  // grey levels, root of the mean product of neighbouring residuals over 4 px: the shape's part
+  bool is_clipped = false;  // some pixels may be as bright or as dark as the sensor tells
 };
 
 /// Gauss-Newton from a start that is good to about 1 px. The disc grows from 4 px as long as the formula holds, so
