@@ -191,7 +191,7 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
   for (int n = 0; n < kLevels; ++n) {
     const Image& here = n > 0 ? images[n] : image;
     if (n > 0 && std::min(here.width, here.height) < kLeastSize) break;
-    levels.push_back({{here, options, n > 0 ? image_noise(here, kCoarsePlaces) : image_noise(here)}, {}, {}, {}});
+    levels.push_back({{here, options, n > 0 ? image_noise(here, kCoarsePlaces) : image_noise(here)}, {}, {}, {}, {}});
     Level& level = levels.back();
     if (n == 0) {
       find_corners(level, images[1]);
@@ -217,7 +217,7 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
 std::optional<Corner> refine_corner(const Image& image, const Eigen::Vector2d& start, const DetectorOptions& options) {
   const bool inside = start.x() >= 0 && start.y() >= 0 && start.x() < image.width && start.y() < image.height;
   if (!inside) return std::nullopt;  // not a number is not inside either
-  const Level level{{image, options, image_noise(image)}, {}, {}, {}};
+  const Level level{{image, options, image_noise(image)}, {}, {}, {}, {}};
   const auto found = sure_look(level.sight, start, 1.5 * options.sigma, 6);
   if (!found) return std::nullopt;
   std::vector<Placed> one{{*found, 0}};

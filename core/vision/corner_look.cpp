@@ -199,6 +199,11 @@ std::optional<Found> small_look(const Sight& sight, const CornerModel& expected)
   return fit && is_same(fit->model, expected) ? checked(sight, *fit) : std::nullopt;
 }
 
+std::optional<Found> shaded_look(const Sight& sight, const CornerModel& expected) {
+  const auto fit = fit_in_known_shadow(sight.image, expected, sight.noise);
+  return fit && is_same(fit->model, expected) ? checked(sight, *fit) : std::nullopt;
+}
+
 std::optional<Found> known_look(const Sight& sight, const CornerModel& known) {
   const auto fit = fit_corner(sight.image, known.position, structure_of(known), sight.noise);
   return fit && is_same(fit->model, known) ? checked(sight, *fit) : std::nullopt;
