@@ -6,19 +6,19 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "bench/camera_strip.h"
+#include "bench/link_selection.h"
+#include "bench/observation_views.h"
 #include "calibrate/objective_page.h"
 #include "calibrate/one_marker_page.h"
 #include "calibrate/own_pose_page.h"
 #include "calibrate/recall.h"
 #include "calibrate/transport.h"
-#include "document/core_words.h"
-#include "frame/camera_strip.h"
-#include "frame/link_selection.h"
-#include "frame/observation_views.h"
-#include "widgets/convergence_plot.h"
-#include "widgets/decision_list.h"
-#include "widgets/image_view.h"
-#include "widgets/robot_view.h"
+#include "widgets/images/image_view.h"
+#include "widgets/lists/decision_list.h"
+#include "widgets/plots/convergence_plot.h"
+#include "widgets/scene/robot_view.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -352,7 +352,7 @@ void CalibrateWorkspace::refresh_model() {
 
 std::vector<Action> CalibrateWorkspace::own_actions() const {
   const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
-    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+    return Action{.id = id, .group = tr("Calibrate"), .text = what, .gesture = gesture};
   };
   return {explained("play_keys", tr("Space, ."), tr("play or pause, one observation"))};
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "document/core_words.h"
 #include "estimation/pose_residuals.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {

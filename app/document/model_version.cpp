@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "diagnosis/clean_model.h"
 #include "diagnosis/residual_views.h"
-#include "document/core_words.h"
 #include "estimation/export.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/adding_on.h"
 
-#include "document/counted.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 

@@ -7,12 +7,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "bench/link_selection.h"
 #include "diagnosis/common.h"
-#include "document/core_words.h"
-#include "frame/link_selection.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
-#include "widgets/scatter_plot.h"
-#include "widgets/theme.h"
+#include "widgets/plots/scatter_plot.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 

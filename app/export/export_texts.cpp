@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "document/core_words.h"
+#include "bench/model_effects.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
-#include "explain/explain_texts.h"
-#include "frame/model_effects.h"
-#include "widgets/number_text.h"
+#include "findings/explain_texts.h"
+#include "widgets/base/number_text.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {

@@ -17,15 +17,15 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "document/core_words.h"
-#include "document/counted.h"
-#include "explain/explain_texts.h"
 #include "export/fresh_poses.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
+#include "findings/explain_texts.h"
 #include "session/calibration_xml.h"
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "words/core_words.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 namespace {

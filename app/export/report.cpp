@@ -9,13 +9,13 @@
 #include <QUrl>
 #include <functional>
 
-#include "document/core_words.h"
+#include "bench/model_effects.h"
 #include "document/effect_words.h"
-#include "explain/explain_texts.h"
-#include "explain/robot_checks.h"
 #include "export/export_texts.h"
-#include "frame/model_effects.h"
-#include "widgets/number_text.h"
+#include "findings/explain_texts.h"
+#include "findings/robot_checks.h"
+#include "widgets/base/number_text.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {

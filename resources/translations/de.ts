@@ -73,10 +73,6 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>%1 (Ctrl+%2)</source>
-        <translation>%1 (Strg+%2)</translation>
-    </message>
-    <message>
         <source>%1 - Handsight</source>
         <translation>%1 - Handsight</translation>
     </message>

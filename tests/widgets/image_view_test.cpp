@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/image_view.h"
+#include "widgets/images/image_view.h"
 
 #include <gmock/gmock.h>
 
 #include <QSignalSpy>
 #include <cmath>
 
-#include "widgets/loupe.h"
+#include "widgets/images/loupe.h"
 #include "widgets/mouse.h"
 
 namespace handsight::widgets {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 

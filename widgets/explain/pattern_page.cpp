@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/number_text.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::widgets {
 namespace {

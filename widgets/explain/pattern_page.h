@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "widgets/explain/dot_stamp.h"
-#include "widgets/scatter_plot.h"
+#include "widgets/plots/scatter_plot.h"
 
 namespace handsight::widgets {
 

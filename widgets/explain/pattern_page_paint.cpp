@@ -2,9 +2,9 @@
 // How the nine small plots are painted.
 #include <algorithm>
 
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/pattern_page.h"
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {

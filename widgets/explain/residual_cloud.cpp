@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/motion.h"
-#include "widgets/number_text.h"
+#include "widgets/base/motion.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::widgets {
 namespace {

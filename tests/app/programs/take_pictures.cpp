@@ -10,14 +10,14 @@
 #include <QTabWidget>
 
 #include "app/window/pages.h"
+#include "bench/observation_views.h"
 #include "explain/missing_pane.h"
-#include "frame/language.h"
-#include "frame/observation_views.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/scene/robot_view.h"
+#include "window/language.h"
 
 namespace handsight::test {
 namespace {

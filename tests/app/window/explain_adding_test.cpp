@@ -12,7 +12,7 @@
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/staircase.h"
 #include "widgets/explain/version_list.h"
-#include "widgets/three_numbers.h"
+#include "widgets/lists/three_numbers.h"
 
 namespace handsight::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window speaks German where it is asked to: every text of the sources has its translation, with the same places
 // for what is put in, and plurals are those of the language.
-#include "frame/language.h"
+#include "window/language.h"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,12 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "diagnosis/common.h"
-#include "document/core_words.h"
-#include "document/counted.h"
 #include "document/effect_words.h"
-#include "frame/rail_button.h"
 #include "targets/target_xml.h"
-#include "widgets/convergence_plot.h"
+#include "widgets/plots/convergence_plot.h"
+#include "window/rail_button.h"
+#include "words/core_words.h"
+#include "words/counted.h"
 
 namespace handsight::test {
 namespace {
@@ -35,7 +35,8 @@ QString joined_literals(const QString& literals) {
 
 /// Every text that the sources hand to tr or said, with the file that does.
 std::map<QString, std::string> texts_of_the_sources() {
-  static const QRegularExpression call("\\b(?:tr|said)\\(\\s*((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
+  static const QRegularExpression call(
+      "\\b(?:tr|said|QT_TRANSLATE_NOOP)\\(\\s*(?:\"workspaces\",\\s*)?((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
   std::map<QString, std::string> texts;
   for (const char* folder : {"app", "widgets"})
     for (const auto& entry :
@@ -206,7 +207,7 @@ TEST(Language, AWholeWindowInGerman) {
   {
     Desk desk;
     EXPECT_EQ(desk.find<QAbstractButton>("start_open")->text(), QString::fromUtf8("Sitzung öffnen…"));
-    EXPECT_EQ(desk.find<app::RailButton>("rail_3")->text(), QString::fromUtf8("Erklären"));
+    EXPECT_EQ(desk.find<app::RailButton>("rail_explain")->text(), QString::fromUtf8("Erklären"));
   }
   QCoreApplication::removeTranslator(&german);
 }

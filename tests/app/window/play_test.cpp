@@ -4,7 +4,7 @@
 
 #include "app/window/pages.h"
 #include "temporary_folder.h"
-#include "widgets/number_text.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::test {
 namespace {

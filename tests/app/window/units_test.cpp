@@ -6,19 +6,19 @@
 #include <QToolButton>
 
 #include "app/window/pages.h"
+#include "bench/preferences.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
-#include "start/preferences.h"
 #include "temporary_folder.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/read_out_line.h"
 #include "widgets/explain/pattern_page.h"
 #include "widgets/explain/residual_cloud.h"
 #include "widgets/explain/staircase.h"
-#include "widgets/histogram_plot.h"
-#include "widgets/paint_tools.h"
-#include "widgets/read_out_line.h"
-#include "widgets/residual_map.h"
-#include "widgets/scatter_plot.h"
-#include "widgets/three_numbers.h"
+#include "widgets/lists/three_numbers.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/residual_map.h"
+#include "widgets/plots/scatter_plot.h"
 
 namespace handsight::test {
 namespace {
