@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/workbench.h"
 
-#include "document/second_look.h"
+#include "estimation/second_look.h"
 #include "words/counted.h"
 
 namespace handsight::app {
@@ -129,10 +129,8 @@ void Workbench::look_again() {
   if (!model || !model->fit) return;
   std::vector<Observation> rejected;
   for (const Observation& o : document.session().observations)
-    if (o.decision == Decision::rejected && o.sightings.empty() && !o.images[0].empty() && !o.images[1].empty() &&
-        !document.second_looks().contains(o.id))
-      rejected.push_back(o);
-  if (rejected.empty() || !document.session().rig || !is_pair(*document.session().rig)) return;
+    if (wants_second_look(document.session(), o) && !document.second_looks().contains(o.id)) rejected.push_back(o);
+  if (rejected.empty()) return;
   background.start<SecondLooks>(
       "second look",
       tr("Looking again at %1").arg(counted(static_cast<qint64>(rejected.size()), "%n rejected observation(s)")),

@@ -17,7 +17,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "export/fresh_poses.h"
+#include "diagnosis/fresh_poses.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
 #include "findings/explain_texts.h"

@@ -19,7 +19,7 @@ std::optional<double> scaled(std::optional<double> value, double scale) {
 QString reason_of(const Observation& o, const InspectionRow* row) {
   if (!o.reason.empty()) return translated(o.reason);
   if (!row || !row->outlier) return {};
-  return row->what_would_mend;
+  return translated(row->what_would_mend);
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation,
     default:
       text = QObject::tr("Agrees with the model down to the noise. ");
   }
-  if (!row->what_would_mend.isEmpty()) text += QObject::tr("To be right: %1").arg(row->what_would_mend);
+  if (!row->what_would_mend.empty()) text += QObject::tr("To be right: %1").arg(translated(row->what_would_mend));
   if (row->smallest_visible && row->blame.letter != 'R')
     text += QObject::tr(" An error of one corner under %1 here could not be seen.")
                 .arg(in_pixels ? QObject::tr("%1 px").arg(*row->smallest_visible, 0, 'f', 1)

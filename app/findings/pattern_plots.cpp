@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/trend.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
-#include "findings/trend.h"
 #include "words/core_words.h"
 
 namespace handsight::app {
@@ -49,6 +49,12 @@ ShownSeries shown_series(const ResidualSeries& series, const Eigen::VectorXd& va
     return {values.cwiseQuotient(series.sigmas), 1, widgets::unit_name(unit)};
   const ShownUnit own = shown_unit(series.unit);
   return {own.scale * values, own.scale * root_mean_square(series.sigmas), own.unit};
+}
+
+std::vector<widgets::TrendPoint> shown_trend(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+  std::vector<widgets::TrendPoint> line;
+  for (const TrendPoint& p : trend_of(x, y)) line.push_back({p.x, p.y, p.low, p.high});
+  return line;
 }
 
 }  // namespace
@@ -98,7 +104,7 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
                            .rms_over_sigma = row ? row->ratio : std::nullopt,
                            .coordinates = row && row->coordinates > 0 ? row->coordinates : 12});
   }
-  plot.trend = trend_of(variable.values, y);
+  plot.trend = shown_trend(variable.values, y);
   plot.noise = shown.noise;
   for (const Pattern& p : residuals.patterns)
     if (p.series == found->series && p.variable == found->variable) {
@@ -117,7 +123,7 @@ std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const Model
   if (view.series[found->series].rows() != x.size()) return {};  // of a version with other observations
   const ShownSeries shown =
       shown_series(residuals.views.series[found->series], view.series[found->series] * numbers, unit);
-  std::vector<widgets::TrendPoint> line = trend_of(x, shown.values);
+  std::vector<widgets::TrendPoint> line = shown_trend(x, shown.values);
   for (widgets::TrendPoint& p : line) p.low = p.high = p.y;
   return line;
 }

@@ -61,7 +61,7 @@ TEST_F(Units, UTurnsEveryViewFromPxToMmToSigmaAndBack) {
   desk.key(Qt::Key_3, Qt::ControlModifier);
   InspectPage inspect{desk};
   inspect.click_row(0);
-  const app::InspectionRow& row = *desk.window.bench().selected_row();
+  const InspectionRow& row = *desk.window.bench().selected_row();
   const ErrorSummary held_out = desk.document().model()->report->held_out;
   const double noise = *desk.document().model()->fit->noise;
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
@@ -105,7 +105,7 @@ TEST_F(Units, ACornerInMmIsAcrossItsLineOfSight) {
   desk.key(Qt::Key_3, Qt::ControlModifier);
   InspectPage{desk}.click_row(0);
   const auto& bench = desk.window.bench();
-  const app::MarkerResidual& m = bench.selected_row()->markers[0];
+  const MarkerResidual& m = bench.selected_row()->markers[0];
   desk.window.bench().selection.select(
       {.observation = bench.selection.current().observation, .marker = m.marker, .camera = 0});
   EXPECT_TRUE(crumb(desk, "crumb_2").endsWith("px"));

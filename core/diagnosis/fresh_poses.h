@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Apache-2.0
 // Observations that the fit has not seen, predicted against measured: the honest test of what is exported.
 #pragma once
 
 #include <vector>
 
-#include "document/inspection.h"
+#include "diagnosis/inspection.h"
 
-namespace handsight::app {
+namespace handsight {
 
 struct FreshPose {
   std::int64_t id = 0;
@@ -21,4 +21,4 @@ struct FreshPose {
 /// these, d' S^-1 d <= 3 n / (n - 2) F(3, n - 2; 0.95) (Hotelling). Empty with fewer than 8 fitted.
 std::vector<FreshPose> fresh_poses(const Inspection& inspection);
 
-}  // namespace handsight::app
+}  // namespace handsight

@@ -1,12 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/inspection.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/inspection.h"
 
 #include <algorithm>
 
 #include "estimation/pose_residuals.h"
-#include "words/core_words.h"
 
-namespace handsight::app {
+namespace handsight {
 namespace {
 
 std::optional<Vector2> pixel_in(const Sighting& s, int camera) {
@@ -112,7 +111,7 @@ void judge(const Problem& problem, const ProblemObservation& seen, const Unknown
   row.ratio = *row.rms / *noise;
   row.blame = blame_of(parts, *noise, typical);
   const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.blame.letter);
-  row.what_would_mend = translated(change_text(change, problem.rig_or_null()));
+  row.what_would_mend = change_text(change, problem.rig_or_null());
   row.smallest_visible = smallest_visible(problem, seen, unknowns, *noise);
 }
 
@@ -164,4 +163,10 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
   return inspection;
 }
 
-}  // namespace handsight::app
+void mark_left_out(const std::vector<WrongPoint>& points, const std::vector<LoneObservation>& lone,
+                   Inspection& inspection) {
+  for (const WrongPoint& w : points) inspection.rows[static_cast<std::size_t>(w.index)].outlier = true;
+  for (const LoneObservation& l : lone) inspection.rows[static_cast<std::size_t>(l.index)].outlier = true;
+}
+
+}  // namespace handsight

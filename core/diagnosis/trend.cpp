@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "findings/trend.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/trend.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace handsight::app {
+namespace handsight {
 namespace {
 
 struct Sorted {
@@ -25,7 +25,7 @@ Sorted sorted(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
 }
 
 /// Mean and its sigma of the points from `first` to `last`.
-widgets::TrendPoint mean_of(const Sorted& s, std::size_t first, std::size_t last) {
+TrendPoint mean_of(const Sorted& s, std::size_t first, std::size_t last) {
   double sum = 0, squares = 0;
   const auto count = static_cast<double>(last - first);
   for (std::size_t i = first; i < last; ++i) sum += s.y[i];
@@ -35,7 +35,7 @@ widgets::TrendPoint mean_of(const Sorted& s, std::size_t first, std::size_t last
   return {s.x[first], mean, mean - 2 * sigma, mean + 2 * sigma};
 }
 
-widgets::TrendPoint local_line(const Sorted& s, double at, std::size_t window) {
+TrendPoint local_line(const Sorted& s, double at, std::size_t window) {
   auto first = static_cast<std::size_t>(std::lower_bound(s.x.begin(), s.x.end(), at) - s.x.begin());
   std::size_t last = first;
   while (last - first < window && (first > 0 || last < s.x.size())) {
@@ -70,14 +70,14 @@ widgets::TrendPoint local_line(const Sorted& s, double at, std::size_t window) {
 
 }  // namespace
 
-std::vector<widgets::TrendPoint> trend_of(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+std::vector<TrendPoint> trend_of(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   if (x.size() < 4) return {};
   const Sorted s = sorted(x, y);
   constexpr std::size_t few = 5, points = 41;
   std::vector<std::size_t> starts{0};
   for (std::size_t i = 1; i < s.x.size() && starts.size() <= few; ++i)
     if (s.x[i] > s.x[i - 1]) starts.push_back(i);
-  std::vector<widgets::TrendPoint> trend;
+  std::vector<TrendPoint> trend;
   if (starts.size() <= few) {
     for (std::size_t i = 0; i < starts.size(); ++i)
       trend.push_back(mean_of(s, starts[i], i + 1 < starts.size() ? starts[i + 1] : s.x.size()));
@@ -98,13 +98,13 @@ double followed_share(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   double left = 0;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const auto after = std::lower_bound(trend.begin() + 1, trend.end() - 1, x[i],
-                                        [](const widgets::TrendPoint& p, double at) { return p.x < at; });
-    const widgets::TrendPoint& b = *after;
-    const widgets::TrendPoint& a = *(after - 1);
+                                        [](const TrendPoint& p, double at) { return p.x < at; });
+    const TrendPoint& b = *after;
+    const TrendPoint& a = *(after - 1);
     const double share = b.x > a.x ? (x[i] - a.x) / (b.x - a.x) : 0;
     left += std::pow(y[i] - a.y - std::clamp(share, 0.0, 1.0) * (b.y - a.y), 2);
   }
   return std::clamp(1 - left / whole, 0.0, 1.0);
 }
 
-}  // namespace handsight::app
+}  // namespace handsight

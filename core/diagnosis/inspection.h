@@ -1,16 +1,17 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Apache-2.0
 // Every observation held against the model, the ones that are not part of the fit too: how far off, whose fault, and
 // the smallest change that would make it right.
 #pragma once
 
-#include <QString>
 #include <algorithm>
-#include <unordered_map>
+#include <string>
 
 #include "diagnosis/blame.h"
+#include "diagnosis/lone_observations.h"
 #include "estimation/fit_report.h"
+#include "estimation/second_look.h"
 
-namespace handsight::app {
+namespace handsight {
 
 /// One marker in one image, px: where it was seen, where the model predicts it (nothing behind the camera).
 struct ImageCorner {
@@ -53,7 +54,7 @@ struct InspectionRow {
   double worst_size = 0;  // px (m), length
   Blame blame;
   bool outlier = false;                    // stands out of the other observations
-  QString what_would_mend;                 // a sentence; empty: nothing to mend
+  std::string what_would_mend;             // a sentence (change_text); empty: nothing to mend
   std::optional<double> smallest_visible;  // px (m): an error of one corner below it could not be seen here
 };
 
@@ -65,9 +66,6 @@ struct Inspection {
   bool in_pixels = true;
 };
 
-/// Markers that a second look found, by observation.
-using SecondLooks = std::unordered_map<std::int64_t, std::vector<Sighting>>;
-
 /// One observation against any estimate; `row` has its id and index already. `noise` of one coordinate, where known.
 void inspect_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                          std::optional<double> noise, const std::vector<char>& marker_is_known, InspectionRow& row);
@@ -75,4 +73,9 @@ void inspect_observation(const Problem& problem, const ProblemObservation& obser
 /// The model's effects move the robot, the cameras and the markers as in the fit.
 Inspection inspect(const Session& session, const Fit& fit, const FitReport& report, const SecondLooks& looks);
 
-}  // namespace handsight::app
+/// A point that is wrong whatever the robot does makes its observation odd, though the fit no longer holds it; so does
+/// what was left out as a whole.
+void mark_left_out(const std::vector<WrongPoint>& points, const std::vector<LoneObservation>& lone,
+                   Inspection& inspection);
+
+}  // namespace handsight

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "export/fresh_poses.h"
+#include "diagnosis/fresh_poses.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace handsight::app {
+namespace handsight {
 namespace {
 
 /// Deviations of 1, 2 and 4 mm along the TCP's axes.
@@ -74,4 +74,4 @@ TEST(FreshPoses, TooFewFittedSayNothing) {
 }
 
 }  // namespace
-}  // namespace handsight::app
+}  // namespace handsight

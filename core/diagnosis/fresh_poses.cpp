@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/fresh_poses.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/fresh_poses.h"
 
 #include <Eigen/Dense>
 #include <boost/math/distributions/fisher_f.hpp>
 
-namespace handsight::app {
+namespace handsight {
 
 std::vector<FreshPose> fresh_poses(const Inspection& inspection) {
   constexpr int fewest = 8;
@@ -35,4 +35,4 @@ std::vector<FreshPose> fresh_poses(const Inspection& inspection) {
   return poses;
 }
 
-}  // namespace handsight::app
+}  // namespace handsight

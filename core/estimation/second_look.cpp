@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/second_look.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/second_look.h"
 
 #include <algorithm>
 
 #include "vision/following_observation.h"
 
-namespace handsight::app {
+namespace handsight {
 namespace {
 
 KnownMarkers known_markers(const Fit& fit, double sigma) {
@@ -44,6 +44,11 @@ constexpr Look looks[] = {
 
 }  // namespace
 
+bool wants_second_look(const Session& session, const Observation& o) {
+  return session.rig && is_pair(*session.rig) && o.decision == Decision::rejected && o.sightings.empty() &&
+         !o.images[0].empty() && !o.images[1].empty();
+}
+
 std::optional<std::vector<Sighting>> second_look(const Session& session, const Fit& fit, const Observation& observation,
                                                  const ImagePair& images) {
   if (!session.rig || !is_pair(*session.rig)) return std::nullopt;
@@ -70,4 +75,4 @@ std::optional<std::vector<Sighting>> second_look(const Session& session, const F
   return std::nullopt;
 }
 
-}  // namespace handsight::app
+}  // namespace handsight
