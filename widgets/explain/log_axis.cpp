@@ -11,7 +11,7 @@ namespace handsight::widgets {
 
 LogAxis LogAxis::over(double low, double high, double bottom, double top) {
   if (!(low > 0) || !(high > 0) || low > high) low = 0.1, high = 1;
-  const double room = std::max(std::pow(high / low, 0.12), 1.25);
+  const double room = std::max(std::pow(high / low, 0.12), std::sqrt(2.0));
   return {low / room, high * room, bottom, top};
 }
 

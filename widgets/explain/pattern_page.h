@@ -77,6 +77,7 @@ class PatternPage : public QWidget {
   };
   static Range range_of(const PatternPlot& plot);
   static bool outgrows(const Range& wanted, const Range& present);
+  static bool is_filled_by_noise(const PatternPlot& plot, const Range& present);
   QRectF canvas(int place) const;  // where the points are
   int place_at(const QPointF& position) const;
   const ScatterPoint* point_at(int place, const QPointF& position) const;

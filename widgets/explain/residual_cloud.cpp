@@ -51,6 +51,7 @@ ResidualCloud::ResidualCloud(QWidget* parent) : QWidget(parent), empty_text_(tr(
 
 void ResidualCloud::set_noise(std::optional<double> sigma) {
   noise_ = sigma && *sigma > 0 ? sigma : std::nullopt;
+  if (noise_ && reach_ > 0) reach_ = std::max(reach_, 5 * *noise_);
   update();
 }
 

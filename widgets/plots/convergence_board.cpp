@@ -17,10 +17,11 @@ std::optional<Sample> sample_of(const ConvergencePoint& point, std::size_t plot)
   if (!is_body && !point.tcp_from_tcp_est) return std::nullopt;
   const Vector6& values = is_body ? point.tcp_from_body : *point.tcp_from_tcp_est;
   const int first = plot % 2 == 0 ? 0 : 3;
-  Sample sample{point.count, point.observation, {}, {}};
+  Sample sample{.count = point.count, .observation = point.observation};
   for (int i = 0; i < 3; ++i) {
     sample.value[static_cast<std::size_t>(i)] = values[first + i];
-    sample.sigma[static_cast<std::size_t>(i)] = is_body ? point.sigma[first + i] : 0;
+    (is_body ? sample.sigma : sample.noise)[static_cast<std::size_t>(i)] =
+        is_body ? point.sigma[first + i] : point.deviation_sigma[first + i];
   }
   return sample;
 }

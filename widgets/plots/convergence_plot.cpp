@@ -206,6 +206,12 @@ void ConvergencePlot::fit() {
       high = std::max(high, y + band);
     }
   }
+  double sigma = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    sigma = std::max({sigma, factor * samples_.back().sigma[i], factor * samples_.back().noise[i]});
+  const double short_by = std::max(6 * sigma - (high - low), 0.0);
+  low -= short_by / 2;
+  high += short_by / 2;
   const double margin = std::max(0.08 * (high - low), 1e-4);
   plot_->yAxis->setRange(low - margin, high + margin);
   const double first = samples_.front().count, last = samples_.back().count;

@@ -19,6 +19,7 @@ struct ConvergencePoint {
   Vector6 tcp_from_body = Vector6::Zero();
   Vector6 sigma = Vector6::Zero();
   std::optional<Vector6> tcp_from_tcp_est;
+  Vector6 deviation_sigma = Vector6::Zero();  // of tcp_from_tcp_est, that of one observation; 0: not known
 };
 
 /// Three curves: translation or rotation of one motion, with a band of two sigma where it is known and a mark where
@@ -31,6 +32,7 @@ class ConvergencePlot : public PlotWidget {
     ObservationId observation = kNoObservation;
     std::array<double, 3> value{};
     std::array<double, 3> sigma{};  // 0: no band
+    std::array<double, 3> noise{};  // of a value without a band: one sigma of it alone; 0: not known
   };
   /// `unit` "mm" or "deg"; names of the three curves, `quantity` for the axis.
   ConvergencePlot(const QString& quantity, const QString& unit, const std::array<QString, 3>& names,
@@ -39,6 +41,7 @@ class ConvergencePlot : public PlotWidget {
   void append(const std::vector<Sample>& samples);
   void set_selected(ObservationId id);  // a line at its count
   void set_show_settled(bool shown);
+  /// The y axis spans six sigma of the last values at least, so that noise alone never fills the plot.
   void fit() override;
   /// Where a curve has settled: a count, or 0 while it has not.
   int settled_at(int curve) const;

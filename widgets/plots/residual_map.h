@@ -42,7 +42,9 @@ class ResidualMap : public PlotWidget {
   void set_regions(bool shown);
   void set_selected(ObservationId id);
   void set_hovered(ObservationId id);
-  double exaggeration() const;  // px of the image that one unit of residual is drawn long: 1, 2, 5, 10, ...
+  /// px of the image that one unit of residual is drawn long: 1, 2, 5, 10, ...; three sigma of the noise are never
+  /// drawn longer than a twelfth of the image.
+  double exaggeration() const;
   void fit() override;
 
  signals:

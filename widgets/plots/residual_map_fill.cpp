@@ -36,16 +36,26 @@ struct Strokes {
   }
 };
 
+/// The value that this share of them does not exceed; 0 of none.
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 }  // namespace
 
 double ResidualMap::exaggeration() const {
-  std::vector<double> lengths;
-  for (const MapPoint& point : points_)
-    if (is_shown(point)) lengths.push_back(point.residual.norm());
+  std::vector<double> lengths, sigmas;
+  for (const MapPoint& point : points_) {
+    if (!is_shown(point)) continue;
+    lengths.push_back(point.residual.norm());
+    if (point.rms_over_sigma.value_or(0) > 0) sigmas.push_back(lengths.back() / std::sqrt(2.0) / *point.rms_over_sigma);
+  }
   if (lengths.empty()) return 1;
-  const auto high = lengths.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(lengths.size() - 1));
-  std::nth_element(lengths.begin(), high, lengths.end());
-  const double wanted = width_ / 12.0 / std::max(*high, 1e-6);
+  const double shown = std::max(quantile(lengths, 0.95), 3 * quantile(sigmas, 0.5));
+  const double wanted = width_ / 12.0 / std::max(shown, 1e-6);
   double best = 1;
   for (double power = 1; power < 1e6; power *= 10)
     for (const double step : {1.0, 2.0, 5.0})

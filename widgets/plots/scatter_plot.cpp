@@ -14,6 +14,8 @@
 namespace handsight::widgets {
 namespace {
 
+constexpr double kMargin = 0.06;  // of what is shown, above and below it
+
 struct Line {
   QVector<double> x, y, low, high;
 };
@@ -140,8 +142,9 @@ void ScatterPlot::set_candidate(std::vector<TrendPoint> prediction) {
   replot();
 }
 
-void ScatterPlot::set_noise_band(std::optional<double> sigma) {
+void ScatterPlot::set_noise_band(std::optional<double> sigma, bool is_drawn) {
   noise_ = sigma;
+  draws_noise_ = is_drawn;
   fill();
   replot();
 }
@@ -226,14 +229,14 @@ void ScatterPlot::fill() {
   layers_->candidate->setData(candidate.x, candidate.y);
   layers_->candidate_low->setData(candidate.x, candidate.low);
   layers_->candidate_high->setData(candidate.x, candidate.high);
-  layers_->noise->setVisible(noise_.has_value());
+  layers_->noise->setVisible(noise_ && draws_noise_);
   layers_->noise->topLeft->setCoords(0, noise_.value_or(0));
   layers_->noise->bottomRight->setCoords(1, -noise_.value_or(0));
   ring();
 }
 
 ScatterPlot::Extent ScatterPlot::extent() const {
-  const double floor = 3 * noise_.value_or(0);  // noise alone never fills the plot
+  const double floor = kSigmas * noise_.value_or(0);  // noise alone never fills the plot
   Extent e{1e300, -1e300, -floor, floor};
   if (!noise_) e.low = 1e300, e.high = -1e300;
   for (const ScatterPoint& point : points_) {
@@ -254,7 +257,7 @@ void ScatterPlot::fit() {
   if (points_.empty()) return replot();
   fitted_ = extent();
   const double wide = std::max((fitted_.right - fitted_.left) * 0.04, 1e-9),
-               tall = std::max((fitted_.high - fitted_.low) * 0.06, 1e-9);
+               tall = std::max((fitted_.high - fitted_.low) * kMargin, 1e-9);
   plot_->xAxis->setRange(fitted_.left - wide, fitted_.right + wide);
   plot_->yAxis->setRange(fitted_.low - tall, fitted_.high + tall);
   replot();
@@ -267,7 +270,10 @@ void ScatterPlot::fit_if_outgrown() {
   const double wide = slack * (fitted_.right - fitted_.left), tall = slack * (fitted_.high - fitted_.low);
   const bool is_outgrown = now.left < fitted_.left - wide || now.right > fitted_.right + wide ||
                            now.low < fitted_.low - tall || now.high > fitted_.high + tall;
-  if (is_outgrown) fit();
+  const double floor = kSigmas * noise_.value_or(0);
+  const double margin = kMargin * (fitted_.high - fitted_.low);
+  const bool is_filled_by_noise = fitted_.low - margin > -floor || fitted_.high + margin < floor;
+  if (is_outgrown || is_filled_by_noise) fit();
 }
 
 const ScatterPoint* ScatterPlot::point_at(const QPointF& position) const {

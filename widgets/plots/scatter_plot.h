@@ -20,6 +20,9 @@ struct ScatterPoint {
 };
 
 /// x ascending; `low` and `high` bound the band, equal to y where there is none.
+/// Of the noise, on each side of zero, an axis shows so many sigma at least: noise alone never fills a plot.
+inline constexpr double kSigmas = 3;
+
 struct TrendPoint {
   double x = 0, y = 0, low = 0, high = 0;
 };
@@ -32,8 +35,9 @@ class ScatterPlot : public PlotWidget {
   void set_points(std::vector<ScatterPoint> points);
   void set_trend(std::vector<TrendPoint> trend);
   void set_candidate(std::vector<TrendPoint> prediction);  // purple, dashed; its band hatched: noise about it
-  /// Half the height that noise alone takes; the y axis never shows less than three of it.
-  void set_noise_band(std::optional<double> sigma);
+  /// Half the height that noise alone takes; the y axis never shows less than kSigmas of it on each side.
+  /// `is_drawn` false: a band of its own stands about the candidate's curve.
+  void set_noise_band(std::optional<double> sigma, bool is_drawn = true);
   void set_selected(ObservationId id);
   void set_hovered(ObservationId id);
   void set_highlighted(std::vector<ObservationId> ids);
@@ -69,6 +73,7 @@ class ScatterPlot : public PlotWidget {
   std::vector<ScatterPoint> points_;
   std::vector<TrendPoint> trend_, candidate_;
   std::optional<double> noise_;
+  bool draws_noise_ = true;
   std::vector<ObservationId> highlighted_;
   QString x_quantity_, x_unit_, y_quantity_, y_unit_;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
