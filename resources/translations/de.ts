@@ -5,6 +5,10 @@
 <context>
     <name>handsight</name>
     <message>
+        <source> Of a size that no robot is built with: %1; it probably stands in for another cause.</source>
+        <translation> Von einer Größe, mit der kein Roboter gebaut ist: %1; das steht wohl für eine andere Ursache.</translation>
+    </message>
+    <message>
         <source> (%1 at the hand)</source>
         <translation> (%1 an der Hand)</translation>
     </message>
@@ -2204,8 +2208,8 @@
         <translation>Angehalten, bevor Stellungen gefunden waren.</translation>
     </message>
     <message>
-        <source>Stopped by itself: %1 added, and nothing plausible is left that would help. The first card says what is left.</source>
-        <translation>Von selbst angehalten: %1 hinzugefügt, und nichts Glaubhaftes ist übrig, das hülfe. Die erste Karte sagt, was bleibt.</translation>
+        <source>Stopped by itself: %1 added, and nothing is left that would help. The first card says what is left.</source>
+        <translation>Von selbst angehalten: %1 hinzugefügt, und nichts ist übrig, das hülfe. Die erste Karte sagt, was bleibt.</translation>
     </message>
     <message>
         <source>Stopped. Everything is as before.</source>
