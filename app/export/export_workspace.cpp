@@ -56,6 +56,9 @@ ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(
     emit status_changed();
     if (is_active()) refresh();
   });
+  connect(&bench.diagnosing, &Diagnosing::diagnosis_changed, this, [this] {
+    if (is_active()) refresh();
+  });
   connect(save_, &QPushButton::clicked, this, &ExportWorkspace::save_xml);
   connect(html_, &QPushButton::clicked, this, [this] { save_report(false); });
   connect(pdf_, &QPushButton::clicked, this, [this] { save_report(true); });
@@ -113,7 +116,7 @@ void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
   before_->setVisible(model != nullptr);
   if (!model) return;
   bool any_warning = false;
-  const auto remarks = export_remarks(bench_.document, *model);
+  const auto remarks = export_remarks(bench_.document, *model, bench_.diagnosing.diagnosis().get());
   for (const ExportRemark& remark : remarks) {
     auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, before_);
     label->setWordWrap(true);

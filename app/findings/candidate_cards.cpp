@@ -90,8 +90,12 @@ std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnos
       card.action_id = "export";
       return card;
     }
-    case widgets::SessionState::scatter:
-      return honest_card(CardKind::scatter, QObject::tr("The robot does not repeat better"), v.sentence);
+    case widgets::SessionState::scatter: {
+      CardState card = honest_card(CardKind::scatter, QObject::tr("The robot does not repeat better"), v.sentence);
+      card.action = QObject::tr("Export it");
+      card.action_id = "export";
+      return card;
+    }
     case widgets::SessionState::too_few: {
       CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"), v.sentence);
       card.action = QObject::tr("Plan poses");

@@ -35,10 +35,14 @@ void draw_rimmed_path(QPainter& painter, const QPainterPath& path, const QPen& p
   painter.drawPath(path);
 }
 
+QSizeF plate_size(const QPainter& painter, const QString& text) {
+  const QFontMetricsF metrics(painter.font());
+  return {std::max(metrics.horizontalAdvance(text) + 6, 14.0), metrics.height()};
+}
+
 QRectF draw_plate(QPainter& painter, const QPointF& position, const QString& text, const QColor& ink,
                   const QColor& ground) {
-  const QFontMetricsF metrics(painter.font());
-  const QSizeF size(std::max(metrics.horizontalAdvance(text) + 6, 14.0), metrics.height());
+  const QSizeF size = plate_size(painter, text);
   const QRectF plate(QPointF(position.x(), position.y() - size.height() / 2), size);
   painter.setPen(Qt::NoPen);
   painter.setBrush(ground);

@@ -19,6 +19,9 @@ void draw_sentence(QPainter& painter, const QRectF& area, const QString& sentenc
 /// A stroke that shows over any photograph: the pen with a 1 px rim of the other lightness on both sides.
 void draw_rimmed_path(QPainter& painter, const QPainterPath& path, const QPen& pen);
 
+/// How large such a plate is.
+QSizeF plate_size(const QPainter& painter, const QString& text);
+
 /// Text on a small plate, its middle left at `position`; returns the plate.
 QRectF draw_plate(QPainter& painter, const QPointF& position, const QString& text, const QColor& ink,
                   const QColor& ground);

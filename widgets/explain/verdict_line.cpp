@@ -213,7 +213,7 @@ void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
     painter.setPen(c.ink1);
     const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text);
     painter.drawText(QRectF(text_x + 13, bar.bottom() + 4, wide + 2, 19), Qt::AlignLeft | Qt::AlignVCenter, text);
-    text_x += area.width() / 3;
+    text_x += std::max(area.width() / 3, 13 + wide + kGap);
   };
   painter.setFont(number_font(TextRole::body));
   letter(QStringLiteral("C"), blame.cameras, c.blame_cameras);

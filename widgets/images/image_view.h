@@ -144,6 +144,7 @@ class ImageView : public QWidget {
   void paint_axes(QPainter& painter) const;
   void paint_arrows(QPainter& painter) const;
   void paint_marks(QPainter& painter) const;
+  void paint_numbers(QPainter& painter) const;
   void paint_candidates(QPainter& painter) const;
   void paint_pointer_loupe(QPainter& painter) const;
   void paint_title(QPainter& painter) const;

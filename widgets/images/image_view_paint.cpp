@@ -4,6 +4,8 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
@@ -38,6 +40,29 @@ QPainterPath arrow_path(const QPointF& from, const QPointF& to) {
   path.lineTo(to);
   path.lineTo(to + back - side);
   return path;
+}
+
+/// From a ring's rim to its number.
+QPainterPath leader(const QPointF& from, const QPointF& to) {
+  QLineF line(from, to);
+  QPainterPath path(line.pointAt(8 / line.length()));
+  path.lineTo(to);
+  return path;
+}
+
+/// A plate of this size beside a mark that lies over none of `placed`; of many marks only the usual place is tried.
+std::optional<QRectF> free_plate(const QPointF& at, const QSizeF& size, const std::vector<QRectF>& placed,
+                                 bool are_many) {
+  const double right = 13 + size.width() / 2, high = 11, far = 34;
+  const QPointF places[] = {{right, -high}, {right, high}, {-right, -high}, {-right, high},
+                            {0, -22},       {0, 22},       {far, -far},     {far, far},
+                            {-far, -far},   {-far, far},   {1.3 * far, 0},  {-1.3 * far, 0}};
+  for (const QPointF& place : std::span(places).first(are_many ? 1 : std::size(places))) {
+    QRectF plate({}, size);
+    plate.moveCenter(at + place);
+    if (std::none_of(placed.begin(), placed.end(), [&](const QRectF& p) { return p.intersects(plate); })) return plate;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -119,7 +144,6 @@ void ImageView::paint_arrows(QPainter& painter) const {
 }
 
 void ImageView::paint_marks(QPainter& painter) const {
-  painter.setFont(text_font(TextRole::small));
   for (const ImageMark& mark : marks_) {
     const QPointF at = to_screen(mark.position);
     if (mark.role == MarkRole::predicted) {
@@ -149,7 +173,30 @@ void ImageView::paint_marks(QPainter& painter) const {
     draw_rimmed_path(painter, ring, QPen(color, 2));
     painter.setPen(QPen(QColor(255, 255, 255, 220), 0));
     painter.drawPoint(at);
-    draw_plate(painter, at + QPointF(13, -11), QString::number(mark.marker), colors().ink1, colors().panel);
+  }
+  paint_numbers(painter);
+}
+
+/// The markers' numbers, none over another: on the side of the marker that has room, or further out on a leader. Where
+/// markers lie too close for that some have none: zoomed in, all have.
+void ImageView::paint_numbers(QPainter& painter) const {
+  std::vector<const ImageMark*> measured;
+  for (const ImageMark& mark : marks_)
+    if (mark.role == MarkRole::measured) measured.push_back(&mark);
+  std::stable_partition(measured.begin(), measured.end(), [this](const ImageMark* mark) {
+    return mark->marker == selected_marker_ || mark->marker == hovered_marker_;
+  });
+  std::vector<QRectF> placed;
+  painter.setFont(text_font(TextRole::small));
+  for (const ImageMark* mark : measured) {
+    const QPointF at = to_screen(mark->position);
+    const QString text = QString::number(mark->marker);
+    const auto free = free_plate(at, plate_size(painter, text), placed, measured.size() > 60);
+    if (!free) continue;
+    if (QLineF(at, free->center()).length() > 28)
+      draw_rimmed_path(painter, leader(at, free->center()), QPen(QColor(Qt::white), 1));
+    placed.push_back(draw_plate(painter, {free->left(), free->center().y()}, text, colors().ink1, colors().panel)
+                         .adjusted(-1, -1, 1, 1));
   }
 }
 

@@ -140,6 +140,8 @@ void ConvergencePlot::name_y_axis() {
 
 void ConvergencePlot::resizeEvent(QResizeEvent* event) {
   PlotWidget::resizeEvent(event);
+  // Of fewer only one may be in sight, from which nobody can read a size.
+  plot_->yAxis->ticker()->setTickCount(std::max(plot_->yAxis->ticker()->tickCount(), 3));
   name_y_axis();
 }
 
