@@ -37,8 +37,10 @@ widgets::ConvergencePoint point_of(const PlayedStep& played) {
   p.tcp_from_body = six(played.step.tcp_from_body);
   p.sigma = played.step.sigma;
   if (played.step.tcp_from_tcp_est) p.tcp_from_tcp_est = six(*played.step.tcp_from_tcp_est);
-  // Every observation adds about as much: of one alone the variance is that of all times their number.
-  p.deviation_sigma = (p.count * played.step.covariance.diagonal()).cwiseMax(0).cwiseSqrt();
+  // Every observation adds about as much: of one alone the variance is that of all times their number. Where the
+  // variance is that of scatter, what is shown is more than noise as it is.
+  if (!played.step.covariance_is_scatter)
+    p.deviation_sigma = (p.count * played.step.covariance.diagonal()).cwiseMax(0).cwiseSqrt();
   return p;
 }
 
