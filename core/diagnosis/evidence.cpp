@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "estimation/column_products.h"
+
 namespace handsight {
 namespace {
 
@@ -46,6 +48,16 @@ double ln_bayes_factor_of_one(double a, double b, const WhitenedModel& w, const 
   return ln_mean_exp(values);
 }
 
+/// Rows from `first` on, multiplied by `whitener`; usually the six of a body's motion, whose products cost less.
+void whiten_rows(const Eigen::MatrixXd& whitener, Eigen::Index first, Eigen::MatrixXd& rows) {
+  if (whitener.rows() != 6) {
+    rows.middleRows(first, whitener.rows()) = whitener * rows.middleRows(first, whitener.rows());
+    return;
+  }
+  const Matrix6 fixed = whitener;
+  for (Eigen::Index c = 0; c < rows.cols(); ++c) rows.col(c).segment<6>(first) = fixed * rows.col(c).segment<6>(first);
+}
+
 }  // namespace
 
 double ln_mean_exp(std::span<const double> x) {
@@ -75,19 +87,18 @@ WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const Noi
     const Eigen::LLT<Eigen::MatrixXd> llt(v);
     w.whiteners.push_back(llt.matrixL().solve(Eigen::MatrixXd::Identity(o.count, o.count)));
     ln_volume += ln_determinant(llt);
-    w.external.middleRows(o.first, o.count) = w.whiteners.back() * model.external.middleRows(o.first, o.count);
+    whiten_rows(w.whiteners.back(), o.first, w.external);
     w.external_error.segment(o.first, o.count) = w.whiteners.back() * model.external_error.segment(o.first, o.count);
   }
   const Eigen::Index base = model.base, last = model.internal.cols() - 1;
   const auto by_base = w.external.leftCols(base);
   Eigen::MatrixXd information = model.internal.topLeftCorner(base, base);
-  information.selfadjointView<Eigen::Lower>().rankUpdate(by_base.transpose());
-  information = Eigen::MatrixXd(information.selfadjointView<Eigen::Lower>());
+  information += column_products(by_base);
   information.diagonal() += model.prior_precision;
   // What the measurements do not determine (an unseen marker, a gauge) is held by a trace of a prior.
   for (Eigen::Index i = 0; i < base; ++i) information(i, i) += information(i, i) > 0 ? 1e-10 * information(i, i) : 1.0;
   w.base.compute(information);
-  Eigen::MatrixXd shared = by_base.transpose() * w.external.rightCols(model.candidates());
+  Eigen::MatrixXd shared = column_products(by_base, w.external.rightCols(model.candidates()));
   for (Eigen::Index c = 0; c < model.candidates(); ++c)
     if (const Eigen::Index i = model.internal_of[static_cast<std::size_t>(c)]; i >= 0)
       shared.col(c) += model.internal.col(i).head(base);
@@ -107,10 +118,7 @@ Score score(const WhitenedModel& w, Eigen::Index first, Eigen::Index count) {
   const auto columns = w.external.middleCols(m.base + first, count);
   const auto shared = w.shared.middleCols(first, count);
   Score s;
-  s.information.setZero(count, count);
-  s.information.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
-  s.information.selfadjointView<Eigen::Lower>().rankUpdate(shared.transpose(), -1.0);
-  s.information = Eigen::MatrixXd(s.information.selfadjointView<Eigen::Lower>());
+  s.information = column_products(columns) - column_products(shared);
   s.gradient = columns.transpose() * w.external_error - shared.transpose() * w.base_gradient;
   const Eigen::Index last = m.internal.cols() - 1;
   for (Eigen::Index i = 0; i < count; ++i) {

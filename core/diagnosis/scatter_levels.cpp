@@ -18,9 +18,12 @@ constexpr double negligible = 1e-12;  // (1 urad)^2, (1 um)^2
 /// The white noise (in units of its variance), the joints' scatter (rad^2) and the place's (m^2).
 using Variances = Eigen::Vector3d;
 
+/// Of the body's motion, or of what of it is seen.
+using Covariance = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+
 /// One observation's covariance for variances of 1: of the joints and of the place.
 struct Shares {
-  Eigen::MatrixXd joints, place;
+  Covariance joints, place;
   Eigen::VectorXd error;
 };
 
@@ -44,11 +47,11 @@ struct Likelihood {
 Likelihood likelihood(const std::vector<Shares>& all, const Variances& v) {
   Likelihood sum;
   for (const Shares& s : all) {
-    Eigen::MatrixXd covariance = v[1] * s.joints + v[2] * s.place;
+    Covariance covariance = v[1] * s.joints + v[2] * s.place;
     covariance.diagonal().array() += v[0];
-    const Eigen::LLT<Eigen::MatrixXd> llt(covariance);
-    const std::array<Eigen::MatrixXd, 3> by{llt.solve(Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols())),
-                                            llt.solve(s.joints), llt.solve(s.place)};
+    const Eigen::LLT<Covariance> llt(covariance);
+    const std::array<Covariance, 3> by{llt.solve(Covariance::Identity(covariance.rows(), covariance.cols())),
+                                       llt.solve(s.joints), llt.solve(s.place)};
     const Eigen::VectorXd w = llt.solve(s.error);
     sum.squares += Eigen::Vector3d(w.squaredNorm(), w.dot(s.joints * w), w.dot(s.place * w));
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the effects of the model put every observation's chain, and how their numbers move it.
 #include <algorithm>
+#include <optional>
 
 #include "estimation/problem.h"
 #include "robot/posture_tangent.h"
@@ -8,49 +9,65 @@
 namespace handsight {
 namespace {
 
-/// The sites as a unit of one column moves them, choices of its term as they are. One buffer serves all columns.
-class UnitSites {
- public:
-  UnitSites(const Problem& problem, const Circumstances& circumstances)
-      : problem_(&problem), circumstances_(&circumstances), sites_(unmoved_sites(*circumstances.chain)) {}
+void clear(Sites& sites) {
+  // Their memory stays: this is asked for every observation and many of its columns.
+  auto joints = std::move(sites.robot.joints);
+  auto markers = std::move(sites.markers);
+  sites = Sites{};
+  std::fill(joints.begin(), joints.end(), JointChange{});
+  std::fill(markers.begin(), markers.end(), Vector3::Zero());
+  sites.robot.joints = std::move(joints);
+  sites.markers = std::move(markers);
+}
 
-  const Sites& of(const EffectColumn& column) {
+/// The sites as the terms of a problem move them, observation after observation; its memory serves all of them.
+class MovedSites {
+ public:
+  explicit MovedSites(const Problem& problem)
+      : problem_(&problem), all_(unmoved_sites(problem.source->chain)), unit_(all_) {
+    for (const EffectTerm& term : problem.terms) {
+      effects_.push_back(&effect_of(term));
+      if (effects_.back()->scope == EffectScope::marker && term.joint >= static_cast<int>(all_.markers.size()))
+        all_.markers.resize(static_cast<std::size_t>(term.joint + 1), Vector3::Zero());
+    }
+    unit_.markers = all_.markers;
+    if (problem.terms.empty()) all_.robot.joints.clear();
+  }
+
+  /// By all terms at their values.
+  const Sites& by_all(const Circumstances& c) {
+    clear(all_);
+    for (std::size_t t = 0; t < effects_.size(); ++t)
+      effects_[t]->move(c, problem_->terms[t].joint, problem_->terms[t].values, all_);
+    return all_;
+  }
+
+  /// As a unit of one column moves them, choices of its term as they are.
+  const Sites& by_unit(const Circumstances& c, const EffectColumn& column) {
     const EffectTerm& term = problem_->terms[column.term];
-    const Effect& effect = effect_of(term);
-    clear();
+    const Effect& effect = *effects_[column.term];
+    if (joint_ >= 0)
+      unit_.robot.joints[static_cast<std::size_t>(joint_)] = JointChange{};
+    else
+      clear(unit_);
     values_.assign(effect.parameters.size(), 0.0);
     for (std::size_t p = 0; p < values_.size(); ++p)
       if (effect.parameters[p].is_choice) values_[p] = term.values[p];
     values_[column.parameter] = 1;
-    effect.move(*circumstances_, term.joint, values_, sites_);
-    at_joint_ = moves_one_joint(effect) ? term.joint : -1;
-    return sites_;
+    effect.move(c, term.joint, values_, unit_);
+    joint_ = moves_one_joint(effect) ? term.joint : -1;
+    return unit_;
   }
 
   /// The joint that the last column moves alone, or -1.
-  int joint() const { return at_joint_; }
+  int joint() const { return joint_; }
 
  private:
-  void clear() {
-    if (at_joint_ >= 0) {
-      sites_.robot.joints[static_cast<std::size_t>(at_joint_)] = JointChange{};
-      return;
-    }
-    // Their memory stays: this is asked for every column of every observation.
-    auto joints = std::move(sites_.robot.joints);
-    auto markers = std::move(sites_.markers);
-    sites_ = Sites{};
-    std::fill(joints.begin(), joints.end(), JointChange{});
-    std::fill(markers.begin(), markers.end(), Vector3::Zero());
-    sites_.robot.joints = std::move(joints);
-    sites_.markers = std::move(markers);
-  }
-
   const Problem* problem_;
-  const Circumstances* circumstances_;
+  std::vector<const Effect*> effects_;  // per term
   std::vector<double> values_;
-  Sites sites_;
-  int at_joint_ = -1;
+  Sites all_, unit_;
+  int joint_ = -1;
 };
 
 /// A slip of the body, a motion in the slip's frame, as a motion in the TCP's.
@@ -58,19 +75,26 @@ Rigid slip_in_tcp(const Problem& problem, const Sites& sites) {
   return problem.tcp_from_slip * small_motion<double>(sites.body) * inverse(problem.tcp_from_slip);
 }
 
-void set_motion(const Problem& problem, const Circumstances& c, const Sites& sites, const Posture& posture,
-                ProblemObservation& o) {
+/// How motions at the chain's other sites move the TCP and the sensor.
+struct SiteMotions {
+  Matrix6 by_body, by_hand, by_mount, by_drift;
+};
+
+SiteMotions site_motions(const Problem& problem, const Sites& sites, const Rigid& root_from_tcp) {
+  SiteMotions m;
+  const Rigid root_from_hand = root_from_tcp * small_motion<double>(sites.hand);
+  const Rigid mount = small_motion<double>(sites.mount), drift = small_motion<double>(sites.drift);
+  m.by_body = adjoint(root_from_hand * problem.tcp_from_slip) * small_motion_jacobian(sites.body);
+  m.by_hand = adjoint(root_from_tcp) * small_motion_jacobian(sites.hand);
+  m.by_mount = adjoint(inverse(mount * drift)) * small_motion_jacobian(sites.mount);
+  m.by_drift = adjoint(inverse(drift)) * small_motion_jacobian(sites.drift);
+  return m;
+}
+
+void set_motion(const Problem& problem, const Circumstances& c, const Posture& posture, MovedSites& moved,
+                const Sites& sites, ProblemObservation& o) {
   const Chain& chain = *c.chain;
   const PostureTangent tangent(chain.robot, sites.robot, chain.gravity, posture, chain.tcp_link, chain.mount_link);
-  const Rigid root_from_tcp =
-      posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)] * small_motion<double>(sites.hand);
-  const Matrix6 root_from_slip = adjoint(root_from_tcp * problem.tcp_from_slip);
-  const Matrix6 by_body = root_from_slip * small_motion_jacobian(sites.body);
-  const Matrix6 by_hand =
-      adjoint(posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)]) * small_motion_jacobian(sites.hand);
-  const Rigid mount = small_motion<double>(sites.mount), drift = small_motion<double>(sites.drift);
-  const Matrix6 by_mount = adjoint(inverse(mount * drift)) * small_motion_jacobian(sites.mount);
-  const Matrix6 by_drift = adjoint(inverse(drift)) * small_motion_jacobian(sites.drift);
   EffectMotion& motion = o.motion;
   motion.tcp_by_effect.setZero(6, problem.effect_count());
   motion.sensor_by_effect.resize(6, 0);
@@ -80,20 +104,21 @@ void set_motion(const Problem& problem, const Circumstances& c, const Sites& sit
     motion.tcp_by_value.col(static_cast<Eigen::Index>(j)) = tangent.motion_by_value(chain.joints[j]);
   motion.torques =
       Eigen::Map<const Eigen::VectorXd>(posture.torque.data(), static_cast<Eigen::Index>(posture.torque.size()));
-  UnitSites unit(problem, c);
+  std::optional<SiteMotions> by;
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
-    const Sites& d = unit.of(problem.columns_of_effects[static_cast<std::size_t>(i)]);
-    if (unit.joint() >= 0) {
-      const auto j = static_cast<std::size_t>(unit.joint());
+    const Sites& d = moved.by_unit(c, problem.columns_of_effects[static_cast<std::size_t>(i)]);
+    if (moved.joint() >= 0) {
+      const auto j = static_cast<std::size_t>(moved.joint());
       motion.tcp_by_effect.col(i) = tangent.motion_by_joint(j, d.robot.joints[j]);
       continue;
     }
+    if (!by) by = site_motions(problem, sites, posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)]);
     motion.tcp_by_effect.col(i) = tangent.motion(d.robot);
-    if (!d.hand.isZero(0)) motion.tcp_by_effect.col(i) += by_hand * d.hand;
-    if (!d.body.isZero(0)) motion.tcp_by_effect.col(i) += by_body * d.body;
+    if (!d.hand.isZero(0)) motion.tcp_by_effect.col(i) += by->by_hand * d.hand;
+    if (!d.body.isZero(0)) motion.tcp_by_effect.col(i) += by->by_body * d.body;
     if (!d.mount.isZero(0) || !d.drift.isZero(0)) {
       if (motion.sensor_by_effect.cols() == 0) motion.sensor_by_effect.setZero(6, problem.effect_count());
-      motion.sensor_by_effect.col(i) = by_mount * d.mount + by_drift * d.drift;
+      motion.sensor_by_effect.col(i) = by->by_mount * d.mount + by->by_drift * d.drift;
     }
     for (std::size_t m = 0; m < d.markers.size(); ++m)
       if (!d.markers[m].isZero(0))
@@ -102,10 +127,10 @@ void set_motion(const Problem& problem, const Circumstances& c, const Sites& sit
 }
 
 /// `derives`: EffectMotion too; else it stays as it was.
-void place(const Problem& problem, bool derives, ProblemObservation& o) {
+void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObservation& o) {
   const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
   const Chain& chain = *c.chain;
-  const Sites sites = moved_sites(c, problem.terms);
+  const Sites& sites = moved.by_all(c);
   Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derives, &o.deflection);
   if (!posture.converged)  // a start from softer springs may lie beyond what is stable
     posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derives);
@@ -119,7 +144,7 @@ void place(const Problem& problem, bool derives, ProblemObservation& o) {
   o.marker_shifts.clear();
   if (std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); }))
     for (const Vector3& m : sites.markers) o.marker_shifts.push_back(problem.tcp_from_slip.rotation * m);
-  if (derives) set_motion(problem, c, sites, posture, o);
+  if (derives) set_motion(problem, c, posture, moved, sites, o);
   o.deflection = std::move(posture.deflection);
 }
 
@@ -142,10 +167,11 @@ void place_cameras(Problem& problem) {
   const Sites sites = moved_sites(c, problem.terms);
   if (!problem.terms.empty()) problem.rig = moved_rig(*chain.rig, sites);
   problem.cameras_by_effect.resize(0, 0);
-  UnitSites unit(problem, c);
+  MovedSites moved(problem);
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
-    const Sites& d = unit.of(problem.columns_of_effects[static_cast<std::size_t>(i)]);
-    if (std::all_of(d.cameras.begin(), d.cameras.end(), [](const CameraChange& one) { return one.is_zero(); })) continue;
+    const Sites& d = moved.by_unit(c, problem.columns_of_effects[static_cast<std::size_t>(i)]);
+    if (std::all_of(d.cameras.begin(), d.cameras.end(), [](const CameraChange& one) { return one.is_zero(); }))
+      continue;
     if (problem.cameras_by_effect.cols() == 0)
       problem.cameras_by_effect.setZero(rig_number_count(chain.rig->count()), problem.effect_count());
     set_numbers(sites, d, chain.rig->count(), problem.cameras_by_effect.col(i));
@@ -165,13 +191,15 @@ Problem with_motions(const Problem& problem) {
 void place_observations(Problem& problem) {
   place_cameras(problem);
   const bool derives = problem.effect_count() > 0 || problem.with_motions;
-  for (ProblemObservation& o : problem.observations) place(problem, derives, o);
+  MovedSites moved(problem);
+  for (ProblemObservation& o : problem.observations) place(problem, derives, moved, o);
 }
 
 void follow_effects(Problem& problem, const Eigen::VectorXd& values) {
   set_effect_values(problem, values);
   place_cameras(problem);
-  for (ProblemObservation& o : problem.observations) place(problem, false, o);
+  MovedSites moved(problem);
+  for (ProblemObservation& o : problem.observations) place(problem, false, moved, o);
 }
 
 }  // namespace handsight

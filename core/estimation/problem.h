@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a fit works on: the used observations in order of time, with both ends of their chains as the effects move
-// them, and the normal equations of all of them by the markers' positions in the TCP frame, the mount and the effects.
+// them, and its unknowns: the markers' positions in the TCP frame, the mount and the effects.
 #pragma once
 
 #include <memory>
@@ -141,48 +141,5 @@ inline std::vector<Vector3> markers_at(const ProblemObservation& o, const Unknow
   for (std::size_t m = 0; m < o.marker_shifts.size(); ++m) markers[m] += o.marker_shifts[m];
   return markers;
 }
-
-/// Applies a step by the problem's columns: markers move by their three numbers (m, TCP frame), the mount by
-/// mount_from_sensor * exp(v), the effects' numbers add.
-Unknowns moved(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step);
-
-/// H = J^T W J, gradient = J^T W error by the problem's columns; cost = error^T W error. The priors of the effects are
-/// part of all three, in units of the noise: (noise value / sigma)^2, and so is what images of a board say of the
-/// cameras; `prior_cost` is their share.
-struct NormalEquations {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd gradient;
-  double cost = 0;
-  double prior_cost = 0;
-  int rows = 0;
-  bool in_front = true;
-
-  explicit NormalEquations(Eigen::Index columns = 0)
-      : information(Eigen::MatrixXd::Zero(columns, columns)), gradient(Eigen::VectorXd::Zero(columns)) {}
-  double data_cost() const { return cost - prior_cost; }
-};
-
-/// Adds one observation's normal equations at these unknowns, without priors. Only the lower triangle is written;
-/// `complete` fills the rest.
-void add_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
-                     NormalEquations& normal);
-
-/// The motion of the body against the sensor, in the sensor's frame, by the mount's columns and the effects': 6 x
-/// (6 where the mount is estimated, + effects).
-Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_columns(const Problem& problem,
-                                                           const ProblemObservation& observation,
-                                                           const Unknowns& unknowns);
-
-/// Derivative of one sighting's rows by the effects' columns that act on cameras and markers alone: rows x effects.
-Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservation& observation,
-                                  const Sighting& sighting, const SightingResidual& residual,
-                                  const Vector3& x_in_sensor, const Matrix3& sensor_from_tcp_rotation);
-
-/// Mirrors the lower triangle of the information matrix.
-void complete(NormalEquations& normal);
-
-/// The normal equations of the observations at these places of Problem::observations; all where empty. The problem
-/// must stand at the unknowns' effects.
-NormalEquations normal_equations(const Problem& problem, const Unknowns& unknowns, std::span<const int> places = {});
 
 }  // namespace handsight

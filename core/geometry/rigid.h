@@ -71,7 +71,6 @@ Matrix3T<T> rotation_from_vector(const Vector3T<T>& v) {
   using std::sin;
   using std::sqrt;
   const T angle_squared = v.squaredNorm();
-  const Matrix3T<T> k = cross_matrix(v);
   T sine_ratio, cosine_ratio;  // sin(a)/a, (1 - cos(a))/a^2
   if (angle_squared < T(1e-8)) {
     sine_ratio = T(1) - angle_squared / T(6);
@@ -82,7 +81,10 @@ Matrix3T<T> rotation_from_vector(const Vector3T<T>& v) {
     sine_ratio = sin(angle) / angle;
     cosine_ratio = T(2) * half_sine * half_sine / angle_squared;
   }
-  return Matrix3T<T>::Identity() + k * sine_ratio + k * k * cosine_ratio;
+  // The cross matrix squared is v v^T - |v|^2.
+  Matrix3T<T> rotation = v * (cosine_ratio * v).transpose() + cross_matrix<T>(v * sine_ratio);
+  rotation.diagonal().array() += T(1) - angle_squared * cosine_ratio;
+  return rotation;
 }
 
 /// Rotation about a unit axis by an angle in rad.
@@ -90,8 +92,10 @@ template <class T>
 Matrix3T<T> rotation_about(const Vector3& unit_axis, const T& angle) {
   using std::cos;
   using std::sin;
-  const Matrix3T<T> k = cross_matrix<double>(unit_axis).template cast<T>();
-  return Matrix3T<T>::Identity() + k * sin(angle) + k * k * (T(1) - cos(angle));
+  const T sine = sin(angle), versine = T(1) - cos(angle);
+  const Matrix3 along = unit_axis * unit_axis.transpose() - Matrix3::Identity();  // the cross matrix squared
+  return Matrix3T<T>::Identity() + cross_matrix<double>(unit_axis).template cast<T>() * sine +
+         along.template cast<T>() * versine;
 }
 
 /// The rotation vector of a rotation matrix, of length 0 to pi; near pi its sign is one of the two.

@@ -52,12 +52,13 @@ using Deflection = DeflectionT<double>;
 template <class T>
 struct PostureT {
   std::vector<RigidT<T>> root_from_link;
-  std::vector<RigidT<T>> root_from_joint;  // the joint's frame before its motion, its own change included
-  std::vector<T> value;                    // rad (m): the angle that the joint really has
-  std::vector<T> torque;                   // N m (N): axis . moment (force), of what is distal
-  std::vector<Vector3T<T>> moment;         // N m, in the root frame
-  std::vector<T> distal_mass;              // kg
-  std::vector<Vector3T<T>> distal_center;  // m, in the root frame
+  std::vector<RigidT<T>> root_from_joint;     // the joint's frame before its motion, its own change included
+  std::vector<Matrix3T<T>> root_from_turned;  // ... after its motion, before it bends
+  std::vector<T> value;                       // rad (m): the angle that the joint really has
+  std::vector<T> torque;                      // N m (N): axis . moment (force), of what is distal
+  std::vector<Vector3T<T>> moment;            // N m, in the root frame
+  std::vector<T> distal_mass;                 // kg
+  std::vector<Vector3T<T>> distal_center;     // m, in the root frame
   DeflectionT<T> deflection;
   int iterations = 0;  // passes of the equilibrium
   bool converged = true;
@@ -87,59 +88,81 @@ bool is_nothing(const Vector& v) {
   }
 }
 
+/// What does not change from pass to pass of an equilibrium, and memory that all passes share.
 template <class T>
-JointChangeT<T> change_of(const RobotChangeT<T>& change, std::size_t joint) {
-  return change.joints.empty() ? JointChangeT<T>{} : change.joints[joint];
-}
+struct Passes {
+  std::vector<RigidT<T>> parent_from_joint;  // the joints' changes included
+  std::vector<RigidT<T>> bent_from_child;    // ... from after the joint's motion and bending to its link
+  std::vector<T> corrected, carried, mass;
+  std::vector<char> is_corrected;
+  std::vector<Vector3T<T>> first_moment;
+  DeflectionT<T> next;
+
+  Passes(const Robot& robot, const RobotChangeT<T>& change)
+      : parent_from_joint(robot.joints.size()),
+        bent_from_child(robot.joints.size()),
+        corrected(robot.joints.size()),
+        mass(robot.links.size()),
+        is_corrected(robot.joints.size()),
+        first_moment(robot.links.size()) {
+    for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+      parent_from_joint[j] = cast<T>(robot.joints[j].parent_from_joint);
+      bent_from_child[j] = cast<T>(robot.joints[j].joint_from_child);
+      if (change.joints.empty()) continue;
+      const JointChangeT<T>& c = change.joints[j];
+      if (!is_nothing(c.frame)) parent_from_joint[j] = parent_from_joint[j] * small_motion<T>(c.frame);
+      if (!is_nothing(c.after)) bent_from_child[j] = small_motion<T>(c.after) * bent_from_child[j];
+    }
+  }
+};
 
 /// The values that the joints have: sensor values and changes, mimic sums of the corrected values of those they
 /// follow, and the deflections.
 template <class T>
 void set_values(const Robot& robot, const Eigen::VectorXd& sensor, const RobotChangeT<T>& change,
-                const DeflectionT<T>& deflection, PostureT<T>& posture) {
-  std::vector<T> corrected(robot.joints.size(), T(0.0));
-  std::vector<char> done(robot.joints.size(), 0);
-  auto corrected_value = [&](auto&& self, std::size_t j) -> T {
-    if (done[j]) return corrected[j];
-    done[j] = 1;  // the reader has refused mimic loops
-    const JointChangeT<T> c = change_of(change, j);
-    T value = c.angle;
-    if (robot.joints[j].is_mimic()) {
-      for (const Mimic& m : robot.joints[j].mimics) {
-        const T followed = self(self, m.joint) + c.share * deflection.angle[m.joint];
-        value += (T(m.multiplier) + c.multiplier_error) * followed + T(m.offset);
+                const DeflectionT<T>& deflection, Passes<T>& passes, PostureT<T>& posture) {
+  std::fill(passes.is_corrected.begin(), passes.is_corrected.end(), 0);
+  auto corrected_value = [&](auto&& self, std::size_t j) -> const T& {
+    if (passes.is_corrected[j]) return passes.corrected[j];
+    passes.is_corrected[j] = 1;  // the reader has refused mimic loops
+    const bool changes = !change.joints.empty();
+    T value = changes ? change.joints[j].angle : T(0.0);
+    for (const Mimic& m : robot.joints[j].mimics) {
+      T followed = self(self, static_cast<std::size_t>(m.joint));
+      T multiplier(m.multiplier);
+      if (changes) {
+        followed += change.joints[j].share * deflection.angle[m.joint];
+        multiplier += change.joints[j].multiplier_error;
       }
-    } else {
-      value += T(sensor[static_cast<Eigen::Index>(j)]);
+      value += multiplier * followed + T(m.offset);
     }
-    return corrected[j] = value;
+    if (!robot.joints[j].is_mimic()) value += T(sensor[static_cast<Eigen::Index>(j)]);
+    return passes.corrected[j] = value;
   };
   for (std::size_t j = 0; j < robot.joints.size(); ++j)
     if (robot.joints[j].moves()) posture.value[j] = corrected_value(corrected_value, j) + deflection.angle[j];
 }
 
 template <class T>
-void set_frames(const Robot& robot, const RobotChangeT<T>& change, const DeflectionT<T>& deflection, bool elastic,
+void set_frames(const Robot& robot, const DeflectionT<T>& deflection, bool elastic, const Passes<T>& passes,
                 PostureT<T>& posture) {
   posture.root_from_link[0] = RigidT<T>{};
-  const RigidT<T> root_from_base{rotation_from_vector<T>(deflection.base), Vector3T<T>::Zero()};
+  RigidT<T> root_from_base;
+  if (!is_nothing(deflection.base)) root_from_base.rotation = rotation_from_vector<T>(deflection.base);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Joint& joint = robot.joints[j];
     const RigidT<T>& parent = joint.parent_link == 0 ? root_from_base : posture.root_from_link[joint.parent_link];
-    RigidT<T> frame = parent * cast<T>(joint.parent_from_joint);
-    if (!change.joints.empty() && !is_nothing(change.joints[j].frame))
-      frame = frame * small_motion<T>(change.joints[j].frame);
+    RigidT<T> frame = parent * passes.parent_from_joint[j];
     posture.root_from_joint[j] = frame;
     if (joint.kind == JointKind::prismatic) {
       frame.translation += frame.rotation * (joint.axis.cast<T>() * posture.value[j]);
     } else if (joint.moves()) {
       frame.rotation = frame.rotation * rotation_about<T>(joint.axis, posture.value[j]);
     }
+    posture.root_from_turned[j] = frame.rotation;
     if (elastic && !is_nothing(deflection.lateral[j]))
       frame.rotation = frame.rotation * rotation_from_vector<T>(deflection.lateral[j]);
-    if (!change.joints.empty() && !is_nothing(change.joints[j].after))
-      frame = frame * small_motion<T>(change.joints[j].after);
-    posture.root_from_link[joint.child_link] = frame * cast<T>(joint.joint_from_child);
+    posture.root_from_link[joint.child_link] = frame * passes.bent_from_child[j];
   }
 }
 
@@ -151,10 +174,10 @@ Vector3T<T> tilted_gravity(const Vector3& gravity, const RobotChangeT<T>& change
 /// Distal masses and moments, joints visited from the tips to the root. Returns the moment of the whole robot about
 /// the root's origin.
 template <class T>
-Vector3T<T> set_loads(const Robot& robot, const Vector3T<T>& gravity, const RobotChangeT<T>& change,
+Vector3T<T> set_loads(const Robot& robot, const Vector3T<T>& gravity, const RobotChangeT<T>& change, Passes<T>& passes,
                       PostureT<T>& posture) {
-  std::vector<T> mass(robot.links.size());
-  std::vector<Vector3T<T>> first_moment(robot.links.size());  // mass * centre, root frame
+  std::vector<T>& mass = passes.mass;
+  std::vector<Vector3T<T>>& first_moment = passes.first_moment;  // mass * centre, root frame
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const Link& link = robot.links[l];
     mass[l] = T(link.mass);
@@ -187,43 +210,42 @@ Vector3T<T> set_loads(const Robot& robot, const Vector3T<T>& gravity, const Robo
 
 /// The torque that a joint's own spring and gap carry: with a linkage (share), its mimic joints' loads too.
 template <class T>
-std::vector<T> carried_torques(const Robot& robot, const RobotChangeT<T>& change, const PostureT<T>& posture) {
-  std::vector<T> carried = posture.torque;
-  if (change.joints.empty()) return carried;
+void set_carried_torques(const Robot& robot, const RobotChangeT<T>& change, const PostureT<T>& posture,
+                         std::vector<T>& carried) {
+  carried = posture.torque;
+  if (change.joints.empty()) return;
   for (std::size_t j = 0; j < robot.joints.size(); ++j)
     for (const Mimic& m : robot.joints[j].mimics)
       carried[m.joint] +=
           change.joints[j].share * (T(m.multiplier) + change.joints[j].multiplier_error) * posture.torque[j];
-  return carried;
 }
 
+/// The deflections that these loads make, into Passes::next.
 template <class T>
-DeflectionT<T> deflections(const Robot& robot, const RobotChangeT<T>& change, const PostureT<T>& posture,
-                           const Vector3T<T>& root_moment) {
+void set_deflections(const Robot& robot, const RobotChangeT<T>& change, const PostureT<T>& posture,
+                     const Vector3T<T>& root_moment, Passes<T>& passes) {
   using std::tanh;
-  DeflectionT<T> d;
+  DeflectionT<T>& d = passes.next;
   d.angle.assign(robot.joints.size(), T(0.0));
   d.lateral.assign(robot.joints.size(), Vector3T<T>::Zero());
-  const std::vector<T> carried = carried_torques(robot, change, posture);
+  set_carried_torques(robot, change, posture, passes.carried);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Joint& joint = robot.joints[j];
     if (!joint.moves()) continue;
-    const JointChangeT<T> c = change_of(change, j);
-    const T compliance = c.compliance + T(joint.stiffness > 0 ? 1 / joint.stiffness : 0.0);
-    d.angle[j] = compliance * carried[j] + c.gap * tanh(carried[j] / T(backlash_torque));
+    const T& carried = passes.carried[j];
+    if (joint.stiffness > 0) d.angle[j] = carried / T(joint.stiffness);
+    if (change.joints.empty()) continue;
+    const JointChangeT<T>& c = change.joints[j];
+    d.angle[j] += c.compliance * carried;
+    if (magnitude(c.gap) != 0) d.angle[j] += c.gap * tanh(carried / T(backlash_torque));
     if (magnitude(c.lateral_compliance) == 0) continue;
-    const Matrix3T<T> root_from_rotated =
-        joint.kind == JointKind::prismatic
-            ? posture.root_from_joint[j].rotation
-            : Matrix3T<T>(posture.root_from_joint[j].rotation * rotation_about<T>(joint.axis, posture.value[j]));
     const Vector3T<T> axis = joint.axis.cast<T>();
-    const Vector3T<T> moment = root_from_rotated.transpose() * posture.moment[j];
+    const Vector3T<T> moment = posture.root_from_turned[j].transpose() * posture.moment[j];
     d.lateral[j] = (moment - axis * axis.dot(moment)) * c.lateral_compliance;
   }
   const Vector3T<T>& b = change.base_compliance;
   d.base = Vector3T<T>(b.x() * root_moment.x() + b.y() * root_moment.y(),
                        b.y() * root_moment.x() + b.z() * root_moment.y(), T(0.0));
-  return d;
 }
 
 template <class T>
@@ -267,6 +289,7 @@ PostureT<T> solve_posture(const Robot& robot, const Eigen::VectorXd& sensor, con
   PostureT<T> posture;
   posture.root_from_link.resize(robot.links.size());
   posture.root_from_joint.resize(joints);
+  posture.root_from_turned.resize(joints);
   posture.value.assign(joints, T(0.0));
   posture.torque.assign(joints, T(0.0));
   posture.moment.assign(joints, Vector3T<T>::Zero());
@@ -279,18 +302,19 @@ PostureT<T> solve_posture(const Robot& robot, const Eigen::VectorXd& sensor, con
   deflection.angle.assign(joints, T(0.0));
   deflection.lateral.assign(joints, Vector3T<T>::Zero());
   if (elastic && start && start->angle.size() == joints) deflection = *start;
+  detail::Passes<T> passes(robot, change);
   constexpr int most_passes = 500;
   for (posture.iterations = 0; posture.iterations <= most_passes; ++posture.iterations) {
-    detail::set_values(robot, sensor, change, deflection, posture);
-    detail::set_frames(robot, change, deflection, elastic, posture);
+    detail::set_values(robot, sensor, change, deflection, passes, posture);
+    detail::set_frames(robot, deflection, elastic, passes, posture);
     if (!elastic && !with_loads) return posture;
-    const Vector3T<T> root_moment = detail::set_loads(robot, gravity_in_root, change, posture);
+    const Vector3T<T> root_moment = detail::set_loads(robot, gravity_in_root, change, passes, posture);
     if (!elastic) return posture;
-    DeflectionT<T> next = detail::deflections(robot, change, posture, root_moment);
-    const double step = detail::largest_change(next, deflection);
+    detail::set_deflections(robot, change, posture, root_moment, passes);
+    const double step = detail::largest_change(passes.next, deflection);
     if (step < 1e-11) return posture;
     if (!(step < 10)) break;  // unstable: springs too soft for the load
-    deflection = std::move(next);
+    std::swap(deflection, passes.next);
   }
   posture.converged = false;
   return posture;

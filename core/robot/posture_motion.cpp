@@ -7,69 +7,33 @@
 namespace handsight {
 
 Vector6 PostureTangent::motion_by_gravity(const Vector3& change) const {
-  Eigen::VectorXd loads = Eigen::VectorXd::Zero(unknowns_);
-  for (const Block& block : blocks_) {
-    const auto i = static_cast<std::size_t>(block.joint);
-    auto arm = [&](std::size_t j) -> Vector3 {
-      return first_moment(j) - posture_->distal_mass[j] * posture_->root_from_joint[j].translation;
-    };
-    if (block.kind == Block::angle) {
-      for (const Share& s : carried_torques(i)) {
-        const auto j = static_cast<std::size_t>(s.joint);
-        const Vector3 axis = posture_->root_from_joint[j].rotation * robot_->joints[j].axis;
-        const double torque = robot_->joints[j].kind == JointKind::prismatic
-                                  ? axis.dot(change) * posture_->distal_mass[j]
-                                  : axis.dot(arm(j).cross(change));
-        loads[block.first] += slope(i) * s.factor * torque;
-      }
-    } else if (block.kind == Block::lateral) {
-      const Vector3& axis = robot_->joints[i].axis;
-      Matrix3 rotation = posture_->root_from_joint[i].rotation;
-      if (robot_->joints[i].kind != JointKind::prismatic) rotation *= rotation_about<double>(axis, posture_->value[i]);
-      loads.segment<3>(block.first) = change_of(i).lateral_compliance *
-                                      (Matrix3::Identity() - axis * axis.transpose()) * rotation.transpose() *
-                                      arm(i).cross(change);
-    } else {
-      loads.segment<2>(block.first) = base_deflection(whole_moment_.cross(change));
-    }
+  Vector6 motion = Vector6::Zero();
+  for (std::size_t l = 0; l < loads_.size(); ++l) {
+    const int joint = loads_[l].joint;
+    const auto i = static_cast<std::size_t>(joint);
+    const Vector3& first_moment = joint < 0 ? whole_moment_ : joints_[i].arm;
+    motion += answers_[l].by_moment * first_moment.cross(change);
+    if (joint >= 0 && slides(i)) motion += answers_[l].by_force * (posture_->distal_mass[i] * change);
   }
-  return by_unknown_ * loads;
+  return motion;
 }
 
 /// By a mass and a first moment about the root's origin, added to a link.
 Vector6 PostureTangent::motion_by_mass(int link, double mass, const Vector3& first_moment_in_root) const {
-  Eigen::VectorXd loads = Eigen::VectorXd::Zero(unknowns_);
+  Vector6 motion = Vector6::Zero();
   const int last = robot_->links[static_cast<std::size_t>(link)].parent_joint;
-  auto bears = [&](std::size_t i) {
-    return last >= 0 && (static_cast<int>(i) == last || carries(i, static_cast<std::size_t>(last)));
-  };
-  for (const Block& block : blocks_) {
-    const auto i = static_cast<std::size_t>(block.joint);
-    auto moment = [&](std::size_t j) -> Vector3 {
-      const Vector3 arm = first_moment_in_root - mass * posture_->root_from_joint[j].translation;
-      return bears(j) ? Vector3(arm.cross(gravity_)) : Vector3(Vector3::Zero());
-    };
-    if (block.kind == Block::angle) {
-      for (const Share& s : carried_torques(i)) {
-        const auto j = static_cast<std::size_t>(s.joint);
-        const Vector3 axis = posture_->root_from_joint[j].rotation * robot_->joints[j].axis;
-        const double torque = robot_->joints[j].kind != JointKind::prismatic ? axis.dot(moment(j))
-                              : bears(j)                                     ? mass * axis.dot(gravity_)
-                                                                             : 0.0;
-        loads[block.first] += slope(i) * s.factor * torque;
-      }
-    } else if (block.kind == Block::lateral) {
-      const Vector3& axis = robot_->joints[i].axis;
-      Matrix3 rotation = posture_->root_from_joint[i].rotation;
-      if (robot_->joints[i].kind != JointKind::prismatic) rotation *= rotation_about<double>(axis, posture_->value[i]);
-      loads.segment<3>(block.first) = change_of(i).lateral_compliance *
-                                      (Matrix3::Identity() - axis * axis.transpose()) * rotation.transpose() *
-                                      moment(i);
-    } else {
-      loads.segment<2>(block.first) = base_deflection(first_moment_in_root.cross(gravity_));
+  for (std::size_t l = 0; l < loads_.size(); ++l) {
+    const int joint = loads_[l].joint;
+    const auto i = static_cast<std::size_t>(joint);
+    if (joint < 0) {
+      motion += answers_[l].by_moment * first_moment_in_root.cross(gravity_);
+    } else if (last >= 0 && (joint == last || carries(i, static_cast<std::size_t>(last)))) {
+      const Vector3 arm = first_moment_in_root - mass * posture_->root_from_joint[i].translation;
+      motion += answers_[l].by_moment * arm.cross(gravity_);
+      if (slides(i)) motion += answers_[l].by_force * (mass * gravity_);
     }
   }
-  return by_unknown_ * loads;
+  return motion;
 }
 
 /// Of everything behind a joint, by a change of the motion after its rotation.
@@ -85,31 +49,29 @@ Vector6 PostureTangent::motion_after(std::size_t j, const Vector6& change) const
   return motion;
 }
 
+Vector6 PostureTangent::motion_by_deflection(std::size_t joint) const {
+  Vector6 motion = by_axis_[joint];
+  for (const Share& s : by_deflection_[joint]) motion += s.factor * by_axis_[static_cast<std::size_t>(s.joint)];
+  return motion;
+}
+
 Vector6 PostureTangent::motion_by_joint(std::size_t j, const JointChange& d) const {
   Vector6 motion = d.angle * by_corrected_[j];
   if (!d.frame.isZero(0)) {
-    const Rigid& after = posture_->root_from_joint[j];
-    const Vector6& now = change_of(j).frame;
-    const Matrix3 before = after.rotation * rotation_from_vector<double>(now.tail<3>()).transpose();
+    const JointState& s = joints_[j];
     Vector6 change =
-        rotation_about_point(before * (left_jacobian(now.tail<3>()) * d.frame.tail<3>()), after.translation);
-    change.head<3>() += before * d.frame.head<3>();
+        rotation_about_point(s.turn_by_frame * d.frame.tail<3>(), posture_->root_from_joint[j].translation);
+    change.head<3>() += s.shift_by_frame * d.frame.head<3>();
     motion += response_[j] * change;
   }
   if (!d.after.isZero(0)) motion += after_response_[j] * motion_after(j, d.after);
-  const auto by_deflection = [&](std::size_t i) -> Vector6 {
-    Vector6 sum = Vector6::Zero();
-    for (const Share& s : by_deflection_[i]) sum += s.factor * by_axis_[static_cast<std::size_t>(s.joint)];
-    return sum;
-  };
-  if (d.compliance != 0) motion += d.compliance * carried_torque(j) * by_deflection(j);
-  if (d.gap != 0) motion += d.gap * std::tanh(carried_torque(j) / posture_detail::backlash_torque) * by_deflection(j);
+  if (d.compliance != 0) motion += d.compliance * carried_torque(j) * motion_by_deflection(j);
+  if (d.gap != 0)
+    motion += d.gap * std::tanh(carried_torque(j) / posture_detail::backlash_torque) * motion_by_deflection(j);
   if (d.lateral_compliance != 0) {
-    const Joint& joint = robot_->joints[j];
-    Matrix3 rotation = posture_->root_from_joint[j].rotation;
-    if (joint.kind != JointKind::prismatic) rotation *= rotation_about<double>(joint.axis, posture_->value[j]);
-    const Vector3 moment = rotation.transpose() * posture_->moment[j];
-    const Vector3 across = moment - joint.axis * joint.axis.dot(moment);
+    const Vector3& axis = robot_->joints[j].axis;
+    const Vector3 moment = posture_->root_from_turned[j].transpose() * posture_->moment[j];
+    const Vector3 across = moment - axis * axis.dot(moment);
     motion += after_response_[j] * (lateral_motion(j) * across) * d.lateral_compliance;
   }
   for (const Mimic& mimic : robot_->joints[j].mimics) {
@@ -121,7 +83,7 @@ Vector6 PostureTangent::motion_by_joint(std::size_t j, const JointChange& d) con
     motion +=
         (d.multiplier_error * (corrected + c.share * deflection) + d.share * factor * deflection) * by_corrected_[j];
     const double load = (d.multiplier_error * c.share + d.share * factor) * posture_->torque[j];
-    if (load != 0) motion += slope(i) * load * by_deflection(i);
+    if (load != 0) motion += slope(i) * load * motion_by_deflection(i);
   }
   return motion;
 }

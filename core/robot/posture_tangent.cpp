@@ -8,7 +8,14 @@ namespace handsight {
 namespace {
 
 const JointChange no_change{};
-constexpr auto whole = static_cast<std::size_t>(-1);  // the robot as a whole, in place of a joint: all but its root
+
+/// Two unit vectors across a unit vector, as rows.
+Eigen::Matrix<double, 2, 3> across(const Vector3& axis) {
+  Eigen::Matrix<double, 2, 3> rows;
+  rows.row(0) = axis.cross(std::abs(axis.x()) < 0.9 ? Vector3::UnitX() : Vector3::UnitY()).normalized();
+  rows.row(1) = axis.cross(rows.row(0).transpose());
+  return rows;
+}
 
 }  // namespace
 
@@ -17,126 +24,111 @@ PostureTangent::PostureTangent(const Robot& robot, const RobotChange& change, co
     : robot_(&robot),
       change_(&change),
       gravity_(posture_detail::tilted_gravity<double>(gravity, change)),
+      gravity_cross_(cross_matrix(gravity_)),
       posture_(&posture) {
-  const std::size_t count = robot.joints.size();
-  above_.assign(count, std::vector<char>(count, 0));
-  direct_.assign(count, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const int parent = robot.links[static_cast<std::size_t>(robot.joints[i].parent_link)].parent_joint;
-    if (parent < 0) continue;
-    above_[i] = above_[static_cast<std::size_t>(parent)];
-    above_[i][static_cast<std::size_t>(parent)] = 1;
-  }
-  for (std::size_t l = 0; l < robot.links.size(); ++l) {
-    const Link& link = robot.links[l];
-    Vector3 moment = link.mass * link.center_of_mass;
-    double mass = link.mass;
-    if (static_cast<int>(l) == change.payload_link) {
-      moment += change.payload_mass * link.center_of_mass + change.payload_moment;
-      mass += change.payload_mass;
-    }
-    const Rigid& root_from_link = posture.root_from_link[l];
-    moment = root_from_link.rotation * moment + mass * root_from_link.translation;
-    whole_moment_ += moment;
-    if (l != 0) turned_moment_ += moment;
-  }
-  for (const auto& [link, sign] : {std::pair(moved, 1.0), std::pair(reference, -1.0)}) {
-    if (link != 0) base_direct_ += sign;
-    for (int j = robot.links[static_cast<std::size_t>(link)].parent_joint; j >= 0;
-         j = robot.links[static_cast<std::size_t>(robot.joints[static_cast<std::size_t>(j)].parent_link)].parent_joint)
-      direct_[static_cast<std::size_t>(j)] += sign;
-  }
+  mark_carried(moved, reference);
+  sum_masses();
   describe_joints();
   add_value_shares();
   list_unknowns();
-  answer_to_loads();
+  list_loads();
+  solve_springs();
+  answer_to_motions();
 }
 
 const JointChange& PostureTangent::change_of(std::size_t joint) const {
   return change_->joints.empty() ? no_change : change_->joints[joint];
 }
 
-bool PostureTangent::carries(std::size_t k, std::size_t i) const { return k == whole || above_[i][k] != 0; }
+void PostureTangent::mark_carried(int moved, int reference) {
+  const std::size_t count = robot_->joints.size();
+  joints_.resize(count);
+  above_.assign(count * count, 0);
+  direct_.assign(count, 0);
+  const auto parent_of = [&](int link) { return robot_->links[static_cast<std::size_t>(link)].parent_joint; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const int parent = parent_of(robot_->joints[i].parent_link);
+    if (parent < 0) continue;
+    const auto p = static_cast<std::size_t>(parent);
+    std::copy_n(&above_[p * count], count, &above_[i * count]);
+    above_[i * count + p] = 1;
+  }
+  for (const auto& [link, sign] : {std::pair(moved, 1.0), std::pair(reference, -1.0)}) {
+    if (link != 0) base_direct_ += sign;
+    for (int j = parent_of(link); j >= 0; j = parent_of(robot_->joints[static_cast<std::size_t>(j)].parent_link))
+      direct_[static_cast<std::size_t>(j)] += sign;
+  }
+}
+
+void PostureTangent::sum_masses() {
+  for (std::size_t l = 0; l < robot_->links.size(); ++l) {
+    const Link& link = robot_->links[l];
+    Vector3 moment = link.mass * link.center_of_mass;
+    double mass = link.mass;
+    if (static_cast<int>(l) == change_->payload_link) {
+      moment += change_->payload_mass * link.center_of_mass + change_->payload_moment;
+      mass += change_->payload_mass;
+    }
+    const Rigid& root_from_link = posture_->root_from_link[l];
+    moment = root_from_link.rotation * moment + mass * root_from_link.translation;
+    whole_moment_ += moment;
+    if (l != 0) turned_moment_ += moment;
+  }
+}
 
 /// Of everything behind a joint, by a unit of its value.
 Vector6 PostureTangent::axis_motion(std::size_t k) const {
   const Vector3& axis = joints_[k].axis;
-  if (robot_->joints[k].kind != JointKind::prismatic)
-    return rotation_about_point(axis, posture_->root_from_joint[k].translation);
+  if (!slides(k)) return rotation_about_point(axis, posture_->root_from_joint[k].translation);
   Vector6 motion;
   motion << axis, Vector3::Zero();
   return motion;
 }
 
 /// Of everything behind a joint, by its lateral deflection (in the rotated frame).
-Eigen::Matrix<double, 6, 3> PostureTangent::lateral_motion(std::size_t k) const {
+PostureTangent::Columns3 PostureTangent::lateral_motion(std::size_t k) const {
   Vector3 origin = posture_->root_from_joint[k].translation;
-  if (robot_->joints[k].kind == JointKind::prismatic) origin += joints_[k].axis * posture_->value[k];
-  const Matrix3 turned = joints_[k].root_from_rotated * left_jacobian(posture_->deflection.lateral[k]);
-  Eigen::Matrix<double, 6, 3> motion;
+  if (slides(k)) origin += joints_[k].axis * posture_->value[k];
+  const Matrix3 turned = posture_->root_from_turned[k] * left_jacobian(posture_->deflection.lateral[k]);
+  Columns3 motion;
   motion << cross_matrix(origin) * turned, turned;
   return motion;
 }
 
-/// Joint i's torque (force) by a motion of all from joint k's frame on; `moves_own_frame` false: of all after it.
-PostureTangent::Row6 PostureTangent::torque_by_motion(std::size_t i, std::size_t k, bool moves_own_frame) const {
-  Row6 row = Row6::Zero();
-  const Vector3& axis = joints_[i].axis;
-  const bool is_force = robot_->joints[i].kind == JointKind::prismatic;
-  if (carries(k, i) || (i == k && moves_own_frame)) {
-    // Carried as a whole, it sees gravity turn the other way.
-    const Vector3& arm = joints_[i].arm;
-    const Vector3 by_turn =
-        is_force ? Vector3(posture_->distal_mass[i] * axis.cross(gravity_)) : Vector3(axis.cross(arm).cross(gravity_));
-    row.tail<3>() = by_turn;
-  } else if (!is_force && (i == k || carries(i, k))) {
-    const Vector3 pull = gravity_.cross(axis);
-    row.head<3>() = posture_->distal_mass[k] * pull;
-    row.tail<3>() = first_moment(k).cross(pull);
-  }
-  return row;
-}
-
-/// The same of joint i's moment, as seen in its own frame but written in the root's.
-Eigen::Matrix<double, 3, 6> PostureTangent::moment_by_motion(std::size_t i, std::size_t k, bool moves_own_frame) const {
-  Eigen::Matrix<double, 3, 6> rows = Eigen::Matrix<double, 3, 6>::Zero();
-  const Matrix3 g = cross_matrix(gravity_);
-  if (carries(k, i) || (i == k && moves_own_frame)) {
-    const Vector3& arm = joints_[i].arm;
-    rows.rightCols<3>() = cross_matrix(arm) * g;
-  } else if (i == k || carries(i, k)) {
-    rows.leftCols<3>() = -posture_->distal_mass[k] * g;
-    rows.rightCols<3>() = g * cross_matrix(first_moment(k));
-  }
+/// How masses that a motion carries along change the moment of a joint nearer to the root.
+Eigen::Matrix<double, 3, 6> PostureTangent::moment_of_masses(double mass, const Vector3& first_moment) const {
+  Eigen::Matrix<double, 3, 6> rows;
+  rows << -mass * gravity_cross_, gravity_cross_ * cross_matrix(first_moment);
   return rows;
 }
 
 void PostureTangent::describe_joints() {
-  joints_.resize(robot_->joints.size());
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Joint& joint = robot_->joints[i];
+    if (!robot_->joints[i].moves()) continue;
     JointState& s = joints_[i];
-    if (!joint.moves()) continue;
     const Rigid& frame = posture_->root_from_joint[i];
-    s.axis = frame.rotation * joint.axis;
+    s.axis = frame.rotation * robot_->joints[i].axis;
     s.first_moment = posture_->distal_mass[i] * posture_->distal_center[i];
     s.arm = s.first_moment - posture_->distal_mass[i] * frame.translation;
-    s.root_from_rotated = frame.rotation;
-    if (joint.kind != JointKind::prismatic)
-      s.root_from_rotated = frame.rotation * rotation_about<double>(joint.axis, posture_->value[i]);
-    s.carried = {{static_cast<int>(i), 1.0}};
+    s.carried_torque = posture_->torque[i];
+    s.shift_by_frame = s.turn_by_frame = frame.rotation;
+    const Vector3 turned = change_of(i).frame.tail<3>();
+    if (turned.isZero(0)) continue;
+    s.shift_by_frame = frame.rotation * rotation_from_vector<double>(turned).transpose();
+    s.turn_by_frame = s.shift_by_frame * left_jacobian(turned);
   }
   if (!change_->joints.empty())
     for (std::size_t m = 0; m < joints_.size(); ++m)
-      for (const Mimic& mimic : robot_->joints[m].mimics)
-        if (change_of(m).share != 0)
-          joints_[static_cast<std::size_t>(mimic.joint)].carried.push_back(
-              {static_cast<int>(m), change_of(m).share * (mimic.multiplier + change_of(m).multiplier_error)});
+      for (const Mimic& mimic : robot_->joints[m].mimics) {
+        const double factor = change_of(m).share * (mimic.multiplier + change_of(m).multiplier_error);
+        if (factor == 0) continue;
+        JointState& s = joints_[static_cast<std::size_t>(mimic.joint)];
+        s.mimics_carried.push_back({static_cast<int>(m), factor});
+        s.carried_torque += factor * posture_->torque[m];
+      }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     JointState& s = joints_[i];
     const JointChange& c = change_of(i);
-    for (const Share& share : s.carried)
-      s.carried_torque += share.factor * posture_->torque[static_cast<std::size_t>(share.joint)];
     const double stiffness = robot_->joints[i].stiffness;
     s.slope = c.compliance + (stiffness > 0 ? 1 / stiffness : 0);
     if (c.gap == 0) continue;
@@ -151,22 +143,24 @@ Eigen::Vector2d PostureTangent::base_deflection(const Vector3& root_moment) cons
 }
 
 void PostureTangent::add_value_shares() {
-  const std::size_t count = robot_->joints.size();
+  const std::size_t count = joints_.size();
   by_value_.assign(count, {});
   by_deflection_.assign(count, {});
   std::vector<char> done(count, 0);
   auto add = [&](auto&& self, std::size_t j) -> void {
     if (done[j]) return;
     done[j] = 1;
-    by_value_[j] = by_deflection_[j] = {{static_cast<int>(j), 1.0}};
     for (std::size_t m = 0; m < count; ++m)
       for (const Mimic& mimic : robot_->joints[m].mimics) {
         if (mimic.joint != static_cast<int>(j)) continue;
         self(self, m);  // the reader has refused mimic loops
         const double factor = mimic.multiplier + change_of(m).multiplier_error;
+        const double deflected = factor * change_of(m).share;
+        by_value_[j].push_back({static_cast<int>(m), factor});
+        if (deflected != 0) by_deflection_[j].push_back({static_cast<int>(m), deflected});
         for (const Share& s : by_value_[m]) {
           by_value_[j].push_back({s.joint, factor * s.factor});
-          if (change_of(m).share != 0) by_deflection_[j].push_back({s.joint, factor * change_of(m).share * s.factor});
+          if (deflected != 0) by_deflection_[j].push_back({s.joint, deflected * s.factor});
         }
       }
   };
@@ -187,91 +181,134 @@ void PostureTangent::list_unknowns() {
   if (!change_->base_compliance.isZero(0)) add(Block::base, 0);
 }
 
-/// Every unknown by a motion of all from joint k's frame on: unknowns x 6.
-Eigen::MatrixXd PostureTangent::loads_by_motion(std::size_t k, bool moves_own_frame) const {
-  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(unknowns_, 6);
-  for (const Block& block : blocks_) {
-    const auto i = static_cast<std::size_t>(block.joint);
-    if (block.kind == Block::angle) {
-      for (const Share& s : carried_torques(i))
-        loads.row(block.first) +=
-            slope(i) * s.factor * torque_by_motion(static_cast<std::size_t>(s.joint), k, moves_own_frame);
-    } else if (block.kind == Block::lateral) {
-      const Matrix3& root_from_rotated = joints_[i].root_from_rotated;
-      const Vector3& axis = robot_->joints[i].axis;
-      loads.middleRows<3>(block.first) = change_of(i).lateral_compliance *
-                                         (Matrix3::Identity() - axis * axis.transpose()) *
-                                         root_from_rotated.transpose() * moment_by_motion(i, k, moves_own_frame);
-    } else {
-      const Matrix3 g = cross_matrix(gravity_);
-      Eigen::Matrix<double, 3, 6> rows;  // the base only turns about the root's origin
-      rows << -(k == whole ? 0.0 : posture_->distal_mass[k]) * g,
-          g * cross_matrix<double>(k == whole ? turned_moment_ : first_moment(k));
-      for (int c = 0; c < 6; ++c) loads.col(c).segment<2>(block.first) += base_deflection(rows.col(c));
-    }
-  }
-  return loads;
+void PostureTangent::add_load(std::size_t block, std::size_t joint, const Load::Rows& by_moment,
+                              const Load::Rows& by_force) {
+  Load load{block, static_cast<int>(joint), by_moment, by_force};
+  // Carried as a whole, a joint sees gravity turn the other way.
+  load.by_turn = by_moment * cross_matrix(joints_[joint].arm) * gravity_cross_ +
+                 posture_->distal_mass[joint] * by_force * gravity_cross_;
+  loads_.push_back(load);
 }
 
-void PostureTangent::answer_to_loads() {
-  const std::size_t count = robot_->joints.size();
-  response_.assign(count, Matrix6::Zero());
-  after_response_.assign(count, Matrix6::Zero());
-  by_axis_.assign(count, Vector6::Zero());
-  by_corrected_.assign(count, Vector6::Zero());
-  std::vector<Eigen::MatrixXd> loads(count), after(count);
-  Eigen::MatrixXd base_loads;
-  if (unknowns_ > 0) {
-    for (std::size_t k = 0; k < count; ++k) {
-      if (!robot_->joints[k].moves()) continue;
-      loads[k] = loads_by_motion(k, true);
-      after[k] = loads_by_motion(k, false);
+void PostureTangent::list_loads() {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const auto i = static_cast<std::size_t>(blocks_[b].joint);
+    Load::Rows rows = Load::Rows::Zero();
+    const auto add_torque = [&](std::size_t j, double factor) {
+      rows.row(0) = slope(i) * factor * joints_[j].axis.transpose();
+      slides(j) ? add_load(b, j, Load::Rows::Zero(), rows) : add_load(b, j, rows, Load::Rows::Zero());
+    };
+    if (blocks_[b].kind == Block::angle) {
+      add_torque(i, 1);
+      for (const Share& s : joints_[i].mimics_carried) add_torque(static_cast<std::size_t>(s.joint), s.factor);
+    } else if (blocks_[b].kind == Block::lateral) {
+      rows =
+          change_of(i).lateral_compliance * across(robot_->joints[i].axis) * posture_->root_from_turned[i].transpose();
+      add_load(b, i, rows, Load::Rows::Zero());
+    } else {  // the base only turns about the root's origin
+      for (int c = 0; c < 3; ++c) rows.col(c) = base_deflection(Vector3::Unit(c));
+      loads_.push_back({b, -1, rows, Load::Rows::Zero(), rows * gravity_cross_ * cross_matrix(turned_moment_)});
     }
-    base_loads = loads_by_motion(whole, true);
   }
-  // What a unit of each unknown moves directly, and how it changes all unknowns through the loads.
-  Eigen::MatrixXd through = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
+}
+
+/// Adds how a motion of all from a joint's frame on (-1: of all but the root; `moves_own_frame` false: of all after
+/// it) changes every unknown through the loads.
+template <int N>
+void PostureTangent::add_through(const Eigen::Matrix<double, 6, N>& motion, int joint, bool moves_own_frame,
+                                 Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, N>> through) const {
+  const auto k = static_cast<std::size_t>(joint);
+  const Eigen::Matrix<double, 3, N> turn = motion.template bottomRows<3>();
+  Eigen::Matrix<double, 3, N> moment = Eigen::Matrix<double, 3, N>::Zero();
+  if (joint >= 0)
+    moment = gravity_cross_ *
+             (cross_matrix(joints_[k].first_moment) * turn - posture_->distal_mass[k] * motion.template topRows<3>());
+  for (const Load& load : loads_) {
+    const Block& block = blocks_[load.block];
+    const auto add = [&](const Eigen::Matrix<double, 2, N>& rows) {
+      through.middleRows(block.first, block.size()) += rows.topRows(block.size());
+    };
+    const auto i = static_cast<std::size_t>(load.joint);
+    if (joint < 0 || (load.joint >= 0 && (carries(k, i) || (i == k && moves_own_frame))))
+      add(load.by_turn * turn);
+    else if (load.joint < 0 || i == k || carries(i, k))
+      add(load.by_moment * moment);
+  }
+}
+
+/// What a unit of each unknown moves, once the springs have answered to how it changes all loads.
+void PostureTangent::solve_springs() {
   by_unknown_ = Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, unknowns_);
+  if (unknowns_ == 0) return;
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
   for (const Block& block : blocks_) {
     const auto j = static_cast<std::size_t>(block.joint);
     if (block.kind == Block::angle) {
-      for (const Share& s : by_deflection_[j]) {
-        const auto k = static_cast<std::size_t>(s.joint);
-        const Vector6 motion = s.factor * axis_motion(k);
+      const auto add = [&](std::size_t k, double factor) {
+        const Vector6 motion = factor * axis_motion(k);
         by_unknown_.col(block.first) += direct_[k] * motion;
-        const bool own = robot_->joints[k].kind != JointKind::prismatic;
-        through.col(block.first) += (own ? loads[k] : after[k]) * motion;
-      }
+        add_through<1>(motion, static_cast<int>(k), !slides(k), system.col(block.first));
+      };
+      add(j, 1);
+      for (const Share& s : by_deflection_[j]) add(static_cast<std::size_t>(s.joint), s.factor);
     } else if (block.kind == Block::lateral) {
-      const Eigen::Matrix<double, 6, 3> motion = lateral_motion(j);
-      by_unknown_.middleCols<3>(block.first) = direct_[j] * motion;
-      through.middleCols<3>(block.first) = after[j] * motion;
+      const Eigen::Matrix<double, 6, 2> motion = lateral_motion(j) * across(robot_->joints[j].axis).transpose();
+      by_unknown_.middleCols<2>(block.first) = direct_[j] * motion;
+      add_through<2>(motion, block.joint, false, system.middleCols<2>(block.first));
     } else {
       Eigen::Matrix<double, 6, 2> motion = Eigen::Matrix<double, 6, 2>::Zero();
       motion.bottomRows<3>() = left_jacobian(posture_->deflection.base).leftCols<2>();
       by_unknown_.middleCols<2>(block.first) = base_direct_ * motion;
-      through.middleCols<2>(block.first) = base_loads * motion;
+      add_through<2>(motion, -1, true, system.middleCols<2>(block.first));
     }
   }
-  if (unknowns_ > 0) {
-    const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(unknowns_, unknowns_) - through;
-    by_unknown_ =
-        Eigen::PartialPivLU<Eigen::MatrixXd>(system.transpose()).solve(by_unknown_.transpose()).transpose().eval();
-    base_response_ = by_unknown_ * base_loads;
+  system = Eigen::MatrixXd::Identity(unknowns_, unknowns_) - system;
+  by_unknown_ =
+      Eigen::PartialPivLU<Eigen::MatrixXd>(system.transpose()).solve(by_unknown_.transpose()).transpose().eval();
+}
+
+void PostureTangent::answer_to_motions() {
+  const std::size_t count = joints_.size();
+  response_.assign(count, Matrix6::Zero());
+  after_response_.assign(count, Matrix6::Zero());
+  by_axis_.assign(count, Vector6::Zero());
+  by_corrected_.assign(count, Vector6::Zero());
+  answers_.resize(loads_.size());
+  base_response_ = base_direct_ * Matrix6::Identity();
+  for (std::size_t l = 0; l < loads_.size(); ++l) {
+    const Load& load = loads_[l];
+    const Block& block = blocks_[load.block];
+    Eigen::Matrix<double, 6, 2> y = Eigen::Matrix<double, 6, 2>::Zero();
+    y.leftCols(block.size()) = by_unknown_.middleCols(block.first, block.size());
+    answers_[l] = {y * load.by_moment, y * load.by_force, y * load.by_turn};
+    base_response_.rightCols<3>() += answers_[l].by_turn;
   }
-  base_response_ += base_direct_ * Matrix6::Identity();
   for (std::size_t k = 0; k < count; ++k) {
     if (!robot_->joints[k].moves()) continue;
-    response_[k] = after_response_[k] = direct_[k] * Matrix6::Identity();
-    if (unknowns_ > 0) {
-      response_[k] += by_unknown_ * loads[k];
-      after_response_[k] += by_unknown_ * after[k];
+    Columns3 by_moment = Columns3::Zero(), by_turn = Columns3::Zero();
+    Columns3 own_moment = Columns3::Zero(), own_turn = Columns3::Zero();
+    for (std::size_t l = 0; l < loads_.size(); ++l) {
+      const auto i = static_cast<std::size_t>(loads_[l].joint);
+      if (loads_[l].joint < 0 || (i != k && carries(i, k)))
+        by_moment += answers_[l].by_moment;
+      else if (i == k)
+        own_moment += answers_[l].by_moment, own_turn += answers_[l].by_turn;
+      else if (carries(k, i))
+        by_turn += answers_[l].by_turn;
     }
-    const bool own = robot_->joints[k].kind != JointKind::prismatic;
-    by_axis_[k] = (own ? response_[k] : after_response_[k]) * axis_motion(k);
+    const Eigen::Matrix<double, 3, 6> moment = moment_of_masses(posture_->distal_mass[k], joints_[k].first_moment);
+    Matrix6 response = by_moment * moment;
+    response.rightCols<3>() += by_turn;
+    response.diagonal().array() += direct_[k];
+    response_[k] = after_response_[k] = response;
+    response_[k].rightCols<3>() += own_turn;
+    after_response_[k] += own_moment * moment;
+    by_axis_[k] = (slides(k) ? after_response_[k] : response_[k]) * axis_motion(k);
   }
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < count; ++k) {
+    by_corrected_[k] = by_axis_[k];
     for (const Share& s : by_value_[k]) by_corrected_[k] += s.factor * by_axis_[static_cast<std::size_t>(s.joint)];
+  }
 }
 
 }  // namespace handsight

@@ -41,35 +41,55 @@ class PostureTangent {
     enum Kind { angle, lateral, base } kind;
     int joint;
     Eigen::Index first;
-    Eigen::Index size() const { return kind == angle ? 1 : kind == lateral ? 3 : 2; }
+    /// The lateral deflection has no part along the axis.
+    Eigen::Index size() const { return kind == angle ? 1 : 2; }
   };
-  using Row6 = Eigen::Matrix<double, 1, 6>;
+  /// How a block's unknowns answer to what one joint (or the base) bears: at most two rows are used.
+  struct Load {
+    using Rows = Eigen::Matrix<double, 2, 3>;
+    std::size_t block;
+    int joint;                      // whose load it is; -1: the base's
+    Rows by_moment = Rows::Zero();  // unknowns by the moment about the joint's origin, root frame
+    Rows by_force = Rows::Zero();   // ... by the force (sliding joints)
+    Rows by_turn = Rows::Zero();    // ... by a turn of the joint itself and all that it bears
+  };
+  using Columns3 = Eigen::Matrix<double, 6, 3>;
+  struct LoadAnswer {  // the motion of `moved` by what Load is by, springs included
+    Columns3 by_moment, by_force, by_turn;
+  };
   struct JointState {  // in the root frame
     Vector3 axis = Vector3::Zero();
-    Vector3 first_moment = Vector3::Zero();  // kg m, of what is distal, about the root's origin
-    Vector3 arm = Vector3::Zero();           // kg m, about the joint's origin
-    Matrix3 root_from_rotated = Matrix3::Identity();
-    std::vector<Share> carried;  // the torques that its spring carries: its own, and with a linkage its mimic joints'
+    Vector3 first_moment = Vector3::Zero();        // kg m, of what is distal, about the root's origin
+    Vector3 arm = Vector3::Zero();                 // kg m, about the joint's origin
+    Matrix3 shift_by_frame = Matrix3::Identity();  // of all from its frame on, by the change of its frame: m by m
+    Matrix3 turn_by_frame = Matrix3::Identity();   // ... rad by rad
+    std::vector<Share> mimics_carried;             // torques that its spring carries beside its own: a linkage's
     double carried_torque = 0;
     double slope = 0;  // d deflection / d carried torque
   };
 
   const JointChange& change_of(std::size_t joint) const;
-  bool carries(std::size_t k, std::size_t i) const;
-  const Vector3& first_moment(std::size_t k) const { return joints_[k].first_moment; }
+  bool carries(std::size_t k, std::size_t i) const { return above_[i * joints_.size() + k] != 0; }
+  bool slides(std::size_t k) const { return robot_->joints[k].kind == JointKind::prismatic; }
   Vector6 axis_motion(std::size_t k) const;
-  Eigen::Matrix<double, 6, 3> lateral_motion(std::size_t k) const;
-  Row6 torque_by_motion(std::size_t i, std::size_t k, bool moves_own_frame) const;
-  Eigen::Matrix<double, 3, 6> moment_by_motion(std::size_t i, std::size_t k, bool moves_own_frame) const;
-  const std::vector<Share>& carried_torques(std::size_t joint) const { return joints_[joint].carried; }
+  Columns3 lateral_motion(std::size_t k) const;
+  Eigen::Matrix<double, 3, 6> moment_of_masses(double mass, const Vector3& first_moment) const;
   double slope(std::size_t joint) const { return joints_[joint].slope; }
   double carried_torque(std::size_t joint) const { return joints_[joint].carried_torque; }
+  Vector6 motion_by_deflection(std::size_t joint) const;
+  void sum_masses();
+  void mark_carried(int moved, int reference);
   void describe_joints();
   Eigen::Vector2d base_deflection(const Vector3& root_moment) const;
   void list_unknowns();
+  void add_load(std::size_t block, std::size_t joint, const Load::Rows& by_moment, const Load::Rows& by_force);
+  void list_loads();
   void add_value_shares();
-  Eigen::MatrixXd loads_by_motion(std::size_t k, bool moves_own_frame) const;
-  void answer_to_loads();
+  template <int N>
+  void add_through(const Eigen::Matrix<double, 6, N>& motion, int joint, bool moves_own_frame,
+                   Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, N>> through) const;
+  void solve_springs();
+  void answer_to_motions();
   Vector6 motion_after(std::size_t joint, const Vector6& change) const;
   Vector6 motion_by_gravity(const Vector3& change) const;
   Vector6 motion_by_mass(int link, double mass, const Vector3& first_moment_in_root) const;
@@ -77,17 +97,20 @@ class PostureTangent {
   const Robot* robot_;
   const RobotChange* change_;
   Vector3 gravity_;  // tilted
+  Matrix3 gravity_cross_;
   const Posture* posture_;
   std::vector<JointState> joints_;
-  std::vector<std::vector<char>> above_;  // [i][k]: is joint k on the way from the root to joint i, i itself excluded
-  std::vector<double> direct_;            // per joint: 1 moves `moved`, -1 `reference`, 0 both or neither
+  std::vector<char> above_;     // [i * joints + k]: is joint k on the way from the root to joint i, i itself excluded
+  std::vector<double> direct_;  // per joint: 1 moves `moved`, -1 `reference`, 0 both or neither
   double base_direct_ = 0;
   Vector3 whole_moment_ = Vector3::Zero();         // kg m about the root's origin, of all links
   Vector3 turned_moment_ = Vector3::Zero();        // ... of all but the root
-  std::vector<std::vector<Share>> by_value_;       // per joint: what a unit of its corrected angle adds to the values
-  std::vector<std::vector<Share>> by_deflection_;  // ... and a unit of its deflection
+  std::vector<std::vector<Share>> by_value_;       // per joint: what mimic joints add to a unit of its corrected angle
+  std::vector<std::vector<Share>> by_deflection_;  // ... and of its deflection
   std::vector<Block> blocks_;
   Eigen::Index unknowns_ = 0;
+  std::vector<Load> loads_;
+  std::vector<LoadAnswer> answers_;      // of loads_
   std::vector<Matrix6> response_;        // per joint: motion by a motion of all from its frame on
   std::vector<Matrix6> after_response_;  // ... of all after it, its own frame at rest
   Matrix6 base_response_ = Matrix6::Zero();

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "estimation/noise.h"
+#include "estimation/normal_equations.h"
 
 namespace handsight {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "diagnosis/improvement.h"
 #include "estimation/export.h"
+#include "estimation/normal_equations.h"
 #include "estimation/prediction.h"
 #include "fixtures/arms.h"
 #include "session/calibration_xml.h"

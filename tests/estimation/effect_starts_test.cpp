@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "estimation/normal_equations.h"
 #include "fixtures/wrong_starts.h"
 #include "session/session_xml.h"
 

@@ -6,6 +6,7 @@
 
 #include "estimation/body_shape.h"
 #include "estimation/fit_report.h"
+#include "estimation/normal_equations.h"
 #include "estimation/objectives.h"
 #include "estimation/start.h"
 #include "fixtures/arms.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "estimation/normal_equations.h"
 #include "estimation/start.h"
 #include "fixtures/arms.h"
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "diagnosis/refitting.h"
+#include "estimation/normal_equations.h"
 #include "fixtures/trial_sessions.h"
 
 namespace handsight::trials {

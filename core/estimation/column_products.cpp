@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/column_products.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/error.h"
+
+namespace handsight {
+namespace {
+
+constexpr Eigen::Index lanes = 8;
+constexpr Eigen::Index rows_at_once = 512;  // 4 columns of each side stay in the first cache
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+
+/// Columns of a block of rows.
+struct Block {
+  const double* first;
+  Eigen::Index stride, rows;
+};
+
+struct Product {
+  Block a, b;
+  Eigen::Index a_columns, b_columns;
+  bool is_lower;  // only tiles that reach the diagonal or lie below it
+  double* sum;
+  Eigen::Index sum_stride;
+};
+
+namespace in_quarters {
+#include "estimation/column_tiles.inc"
+void add(const Product& p) { add_tiles<2, 1>(p); }
+}  // namespace in_quarters
+
+#if defined(__x86_64__)
+#pragma GCC push_options
+#pragma GCC target("avx512f")
+namespace in_32_registers {
+#include "estimation/column_tiles.inc"
+void add(const Product& p) { add_tiles<4, 4>(p); }
+}  // namespace in_32_registers
+#pragma GCC pop_options
+
+#pragma GCC push_options
+#pragma GCC target("avx2")
+namespace in_halves {
+#include "estimation/column_tiles.inc"
+void add(const Product& p) { add_tiles<2, 2>(p); }
+}  // namespace in_halves
+#pragma GCC pop_options
+
+using AddBlock = void (*)(const Product&);
+
+AddBlock add_block_in(Registers registers) {
+  if (registers == Registers::wide) return in_32_registers::add;
+  return registers == Registers::half ? in_halves::add : in_quarters::add;
+}
+
+Registers widest() {
+  if (__builtin_cpu_supports("avx512f")) return Registers::wide;
+  return __builtin_cpu_supports("avx2") ? Registers::half : Registers::quarter;
+}
+#else
+auto add_block_in(Registers) { return in_quarters::add; }
+
+Registers widest() { return Registers::quarter; }
+#endif
+
+void add(const Columns& a, const Columns& b, bool is_lower, double* sum, Eigen::Index sum_stride) {
+  check(a.rows() == b.rows(), "{} and {} rows", a.rows(), b.rows());
+  const auto add_block = add_block_in(registers_in_use());
+  for (Eigen::Index r = 0; r < a.rows(); r += rows_at_once) {
+    const Eigen::Index rows = std::min(rows_at_once, a.rows() - r);
+    add_block({{a.data() + r, a.outerStride(), rows},
+               {b.data() + r, b.outerStride(), rows},
+               a.cols(),
+               b.cols(),
+               is_lower,
+               sum,
+               sum_stride});
+  }
+}
+
+}  // namespace
+
+Registers& registers_in_use() {
+  static Registers registers = widest();
+  return registers;
+}
+
+Eigen::MatrixXd column_products(const Columns& a, const Columns& b) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(a.cols(), b.cols());
+  add(a, b, false, sum.data(), sum.outerStride());
+  return sum;
+}
+
+Eigen::MatrixXd column_products(const Columns& a) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(a.cols(), a.cols());
+  add_column_products(a, sum);
+  sum.triangularView<Eigen::StrictlyUpper>() = sum.transpose();
+  return sum;
+}
+
+void add_column_products(const Columns& a, Eigen::Ref<Eigen::MatrixXd> sum) {
+  check(sum.rows() == a.cols() && sum.cols() == a.cols(), "{} columns for a sum of {} x {}", a.cols(), sum.rows(),
+        sum.cols());
+  add(a, a, true, sum.data(), sum.outerStride());
+}
+
+}  // namespace handsight

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/normal_equations.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "estimation/column_products.h"
+#include "estimation/priors.h"
+
+namespace handsight {
+
+Unknowns moved(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step) {
+  Unknowns next = unknowns;
+  for (std::size_t m = 0; m < next.markers_in_tcp.size(); ++m)
+    next.markers_in_tcp[m] += step.segment<3>(3 * static_cast<Eigen::Index>(m));
+  if (problem.mount_is_estimated)
+    next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.segment<6>(problem.mount_column()));
+  next.effects += step.tail(problem.effect_count());
+  return next;
+}
+
+Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_columns(const Problem& problem, const ProblemObservation& o,
+                                                           const Unknowns& u) {
+  const Eigen::Index mount = problem.mount_is_estimated ? 6 : 0;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> motion(6, mount + problem.effect_count());
+  if (problem.mount_is_estimated) motion.leftCols<6>() = -adjoint(inverse(o.sensor_motion));
+  if (problem.effect_count() == 0) return motion;
+  const Rigid sensor_from_root = inverse(o.root_from_mount * u.mount_from_sensor * o.sensor_motion);
+  motion.rightCols(problem.effect_count()).noalias() = adjoint(sensor_from_root) * o.motion.tcp_by_effect;
+  if (o.motion.sensor_by_effect.cols() > 0) motion.rightCols(problem.effect_count()) -= o.motion.sensor_by_effect;
+  return motion;
+}
+
+Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservation& o, const Sighting& sighting,
+                                  const SightingResidual& residual, const Vector3& x_in_sensor,
+                                  const Matrix3& sensor_from_tcp_rotation) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(residual.rows, problem.effect_count());
+  for (const EffectMotion::MarkerColumn& m : o.motion.markers)
+    if (m.marker == sighting.marker) rows.col(m.column) += residual.by_point * (sensor_from_tcp_rotation * m.direction);
+  if (problem.cameras_by_effect.cols() == 0 || !problem.rig) return rows;
+  // Camera by camera: what a sighting's rows owe to the numbers of the others is zero.
+  const CameraColumns by_numbers = camera_columns(*problem.rig, sighting, x_in_sensor);
+  const int cameras = problem.rig->count();
+  Eigen::Index row = 0;
+  for (const CameraPoint& seen : sighting.in_cameras) {
+    const Eigen::Index first = first_number(cameras, seen.camera);
+    rows.middleRows<2>(row) += by_numbers.block<2, camera_number_count>(row, first)
+                                   .lazyProduct(problem.cameras_by_effect.middleRows<camera_number_count>(first));
+    if (seen.camera > 0)
+      rows.middleRows<2>(row) += by_numbers.block<2, 6>(row, motion_number(seen.camera))
+                                     .lazyProduct(problem.cameras_by_effect.middleRows<6>(motion_number(seen.camera)));
+    row += 2;
+  }
+  return rows;
+}
+
+namespace {
+
+/// What the sightings of an observation add up to by the six motions of the body.
+struct BodySums {
+  Matrix6 information = Matrix6::Zero();
+  Vector6 gradient = Vector6::Zero();
+};
+
+/// Rows of several observations by the columns from `first` on, of which the products are taken together.
+class GatheredRows {
+ public:
+  GatheredRows(NormalEquations& normal, Eigen::Index first, int observations)
+      : normal_(&normal),
+        first_(first),
+        rows_(std::min<Eigen::Index>(most, max_rows * (observations + 1)), normal.gradient.size() - first) {}
+
+  template <class Rows>
+  void add(const Rows& rows) {
+    if (used_ + rows.rows() > rows_.rows()) settle();
+    rows_.middleRows(used_, rows.rows()).noalias() = rows;
+    used_ += rows.rows();
+  }
+
+  void settle() {
+    add_column_products(rows_.topRows(used_), normal_->information.bottomRightCorner(rows_.cols(), rows_.cols()));
+    used_ = 0;
+  }
+
+ private:
+  static constexpr Eigen::Index most = 192;
+  NormalEquations* normal_;
+  Eigen::Index first_;
+  Eigen::MatrixXd rows_;
+  Eigen::Index used_ = 0;
+};
+
+/// A matrix R with R^T R = m, for m >= 0.
+Matrix6 root_of(const Matrix6& m) {
+  const Eigen::LDLT<Matrix6> ldlt(m);
+  Matrix6 root = Matrix6::Identity();
+  root = ldlt.transpositionsP() * root;
+  root = ldlt.matrixU() * root;
+  return ldlt.vectorD().cwiseMax(0).cwiseSqrt().asDiagonal() * root;
+}
+
+/// One sighting's part. The usual two cameras have rows of a fixed number, whose products cost less.
+template <int Rows>
+void add_sighting_with_effects(const Problem& problem, const ProblemObservation& o, const Sighting& sighting,
+                               const SightingResidual& r, const Vector3& x, double root, const Matrix3& rotation,
+                               const Eigen::Matrix<double, 6, Eigen::Dynamic>& motion, bool direct, BodySums& sums,
+                               GatheredRows& gathered, NormalEquations& normal) {
+  constexpr int most = Rows == Eigen::Dynamic ? max_rows : Rows;
+  const Eigen::Index mount = problem.mount_column(), count = problem.columns() - mount, m = 3 * sighting.marker;
+  const Eigen::Matrix<double, Rows, 3, 0, most, 3> by_point = root * r.by_point;
+  const auto by_body = by_motion(by_point, x);
+  const Eigen::Matrix<double, Rows, 3, 0, most, 3> by_marker = by_point * rotation;
+  const Eigen::Matrix<double, Rows, 1, 0, most, 1> error = root * r.error;
+  normal.cost += error.squaredNorm();
+  normal.information.block<3, 3>(m, m).noalias() += by_marker.transpose() * by_marker;
+  normal.gradient.segment<3>(m).noalias() += by_marker.transpose() * error;
+  if (!direct) {
+    sums.information.noalias() += by_body.transpose() * by_body;
+    sums.gradient.noalias() += by_body.transpose() * error;
+    normal.information.block(mount, m, count, 3).noalias() += motion.transpose() * (by_body.transpose() * by_marker);
+    return;
+  }
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> by_columns = by_body * motion;
+  by_columns.rightCols(problem.effect_count()) += root * direct_by_effects(problem, o, sighting, r, x, rotation);
+  gathered.add(by_columns);
+  normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;
+  normal.gradient.segment(mount, count).noalias() += by_columns.transpose() * error;
+}
+
+/// The general road: effects among the columns, or a sensor or markers that move.
+void add_observation_with_effects(const Problem& problem, const ProblemObservation& o, const Unknowns& u,
+                                  GatheredRows& gathered, NormalEquations& normal) {
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Eigen::Index mount = problem.mount_column();
+  const Eigen::Index count = problem.columns() - mount;
+  const auto motion = motion_by_columns(problem, o, u);
+  const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
+  BodySums sums;
+  for (std::size_t i = 0; i < o.sightings.size(); ++i) {
+    const Sighting& sighting = o.sightings[i];
+    const Vector3 x = sensor_from_tcp * marker_at(o, u, sighting.marker);
+    const SightingResidual r = sighting_residual(problem.rig_or_null(), sighting, x);
+    const double root = o.weights.empty() ? 1.0 : std::sqrt(o.weights[i]);
+    normal.rows += r.rows;
+    normal.in_front = normal.in_front && r.in_front;
+    const auto add = r.rows == 4 ? add_sighting_with_effects<4> : add_sighting_with_effects<Eigen::Dynamic>;
+    add(problem, o, sighting, r, x, root, sensor_from_tcp.rotation, motion, direct, sums, gathered, normal);
+  }
+  if (direct) return;
+  gathered.add(root_of(sums.information).lazyProduct(motion));
+  normal.gradient.segment(mount, count).noalias() += motion.transpose() * sums.gradient;
+}
+
+bool is_plain(const Problem& problem, const ProblemObservation& o) {
+  return problem.effect_count() == 0 && o.marker_shifts.empty() && !o.sensor_moves;
+}
+
+void add_plain_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
+                           NormalEquations& normal) {
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(observation, unknowns.mount_from_sensor);
+  const Matrix3& r = sensor_from_tcp.rotation;
+  const Eigen::Index mount = problem.mount_column();
+  Matrix6 mount_information = Matrix6::Zero();
+  Vector6 mount_gradient = Vector6::Zero();
+  for (std::size_t i = 0; i < observation.sightings.size(); ++i) {
+    const Sighting& sighting = observation.sightings[i];
+    const Vector3 x = sensor_from_tcp * unknowns.markers_in_tcp[static_cast<std::size_t>(sighting.marker)];
+    SightingNormal n = sighting_normal(problem.rig_or_null(), sighting, x);
+    if (!observation.weights.empty()) {
+      n.information *= observation.weights[i];
+      n.gradient *= observation.weights[i];
+      n.cost *= observation.weights[i];
+    }
+    normal.cost += n.cost;
+    normal.rows += n.rows;
+    normal.in_front = normal.in_front && n.in_front;
+    const Eigen::Index m = 3 * sighting.marker;
+    const Matrix3 information_r = n.information * r;
+    normal.information.block<3, 3>(m, m).noalias() += r.transpose() * information_r;
+    normal.gradient.segment<3>(m).noalias() += r.transpose() * n.gradient;
+    if (!problem.mount_is_estimated) continue;
+    // The mount's exp(v) moves the point in the sensor's frame by -(v_t + v_r cross x).
+    const Matrix3 k = cross_matrix(x);
+    const Matrix3 information_k = n.information * k;
+    mount_information.topLeftCorner<3, 3>() += n.information;
+    mount_information.bottomLeftCorner<3, 3>().noalias() += k * n.information;
+    mount_information.bottomRightCorner<3, 3>().noalias() -= k * information_k;
+    mount_gradient.head<3>() -= n.gradient;
+    mount_gradient.tail<3>().noalias() -= k * n.gradient;
+    normal.information.block<3, 3>(mount, m) -= information_r;
+    normal.information.block<3, 3>(mount + 3, m).noalias() -= k * information_r;
+  }
+  if (!problem.mount_is_estimated) return;
+  normal.information.block<6, 6>(mount, mount) += mount_information;
+  normal.gradient.segment<6>(mount) += mount_gradient;
+}
+
+}  // namespace
+
+void add_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
+                     NormalEquations& normal) {
+  if (is_plain(problem, observation)) return add_plain_observation(problem, observation, unknowns, normal);
+  GatheredRows gathered(normal, problem.mount_column(), 1);
+  add_observation_with_effects(problem, observation, unknowns, gathered, normal);
+  gathered.settle();
+}
+
+void complete(NormalEquations& normal) {
+  normal.information = Eigen::MatrixXd(normal.information.selfadjointView<Eigen::Lower>());
+}
+
+NormalEquations normal_equations(const Problem& problem, const Unknowns& unknowns, std::span<const int> places) {
+  NormalEquations normal(problem.columns());
+  GatheredRows gathered(normal, problem.mount_column(), static_cast<int>(problem.observations.size()));
+  const auto add = [&](const ProblemObservation& o) {
+    if (is_plain(problem, o))
+      add_plain_observation(problem, o, unknowns, normal);
+    else
+      add_observation_with_effects(problem, o, unknowns, gathered, normal);
+  };
+  if (places.empty()) {
+    for (const ProblemObservation& o : problem.observations) add(o);
+  } else {
+    for (const int place : places) add(problem.observations[static_cast<std::size_t>(place)]);
+  }
+  gathered.settle();
+  complete(normal);
+  add_priors(problem, unknowns, normal);
+  return normal;
+}
+
+}  // namespace handsight
