@@ -16,22 +16,29 @@ namespace {
 using Hessian = Eigen::Matrix<double, kOddUnknowns, kOddUnknowns>;
 using Vector = Eigen::Matrix<double, kOddUnknowns, 1>;
 
-constexpr double kAddedSigma = 0.03;  // grey levels per px: glare over most of an image
-constexpr double kWide = 10;          // times that, where a corner tells its own
-constexpr double kBendSigma = 3e-4;   // 1/px: a radius of 3000 px
-constexpr double kMostBend = 0.01;    // 1/px
-constexpr double kFewCorners = 4;     // that the usual bend counts as; fewer tell nothing of the noise
-constexpr double kFewPixels = 400;    // that white noise counts as
-constexpr double kLargeDisc = 130;    // pixels: on smaller ones the next cells make neighbours alike
-constexpr double kSmallDiscs = 0.5;   // of what seems alike on them is the noise's doing
-constexpr double kMeasured = 0.83;    // of the variance, that rendered boards of all kinds show
+constexpr double kAddedSigma = 0.03;    // grey levels per px: glare over most of an image
+constexpr double kWide = 10;            // times that, where a corner tells its own
+constexpr double kBendSigma = 3e-4;     // 1/px: a radius of 3000 px
+constexpr double kMostBend = 0.01;      // 1/px
+constexpr double kToldAdded = 0.1;      // grey levels per px: where a corner's own is known as well, all of it counts
+constexpr double kPlainAdded = 0.1;     // grey levels per px, of all corners together: there is glare
+constexpr double kFewCorners = 4;       // that the usual bend counts as; fewer tell nothing of the noise
+constexpr double kFewPixels = 400;      // that white noise counts as
+constexpr double kLargeDisc = 200;      // pixels: on smaller ones the next cells make neighbours alike
+constexpr double kSmallDiscs = 0.5;     // of what seems alike on them is the noise's doing
+constexpr double kMeasured = 0.80;      // of the variance, that rendered boards of all kinds show
+constexpr double kFreedomOfImage = 30;  // of the variance that the image's corners tell together
 constexpr double kPlain = 30;  // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
                                // do not make: below it the position is better off without them
 constexpr double kMostAlike = 0.1;   // of neighbouring pixels: what interpolates colours makes edges look bent
 constexpr double kPlainBend = 5e-4;  // 1/px, of all corners together: the lens bends edges
 constexpr double kSmoothedShare = 70.0 * 70 / (256 * 256);  // of white noise's variance, that smoothing leaves
-constexpr double kMeasuredSmoothed = 0.35;  // of the variance by the smoothed residuals, measured as kMeasured
-constexpr double kMosaicSigma = 0.006;      // px an axis, what is left of the pattern's own errors
+constexpr double kMeasuredSmoothed = 0.22;  // of the variance by the smoothed residuals, measured as kMeasured
+constexpr double kMosaicSigma = 0.003;      // px an axis, what is left of the pattern's own errors
+// What a colour filter samples at every other pixel it cannot tell from what is coarser: px, across an edge that meets
+// the pattern in one phase all along, times what blur leaves at half a cycle a pixel; px, along which phases differ.
+constexpr double kAlias = 0.11, kPhases = 0.7;
+constexpr double kInterpolated = 0.36;                   // px^2, of the fitted blur: the interpolation's own
 constexpr double kLeastChequer = 0.1, kSureChequer = 4;  // the latter in standard errors
 constexpr double kLeastFactor = 0.7, kMostFactor = 12;
 constexpr std::array<std::array<int, 2>, kNeighbours> kSteps{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
@@ -78,13 +85,18 @@ using Grid = std::array<float, kSide * kSide + kLanes>;
 
 int place(const Eigen::Vector2i& offset) { return (offset.y() + kMiddle) * kSide + offset.x() + kMiddle; }
 
-void spread(const CornerPatch::Row& row, int count, Grid& grid) {
-  static const std::array<int, kMostPatchPixels> places = [] {
-    std::array<int, kMostPatchPixels> all{};
-    for (int n = 0; n < pixels_in_disc(kMostPatchRadius + 1); ++n) all[n] = place(offset_of_pixel(n));
-    return all;
+const std::array<int, kMostPatchPixels>& places() {
+  static const std::array<int, kMostPatchPixels> all = [] {
+    std::array<int, kMostPatchPixels> made{};
+    for (int n = 0; n < pixels_in_disc(kMostPatchRadius + 1); ++n) made[n] = place(offset_of_pixel(n));
+    return made;
   }();
-  for (int n = 0; n < count; ++n) grid[places[n]] = row[n];
+  return all;
+}
+
+void spread(const CornerPatch::Row& row, int count, Grid& grid) {
+  const auto& all = places();
+  for (int n = 0; n < count; ++n) grid[all[n]] = row[n];
 }
 
 HANDSIGHT_LANES float product(const float* a, const float* b, int rows) {
@@ -99,16 +111,26 @@ float shifted_product(const Grid& grid, int reach, const std::array<int, 2>& ste
   return product(first, first + step[1] * kSide + step[0], 2 * reach + 1);
 }
 
-// Half the difference to the point reflected at the corner.
-Grid odd_part(const Grid& grid, int reach, const Eigen::Vector2i& twice) {
-  Grid odd{};
-  for (int v = -reach; v <= reach; ++v) {
-    if (std::abs(twice.y() - v) > reach) continue;
+// Half the difference to the point reflected at the corner, which is a half or whole pixel off by `aside` (px): what
+// that makes of the even part is taken away.
+Grid odd_part(const Grid& grid, int reach, const Eigen::Vector2i& twice, const Eigen::Vector2d& aside) {
+  Grid odd{}, even{};
+  const auto first = [&](int at) { return std::max(-reach, at - reach); };
+  const auto last = [&](int at) { return std::min(reach, at + reach); };
+  for (int v = first(twice.y()); v <= last(twice.y()); ++v) {
     const float* const from = &grid[static_cast<std::size_t>(place({0, v}))];
     const float* const mirrored = &grid[static_cast<std::size_t>(place({twice.x(), twice.y() - v}))];
     float* const to = &odd[static_cast<std::size_t>(place({0, v}))];
-    const int first = std::max(-reach, twice.x() - reach), last = std::min(reach, twice.x() + reach);
-    for (int u = first; u <= last; ++u) to[u] = 0.5f * (from[u] - mirrored[-u]);
+    float* const sum = &even[static_cast<std::size_t>(place({0, v}))];
+    for (int u = first(twice.x()); u <= last(twice.x()); ++u)
+      to[u] = 0.5f * (from[u] - mirrored[-u]), sum[u] = 0.5f * (from[u] + mirrored[-u]);
+  }
+  const auto across = static_cast<float>(0.5 * aside.x()), down = static_cast<float>(0.5 * aside.y());
+  for (int v = first(twice.y()); v <= last(twice.y()); ++v) {
+    const float* const at = &even[static_cast<std::size_t>(place({0, v}))];
+    float* const to = &odd[static_cast<std::size_t>(place({0, v}))];
+    for (int u = first(twice.x()); u <= last(twice.x()); ++u)
+      to[u] -= across * (at[u + 1] - at[u - 1]) + down * (at[u + kSide] - at[u - kSide]);
   }
   return odd;
 }
@@ -170,6 +192,21 @@ double chequer_of(const Image& image, const Eigen::Vector2i& centre, int reach) 
   return std::log(squares[0] / squares[1]);
 }
 
+// Edges that run along rows or columns meet the pattern in one phase, and what that does to them does not average out.
+Eigen::Matrix2d alias_of(const CornerModel& model, double radius) {
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity() * (kMosaicSigma * kMosaicSigma);
+  const double blur_squared = std::max(model.blur * model.blur - kInterpolated, 1 / 12.0);
+  const double across = kAlias * std::exp(-0.5 * M_PI * M_PI * blur_squared);
+  for (int i = 0; i < 2; ++i) {
+    const double angle = model.edges[i], other = model.edges[1 - i];
+    const double aside = radius * std::min(std::abs(std::sin(angle)), std::abs(std::cos(angle))) / kPhases;
+    const Eigen::Vector2d along_other(std::cos(other), std::sin(other));  // there the position moves
+    const Eigen::Vector2d move = along_other * across / std::sin(other - angle);
+    covariance += std::exp(-aside * aside) * move * move.transpose();
+  }
+  return covariance;
+}
+
 HANDSIGHT_LANES void smooth(Grid& grid) {
   Grid across{};
   constexpr int kEnd = kSide * (kSide - 1);
@@ -194,7 +231,7 @@ std::optional<OddSystem> smoothed_odd_system(const Image& image, const CornerFit
   }
   std::fill(rows.begin() + kRows, rows.end(), rows[kRows - 1]);
   OddSystem system;
-  system.is_smoothed = true;
+  system.is_smoothed = true, system.alias = alias_of(fit.model, fit.radius);
   set_equations(rows.data(), (2 * reach + 1) * kSide, system);
   system.shade = fit.model.shade;
   system.weights = squared_weights(all.patch);
@@ -207,7 +244,7 @@ std::optional<OddSystem> smoothed_odd_system(const Image& image, const CornerFit
   Grid& left = grids[kOddUnknowns];
   for (int i = 0; i < kOddUnknowns; ++i)
     for (std::size_t n = 0; n < left.size(); ++n) left[n] -= static_cast<float>(step(i)) * grids[i][n];
-  const Grid odd = odd_part(left, reach, twice_from(all.centre, fit.model.position));
+  const Grid odd = odd_part(left, reach, twice_from(all.centre, fit.model.position), Eigen::Vector2d::Zero());
   const double unknowns = kOddUnknowns - (information.array() * inverse.diagonal().array()).sum();
   const double freedom = std::max(0.5 * kSmoothedShare * system.weights - unknowns, 2.0);
   system.variance = std::max(shifted_product(odd, reach, {0, 0}) / freedom, kLeastNoise * kLeastNoise);
@@ -246,7 +283,8 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
     for (int n = 0; n < patch.padded; ++n) patch.residual[n] -= static_cast<float>(step(i)) * rows[i][n];
   Grid grid{};
   spread(patch.residual, patch.count, grid);
-  const Grid odd = odd_part(grid, reach, twice_from(centre, model.position));
+  const Eigen::Vector2i twice = twice_from(centre, model.position);
+  const Grid odd = odd_part(grid, reach, twice, 0.5 * twice.cast<double>() - (model.position - centre.cast<double>()));
   system.chequer = chequer_of(image, centre, reach);
   const double unknowns = kOddUnknowns - (information.array() * inverse.diagonal().array()).sum();
   settle(shifted_product(odd, reach, {0, 0}) / std::max(0.5 * weights - unknowns, 4.0));
@@ -270,15 +308,25 @@ void scale_variance(OddSystem& system, double factor) {
   for (double& variance : system.seen_variance) variance *= factor;
 }
 
+double pooling(double variance, double weights, double of_image) {
+  const double own = std::max(0.5 * weights - kOddUnknowns, 0.0);
+  return (own + kFreedomOfImage * of_image / variance) / (own + kFreedomOfImage);
+}
+
 Habits habits_of(std::span<const OddSystem> systems) {
   Habits habits;
   double bends = kFewCorners * kBendSigma * kBendSigma, corners = kFewCorners, pixels = kFewPixels;
+  double added = 0, lit = kFewCorners;
   double ratios = 0, chequer = 0, chequer_squares = 0;
   int looked_at = 0;
   const bool has_large = std::count_if(systems.begin(), systems.end(), [](const OddSystem& s) {
                            return s.weights > kLargeDisc && s.influence[0] != 0;
                          }) >= kFewCorners;
   for (const OddSystem& system : systems) {
+    for (int i = 4; i < 6; ++i) {
+      const double own = system.seen_variance[i], trust = 1 / (1 + own / (kToldAdded * kToldAdded));
+      added += 0.5 * trust * (system.seen[i] * system.seen[i] - own), lit += 0.5 * trust;
+    }
     for (int i = 6; i < 8; ++i) {
       const double own = system.seen_variance[i], trust = 1 / (1 + own / 1e-6);
       bends += 0.5 * trust * (system.seen[i] * system.seen[i] - own), corners += 0.5 * trust;
@@ -300,6 +348,7 @@ Habits habits_of(std::span<const OddSystem> systems) {
     habits.is_mosaic = std::abs(mean) > kLeastChequer && std::abs(mean) > kSureChequer * error;
   }
   for (float& influence : habits.influence) influence /= static_cast<float>(std::max(looked_at, 1));
+  habits.added = std::max(std::sqrt(std::max(added, 0.0) / lit), kAddedSigma);
   habits.bend = std::clamp(std::sqrt(std::max(bends, 0.0) / corners), 0.3 * kBendSigma, kMostBend);
   const bool all_small = !has_large && looked_at >= kFewCorners;
   for (double& correlation : habits.correlation) correlation *= (all_small ? kSmallDiscs : 1) / pixels;
@@ -320,18 +369,20 @@ bool are_bent(const Habits& habits) {
   return habits.bend > kPlainBend && std::abs(alike) < kMostAlike;
 }
 
+bool are_glared(const Habits& habits) { return habits.added > kPlainAdded; }
+
 bool is_plain(const OddSystem& system) {
   double chi2 = 0;
   for (int i = 4; i < kOddUnknowns; ++i) chi2 += system.seen[i] * system.seen[i] / system.seen_variance[i];
-  return chi2 > kPlain;
+  return chi2 * std::min(system.variance_ratio, 1.0) > kPlain;  // in terms of all that the fit leaves
 }
 
 std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits) {
   const double variance = system.variance * correlation_factor(system, habits);
-  Vector information = usual_information(variance, kAddedSigma, habits.bend);
+  Vector information = usual_information(variance, habits.added, habits.bend);
   for (int i = 4; i < 6; ++i) {  // light may be added by as much as it seems to be here
     const double seen = std::max(system.seen[i] * system.seen[i] - system.seen_variance[i], 0.0);
-    information(i) = variance / (kAddedSigma * kAddedSigma + seen);
+    information(i) = variance / (habits.added * habits.added + seen);
   }
   Vector side = system.side;
   side.segment<2>(2) -= information.segment<2>(2).cwiseProduct(system.shade);
@@ -340,10 +391,10 @@ std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits)
   if (!invert_in_lanes(inverse)) return std::nullopt;
   const Vector step = inverse * side;
   LastStep last;
-  last.is_needed = system.is_smoothed || is_plain(system) || are_bent(habits);
+  last.is_needed = system.is_smoothed || is_plain(system) || are_bent(habits) || are_glared(habits);
   last.move = step.head<2>(),
   last.covariance = (system.is_smoothed ? kMeasuredSmoothed : kMeasured) * variance * inverse.topLeftCorner<2, 2>();
-  if (system.is_smoothed) last.covariance.diagonal().array() += kMosaicSigma * kMosaicSigma;
+  if (system.is_smoothed) last.covariance += system.alias;
   if (!(last.covariance(0, 0) > 0 && last.covariance.determinant() > 0)) return std::nullopt;
   return last;
 }

@@ -30,6 +30,7 @@ struct OddSystem {
   std::array<float, kNeighbours> products{};   // of neighbouring residuals, mean over the variance
   double chequer = 0;        // log of how much rougher the pixels of which u + v is even are than the others
   bool is_smoothed = false;  // of the patch without what has a period of 2 px
+  Eigen::Matrix2d alias = Eigen::Matrix2d::Zero();  // px^2, of the position then, by what colour filters cannot tell
 };
 
 /// The same of the patch smoothed by 1 4 6 4 1 across and down: interpolated colours have errors of the pattern's own
@@ -44,17 +45,25 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
 /// As if the noise's variance were this many times as large.
 void scale_variance(OddSystem& system, double factor);
 
+/// A few pixels tell their noise badly: how many times as large the variance is that so many pixels (`weights`) tell,
+/// once it is weighed against what the image's corners tell together.
+double pooling(double variance, double weights, double of_image);
+
 /// What the corners of one image have in common.
 struct Habits {
   double variance = 1;                            // of the odd residuals over that of the fit's
   double bend = 3e-4;                             // 1/px, sigma of the edges' bends
   std::array<double, kNeighbours> correlation{};  // of the noise of neighbouring pixels
+  double added = 0.03;                            // grey levels per px, sigma of added light
   bool is_mosaic = false;                         // colours were interpolated
   std::array<float, kNeighbours> influence{};     // the mean of OddSystem::influence, for those that have none
 };
 Habits habits_of(std::span<const OddSystem> systems);
 /// Whether the lens plainly bends edges.
 bool are_bent(const Habits& habits);
+
+/// Whether glare plainly adds light.
+bool are_glared(const Habits& habits);
 
 /// Whether light is plainly added, or an edge plainly bent.
 bool is_plain(const OddSystem& system);

@@ -27,6 +27,7 @@ class Lattice {
   /// Corners have numbers in the order in which they come.
   void add(const Suspect& suspect);
   int size() const { return static_cast<int>(nodes_.size()); }
+  const Eigen::Vector2d& position(int number) const { return nodes_[number].position; }
 
   /// Numbers of the neighbours: along the first edge forwards and backwards, then along the second; -1 where none is
   /// within 64 px, has edges along the same directions, a like contrast and the opposite colours.

@@ -19,7 +19,8 @@ constexpr int kLeastSize = 32;       // px
 constexpr int kCoarsePlaces = 1000;  // where a coarser image's noise is measured
 constexpr double kSame = 2;          // px: nearer ones are the same
 constexpr double kSharp = 2.4;       // px, of blur: what is less is fitted in this image, what is more in a coarser one
-constexpr double kMostLastMove = 0.5;      // px
+constexpr double kMostLastMove = 0.5;  // px
+constexpr double kMostSigma = 1.2;  // px, of what is fitted and is so uncertain after all that it is most likely none
 constexpr std::size_t kFewCorners = 4;     // tell nothing of an image
 constexpr std::size_t kNoiseCorners = 12;  // that tell how alike neighbouring pixels' noise is
 
@@ -49,34 +50,55 @@ Placed refined(const std::vector<Level>& levels, const Found& found) {
   return {found, level};
 }
 
-// The last step of one corner; by how much its covariance changes, but for what that of all does.
-// `variance`: grey levels^2, of a pixel's noise at corners.
-double take_last_step(const OddSystem& system, const Habits& habits, double variance, Found& found) {
+// Grey levels^2, of a pixel's noise.
+struct Variances {
+  double of_corners = 0;  // the middle one of what some corners tell; 0 where they are too few
+  double there = 0;       // at corners or elsewhere, whichever is more
+};
+
+// By how much fewer pixels' variance changes when it is weighed against that of the image.
+double pooled(const Variances& variances, double own, double weights) {
+  return variances.of_corners > 0 ? pooling(own, weights, variances.of_corners) : 1;
+}
+
+double pooled(const Variances& variances, const CornerFit& fit, double ratio) {
+  return pooled(variances, ratio * fit.noise * fit.noise, M_PI * fit.radius * fit.radius);
+}
+
+// The last step of one corner; by how much its covariance changes, but for what that of all does and what its own
+// pixels' variance is made.
+double take_last_step(OddSystem system, const Habits& habits, const Variances& variances, Found& found) {
   Corner& corner = found.corner;
   if (has_shadow(found.fit.model)) {
     corner.covariance *= correlation_factor(system, habits);
     return 0;
   }
+  const double pool = system.is_smoothed ? 1 : pooled(variances, system.variance, system.weights);
+  scale_variance(system, pool);
   const auto last = last_step(system, habits);
-  if (!last || last->move.norm() > kMostLastMove) return 0;
+  if (!last || last->move.norm() > kMostLastMove) {
+    corner.covariance *= std::max(1.0, pooled(variances, found.fit, 1));
+    return 0;
+  }
   if (last->is_needed) corner.position += last->move;
-  const double doubt = doubt_of(found.fit.model, found.asymmetry, variance);
+  const double doubt = doubt_of(found.fit.model, found.asymmetry, variances.there);
   corner.covariance = last->covariance * doubt;
-  return doubt / found.doubt * last->covariance.trace() / found.fit.covariance.trace();
+  return doubt / found.doubt * last->covariance.trace() / found.fit.covariance.trace() / pool;
 }
 
 // Compression makes more noise at edges than elsewhere: what most corners show is no shadow's doing.
-double variance_at_corners(double noise, const std::vector<OddSystem>& systems) {
-  if (systems.size() < kFewCorners) return noise * noise;
+Variances variances_of(double noise, const std::vector<OddSystem>& systems) {
+  if (systems.size() < kFewCorners) return {0, noise * noise};
   std::vector<double> variances(systems.size());
   std::transform(systems.begin(), systems.end(), variances.begin(), [](const OddSystem& s) { return s.variance; });
   const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
   std::nth_element(variances.begin(), middle, variances.end());
-  return std::max(noise * noise, *middle);
+  return {*middle, std::max(noise * noise, *middle)};
 }
 
 // The last step where colours were interpolated: all corners of the image tell its noise together.
-void take_smoothed_steps(const Level& level, const Habits& habits, double variance, const std::vector<Found*>& here) {
+void take_smoothed_steps(const Level& level, const Habits& habits, const Variances& variances,
+                         const std::vector<Found*>& here) {
   std::vector<OddSystem> systems;
   std::vector<Found*> owners;
   double ratios = 0;
@@ -90,7 +112,7 @@ void take_smoothed_steps(const Level& level, const Habits& habits, double varian
   const double ratio = ratios / static_cast<double>(std::max<std::size_t>(systems.size(), 1));
   for (std::size_t i = 0; i < systems.size(); ++i) {
     if (systems[i].is_smoothed) scale_variance(systems[i], ratio / systems[i].variance_ratio);
-    take_last_step(systems[i], habits, variance, *owners[i]);
+    take_last_step(systems[i], habits, variances, *owners[i]);
   }
 }
 
@@ -109,10 +131,10 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
   const std::size_t every = here.size() / kNoiseCorners + 1;
   for (std::size_t i = 0; i < here.size(); i += every) add(*here[i], true);
   const Habits of_some = habits_of(systems);
-  const double variance = variance_at_corners(level.sight.noise, systems);
-  if (of_some.is_mosaic) return take_smoothed_steps(level, of_some, variance, here);
-  const bool all =
-      are_bent(of_some) || std::any_of(systems.begin(), systems.end(), [](const OddSystem& s) { return is_plain(s); });
+  const Variances variances = variances_of(level.sight.noise, systems);
+  if (of_some.is_mosaic) return take_smoothed_steps(level, of_some, variances, here);
+  const bool all = are_bent(of_some) || are_glared(of_some) ||
+                   std::any_of(systems.begin(), systems.end(), [](const OddSystem& s) { return is_plain(s); });
   const auto is_looked_at = [&](std::size_t i) { return all || i % every == 0 || has_shadow(here[i]->fit.model); };
   for (std::size_t i = 0; i < here.size(); ++i)
     if (is_looked_at(i) && i % every != 0 && add(*here[i], false)) scale_variance(systems.back(), of_some.variance);
@@ -120,11 +142,17 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
   double change = 0;
   int changed = 0;
   for (std::size_t i = 0; i < systems.size(); ++i) {
-    const double own = take_last_step(systems[i], habits, variance, *owners[i]);
+    const double own = take_last_step(systems[i], habits, variances, *owners[i]);
     change += own, changed += own > 0;
   }
   for (std::size_t i = 0; i < here.size() && changed > 0; ++i)
-    if (!is_looked_at(i)) here[i]->corner.covariance *= change / changed;
+    if (!is_looked_at(i))
+      here[i]->corner.covariance *= change / changed * pooled(variances, here[i]->fit, of_some.variance);
+}
+
+// Beside a shadow's edge a corner that is badly known is a corner still.
+bool is_known(const Found& found) {
+  return has_shadow(found.fit.model) || found.corner.covariance.trace() < 2 * kMostSigma * kMostSigma;
 }
 
 // What an image that was halved `times` times shows, as the whole one would.
@@ -163,7 +191,7 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
   for (int n = 0; n < kLevels; ++n) {
     const Image& here = n > 0 ? images[n] : image;
     if (n > 0 && std::min(here.width, here.height) < kLeastSize) break;
-    levels.push_back({{here, options, n > 0 ? image_noise(here, kCoarsePlaces) : image_noise(here)}, {}, {}, {}});
+    levels.push_back({{here, options, n > 0 ? image_noise(here, kCoarsePlaces) : image_noise(here)}, {}, {}, {}, {}});
     Level& level = levels.back();
     if (n == 0) {
       find_corners(level, images[1]);
@@ -181,14 +209,15 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
   }
   for (int n = 0; n < static_cast<int>(levels.size()); ++n) take_last_steps(levels[n], n, placed);
   std::vector<Corner> corners;
-  for (const Placed& corner : placed) corners.push_back(as_whole(corner.found.corner, corner.level));
+  for (const Placed& corner : placed)
+    if (is_known(corner.found)) corners.push_back(as_whole(corner.found.corner, corner.level));
   return strongest(image, std::move(corners), options.max_corners);
 }
 
 std::optional<Corner> refine_corner(const Image& image, const Eigen::Vector2d& start, const DetectorOptions& options) {
   const bool inside = start.x() >= 0 && start.y() >= 0 && start.x() < image.width && start.y() < image.height;
   if (!inside) return std::nullopt;  // not a number is not inside either
-  const Level level{{image, options, image_noise(image)}, {}, {}, {}};
+  const Level level{{image, options, image_noise(image)}, {}, {}, {}, {}};
   const auto found = sure_look(level.sight, start, 1.5 * options.sigma, 6);
   if (!found) return std::nullopt;
   std::vector<Placed> one{{*found, 0}};

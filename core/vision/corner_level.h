@@ -15,7 +15,8 @@ struct Level {
   Sight sight;
   std::vector<Candidate> candidates;
   std::vector<Found> found;
-  std::vector<Foretold> missing;  // what boards foretold in vain
+  std::vector<Foretold> missing;    // what boards foretold in vain
+  std::vector<CornerModel> shaded;  // those found beside a shadow's edge
 };
 
 /// All corners of the whole image; `half`: becomes the image at half the resolution.

@@ -15,13 +15,16 @@ constexpr double kMostSigma = 0.3;      // px: a corner that is not known better
 constexpr double kMostApart = 0.6;      // px, between the points of best symmetry and best fit
 constexpr double kMostAsymmetry = 0.3;  // half contrasts, beyond what the noise explains
 
+constexpr double kMostBeyond = 0.1, kMostCutOff = 0.2;  // contrasts, beyond what pixels can tell
+
 constexpr double kLikelyShade = 0.005;   // 1/px: light that changes faster may be a shadow's edge
 constexpr double kLeastOfShadow = 0.03;  // contrasts: opposite points differ by more where there is a shadow
-constexpr double kUsualShade = 0.005,
-                 kDoubtfulShade = 0.0015;  // 1/px: light's own; what beyond it doubles the variance
-constexpr double kOddsOfShadow = 2;        // log-odds: with four unknowns more much looks like a corner
-constexpr double kNearShadow = 4;          // px: a shadow's edge nearer than that is hard to tell from the corner's own
-constexpr double kShadowVariance = 1.25;   // what straight soft edges leave unsaid of real ones
+constexpr double kUsualShade = 0.0035,
+                 kDoubtfulShade = 0.0015;     // 1/px: light's own; what beyond it doubles the variance
+constexpr double kDoubtfulAsymmetry = 0.022;  // half contrasts, of opposite points; doubles the variance
+constexpr double kOddsOfShadow = 2;           // log-odds: with four unknowns more much looks like a corner
+constexpr double kNearShadow = 4;      // px: a shadow's edge nearer than that is hard to tell from the corner's own
+constexpr double kShadowVariance = 2;  // what straight soft edges leave unsaid of real ones
 
 double in_half_turn(double angle) {
   const double turned = std::fmod(angle, M_PI);
@@ -54,10 +57,19 @@ bool sectors_suit(const CrossStructure& cross, double noise, double most = kMost
   return left > 0 && beyond(sector_misfit(cross), 0.35) < left;
 }
 
+// What fits a chain of dots or a bar that thins best is often blacker than black or brighter than any pixel can be,
+// though none is cut off. Of light too much is cut off, of darkness only what sharpening takes beyond it.
+bool has_possible_levels(const CornerFit& fit) {
+  const double half = std::abs(fit.model.half_contrast), contrast = 2 * half;
+  const double black = fit.model.level - half, white = fit.model.level + half;
+  if (fit.is_clipped) return black > -kMostCutOff * contrast;
+  return black > -kMostBeyond * contrast && white < 255 + kMostBeyond * contrast;
+}
+
 // What the fit says is kept where the point of best symmetry, in the light that the fit found, agrees.
 std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
   if (2 * std::abs(fit.model.half_contrast) < sight.options.min_contrast) return std::nullopt;
-  if (fit.covariance.trace() > 2 * kMostSigma * kMostSigma) return std::nullopt;
+  if (fit.covariance.trace() > 2 * kMostSigma * kMostSigma || !has_possible_levels(fit)) return std::nullopt;
   Found found;
   const double own = corner_log_odds(signs_of(fit, sight.noise)) - (has_shadow(fit.model) ? kOddsOfShadow : 0);
   if (log_odds_among(own, -2) < kLeastLogOdds) return std::nullopt;
@@ -125,7 +137,8 @@ CrossStructure structure_of(const CornerModel& model) {
 }  // namespace
 
 double doubt_of(const CornerModel& model, double asymmetry, double variance) {
-  const double unit = 0.035 * model.half_contrast, relative = std::max(asymmetry - variance, 0.0) / (unit * unit);
+  const double unit = kDoubtfulAsymmetry * model.half_contrast,
+               relative = std::max(asymmetry - variance, 0.0) / (unit * unit);
   if (!has_shadow(model)) return 1 + relative + std::max(model.shade.norm() - kUsualShade, 0.0) / kDoubtfulShade;
   const double near = std::max(kNearShadow - model.shadow.distance, 0.0);
   return kShadowVariance * (1 + relative + near * near);
@@ -183,6 +196,11 @@ std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& st
 
 std::optional<Found> small_look(const Sight& sight, const CornerModel& expected) {
   const auto fit = fit_small_corner(sight.image, expected.position, structure_of(expected), sight.noise);
+  return fit && is_same(fit->model, expected) ? checked(sight, *fit) : std::nullopt;
+}
+
+std::optional<Found> shaded_look(const Sight& sight, const CornerModel& expected) {
+  const auto fit = fit_in_known_shadow(sight.image, expected, sight.noise);
   return fit && is_same(fit->model, expected) ? checked(sight, *fit) : std::nullopt;
 }
 

@@ -67,6 +67,9 @@ std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& st
 /// Where a corner is expected and the next ones may be nearer than 4 px: a fit on a disc of 3 px, without circles.
 std::optional<Found> small_look(const Sight& sight, const CornerModel& expected);
 
+/// Where a corner and a shadow's edge beside it are expected.
+std::optional<Found> shaded_look(const Sight& sight, const CornerModel& expected);
+
 /// A fit from numbers that are known well, as from a coarser image; nothing where what comes out is another corner.
 std::optional<Found> known_look(const Sight& sight, const CornerModel& known);
 

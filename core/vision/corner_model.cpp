@@ -176,6 +176,11 @@ struct ShadowStage {
 constexpr std::array<ShadowStage, 3> kShadowStages{
     {{false, 2.25, {3, 1.2, 0.5}}, {false, 1.2, {5, 1, 0.4}}, {true, 1, {5, 1, 1}}}};
 
+// Where both are known well beforehand.
+constexpr std::array<ShadowStage, 2> kKnownShadowStages{{{false, 1.5, {6, 1, 0.6}}, {true, 1, {5, 1, 1}}}};
+constexpr double kKnownShadowRadius = 5;  // px
+constexpr double kMostTurn = 0.35;        // sine, of a shadow's edge against that seen elsewhere
+
 // Bounds beyond what X-corners of 8 px cells show at 60 deg and 2.5 px of blur. Over the first disc blur and contrast
 // are hard to tell from each other, so there they are `loose`.
 bool looks_right(const CornerModel& model, const CrossStructure& cross, double noise, double image_noise,
@@ -248,6 +253,7 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
     return std::nullopt;
   if (model.blur > kMostBlur * fit.radius) return std::nullopt;
   fit.noise = at.noise;
+  fit.is_clipped = at.patch.is_clipped;
   fit.covariance = position_covariance(at);
   return is_determined(fit) ? std::optional(fit) : std::nullopt;
 }
@@ -268,6 +274,7 @@ std::optional<CornerFit> fit_small_corner(const Image& image, const Eigen::Vecto
   if (!fits(4, kGrown) || model.blur > kMostBlur * fit.radius) return std::nullopt;
   fit.misfit = misfit_of(at.patch);
   fit.noise = std::max(at.promise, kLeastNoise);
+  fit.is_clipped = at.patch.is_clipped;
   at.noise = fit.noise;
   fit.covariance = position_covariance(at);
   return is_determined(fit) ? std::optional(fit) : std::nullopt;
@@ -300,8 +307,40 @@ std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vect
     return std::nullopt;
   if (std::abs(fit.model.shadow.depth) < kLeastDepth || fit.model.shadow.distance < kNearestShadow) return std::nullopt;
   fit.misfit = misfit_of(at.patch);
+  fit.is_clipped = at.patch.is_clipped;
   fit.covariance = position_covariance_with_shadow(fit.noise, fit.model, at.patch);
   return is_determined(fit) ? std::optional(fit) : std::nullopt;
+}
+
+std::optional<CornerFit> fit_in_known_shadow(const Image& image, const CornerModel& expected, double image_noise) {
+  CrossStructure cross;
+  cross.half_contrast = expected.half_contrast;
+  Progress at;
+  at.image_noise = image_noise;
+  CornerFit fit;
+  fit.model = expected, fit.radius = kKnownShadowRadius;
+  for (const ShadowStage& stage : kKnownShadowStages) {
+    if (stage.grows) fit.radius = grown_radius(image, fit.radius, kMostPatchRadius, at, fit.model);
+    const auto found = fit_with_shadow(image, fit.model, fit.radius, stage.patience, image_noise, at.patch);
+    if (!found || !looks_right(found->model, cross, found->noise, image_noise, stage.loose)) return std::nullopt;
+    fit.model = found->model, fit.noise = at.noise = found->noise;
+  }
+  const ShadowEdge seen = seen_from(expected.shadow, fit.model.position - expected.position);
+  const double turn = seen.direction - fit.model.shadow.direction;
+  const double apart = std::cos(turn) * seen.distance - fit.model.shadow.distance;
+  if ((fit.model.position - expected.position).norm() > kMostMove || fit.model.blur > kMostBlur * fit.radius ||
+      std::abs(std::sin(turn)) > kMostTurn || std::abs(apart) > kMostMove)
+    return std::nullopt;
+  fit.misfit = misfit_of(at.patch);
+  fit.is_clipped = at.patch.is_clipped;
+  fit.covariance = position_covariance_with_shadow(fit.noise, fit.model, at.patch);
+  return is_determined(fit) ? std::optional(fit) : std::nullopt;
+}
+
+ShadowEdge seen_from(const ShadowEdge& shadow, const Eigen::Vector2d& off) {
+  ShadowEdge same = shadow;
+  same.distance -= std::cos(shadow.direction) * off.x() + std::sin(shadow.direction) * off.y();
+  return same;
 }
 
 double light_at(const ShadowEdge& shadow, const Eigen::Vector2d& from_corner) {

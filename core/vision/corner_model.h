@@ -41,6 +41,10 @@ inline bool has_shadow(const CornerModel& model) { return model.shadow.depth != 
 /// The shadow's factor at x (px from the corner), 1 at the corner where the shadow's edge is far enough.
 double light_at(const ShadowEdge& shadow, const Eigen::Vector2d& from_corner);
 
+/// The same shadow's edge as seen from a point that lies `off` px from the corner; its distance is negative where the
+/// point lies beyond it.
+ShadowEdge seen_from(const ShadowEdge& shadow, const Eigen::Vector2d& off);
+
 /// What the circles showed, as a model to start from.
 CornerModel first_guess(const Eigen::Vector2d& start, const CrossStructure& cross);
 
@@ -50,6 +54,7 @@ struct CornerFit {
   double radius = 0;           // px, of the disc of pixels that took part
   double noise = 0;            // grey levels, sigma of a pixel
   double misfit = 0;  // grey levels, root of the mean product of neighbouring residuals over 4 px: the shape's part
+  bool is_clipped = false;  // some pixels may be as bright or as dark as the sensor tells
 };
 
 /// Gauss-Newton from a start that is good to about 1 px. The disc grows from 4 px as long as the formula holds, so
@@ -74,5 +79,9 @@ enum class Guess { fitted, from_circles };
 std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vector2d& start,
                                            const CrossStructure& cross, const CornerModel& first, Guess guess,
                                            double image_noise);
+
+/// The same from what a board and other corners beside the same shadow tell of both: however near its edge is. Nothing
+/// where the fit leads far from that.
+std::optional<CornerFit> fit_in_known_shadow(const Image& image, const CornerModel& expected, double image_noise);
 
 }  // namespace handsight

@@ -95,7 +95,17 @@ std::string from_truth(const Image& image, const Eigen::Vector2d& truth, double 
   return cross ? why_no_fit(image, truth, *cross, noise) : "circles";
 }
 
-void tally(const std::string& name, int pictures, unsigned seed, const Conditions& conditions) {
+// The same beside a shadow.
+std::string from_truth_in_shadow(const Image& image, const Eigen::Vector2d& truth, double noise) {
+  const auto cross = cross_structure(image, truth, 20, Lighting::shadowed);
+  if (!cross) return "circles";
+  return what_of(image, fit_beside_shadow(image, truth, *cross, first_guess(truth, *cross), Guess::from_circles, noise),
+                 noise);
+}
+
+// Only those whose distance from a shadow's edge, px, is in `shadow`.
+void tally(const std::string& name, int pictures, unsigned seed, const Conditions& conditions,
+           const Range& shadow = {0, 1e10}) {
   std::mt19937 random(seed);
   std::map<std::string, std::pair<int, double>> count;
   int lost = 0, all = 0;
@@ -106,13 +116,16 @@ void tally(const std::string& name, int pictures, unsigned seed, const Condition
     const auto candidates = saddle_candidates(picture.image, 20, noise);
     for (const TrueCorner& truth : picture.corners) {
       if (truth.bound > 0.1 || truth.smallest_cell < 4 || truth.visible < 0.4) continue;
+      if (truth.shadow_distance < shadow[0] || truth.shadow_distance > shadow[1]) continue;
       ++all;
       const auto is_here = [&](const Corner& c) { return (c.position - truth.position).norm() < 2; };
       if (std::any_of(corners.begin(), corners.end(), is_here)) continue;
       ++lost;
       auto& [number, cells] = count[fmt::format(
-          "{:<34} from the truth: {}; small: {}", why(picture.image, candidates, truth.position, noise),
-          from_truth(picture.image, truth.position, noise), small(picture.image, corners, truth, noise))];
+          "{:<34} from the truth: {}; in shadow: {}; small: {}", why(picture.image, candidates, truth.position, noise),
+          from_truth(picture.image, truth.position, noise),
+          conditions.shade[0] < 1 ? from_truth_in_shadow(picture.image, truth.position, noise) : "-",
+          small(picture.image, corners, truth, noise))];
       ++number, cells += truth.smallest_cell;
     }
   }
@@ -133,5 +146,9 @@ int main(int count, char** words) {
   tally("gamma, tilt 50-65 deg", pictures, seed, {.cell = {14, 30}, .tilt = {0.87, 1.13}, .gamma = {1.8, 2.4}});
   tally("cells 6-9", pictures / 2, seed, {.cell = {6, 9}, .tilt = {0, 0.7}, .blur = {0.4, 1.1}});
   tally("white clipped", pictures, seed, {.contrast = {80, 200}, .exposure = {1.3, 2.2}});
+  const Conditions shadow{.shade = {0.25, 0.7}};
+  tally("shadow's edge 4-12 px off", pictures, seed, shadow, {4, 12});
+  tally("shadow's edge 1.5-4 px off", pictures, seed, shadow, {1.5, 4});
+  tally("shadow's edge under 1.5 px", pictures, seed, shadow, {0, 1.5});
   tally("blur 2-3.5", pictures, seed, {.cell = {16, 34}, .blur = {2, 3.5}});
 }

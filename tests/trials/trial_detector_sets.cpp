@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The detector before a camera with all the habits of real ones (tests/vision/corner_camera.h): recall, errors and
 // whether the covariance is right, set by set; recall as curves over blur, cell size, tilt and contrast; false corners.
-// Usage: trial_detector_sets [SEED [PART [FOLDER]]]: PART is sets, curves, large, false or all; FOLDER holds
-// photographs without boards, in which every corner counts as a false one.
+// Usage: trial_detector_sets [SEED [PART [FOLDER]]]: PART is sets, curves, large, false, oracle or all; FOLDER holds
+// photographs without boards, in which every corner counts as a false one. PART oracle: of the sets whose recall falls
+// short, which share of what is in scope a perfect program could tell (tests/vision/corner_oracle.h).
 #include <fmt/format.h>
 
 #include <chrono>
@@ -11,6 +12,7 @@
 
 #include "vision/corner_camera.h"
 #include "vision/corner_detector.h"
+#include "vision/corner_oracle.h"
 #include "vision/corner_truth.h"
 
 namespace handsight {
@@ -31,6 +33,10 @@ struct Score {
 using Filter = bool (*)(const TrueCorner&);
 bool all_of_them(const TrueCorner&) { return true; }
 
+bool is_in_scope(const TrueCorner& truth) {
+  return truth.bound <= kInScope && truth.smallest_cell >= 4 && truth.visible >= kVisible;
+}
+
 void add(const Picture& picture, const std::vector<Corner>& corners, Filter filter, bool with_opencv, Score& score) {
   std::vector<bool> used(corners.size(), false);
   for (const TrueCorner& truth : picture.corners) {
@@ -41,7 +47,7 @@ void add(const Picture& picture, const std::vector<Corner>& corners, Filter filt
       if (distance < nearest) nearest = distance, best = static_cast<int>(i);
     }
     if (best >= 0) used[best] = true;
-    if (truth.bound > kInScope || truth.smallest_cell < 4 || truth.visible < kVisible || !filter(truth)) continue;
+    if (!is_in_scope(truth) || !filter(truth)) continue;
     ++score.in_scope;
     if (best < 0) continue;
     const Eigen::Vector2d error = corners[best].position - truth.position;
@@ -120,6 +126,53 @@ void sets(unsigned seed) {
   set("strong distortion", 20, {.distortion = {-.35, .35}});
   set("270 x 180", 30, {.width = 270, .height = 180, .ground = Ground::things});
   set("640 x 480, before things", 10, {.width = 640, .height = 480, .ground = Ground::things});
+}
+
+// Of the corners in scope, those that an observer who knows everything tells from their best rivals; those whose
+// position is known to 0.3 px, which the detector asks of itself, with everything else unknown; and how many of the
+// lost ones are both.
+void ask(const std::string& name, int pictures, unsigned seed, Conditions conditions, Filter filter = all_of_them) {
+  constexpr double kMostSigma = 0.3;  // px
+  std::mt19937 random(seed);
+  conditions.with_exact = true;
+  int all = 0, told = 0, known = 0, both = 0, found = 0, lost_both = 0, lost_told = 0;
+  double least = 1e9;
+  for (int i = 0; i < pictures; ++i) {
+    const Picture picture = take(conditions, random);
+    const std::vector<Corner> corners = detect_corners(picture.image);
+    for (const TrueCorner& truth : picture.corners) {
+      if (!is_in_scope(truth) || !filter(truth)) continue;
+      const double same = std::max(kSame, 0.7 * picture.blur);
+      const bool is_found = std::any_of(corners.begin(), corners.end(),
+                                        [&](const Corner& c) { return (c.position - truth.position).norm() < same; });
+      const OracleVerdict verdict = ask_oracle(picture, truth);
+      const bool is_known = verdict.sigma < kMostSigma;
+      ++all, told += verdict.is_told, known += is_known, both += verdict.is_told && is_known, found += is_found;
+      lost_told += !is_found && verdict.is_told, lost_both += !is_found && verdict.is_told && is_known;
+      least = std::min(least, verdict.apart);
+    }
+  }
+  const auto share = [&](int count) { return static_cast<double>(count) / std::max(all, 1); };
+  fmt::print(
+      "{:<34} {:6} in scope; oracle tells {:.4f}, at least {:.1f} sigma apart; position known to 0.3 px {:.4f}; both "
+      "{:.4f}; detector {:.4f}: of {} lost the oracle tells {}, {} of them with a known position\n",
+      name, all, share(told), least, share(known), share(both), share(found), all - found, lost_told, lost_both);
+  std::fflush(stdout);
+}
+
+void oracle(unsigned seed) {
+  ask("tilt 60-70 deg", 30, seed, {.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}});
+  ask("gamma, tilt 50-65 deg", 20, seed, {.cell = {14, 30}, .tilt = {0.87, 1.13}, .gamma = {1.8, 2.4}});
+  const Conditions shadow{.shade = {0.25, 0.7}};
+  ask("shadow's edge 4-12 px off", 40, seed, shadow,
+      [](const TrueCorner& c) { return c.shadow_distance > 4 && c.shadow_distance < 12; });
+  ask("shadow's edge 1.5-4 px off", 40, seed, shadow,
+      [](const TrueCorner& c) { return c.shadow_distance > 1.5 && c.shadow_distance <= 4; });
+  ask("shadow's edge under 1.5 px", 40, seed, shadow, [](const TrueCorner& c) { return c.shadow_distance <= 1.5; });
+  ask("blur 2-3.5", 20, seed, {.cell = {16, 34}, .blur = {2, 3.5}});
+  ask("blur 3.5-8", 12, seed, {.width = 640, .height = 480, .cell = {34, 60}, .tilt = {0, 0.7}, .blur = {3.5, 8}});
+  ask("cells of 4 px", 8, seed, {.cell = {4, 4}, .tilt = {0, 0.5}, .blur = {0.5, 1}});
+  ask("cells of 4.5 px", 8, seed, {.cell = {4.5, 4.5}, .tilt = {0, 0.5}, .blur = {0.5, 1}});
 }
 
 void curve(const std::string& name, const std::vector<double>& at, int pictures, unsigned seed,
@@ -244,5 +297,6 @@ int main(int count, char** words) {
   if (asked("sets")) handsight::sets(seed);
   if (asked("curves")) handsight::curves(seed);
   if (asked("large")) handsight::large(seed);
+  if (asked("oracle")) handsight::oracle(seed);
   if (asked("false")) handsight::false_corners(seed, folder);
 }

@@ -36,6 +36,7 @@ struct Conditions {
   Mosaic mosaic = Mosaic::none;
   Ground ground = Ground::plain;
   bool with_board = true;
+  bool with_exact = false;  // tells Picture::exact too
 };
 
 struct TrueCorner {
@@ -44,13 +45,23 @@ struct TrueCorner {
   double bound = 0;                // px an axis, of Cramer and Rao's; 0: not worked out
   double shadow_distance = 1e9;    // px, to the shadow's edge
   double visible = 1;              // of the contrast, what clipping leaves
+  Eigen::Vector2d in_cells{0, 0};  // on the board
+};
+
+/// A shadow's edge: light falls by `depth` of itself beyond a line, softly over 2 px.
+struct ShadowLine {
+  double direction = 0, distance = 1e9, depth = 0;  // rad and px, from the corner
 };
 
 struct Picture {
   Image image;
   std::vector<TrueCorner> corners;      // of the board, where no margin is left out
   std::vector<Eigen::Vector2d> at_rim;  // where the board's outermost edges meet: neither right nor wrong
-  double cell = 0, tilt = 0, blur = 0, contrast = 0;
+  double cell = 0, tilt = 0, blur = 0, contrast = 0, noise = 0;
+  cv::Mat exact;                                               // without noise, rounding and compression, if asked for
+  std::function<Eigen::Vector2d(double u, double v)> cells;    // where on the board a point of the image is
+  std::function<double(double u, double v)> light;             // the light's factor there
+  std::function<ShadowLine(const TrueCorner& corner)> shadow;  // as seen from a corner
 };
 
 /// Things of all sizes before each other, as photographs have them, with the bars, chains and crossing lines that look
@@ -193,6 +204,26 @@ inline cv::Mat demosaiced(const cv::Mat& linear, Mosaic mosaic) {
   return real;
 }
 
+// What happens in the camera after the sensor.
+struct Development {
+  Mosaic mosaic = Mosaic::none;
+  double gamma = 1, sharpening = 0, halo = 1;
+};
+
+inline void develop(const Development& development, cv::Mat& image) {
+  if (development.mosaic != Mosaic::none) image = demosaiced(image, development.mosaic);
+  if (development.gamma != 1) {
+    image /= 255;
+    cv::pow(image, 1 / development.gamma, image);
+    image *= 255;
+  }
+  if (development.sharpening > 0) {
+    cv::Mat soft;
+    cv::GaussianBlur(image, soft, {0, 0}, development.halo);
+    image += development.sharpening * (image - soft);
+  }
+}
+
 }  // namespace camera_detail
 
 inline Picture take(const Conditions& conditions, std::mt19937& random) {
@@ -217,7 +248,7 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
   light.gradient = within(conditions.gradient) * Eigen::Vector2d(std::cos(turn), std::sin(turn));
   light.shade = within(conditions.shade), light.shade_angle = within({0, 2 * M_PI});
   light.shade_distance = within({-.2, .2}) * height;
-  const int fine = width * height > 20e6 ? 1 : width * height > 1e6 ? 2 : 4;
+  const int fine = width * height > 1e6 ? 2 : 4;
   const cv::Mat ground = ground_of(conditions.ground, width, height, random);
   cv::Mat image = camera_detail::fine_image(taken, ground, fine);
   if (picture.blur > 0) {
@@ -234,27 +265,20 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
   const Eigen::Vector2d shine = centre + Eigen::Vector2d(within({-.25, .25}) * width, within({-.25, .25}) * height);
   const double exposure = within(conditions.exposure), noise = within(conditions.noise);
   std::normal_distribution<float> normal(0, static_cast<float>(noise));
+  cv::Mat exact(conditions.with_exact ? height : 0, conditions.with_exact ? width : 0, CV_32F);
   for (int v = 0; v < height; ++v)
     for (int u = 0; u < width; ++u) {
       float& at = image.at<float>(v, u);
       if (glare > 0)
         at +=
             static_cast<float>(glare * std::exp(-0.5 * (Eigen::Vector2d(u, v) - shine).squaredNorm() / (spot * spot)));
+      if (conditions.with_exact) exact.at<float>(v, u) = std::clamp(static_cast<float>(exposure) * at, 0.f, 255.f);
       at = std::clamp(static_cast<float>(exposure) * at + normal(random), 0.f, 255.f);
     }
-  if (conditions.mosaic != Mosaic::none) image = camera_detail::demosaiced(image, conditions.mosaic);
-  const double gamma = within(conditions.gamma);
-  if (gamma != 1) {
-    image /= 255;
-    cv::pow(image, 1 / gamma, image);
-    image *= 255;
-  }
-  const double sharpening = within(conditions.sharpening);
-  if (sharpening > 0) {
-    cv::Mat soft;
-    cv::GaussianBlur(image, soft, {0, 0}, within(conditions.halo));
-    image += sharpening * (image - soft);
-  }
+  camera_detail::Development development{conditions.mosaic, within(conditions.gamma), within(conditions.sharpening)};
+  if (development.sharpening > 0) development.halo = within(conditions.halo);
+  camera_detail::develop(development, image);
+  if (conditions.with_exact) camera_detail::develop(development, exact), picture.exact = exact;
   cv::Mat whole;
   image.convertTo(whole, CV_8U);
   const double quality = within(conditions.quality);
@@ -263,13 +287,25 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
     cv::imencode(".jpg", whole, bytes, {cv::IMWRITE_JPEG_QUALITY, static_cast<int>(quality)});
     whole = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
   }
-  picture.image = as_image(whole);
+  picture.image = as_image(whole), picture.noise = noise;
+  picture.cells = [taken](double u, double v) { return taken.cells(u, v); };
+  picture.light = [taken](double u, double v) {
+    return light_at(taken.light, Eigen::Vector2d(u, v) - taken.view.corner);
+  };
+  picture.shadow = [taken](const TrueCorner& corner) {
+    const Light& own = taken.light;
+    if (own.shade == 1) return ShadowLine{};
+    const Eigen::Vector2d off = corner.position - taken.view.corner;
+    const double distance =
+        own.shade_distance - off.x() * std::cos(own.shade_angle) - off.y() * std::sin(own.shade_angle);
+    return ShadowLine{own.shade_angle, distance, 1 - own.shade};
+  };
   const double margin = 8 + 2 * picture.blur;
   for (int j = 0; j <= taken.rows && conditions.with_board; ++j)
     for (int i = 0; i <= taken.columns; ++i) {
       const double x = i - 0.5 * taken.columns, y = j - 0.5 * taken.rows;
       TrueCorner corner;
-      corner.position = taken.image_of(x, y);
+      corner.position = taken.image_of(x, y), corner.in_cells = {x, y};
       const bool in_view = corner.position.x() > margin && corner.position.y() > margin &&
                            corner.position.x() < width - 1 - margin && corner.position.y() < height - 1 - margin;
       if (i == 0 || j == 0 || i == taken.columns || j == taken.rows || !in_view) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "vision/corner_detector.h"
+#include "vision/corner_oracle.h"
 
 namespace handsight {
 namespace {
@@ -21,7 +22,8 @@ struct Outcome {
   double recall() const { return static_cast<double>(found) / in_scope; }
 };
 
-Outcome outcome_of(const Conditions& conditions, int pictures, unsigned seed) {
+// Only corners that are nearer to a shadow's edge than `most_from_shadow` px.
+Outcome outcome_of(const Conditions& conditions, int pictures, unsigned seed, double most_from_shadow = 1e10) {
   std::mt19937 random(seed);
   Outcome outcome;
   for (int i = 0; i < pictures; ++i) {
@@ -29,6 +31,7 @@ Outcome outcome_of(const Conditions& conditions, int pictures, unsigned seed) {
     const std::vector<Corner> corners = detect_corners(picture.image);
     for (const TrueCorner& truth : picture.corners) {
       if (truth.bound > 0.1 || truth.smallest_cell < 4 || truth.visible < 0.4) continue;
+      if (truth.shadow_distance > most_from_shadow) continue;
       ++outcome.in_scope;
       const Corner* best = nullptr;
       double nearest = std::max(2.0, 0.7 * picture.blur);
@@ -90,6 +93,37 @@ TEST(CornersOfACamera, LightThatIsAdded) {
   const Outcome outcome = outcome_of({.contrast = {40, 120}, .glare = {50, 150}}, 5, 4);
   EXPECT_GE(outcome.recall(), 0.98);
   EXPECT_LT(outcome.normalised, 3);
+}
+
+// A board foretells its corners, and those that were found beside the shadow foretell its edge.
+TEST(CornersOfACamera, ShadowsEdgesThroughABoard) {
+  const Outcome outcome = outcome_of({.shade = {0.3, 0.7}}, 12, 12, 4);
+  EXPECT_GT(outcome.in_scope, 80);
+  EXPECT_GE(outcome.recall(), 0.85);  // 0.7 where each corner had to find the shadow by itself
+  EXPECT_LT(outcome.normalised, 6);   // 4.2 here: where corner and edge of the shadow fall together
+}
+
+TEST(CornersOfACamera, AnObserverWhoKnowsAllTellsWhatCanBeTold) {
+  for (const bool is_clear : {true, false}) {
+    std::mt19937 random(13);
+    const double noise = is_clear ? 2 : 60;
+    const Picture picture = corner_images::take(
+        {.cell = {8, 9}, .contrast = {60, 70}, .noise = {noise, noise}, .with_exact = true}, random);
+    int told = 0, known = 0;
+    double sigmas = 0, bounds = 0;
+    for (const TrueCorner& truth : picture.corners) {
+      const auto verdict = corner_images::ask_oracle(picture, truth);
+      told += verdict.is_told, known += verdict.sigma < 0.3;
+      sigmas += verdict.sigma, bounds += truth.bound;
+    }
+    const int all = static_cast<int>(picture.corners.size());
+    EXPECT_EQ(told == all, is_clear);
+    EXPECT_EQ(known == all, is_clear);
+    EXPECT_GT(sigmas, 0.9 * bounds);  // more is unknown, but nearly all of it has the other parity
+    EXPECT_LT(sigmas, 1.5 * bounds);
+    if (is_clear) continue;
+    EXPECT_LT(told, all / 2);  // the best rival is 4 standard deviations apart
+  }
 }
 
 TEST(CornersOfACamera, WhiteThatIsCutOff) {

@@ -174,6 +174,22 @@ TEST(CornerDetector, IsStrongestFirstAndKeepsTheStrongest) {
   ASSERT_EQ(few.size(), 10u);
 }
 
+// Of which the best fit would be an X much blacker than black.
+TEST(CornerDetector, BarsThatThinAreNoCorners) {
+  std::mt19937 random(5);
+  for (const double open : {0.2, 0.3, 0.4})
+    for (const double black : {5., 20., 40.})
+      for (const double angle : {0.1, 0.5}) {
+        const auto bar = [&](double u, double v) {
+          const double x = u - 32.3, y = v - 31.8;
+          const double along = x * std::cos(angle) + y * std::sin(angle);
+          return std::abs(y * std::cos(angle) - x * std::sin(angle)) < 2 + open * std::abs(along) ? black : 225.0;
+        };
+        EXPECT_TRUE(detect_corners(corner_images::render(65, 65, bar, 1, 2, random)).empty())
+            << open << " " << black << " " << angle;
+      }
+}
+
 TEST(CornerDetector, PublishedFixture) {
   // Against the corner that the fixture renders. Its samples round the asked-for corner to eighths of a pixel, which
   // alone is 0.0447 px on average over these offsets, for every estimator.
