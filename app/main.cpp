@@ -7,9 +7,9 @@
 #include <cstring>
 #include <string>
 
-#include "frame/appearance.h"
-#include "frame/main_window.h"
-#include "widgets/robot_view.h"
+#include "widgets/scene/robot_view.h"
+#include "window/appearance.h"
+#include "window/main_window.h"
 
 namespace {
 

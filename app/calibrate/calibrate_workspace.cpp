@@ -6,19 +6,19 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "bench/camera_strip.h"
+#include "bench/link_selection.h"
+#include "bench/observation_views.h"
 #include "calibrate/objective_page.h"
 #include "calibrate/one_marker_page.h"
 #include "calibrate/own_pose_page.h"
 #include "calibrate/recall.h"
 #include "calibrate/transport.h"
-#include "document/core_words.h"
-#include "frame/camera_strip.h"
-#include "frame/link_selection.h"
-#include "frame/observation_views.h"
-#include "widgets/convergence_plot.h"
-#include "widgets/decision_list.h"
-#include "widgets/image_view.h"
-#include "widgets/robot_view.h"
+#include "widgets/images/image_view.h"
+#include "widgets/lists/decision_list.h"
+#include "widgets/plots/convergence_plot.h"
+#include "widgets/scene/robot_view.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -37,6 +37,10 @@ widgets::ConvergencePoint point_of(const PlayedStep& played) {
   p.tcp_from_body = six(played.step.tcp_from_body);
   p.sigma = played.step.sigma;
   if (played.step.tcp_from_tcp_est) p.tcp_from_tcp_est = six(*played.step.tcp_from_tcp_est);
+  // Every observation adds about as much: of one alone the variance is that of all times their number. Where the
+  // variance is that of scatter, what is shown is more than noise as it is.
+  if (!played.step.covariance_is_scatter)
+    p.deviation_sigma = (p.count * played.step.covariance.diagonal()).cwiseMax(0).cwiseSqrt();
   return p;
 }
 
@@ -352,7 +356,7 @@ void CalibrateWorkspace::refresh_model() {
 
 std::vector<Action> CalibrateWorkspace::own_actions() const {
   const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
-    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+    return Action{.id = id, .group = tr("Calibrate"), .text = what, .gesture = gesture};
   };
   return {explained("play_keys", tr("Space, ."), tr("play or pause, one observation"))};
 }

@@ -5,8 +5,8 @@
 #include <QTimer>
 #include <set>
 
+#include "bench/workspace.h"
 #include "calibrate/player.h"
-#include "frame/workspace.h"
 
 class QTabWidget;
 
@@ -32,8 +32,6 @@ class CalibrateWorkspace : public Workspace {
  public:
   explicit CalibrateWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
-  Place place() const override { return Place::calibrate; }
-  QString name() const override { return tr("Calibrate"); }
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   Panel panel() const override { return Panel::folded; }

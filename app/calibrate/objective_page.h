@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <array>
 
-#include "frame/workbench.h"
+#include "bench/workbench.h"
 
 class QButtonGroup;
 class QCheckBox;

@@ -8,9 +8,9 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "document/counted.h"
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 

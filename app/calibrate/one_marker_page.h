@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
+#include "bench/workbench.h"
 #include "estimation/one_marker.h"
-#include "frame/workbench.h"
 
 class QComboBox;
 class QLabel;

@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 
 #include "base/numbers.h"
-#include "frame/observation_views.h"
+#include "bench/observation_views.h"
 #include "model/chain.h"
-#include "widgets/number_text.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::app {
 namespace {

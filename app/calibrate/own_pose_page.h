@@ -5,8 +5,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "bench/workbench.h"
 #include "estimation/prediction.h"
-#include "frame/workbench.h"
 
 class QDoubleSpinBox;
 class QGridLayout;

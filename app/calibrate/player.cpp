@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "document/core_words.h"
 #include "model/chain.h"
 #include "session/target_finding.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 

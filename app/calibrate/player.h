@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "bench/workbench.h"
 #include "estimation/online.h"
-#include "frame/workbench.h"
 
 namespace handsight::app {
 

@@ -11,8 +11,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "document/counted.h"
-#include "widgets/icons.h"
+#include "widgets/base/icons.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 namespace {

@@ -79,6 +79,7 @@ Command add_detect(CLI::App& app);
 Command add_label(CLI::App& app);
 Command add_online(CLI::App& app);
 Command add_fit(CLI::App& app);
+Command add_inspect(CLI::App& app);
 Command add_diagnose(CLI::App& app);
 Command add_improve(CLI::App& app);
 Command add_predict(CLI::App& app);

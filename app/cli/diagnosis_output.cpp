@@ -8,6 +8,7 @@
 #include "diagnosis/refitting.h"
 #include "diagnosis/robot_check.h"
 #include "diagnosis/scatter_levels.h"
+#include "diagnosis/trend.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
 #include "fit_output.h"
@@ -135,6 +136,14 @@ void print_odd_observations(const Output& out, const Diagnosis& d, const Rig* ri
   if (odd > most) out.line(fmt::format("          and {} more; see per_observation of --json", odd - most));
 }
 
+/// The curve through the residuals over what they follow, and its band.
+Json trend_json(const DiagnosisPattern& p) {
+  Json points = Json::array();
+  for (const TrendPoint& t : trend_of(p.against.values, p.residual.values))
+    points.push_back({{"x", number(t.x)}, {"y", number(t.y)}, {"low", number(t.low)}, {"high", number(t.high)}});
+  return points;
+}
+
 std::string sure(double ln_bayes_factor) {
   return ln_bayes_factor > 999 ? ">999" : fmt::format("{:.1f}", ln_bayes_factor);
 }
@@ -210,7 +219,8 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
                         {"against", p.against.name},
                         {"unit", p.residual.unit + " against " + p.against.unit},
                         {"strength", number(p.strength)},
-                        {"p_value", number(p.p_value)}});
+                        {"p_value", number(p.p_value)},
+                        {"trend", trend_json(p)}});
   j["candidates"] = candidates;
   j["patterns"] = patterns;
   j["invisible"] = d.invisible;

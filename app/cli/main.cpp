@@ -22,11 +22,11 @@ int run(int argc, char** argv) {
       app.add_subcommand("describe", "Writes the manual page or a shell's completion")->group("");
   describe->add_option("WHAT", described)->required()->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
   const std::vector<cli::Command> commands = {
-      cli::add_check(app),   cli::add_detect(app),         cli::add_label(app),    cli::add_online(app),
-      cli::add_fit(app),     cli::add_diagnose(app),       cli::add_improve(app),  cli::add_predict(app),
-      cli::add_convert(app), cli::add_export(app),         cli::add_correct(app),  cli::add_compare(app),
-      cli::add_batch(app),   cli::add_effective_mass(app), cli::add_simulate(app), cli::add_effects(app),
-      cli::add_plan(app),    cli::add_target(app),         cli::add_cameras(app)};
+      cli::add_check(app),   cli::add_detect(app),  cli::add_label(app),          cli::add_online(app),
+      cli::add_fit(app),     cli::add_inspect(app), cli::add_diagnose(app),       cli::add_improve(app),
+      cli::add_predict(app), cli::add_convert(app), cli::add_export(app),         cli::add_correct(app),
+      cli::add_compare(app), cli::add_batch(app),   cli::add_effective_mass(app), cli::add_simulate(app),
+      cli::add_effects(app), cli::add_plan(app),    cli::add_target(app),         cli::add_cameras(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

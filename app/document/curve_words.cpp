@@ -5,9 +5,9 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "document/core_words.h"
 #include "document/effect_words.h"
 #include "effects/own_effect.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {

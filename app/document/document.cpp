@@ -6,10 +6,10 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "document/core_words.h"
-#include "document/counted.h"
 #include "document/effect_words.h"
 #include "session/session_xml.h"
+#include "words/core_words.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <algorithm>
 
-#include "document/core_words.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 

@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "diagnosis/clean_model.h"
 #include "diagnosis/residual_views.h"
-#include "document/core_words.h"
 #include "estimation/export.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 
@@ -39,9 +39,7 @@ namespace {
 std::shared_ptr<const Inspection> inspection_of(const Session& session, const SecondLooks& looks,
                                                 const ModelVersion& version) {
   auto inspection = std::make_shared<Inspection>(inspect(session, *version.fit, *version.report, looks));
-  // A point that is wrong whatever the robot does makes its observation odd, though the fit no longer holds it.
-  for (const WrongPoint& w : version.wrong_points) inspection->rows[static_cast<std::size_t>(w.index)].outlier = true;
-  for (const LoneObservation& l : version.lone) inspection->rows[static_cast<std::size_t>(l.index)].outlier = true;
+  mark_left_out(version.wrong_points, version.lone, *inspection);
   return inspection;
 }
 

@@ -8,8 +8,8 @@
 #include <unordered_map>
 
 #include "diagnosis/diagnosis.h"
+#include "diagnosis/inspection.h"
 #include "document/edit.h"
-#include "document/inspection.h"
 #include "estimation/fit_report.h"
 #include "estimation/prediction.h"
 #include "session/calibration.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "document/counted.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 

@@ -5,9 +5,9 @@
 #include <QObject>
 #include <QTimer>
 
-#include "explain/explain_texts.h"
-#include "explain/fit_watch.h"
-#include "explain/proof_plots.h"
+#include "findings/explain_texts.h"
+#include "findings/fit_watch.h"
+#include "findings/proof_plots.h"
 
 namespace handsight::app {
 

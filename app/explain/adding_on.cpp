@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/adding_on.h"
 
-#include "document/counted.h"
+#include "words/core_words.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 
 AddingOn::AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& cards, QObject* parent)
     : QObject(parent), bench_(bench), adding_(adding), cards_(cards) {
   connect(&adding, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
-    if (end == AdditionEnd::taken) ++added_;
+    if (end == AdditionEnd::taken) {
+      ++added_;
+      if (!stands_in_.isEmpty()) stand_ins_ << stands_in_;
+    }
+    stands_in_.clear();
     if (is_running_ && (end == AdditionEnd::stopped || end == AdditionEnd::failed)) this->end({});
   });
   next_.setSingleShot(true);
@@ -22,6 +27,7 @@ void AddingOn::start() {
   is_running_ = true;
   is_paused_ = false;
   added_ = 0;
+  stand_ins_.clear();
   emit changed();
   look();
 }
@@ -65,14 +71,27 @@ void AddingOn::look() {
 
 void AddingOn::add_first() {
   if (!is_running_ || is_paused_ || is_waiting()) return;
-  const widgets::CardState& first = cards_.card(0)->state();
-  if (first.kind == widgets::CardKind::candidate && first.can_add && first.caution.isEmpty())
-    return adding_.add(first.id.toStdString());
+  // What is of a plausible size stands first; what is not is taken too, as `improve` does: the error falls with it.
+  for (int i = 0; i < cards_.count(); ++i) {
+    const widgets::CardState& card = cards_.card(i)->state();
+    if (card.kind != widgets::CardKind::candidate || !card.can_add) continue;
+    stands_in_ = card.caution.isEmpty() ? QString() : within_sentence(card.title);
+    return adding_.add(card.id.toStdString());
+  }
+  end(told_at_the_end());
+}
+
+QString AddingOn::told_at_the_end() const {
   const QString added = counted(added_, "%n cause(s)");
-  end(first.kind == widgets::CardKind::adequate ? tr("Done: %1 added, and nothing is missing any more.").arg(added)
-                                                : tr("Stopped by itself: %1 added, and nothing plausible is left that "
-                                                     "would help. The first card says what is left.")
-                                                      .arg(added));
+  QString sentence = cards_.card(0)->state().kind == widgets::CardKind::adequate
+                         ? tr("Done: %1 added, and nothing is missing any more.").arg(added)
+                         : tr("Stopped by itself: %1 added, and nothing is left that would help. The first card says "
+                              "what is left.")
+                               .arg(added);
+  if (!stand_ins_.isEmpty())
+    sentence += tr(" Of a size that no robot is built with: %1; it probably stands in for another cause.")
+                    .arg(stand_ins_.join(", "));
+  return sentence;
 }
 
 }  // namespace handsight::app

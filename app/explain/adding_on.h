@@ -31,6 +31,7 @@ class AddingOn : public QObject {
   void end(const QString& sentence);
   bool is_waiting() const;
   void add_first();
+  QString told_at_the_end() const;
 
   Workbench& bench_;
   Adding& adding_;
@@ -38,6 +39,8 @@ class AddingOn : public QObject {
   QTimer next_;  // a stair stands for a moment before the next one
   bool is_running_ = false, is_paused_ = false;
   int added_ = 0;
+  QString stands_in_;      // what is being added, where its size is implausible
+  QStringList stand_ins_;  // those that were added
 };
 
 }  // namespace handsight::app

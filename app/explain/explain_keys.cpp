@@ -77,7 +77,7 @@ void ExplainWorkspace::blink() {
 
 std::vector<Action> ExplainWorkspace::own_actions() const {
   const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
-    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+    return Action{.id = id, .group = tr("Explain"), .text = what, .gesture = gesture};
   };
   return {explained("card_keys", tr("Tab, Enter"), tr("look at a card, add it")),
           explained("hold_keys", tr("N, B held down"), tr("noise alone, before and after")),

@@ -14,10 +14,10 @@
 #include "explain/missing_pane.h"
 #include "explain/poses_pane.h"
 #include "explain/watching_pane.h"
+#include "widgets/base/number_text.h"
 #include "widgets/explain/candidate_list.h"
 #include "widgets/explain/verdict_line.h"
 #include "widgets/explain/what_if_slider.h"
-#include "widgets/number_text.h"
 
 namespace handsight::app {
 ExplainWorkspace::ExplainWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent), adding_(bench) {

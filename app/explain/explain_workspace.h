@@ -4,9 +4,9 @@
 
 #include <map>
 
+#include "bench/workspace.h"
 #include "explain/adding.h"
 #include "explain/tour.h"
-#include "frame/workspace.h"
 
 namespace handsight::widgets {
 class VerdictLine;
@@ -24,8 +24,6 @@ class ExplainWorkspace : public Workspace {
  public:
   explicit ExplainWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
-  Place place() const override { return Place::explain; }
-  QString name() const override { return tr("Explain"); }
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   void activate() override;

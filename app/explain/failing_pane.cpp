@@ -7,12 +7,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "bench/link_selection.h"
 #include "diagnosis/common.h"
-#include "document/core_words.h"
-#include "frame/link_selection.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
-#include "widgets/scatter_plot.h"
-#include "widgets/theme.h"
+#include "widgets/plots/scatter_plot.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 
@@ -256,7 +256,7 @@ void FailingPane::fill_large() {
   large_->set_axes(plot->against, plot->x_unit, is_proof ? plot->what : tr("residual"), plot->y_unit);
   const QString title = tr("%1 against %2").arg(plot->what.left(1).toUpper() + plot->what.mid(1), plot->against);
   large_->set_title(is_proof && added_ >= 1 ? tr("In the model: %1").arg(title) : title);
-  large_->set_noise_band(is_proof && added_ < 1 ? std::nullopt : plot->noise);
+  large_->set_noise_band(plot->noise, !is_proof || added_ >= 1);
   large_->set_points(plot->points);
   large_->set_trend(plot->trend);
   large_->set_candidate(plot->candidate);

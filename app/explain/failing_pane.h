@@ -8,8 +8,8 @@
 #include <QWidget>
 #include <map>
 
-#include "explain/pattern_plots.h"
-#include "explain/proof_plots.h"
+#include "findings/pattern_plots.h"
+#include "findings/proof_plots.h"
 
 class QLabel;
 class QPushButton;

@@ -4,8 +4,8 @@
 #include <QPushButton>
 
 #include "explain/failing_pane.h"
-#include "widgets/motion.h"
-#include "widgets/scatter_plot.h"
+#include "widgets/base/motion.h"
+#include "widgets/plots/scatter_plot.h"
 
 namespace handsight::app {
 

@@ -10,14 +10,14 @@
 #include <QVBoxLayout>
 
 #include "base/error.h"
-#include "document/core_words.h"
 #include "explain/adding_on.h"
 #include "explain/poses_pane.h"
-#include "explain/robot_checks.h"
 #include "explain/truth.h"
+#include "findings/robot_checks.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/candidate_list.h"
 #include "widgets/explain/effect_table.h"
-#include "widgets/theme.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 

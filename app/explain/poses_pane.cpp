@@ -11,11 +11,11 @@
 
 #include "base/files.h"
 #include "base/numbers.h"
-#include "document/core_words.h"
 #include "document/effect_words.h"
-#include "explain/explain_texts.h"
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
+#include "findings/explain_texts.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {

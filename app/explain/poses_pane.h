@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
+#include "bench/workbench.h"
 #include "diagnosis/planning.h"
-#include "frame/workbench.h"
 
 class QLabel;
 class QLineEdit;

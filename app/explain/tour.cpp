@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "document/effect_words.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
-#include "widgets/number_text.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::app {
 namespace {

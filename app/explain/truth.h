@@ -2,7 +2,7 @@
 // Reveal the truth: what was hidden in a sample session, beside what the model has found. Nothing else reads it.
 #pragma once
 
-#include "frame/workbench.h"
+#include "bench/workbench.h"
 #include "widgets/explain/truth_panel.h"
 
 namespace handsight::app {

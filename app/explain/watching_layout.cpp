@@ -7,12 +7,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "bench/link_selection.h"
 #include "explain/watching_pane.h"
-#include "frame/link_selection.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::app {
 

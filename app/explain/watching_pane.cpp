@@ -6,15 +6,15 @@
 #include <QStackedWidget>
 #include <algorithm>
 
+#include "bench/observation_views.h"
 #include "document/bent_robot.h"
 #include "document/effect_words.h"
-#include "frame/observation_views.h"
+#include "widgets/base/motion.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
-#include "widgets/motion.h"
-#include "widgets/number_text.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::app {
 namespace {

@@ -3,11 +3,11 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "bench/observation_views.h"
 #include "document/bent_robot.h"
 #include "explain/watching_pane.h"
-#include "frame/observation_views.h"
-#include "widgets/number_text.h"
-#include "widgets/robot_view.h"
+#include "widgets/base/number_text.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::app {
 namespace {

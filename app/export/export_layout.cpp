@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "export/export_workspace.h"
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::app {
 namespace {

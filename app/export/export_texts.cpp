@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "document/core_words.h"
+#include "bench/model_effects.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
-#include "explain/explain_texts.h"
-#include "frame/model_effects.h"
-#include "widgets/number_text.h"
+#include "findings/explain_texts.h"
+#include "widgets/base/number_text.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -136,10 +136,15 @@ QString mount_text(const Session& session, const Fit& fit) {
 
 }  // namespace
 
-std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model) {
+std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model,
+                                         const Diagnosis* diagnosis) {
   std::vector<ExportRemark> remarks;
   const auto ratio = error_and_noise(model).ratio();
-  remarks.push_back({comparison_sentence(model), !ratio || *ratio >= 1.25});
+  const widgets::SessionVerdict verdict = session_verdict(model, diagnosis, false, widgets::SizeUnit::pixel);
+  if (verdict.state == widgets::SessionState::scatter)  // nothing is to be mended before it is used
+    remarks.push_back({verdict.sentence, false});
+  else
+    remarks.push_back({comparison_sentence(model), !ratio || *ratio >= 1.25});
   if (!model.fit->converged())
     remarks.push_back({QObject::tr("The fit has not converged: more observations, or look at Inspect."), true});
   if (model.fit->covariance_kind == CovarianceKind::scatter)

@@ -28,6 +28,7 @@ struct ExportRemark {
   QString sentence;
   bool is_warning = false;
 };
-std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model);
+std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model,
+                                         const Diagnosis* diagnosis = nullptr);
 
 }  // namespace handsight::app

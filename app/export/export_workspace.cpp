@@ -17,15 +17,15 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "document/core_words.h"
-#include "document/counted.h"
-#include "explain/explain_texts.h"
-#include "export/fresh_poses.h"
+#include "diagnosis/fresh_poses.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
+#include "findings/explain_texts.h"
 #include "session/calibration_xml.h"
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "words/core_words.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 namespace {
@@ -54,6 +54,9 @@ ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(
   });
   connect(&bench.document, &Document::model_changed, this, [this] {
     emit status_changed();
+    if (is_active()) refresh();
+  });
+  connect(&bench.diagnosing, &Diagnosing::diagnosis_changed, this, [this] {
     if (is_active()) refresh();
   });
   connect(save_, &QPushButton::clicked, this, &ExportWorkspace::save_xml);
@@ -113,7 +116,7 @@ void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
   before_->setVisible(model != nullptr);
   if (!model) return;
   bool any_warning = false;
-  const auto remarks = export_remarks(bench_.document, *model);
+  const auto remarks = export_remarks(bench_.document, *model, bench_.diagnosing.diagnosis().get());
   for (const ExportRemark& remark : remarks) {
     auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, before_);
     label->setWordWrap(true);

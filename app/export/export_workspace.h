@@ -2,8 +2,8 @@
 // The Export workspace: TCP->Body as it will be written, saved, copied, reported.
 #pragma once
 
+#include "bench/workspace.h"
 #include "export/export_texts.h"
-#include "frame/workspace.h"
 
 class QButtonGroup;
 class QLabel;
@@ -21,8 +21,6 @@ class ExportWorkspace : public Workspace {
  public:
   explicit ExportWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
-  Place place() const override { return Place::write_out; }
-  QString name() const override { return tr("Export"); }
   WorkStatus status() const override;
   void activate() override;
 

@@ -9,13 +9,13 @@
 #include <QUrl>
 #include <functional>
 
-#include "document/core_words.h"
+#include "bench/model_effects.h"
 #include "document/effect_words.h"
-#include "explain/explain_texts.h"
-#include "explain/robot_checks.h"
 #include "export/export_texts.h"
-#include "frame/model_effects.h"
-#include "widgets/number_text.h"
+#include "findings/explain_texts.h"
+#include "findings/robot_checks.h"
+#include "widgets/base/number_text.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -106,7 +106,7 @@ QString checks_part(const Document& document) {
   if (rows.empty()) return {};
   return "<h2>" + QObject::tr("Checked on the robot") + "</h2>\n" +
          table({QObject::tr("Cause"), QObject::tr("Predicted"), QObject::tr("Measured"), QObject::tr("What it says")},
-               rows);
+               rows, Columns::words);
 }
 
 QString actions_part(const Document& document) {
@@ -138,6 +138,7 @@ constexpr const char* style =
     "h1{line-height:1.2}h2{margin-top:32px;break-after:avoid}\n"
     "table{border-collapse:collapse;font-variant-numeric:tabular-nums}\n"
     "th,td{border-bottom:1px solid #d0d5db;padding:4px 16px 4px 0;overflow-wrap:normal}tr{break-inside:avoid}\n"
+    "td[align=right]{white-space:nowrap}\n"
     ".wide{overflow-x:auto}\n"
     ".from{color:#4a5560}\n"
     ".picture{margin:28px 0;color:#4a5560;break-inside:avoid}\n"

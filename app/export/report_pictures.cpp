@@ -4,17 +4,17 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "explain/fit_watch.h"
-#include "explain/pattern_plots.h"
-#include "explain/proof_plots.h"
-#include "frame/observation_views.h"
-#include "inspect/inspection_rows.h"
+#include "bench/observation_views.h"
+#include "findings/fit_watch.h"
+#include "findings/inspection_rows.h"
+#include "findings/pattern_plots.h"
+#include "findings/proof_plots.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/pattern_page.h"
 #include "widgets/explain/residual_cloud.h"
 #include "widgets/explain/staircase.h"
-#include "widgets/histogram_plot.h"
-#include "widgets/residual_map.h"
-#include "widgets/theme.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/residual_map.h"
 
 namespace handsight::app {
 namespace {

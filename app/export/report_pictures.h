@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "bench/workbench.h"
 #include "export/report.h"
-#include "frame/workbench.h"
 
 namespace handsight::app {
 

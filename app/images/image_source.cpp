@@ -11,8 +11,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "document/core_words.h"
 #include "vision/image_file.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 

@@ -9,14 +9,14 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "frame/camera_strip.h"
+#include "bench/camera_strip.h"
 #include "inspect/inspect_workspace.h"
-#include "widgets/blame_bar.h"
-#include "widgets/histogram_plot.h"
-#include "widgets/image_view.h"
-#include "widgets/observation_table.h"
-#include "widgets/residual_map.h"
-#include "widgets/robot_view.h"
+#include "widgets/images/image_view.h"
+#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/observation_table.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/residual_map.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::app {
 

@@ -7,19 +7,19 @@
 #include <QTabWidget>
 #include <algorithm>
 
-#include "frame/camera_strip.h"
-#include "frame/link_selection.h"
-#include "frame/observation_views.h"
-#include "inspect/inspection_rows.h"
+#include "bench/camera_strip.h"
+#include "bench/link_selection.h"
+#include "bench/observation_views.h"
+#include "findings/inspection_rows.h"
 #include "inspect/snap.h"
-#include "widgets/blame_bar.h"
-#include "widgets/histogram_plot.h"
-#include "widgets/image_view.h"
-#include "widgets/number_text.h"
-#include "widgets/observation_table.h"
-#include "widgets/residual_map.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "widgets/images/image_view.h"
+#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/observation_table.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/residual_map.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::app {
 
@@ -368,7 +368,7 @@ void InspectWorkspace::refresh_observation() {
 
 std::vector<Action> InspectWorkspace::own_actions() const {
   const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
-    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+    return Action{.id = id, .group = tr("Inspect"), .text = what, .gesture = gesture};
   };
   return {explained("inspect_keys", tr("Delete, Insert"), tr("exclude, include the chosen observations")),
           explained("inspect_marker", tr("0 … 9, Delete on a marker"), tr("renumber, remove it"))};

@@ -2,7 +2,7 @@
 // The Inspect workspace: which observations are off, whose fault it is, and what becomes of the fit without them.
 #pragma once
 
-#include "frame/workspace.h"
+#include "bench/workspace.h"
 
 class QComboBox;
 class QLabel;
@@ -28,8 +28,6 @@ class InspectWorkspace : public Workspace {
  public:
   explicit InspectWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
-  Place place() const override { return Place::inspect; }
-  QString name() const override { return tr("Inspect"); }
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   void activate() override;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/jobs.h"
 
-#include "document/core_words.h"
+#include "words/core_words.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>

@@ -5,11 +5,11 @@
 #include <QLabel>
 
 #include "label/label_workspace.h"
-#include "widgets/image_view.h"
-#include "widgets/loupe.h"
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
-#include "widgets/triangle_panel.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "widgets/images/image_view.h"
+#include "widgets/images/loupe.h"
+#include "widgets/images/triangle_panel.h"
 
 namespace handsight::app {
 

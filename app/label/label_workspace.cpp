@@ -5,14 +5,14 @@
 #include <QKeyEvent>
 #include <QLabel>
 
-#include "document/counted.h"
-#include "frame/observation_views.h"
+#include "bench/observation_views.h"
 #include "vision/corner_detector.h"
-#include "widgets/image_view.h"
-#include "widgets/loupe.h"
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
-#include "widgets/triangle_panel.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "widgets/images/image_view.h"
+#include "widgets/images/loupe.h"
+#include "widgets/images/triangle_panel.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 
@@ -343,7 +343,7 @@ void LabelWorkspace::next_observation() {
 
 std::vector<Action> LabelWorkspace::own_actions() const {
   const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
-    return Action{.id = id, .group = name(), .text = what, .gesture = gesture};
+    return Action{.id = id, .group = tr("Label"), .text = what, .gesture = gesture};
   };
   return {explained("marker_snap", tr("Click, Alt+click"), tr("marker on the nearest corner, exactly there")),
           explained("marker_nudge", tr("Arrows, Shift+arrows"), tr("nudge the chosen marker by 0.1 px, 1 px")),

@@ -2,7 +2,7 @@
 // The Label workspace: the first observation, by hand.
 #pragma once
 
-#include "frame/workspace.h"
+#include "bench/workspace.h"
 #include "label/labeller.h"
 
 class QCheckBox;
@@ -22,8 +22,6 @@ class LabelWorkspace : public Workspace {
  public:
   explicit LabelWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
-  Place place() const override { return Place::label; }
-  QString name() const override { return tr("Label"); }
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   Panel panel() const override { return Panel::absent; }

@@ -9,10 +9,10 @@
 #include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "document/core_words.h"
 #include "images/image_source.h"
 #include "session/csv.h"
 #include "session/new_session.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "start/preferences.h"
+#include "bench/preferences.h"
 
 namespace handsight::app {
 namespace {

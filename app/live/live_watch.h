@@ -7,7 +7,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "frame/workbench.h"
+#include "bench/workbench.h"
 #include "live/live_look.h"
 #include "ways/arrivals.h"
 

@@ -12,9 +12,9 @@
 #include <QVBoxLayout>
 
 #include "start/session_places.h"
-#include "widgets/cells.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
+#include "widgets/base/cells.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::app {
 namespace {

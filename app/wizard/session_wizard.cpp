@@ -11,14 +11,13 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "document/core_words.h"
-#include "document/counted.h"
-#include "frame/main_window.h"
 #include "live/live_watch.h"
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 #include "wizard/target_form.h"
 #include "wizard/wizard_paths.h"
 #include "wizard/wizard_scene.h"
+#include "words/core_words.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 namespace {
@@ -31,8 +30,8 @@ std::optional<Vector3> three_numbers(const QLineEdit* edit) {
 
 }  // namespace
 
-void SessionWizard::run(MainWindow& window) {
-  auto* wizard = new SessionWizard(window);
+void SessionWizard::run(QWidget& window, std::function<void(const QString& path)> open) {
+  auto* wizard = new SessionWizard(window, std::move(open));
   wizard->setAttribute(Qt::WA_DeleteOnClose);
   wizard->open();
 }
@@ -137,7 +136,7 @@ void SessionWizard::make() {
     // What arrives there later belongs to this session too.
     if (made.rig && !is_flange_only()) remember_live_sources(made.file, {image_folders(), path_of(angles_.path)});
     accept();
-    window_.open(QString::fromStdString(made.file.string()));
+    open_made_(QString::fromStdString(made.file.string()));
   } catch (const std::exception& error) {
     refusal_->setText(translated_error(error));
   }

@@ -24,18 +24,17 @@ class RobotView;
 
 namespace handsight::app {
 
-class MainWindow;
 class TargetForm;
 
 class SessionWizard : public QDialog {
   Q_OBJECT
 
  public:
-  /// Opens it over the window; the session that is made is opened there.
-  static void run(MainWindow& window);
+  /// Over `window`; the session that it makes is handed to `open`.
+  static void run(QWidget& window, std::function<void(const QString& path)> open);
 
  private:
-  explicit SessionWizard(MainWindow& window);
+  SessionWizard(QWidget& window, std::function<void(const QString& path)> open);
   /// A line with a name, a path, a button to choose it, and a sentence below.
   struct Part {
     QLabel* caption = nullptr;
@@ -92,7 +91,7 @@ class SessionWizard : public QDialog {
   void make();
   static void say(const Part& part, const QString& sentence, bool is_refusal);
 
-  MainWindow& window_;
+  std::function<void(const QString& path)> open_made_;
   QGridLayout* grid_;
   widgets::PictureChoice *camera_place_, *target_place_, *known_;
   TargetForm* form_;

@@ -13,15 +13,15 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "frame/main_window.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
+#include "widgets/scene/robot_view.h"
 #include "wizard/session_wizard.h"
 #include "wizard/target_form.h"
 
 namespace handsight::app {
 
-SessionWizard::SessionWizard(MainWindow& window) : QDialog(&window), window_(window) {
+SessionWizard::SessionWizard(QWidget& window, std::function<void(const QString& path)> open)
+    : QDialog(&window), open_made_(std::move(open)) {
   setObjectName("wizard");
   setWindowTitle(tr("New session"));
   const QSize screen = window.screen()->availableSize();

@@ -8,13 +8,13 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "document/counted.h"
-#include "widgets/picture_choice.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/base/picture_choice.h"
+#include "widgets/base/theme.h"
+#include "widgets/scene/robot_view.h"
 #include "wizard/session_wizard.h"
 #include "wizard/target_form.h"
 #include "wizard/wizard_scene.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 

@@ -5,14 +5,14 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "document/core_words.h"
-#include "document/counted.h"
 #include "robot/urdf.h"
 #include "session/csv.h"
 #include "session/stereo_calibration.h"
 #include "ways/brought.h"
 #include "wizard/session_wizard.h"
 #include "wizard/wizard_paths.h"
+#include "words/core_words.h"
+#include "words/counted.h"
 
 namespace handsight::app {
 namespace {

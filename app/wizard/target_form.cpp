@@ -14,12 +14,12 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/numbers.h"
-#include "document/core_words.h"
 #include "targets/dictionary.h"
 #include "targets/sheet.h"
 #include "targets/target_xml.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/theme.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {

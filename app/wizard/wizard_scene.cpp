@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "robot/posture.h"
-#include "widgets/robot_view.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::app {
 namespace {

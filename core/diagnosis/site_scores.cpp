@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/site_scores.h"
 
+#include "estimation/column_products.h"
+
 namespace handsight {
 namespace {
 
 constexpr double joint_size = 1e-3;                    // rad (m): plausible
 constexpr double shift_size = 1e-3, turn_size = 2e-3;  // m, rad
 
-std::vector<SiteBlock> site_blocks(const WhitenedModel& w, const std::vector<Eigen::MatrixXd>& directions) {
+/// `directions`: per observation, the body's motion by the site's directions, 6 x directions.
+CurveSite make_site(LocaliserSite kind, int joint, const WhitenedModel& w, const Eigen::VectorXd& sizes,
+                    const std::vector<Eigen::MatrixXd>& directions) {
   const LinearModel& m = *w.model;
-  std::vector<SiteBlock> blocks(m.observations.size());
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const LinearObservation& o = m.observations[i];
-    const Eigen::MatrixXd columns = w.whiteners[i] * (o.by_body * directions[i]);
-    blocks[i].information = columns.transpose() * columns;
-    blocks[i].gradient = columns.transpose() * w.external_error.segment(o.first, o.count);
-    blocks[i].shared = w.external.middleRows(o.first, o.count).leftCols(m.base).transpose() * columns;
-    blocks[i].shared = w.base.matrixL().solve(blocks[i].shared);
+  const auto count = static_cast<Eigen::Index>(m.observations.size()), n = sizes.size();
+  CurveSite site{kind, joint, sizes, Eigen::MatrixXd(count, n * n), Eigen::MatrixXd(count, n), {}};
+  site.shared.assign(static_cast<std::size_t>(n), Eigen::MatrixXd(count, m.base));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const LinearObservation& o = m.observations[static_cast<std::size_t>(i)];
+    const auto at = static_cast<std::size_t>(i);
+    const Eigen::MatrixXd columns = w.whiteners[at] * (o.by_body * directions[at]);
+    const Eigen::MatrixXd information = columns.transpose() * columns;
+    site.information.row(i) = information.reshaped().transpose();
+    site.gradient.row(i) = w.external_error.segment(o.first, o.count).transpose() * columns;
+    for (Eigen::Index d = 0; d < n; ++d)
+      site.shared[static_cast<std::size_t>(d)].row(i).noalias() =
+          columns.col(d).transpose() * w.external.middleRows(o.first, o.count).leftCols(m.base);
   }
-  return blocks;
+  for (Eigen::MatrixXd& shared : site.shared) w.base.matrixU().solveInPlace<Eigen::OnTheRight>(shared);
+  return site;
 }
 
 Vector6 rigid_sizes() {
@@ -37,8 +47,8 @@ std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& proble
     tcp.push_back(adjoint(o.sensor_from_tcp) * rigid_sizes().asDiagonal());
     mount.push_back(-Matrix6(rigid_sizes().asDiagonal()));
   }
-  sites.push_back({LocaliserSite::tcp, -1, site_blocks(w, tcp), rigid_sizes()});
-  sites.push_back({LocaliserSite::mount, -1, site_blocks(w, mount), rigid_sizes()});
+  sites.push_back(make_site(LocaliserSite::tcp, -1, w, rigid_sizes(), tcp));
+  sites.push_back(make_site(LocaliserSite::mount, -1, w, rigid_sizes(), mount));
   const Chain& chain = problem.source->chain;
   for (std::size_t j = 0; j < chain.joints.size(); ++j) {
     std::vector<Eigen::MatrixXd> directions;
@@ -48,29 +58,31 @@ std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& proble
       largest = std::max(largest, m.observations[i].by_joints.col(static_cast<Eigen::Index>(j)).norm());
     }
     if (largest > 0)
-      sites.push_back({LocaliserSite::joint, chain.joints[j], site_blocks(w, directions),
-                       Eigen::VectorXd::Constant(1, joint_size)});
+      sites.push_back(
+          make_site(LocaliserSite::joint, chain.joints[j], w, Eigen::VectorXd::Constant(1, joint_size), directions));
   }
   return sites;
 }
 
 Score score_at(const WhitenedModel& w, const CurveSite& site, const Eigen::MatrixXd& values) {
-  const std::vector<SiteBlock>& blocks = site.blocks;
-  const Eigen::Index s = blocks.front().gradient.size(), f = values.cols();
-  Score score{Eigen::MatrixXd::Zero(s * f, s * f), Eigen::VectorXd::Zero(s * f)};
-  Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(w.model->base, s * f);
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    for (Eigen::Index a = 0; a < f; ++a) {
-      score.gradient.segment(s * a, s) += values(row, a) * blocks[i].gradient;
-      shared.middleCols(s * a, s) += values(row, a) * blocks[i].shared;
-      for (Eigen::Index b = 0; b <= a; ++b)
-        score.information.block(s * a, s * b, s, s) += values(row, a) * values(row, b) * blocks[i].information;
+  const Eigen::Index s = site.directions(), f = values.cols();
+  Score score{Eigen::MatrixXd(s * f, s * f), column_products(site.gradient, values).reshaped()};
+  Eigen::MatrixXd shared(w.model->base, s * f);
+  for (Eigen::Index d = 0; d < s; ++d) {
+    const Eigen::MatrixXd of_direction = column_products(site.shared[static_cast<std::size_t>(d)], values);
+    for (Eigen::Index a = 0; a < f; ++a) shared.col(s * a + d) = of_direction.col(a);
+  }
+  for (Eigen::Index a = 0; a < f; ++a) {
+    const Eigen::MatrixXd products = values.leftCols(a + 1).array().colwise() * values.col(a).array();
+    const Eigen::MatrixXd information = column_products(site.information, products);
+    for (Eigen::Index b = 0; b <= a; ++b) {
+      const auto block = information.col(b).reshaped(s, s);
+      score.information.block(s * a, s * b, s, s) = block;
+      score.information.block(s * b, s * a, s, s) = block.transpose();
     }
   }
-  score.information = Eigen::MatrixXd(score.information.selfadjointView<Eigen::Lower>());
   const Eigen::VectorXd raw = score.information.diagonal();
-  score.information -= shared.transpose() * shared;
+  score.information -= column_products(shared);
   score.gradient -= shared.transpose() * w.base_gradient;
   for (Eigen::Index i = 0; i < raw.size(); ++i) {
     if (score.information(i, i) > 1e-9 * raw[i]) continue;

@@ -9,18 +9,16 @@ namespace handsight {
 
 enum class LocaliserSite { joint, tcp, mount };
 
-/// A site's directions in one observation, whitened: their information, score, and share in the base.
-struct SiteBlock {
-  Eigen::MatrixXd information;  // s x s
-  Eigen::VectorXd gradient;     // s
-  Eigen::MatrixXd shared;       // base x s
-};
-
+/// A site of the chain and what the measurements say of its directions, whitened; a row an observation.
 struct CurveSite {
   LocaliserSite kind = LocaliserSite::joint;
-  int joint = -1;                 // of the robot, where the site is a joint
-  std::vector<SiteBlock> blocks;  // per observation
-  Eigen::VectorXd sizes;          // plausible, per direction: rad or m
+  int joint = -1;                       // of the robot, where the site is a joint
+  Eigen::VectorXd sizes;                // plausible, per direction: rad or m
+  Eigen::MatrixXd information;          // the directions' information, column by column: observations x directions^2
+  Eigen::MatrixXd gradient;             // observations x directions
+  std::vector<Eigen::MatrixXd> shared;  // per direction, its share in the base: observations x base
+
+  Eigen::Index directions() const { return sizes.size(); }
 };
 
 /// The hand, the mount, and every joint of the session that moves what is seen.

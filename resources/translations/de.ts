@@ -5,6 +5,10 @@
 <context>
     <name>handsight</name>
     <message>
+        <source> Of a size that no robot is built with: %1; it probably stands in for another cause.</source>
+        <translation> Von einer Größe, mit der kein Roboter gebaut ist: %1; das steht wohl für eine andere Ursache.</translation>
+    </message>
+    <message>
         <source> (%1 at the hand)</source>
         <translation> (%1 an der Hand)</translation>
     </message>
@@ -71,10 +75,6 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 (Ctrl+%2)</source>
-        <translation>%1 (Strg+%2)</translation>
     </message>
     <message>
         <source>%1 - Handsight</source>
@@ -2208,8 +2208,8 @@
         <translation>Angehalten, bevor Stellungen gefunden waren.</translation>
     </message>
     <message>
-        <source>Stopped by itself: %1 added, and nothing plausible is left that would help. The first card says what is left.</source>
-        <translation>Von selbst angehalten: %1 hinzugefügt, und nichts Glaubhaftes ist übrig, das hülfe. Die erste Karte sagt, was bleibt.</translation>
+        <source>Stopped by itself: %1 added, and nothing is left that would help. The first card says what is left.</source>
+        <translation>Von selbst angehalten: %1 hinzugefügt, und nichts ist übrig, das hülfe. Die erste Karte sagt, was bleibt.</translation>
     </message>
     <message>
         <source>Stopped. Everything is as before.</source>
@@ -5880,6 +5880,414 @@
     <message>
         <source>a positive number</source>
         <translation>eine positive Zahl</translation>
+    </message>
+    <message>
+        <source>the image has %1 x %2 px, the first of camera %3 has %4 x %5; expected images of one size.</source>
+        <translation>das Bild hat %1 x %2 px, das erste der Kamera %3 hat %4 x %5; erwartet werden Bilder einer Größe.</translation>
+    </message>
+    <message>
+        <source>The images of camera %1 are %2 x %3 px, and camera %4 of the session has %5 x %6: they are another camera's, or were scaled; name images of the session's cameras.</source>
+        <translation>Die Bilder der Kamera %1 sind %2 x %3 px, und Kamera %4 der Sitzung hat %5 x %6: sie sind von einer anderen Kamera oder wurden skaliert; nenne Bilder der Kameras der Sitzung.</translation>
+    </message>
+    <message>
+        <source>Camera %1 of the session has the skew %2, which a calibration by images does not know; set it to 0.</source>
+        <translation>Kamera %1 der Sitzung hat die Scherung %2, die eine Kalibrierung aus Bildern nicht kennt; setze sie auf 0.</translation>
+    </message>
+    <message>
+        <source>There are board images of %1 %2 (%3), and the session has %4 (%5): name a folder for each of its cameras.</source>
+        <translation>Es gibt Bilder eines Bretts von %1 %2 (%3), und die Sitzung hat %4 (%5): nenne einen Ordner für jede ihrer Kameras.</translation>
+    </message>
+    <message>
+        <source>The target is found in none of the board images; look at one and at what --target says of it.</source>
+        <translation>Das Ziel ist in keinem der Bilder des Bretts zu finden; sieh dir eines an, und was --target davon sagt.</translation>
+    </message>
+    <message>
+        <source>These board images do not determine the cameras' numbers; take 10 to 20 of each camera, tilted to all sides, and of several cameras at the same moments.</source>
+        <translation>Diese Bilder des Bretts bestimmen die Zahlen der Kameras nicht; nimm 10 bis 20 von jeder Kamera auf, nach allen Seiten gekippt, und von mehreren Kameras zu denselben Zeitpunkten.</translation>
+    </message>
+    <message>
+        <source>The target was found with at least %1 points in %2 of the images of camera %3; expected at least 3, better 10 and more, from different sides.</source>
+        <translation>Das Ziel wurde mit mindestens %1 Punkten in %2 der Bilder von Kamera %3 gefunden; erwartet werden mindestens 3, besser 10 und mehr, von verschiedenen Seiten.</translation>
+    </message>
+    <message>
+        <source>No focal length was found with which the images of camera %1 fit together; expected images of one flat target from several sides, and the target as it was described.</source>
+        <translation>Es fand sich keine Brennweite, mit der die Bilder von Kamera %1 zusammenpassen; erwartet werden Bilder eines ebenen Ziels von mehreren Seiten und das Ziel, wie es beschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>Camera %1 saw the target in no image that was taken together with one of the other cameras; expected images of the same moment, or a run with the images of %2 alone.</source>
+        <translation>Kamera %1 sah das Ziel in keinem Bild, das zugleich mit einer der anderen Kameras aufgenommen wurde; erwartet werden Bilder desselben Zeitpunkts, oder ein Lauf mit den Bildern von %2 allein.</translation>
+    </message>
+    <message>
+        <source>%1 and %2: both are moment %3 of camera %4 by their names; name files so that only the number of the moment changes, or give each camera a folder.</source>
+        <translation>%1 und %2: beide sind nach ihren Namen Zeitpunkt %3 der Kamera %4; nenne Dateien so, dass sich nur die Nummer des Zeitpunkts ändert, oder gib jeder Kamera einen Ordner.</translation>
+    </message>
+    <message>
+        <source>there is no such image or folder.</source>
+        <translation>ein solches Bild oder einen solchen Ordner gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1.</source>
+        <translation>der Ordner lässt sich nicht lesen: %1.</translation>
+    </message>
+    <message>
+        <source>No images were found; expected folders or files of PNG, JPEG, TIFF, PGM or BMP.</source>
+        <translation>Es wurden keine Bilder gefunden; erwartet werden Ordner oder Dateien in PNG, JPEG, TIFF, PGM oder BMP.</translation>
+    </message>
+    <message>
+        <source>The names of the images speak of %1 cameras (%2, %3, ...); expected at most %4.</source>
+        <translation>Die Namen der Bilder sprechen von %1 Kameras (%2, %3, ...); erwartet werden höchstens %4.</translation>
+    </message>
+    <message>
+        <source>the %1 camera matrix holds %2; expected at most %3 px.</source>
+        <translation>die Kameramatrix %1 enthält %2; erwartet werden höchstens %3 px.</translation>
+    </message>
+    <message>
+        <source>the %1 camera has %2 distortion terms (rational, thin prism or tilted); calibrate it with five (k1 k2 p1 p2 k3).</source>
+        <translation>die Kamera %1 hat %2 Verzeichnungsterme (rational, dünnes Prisma oder gekippt); kalibriere sie mit fünf (k1 k2 p1 p2 k3).</translation>
+    </message>
+    <message>
+        <source>R is %1 x %2; expected a 3 x 3 rotation or a rotation vector.</source>
+        <translation>R ist %1 x %2; erwartet wird eine Drehmatrix 3 x 3 oder ein Drehvektor.</translation>
+    </message>
+    <message>
+        <source>the %1 camera has %2 distortion terms; expected %3.</source>
+        <translation>die Kamera %1 hat %2 Verzeichnungsterme; erwartet werden %3.</translation>
+    </message>
+    <message>
+        <source>has no R%1 and T%2 of camera %3; name the file that says where it is to the first.</source>
+        <translation>hat kein R%1 und T%2 der Kamera %3; nenne die Datei, die sagt, wo sie zur ersten liegt.</translation>
+    </message>
+    <message>
+        <source>images of the encoding %1 cannot be read; publish mono8, mono16, rgb8 or bgr8 (image_proc makes them of Bayer patterns).</source>
+        <translation>Bilder der Kodierung %1 lassen sich nicht lesen; veröffentliche mono8, mono16, rgb8 oder bgr8 (image_proc macht sie aus Bayer-Mustern).</translation>
+    </message>
+    <message>
+        <source>its rows are shorter than its width.</source>
+        <translation>die Zeilen sind kürzer als die Breite.</translation>
+    </message>
+    <message>
+        <source>compressed images of the format %1 cannot be read; expected PNG or JPEG.</source>
+        <translation>komprimierte Bilder des Formats %1 lassen sich nicht lesen; erwartet wird PNG oder JPEG.</translation>
+    </message>
+    <message>
+        <source>%1; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or a ROS 2 bag in sqlite3.</source>
+        <translation>%1; erwartet wird eine URDF, ein Ordner mit Bildern, eine Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von easy_handeye oder ein ROS-2-Bag in sqlite3.</translation>
+    </message>
+    <message>
+        <source>is a session already, use it as it is</source>
+        <translation>ist schon eine Sitzung, nimm sie, wie sie ist</translation>
+    </message>
+    <message>
+        <source>is an SDF of Gazebo; name the URDF of the robot</source>
+        <translation>ist ein SDF von Gazebo; nenne die URDF des Roboters</translation>
+    </message>
+    <message>
+        <source>is a MuJoCo model; name the URDF of the robot</source>
+        <translation>ist ein Modell von MuJoCo; nenne die URDF des Roboters</translation>
+    </message>
+    <message>
+        <source>is XML of a kind that is not known</source>
+        <translation>ist XML einer unbekannten Art</translation>
+    </message>
+    <message>
+        <source>is YAML of a kind that is not known</source>
+        <translation>ist YAML einer unbekannten Art</translation>
+    </message>
+    <message>
+        <source>is a table whose columns are neither joints of the robot nor places (x y z); write a header</source>
+        <translation>ist eine Tabelle, deren Spalten weder Gelenke des Roboters noch Orte (x y z) sind; schreibe eine Kopfzeile</translation>
+    </message>
+    <message>
+        <source>is not there; name a file or folder.</source>
+        <translation>ist nicht da; nenne eine Datei oder einen Ordner.</translation>
+    </message>
+    <message>
+        <source>holds a session already, use it as it is</source>
+        <translation>enthält schon eine Sitzung, nimm sie, wie sie ist</translation>
+    </message>
+    <message>
+        <source>is a folder without images and without a bag</source>
+        <translation>ist ein Ordner ohne Bilder und ohne Bag</translation>
+    </message>
+    <message>
+        <source>is a bag in MCAP, which cannot be read here; write it as sqlite3 with `ros2 bag convert -i BAG -o options.yaml` (storage_id: sqlite3).</source>
+        <translation>ist ein Bag in MCAP, das hier nicht gelesen werden kann; schreibe es als sqlite3 mit `ros2 bag convert -i BAG -o options.yaml` (storage_id: sqlite3).</translation>
+    </message>
+    <message>
+        <source>is a bag of ROS 1; convert it with `rosbags-convert`, storage sqlite3.</source>
+        <translation>ist ein Bag von ROS 1; wandle es mit `rosbags-convert` um, Speicher sqlite3.</translation>
+    </message>
+    <message>
+        <source>is no text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>is a text of a kind that is not known</source>
+        <translation>ist ein Text einer unbekannten Art</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and another file is one too; name one of them.</source>
+        <translation>%1 ist %2, und eine andere Datei ist es auch; nenne eine davon.</translation>
+    </message>
+    <message>
+        <source>the robot's URDF</source>
+        <translation>die URDF des Roboters</translation>
+    </message>
+    <message>
+        <source>a folder of images</source>
+        <translation>ein Ordner mit Bildern</translation>
+    </message>
+    <message>
+        <source>a table of joint readings</source>
+        <translation>eine Tabelle von Gelenkwerten</translation>
+    </message>
+    <message>
+        <source>a table of poses</source>
+        <translation>eine Tabelle von Posen</translation>
+    </message>
+    <message>
+        <source>a table of points</source>
+        <translation>eine Tabelle von Punkten</translation>
+    </message>
+    <message>
+        <source>samples of easy_handeye</source>
+        <translation>Proben von easy_handeye</translation>
+    </message>
+    <message>
+        <source>a calibration of OpenCV</source>
+        <translation>eine Kalibrierung von OpenCV</translation>
+    </message>
+    <message>
+        <source>a camera_info of ROS</source>
+        <translation>eine camera_info von ROS</translation>
+    </message>
+    <message>
+        <source>a camchain of Kalibr</source>
+        <translation>eine Camchain von Kalibr</translation>
+    </message>
+    <message>
+        <source>a ROS 2 bag</source>
+        <translation>ein ROS-2-Bag</translation>
+    </message>
+    <message>
+        <source>is a second robot; name one URDF, with --robot or among the files.</source>
+        <translation>ist ein zweiter Roboter; nenne eine URDF, mit --robot oder unter den Dateien.</translation>
+    </message>
+    <message>
+        <source>has no %1 of %2 finite numbers; expected a calibration that is whole.</source>
+        <translation>hat kein %1 aus %2 endlichen Zahlen; erwartet wird eine vollständige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>the camera's matrix holds zeros: the driver publishes no calibration; calibrate it, or name a file that has one.</source>
+        <translation>die Matrix der Kamera enthält Nullen: der Treiber veröffentlicht keine Kalibrierung; kalibriere sie, oder nenne eine Datei, die eine hat.</translation>
+    </message>
+    <message>
+        <source>holds %1, no place in an image.</source>
+        <translation>enthält %1, keinen Ort in einem Bild.</translation>
+    </message>
+    <message>
+        <source>holds %1, no lens bends so.</source>
+        <translation>enthält %1, so biegt keine Linse.</translation>
+    </message>
+    <message>
+        <source>the lens is of the model %1, which sessions do not have; calibrate with plumb_bob (k1 k2 p1 p2 k3), rational_polynomial or equidistant.</source>
+        <translation>die Linse hat das Modell %1, das Sitzungen nicht haben; kalibriere mit plumb_bob (k1 k2 p1 p2 k3), rational_polynomial oder equidistant.</translation>
+    </message>
+    <message>
+        <source>the lens has %1 distortion terms; calibrate it with %2.</source>
+        <translation>die Linse hat %1 Verzeichnungsterme; kalibriere sie mit %2.</translation>
+    </message>
+    <message>
+        <source>the four of a fisheye</source>
+        <translation>den vier eines Fischauges</translation>
+    </message>
+    <message>
+        <source>eight (k1 k2 p1 p2 k3 k4 k5 k6)</source>
+        <translation>acht (k1 k2 p1 p2 k3 k4 k5 k6)</translation>
+    </message>
+    <message>
+        <source>five (k1 k2 p1 p2 k3)</source>
+        <translation>fünf (k1 k2 p1 p2 k3)</translation>
+    </message>
+    <message>
+        <source>a camera is of the model %1, which sessions do not have; calibrate it as pinhole-radtan.</source>
+        <translation>eine Kamera hat das Modell %1, das Sitzungen nicht haben; kalibriere sie als pinhole-radtan.</translation>
+    </message>
+    <message>
+        <source>%1 and %2: neither names the distance of the cameras (projection_matrix[3] is 0); calibrate them as a stereo pair, or name OpenCV's or Kalibr's stereo file too.</source>
+        <translation>%1 und %2: keine nennt den Abstand der Kameras (projection_matrix[3] ist 0); kalibriere sie als Stereopaar, oder nenne auch die Stereodatei von OpenCV oder Kalibr.</translation>
+    </message>
+    <message>
+        <source>T_cn_cnm1 holds no rotation; expected the motion from the camera before.</source>
+        <translation>T_cn_cnm1 enthält keine Drehung; erwartet wird die Bewegung von der Kamera davor.</translation>
+    </message>
+    <message>
+        <source>The images are %1 x %2 px and the calibration of the %3 camera is of %4 x %5 px, its centre at %6, %7: the images were turned by a quarter after it was calibrated; turn them back.</source>
+        <translation>Die Bilder sind %1 x %2 px, und die Kalibrierung der Kamera %3 ist von %4 x %5 px, ihre Mitte bei %6, %7: die Bilder wurden danach um ein Viertel gedreht; drehe sie zurück.</translation>
+    </message>
+    <message>
+        <source>%1; the bag is damaged, or the message is of another type than it says.</source>
+        <translation>%1; das Bag ist beschädigt, oder die Nachricht ist von anderer Art, als sie sagt.</translation>
+    </message>
+    <message>
+        <source>it is not plain CDR</source>
+        <translation>es ist kein schlichtes CDR</translation>
+    </message>
+    <message>
+        <source>a list is longer than the message</source>
+        <translation>eine Liste ist länger als die Nachricht</translation>
+    </message>
+    <message>
+        <source>the message ends too early</source>
+        <translation>die Nachricht endet zu früh</translation>
+    </message>
+    <message>
+        <source>the image ends too early</source>
+        <translation>das Bild endet zu früh</translation>
+    </message>
+    <message>
+        <source>the transform of %1 holds no unit quaternion</source>
+        <translation>die Transformation von %1 enthält kein Einheitsquaternion</translation>
+    </message>
+    <message>
+        <source>There is no robot; name its URDF with --robot, or a table of its flange's poses.</source>
+        <translation>Es ist kein Roboter dabei; nenne seine URDF mit --robot, oder eine Tabelle der Posen seines Flansches.</translation>
+    </message>
+    <message>
+        <source>There are no joint readings; name a table (CSV) of them, a column a joint.</source>
+        <translation>Es sind keine Gelenkwerte dabei; nenne eine Tabelle (CSV) davon, eine Spalte je Gelenk.</translation>
+    </message>
+    <message>
+        <source>There is nothing that a sensor measured: no images, no points, no poses of a target. Name their folder or file too.</source>
+        <translation>Es ist nichts dabei, was ein Sensor maß: keine Bilder, keine Punkte, keine Posen eines Ziels. Nenne auch deren Ordner oder Datei.</translation>
+    </message>
+    <message>
+        <source>--target-frame %1: /tf of the bag has no such child; it has: %2.</source>
+        <translation>--target-frame %1: /tf des Bags hat kein solches Kind; es hat: %2.</translation>
+    </message>
+    <message>
+        <source>The bag has no pair of camera images with calibration, and its /tf %1 frames that sound like a target; name it with --target-frame. /tf has: %2.</source>
+        <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, und sein /tf %1 Koordinatensysteme, die nach einem Ziel klingen; nenne es mit --target-frame. /tf hat: %2.</translation>
+    </message>
+    <message>
+        <source>The bag has %1 image topics with a calibration beside them where one is expected%2; record one camera with its CameraInfo, or a left and a right one.</source>
+        <translation>Das Bag hat %1 Bildthemen mit einer Kalibrierung daneben, wo eines erwartet wird%2; nimm eine Kamera mit ihrer CameraInfo auf, oder eine linke und eine rechte.</translation>
+    </message>
+    <message>
+        <source>The bag publishes no robot_description; name the robot's URDF with --robot.</source>
+        <translation>Das Bag veröffentlicht keine robot_description; nenne die URDF des Roboters mit --robot.</translation>
+    </message>
+    <message>
+        <source>The bag has no sensor_msgs/JointState with joints of this robot; record /joint_states too, or name the robot that it was recorded with.</source>
+        <translation>Das Bag hat kein sensor_msgs/JointState mit Gelenken dieses Roboters; nimm auch /joint_states auf, oder nenne den Roboter, mit dem es aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>There are %1 folders of images and a calibration of %2 cameras (%3); name one folder for each camera, in this order or with its name in the folder's.</source>
+        <translation>Es gibt %1 Ordner mit Bildern und eine Kalibrierung von %2 Kameras (%3); nenne einen Ordner je Kamera, in dieser Reihenfolge oder mit ihrem Namen in dem des Ordners.</translation>
+    </message>
+    <message>
+        <source>There are images, and no calibration of the cameras; name OpenCV's, Kalibr's or those of ROS, or make one with `handsight-cli cameras`.</source>
+        <translation>Es gibt Bilder und keine Kalibrierung der Kameras; nenne die von OpenCV, Kalibr oder ROS, oder mache eine mit `handsight-cli cameras`.</translation>
+    </message>
+    <message>
+        <source>Files of ROS do not say how more than two cameras lie to each other; name Kalibr's camchain, or make a calibration with `handsight-cli cameras`.</source>
+        <translation>Dateien von ROS sagen nicht, wie mehr als zwei Kameras zueinander liegen; nenne die Camchain von Kalibr, oder mache eine Kalibrierung mit `handsight-cli cameras`.</translation>
+    </message>
+    <message>
+        <source>With %1 %2 something must be shown whose points name themselves: say what with --target, for example "charuco columns=8 rows=6 square=0.03 marker=0.022 dictionary=DICT_5X5_100"; markers without names need two cameras.</source>
+        <translation>Mit %1 %2 muss etwas zu sehen sein, dessen Punkte sich selbst nennen: sage mit --target, was, zum Beispiel "charuco columns=8 rows=6 square=0.03 marker=0.022 dictionary=DICT_5X5_100"; Marker ohne Namen brauchen zwei Kameras.</translation>
+    </message>
+    <message>
+        <source>There are images, and no table of joint readings; name a CSV with a line for each instant, or leave the robot out and name a table of its flange's poses.</source>
+        <translation>Es gibt Bilder und keine Tabelle von Gelenkwerten; nenne eine CSV mit einer Zeile je Zeitpunkt, oder lass den Roboter weg und nenne eine Tabelle der Posen seines Flansches.</translation>
+    </message>
+    <message>
+        <source>There are %1 lines of joint readings and %2 measurements, and %3 no times to pair them by; expected one line for each, or a column `time` in both.</source>
+        <translation>Es gibt %1 Zeilen von Gelenkwerten und %2 Messungen, und %3 keine Zeiten, um sie einander zuzuordnen; erwartet wird eine Zeile für jede, oder eine Spalte `time` in beiden.</translation>
+    </message>
+    <message>
+        <source>the measurements have</source>
+        <translation>die Messungen haben</translation>
+    </message>
+    <message>
+        <source>the joints have</source>
+        <translation>die Gelenke haben</translation>
+    </message>
+    <message>
+        <source>None of the %1 measurements has joint readings to it: they are from %2 to %3 s, the joints from %4 to %5 s, and %6 were left out because the robot moved. Do the clocks agree (--lag)? Did the robot stand (--still 0 allows moving)?</source>
+        <translation>Zu keiner der %1 Messungen gibt es Gelenkwerte: sie gehen von %2 bis %3 s, die Gelenke von %4 bis %5 s, und %6 wurden weggelassen, weil sich der Roboter bewegte. Gehen die Uhren gleich (--lag)? Stand der Roboter (--still 0 erlaubt Bewegung)?</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are both tables of poses: which is the robot's flange, which the target that the sensor sees? Name the files so: flange.csv and target.csv.</source>
+        <translation>%1 und %2 sind beides Tabellen von Posen: welche ist der Flansch des Roboters, welche das Ziel, das der Sensor sieht? Nenne die Dateien so: flange.csv und target.csv.</translation>
+    </message>
+    <message>
+        <source>There are %1 poses of the flange and %2 of the target; expected one of each an instant, in the same order.</source>
+        <translation>Es gibt %1 Posen des Flansches und %2 des Ziels; erwartet wird je Zeitpunkt eine von beiden, in derselben Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>--tcp is missing: the link that is the hand. At the ends of this robot are: %1.</source>
+        <translation>--tcp fehlt: das Glied, das die Hand ist. An den Enden dieses Roboters sind: %1.</translation>
+    </message>
+    <message>
+        <source>the columns %1 and %2 are both of joint %3, expected one.</source>
+        <translation>die Spalten %1 und %2 sind beide vom Gelenk %3; erwartet wird eine.</translation>
+    </message>
+    <message>
+        <source>joint %1 stands at %2, expected a number from %3 to %4.</source>
+        <translation>Gelenk %1 steht bei %2; erwartet wird eine Zahl von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>has a line for each marker, and no column that says which lines are of one instant; expected `observation` or `time`.</source>
+        <translation>hat eine Zeile je Marker und keine Spalte, die sagt, welche Zeilen von einem Zeitpunkt sind; erwartet wird `observation` oder `time`.</translation>
+    </message>
+    <message>
+        <source>holds %1 points an instant; a session has up to %2 markers.</source>
+        <translation>enthält %1 Punkte je Zeitpunkt; eine Sitzung hat bis zu %2 Marker.</translation>
+    </message>
+    <message>
+        <source>pose %1 %2; expected x y z in m and a unit quaternion x y z w.</source>
+        <translation>Pose %1 %2; erwartet werden x y z in m und ein Einheitsquaternion x y z w.</translation>
+    </message>
+    <message>
+        <source>lies outside of any room</source>
+        <translation>liegt außerhalb jedes Raums</translation>
+    </message>
+    <message>
+        <source>has no unit quaternion</source>
+        <translation>hat kein Einheitsquaternion</translation>
+    </message>
+    <message>
+        <source>is not whole</source>
+        <translation>ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>is no ROS 2 bag in sqlite3 that can be read: %1; write it again with `ros2 bag convert` (storage sqlite3, no compression).</source>
+        <translation>ist kein ROS-2-Bag in sqlite3, das sich lesen ließe: %1; schreibe es neu mit `ros2 bag convert` (Speicher sqlite3, ohne Kompression).</translation>
+    </message>
+    <message>
+        <source>%1 %2: the robot has no such link; it has: %3.</source>
+        <translation>%1 %2: der Roboter hat kein solches Glied; er hat: %3.</translation>
+    </message>
+    <message>
+        <source>topic %1 is serialised as %2</source>
+        <translation>das Thema %1 ist serialisiert als %2</translation>
+    </message>
+    <message>
+        <source>%1 stands in column %2, expected a number of at most %3.</source>
+        <translation>%1 steht in Spalte %2; erwartet wird eine Zahl von höchstens %3.</translation>
+    </message>
+    <message>
+        <source>column %1 (%2) is empty, expected a number.</source>
+        <translation>Spalte %1 (%2) ist leer; erwartet wird eine Zahl.</translation>
+    </message>
+    <message>
+        <source>is longer than 16 MB, which no calibration is.</source>
+        <translation>ist länger als 16 MB, was keine Kalibrierung ist.</translation>
+    </message>
+    <message>
+        <source>is nested more deeply than any calibration is.</source>
+        <translation>ist tiefer verschachtelt als jede Kalibrierung.</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,13 @@ void expect_keys(const Json& d, bool tracker) {
     EXPECT_LE(p["strength"].get<double>(), 1);
     EXPECT_GE(p["p_value"].get<double>(), 0);
     EXPECT_LE(p["p_value"].get<double>(), 1);
+    double before = -INFINITY;
+    for (const Json& t : p["trend"]) {
+      EXPECT_GT(t["x"].get<double>(), before);
+      before = t["x"];
+      EXPECT_LE(t["low"].get<double>(), t["y"].get<double>());
+      EXPECT_GE(t["high"].get<double>(), t["y"].get<double>());
+    }
   }
   for (const Json& id : d["invisible"]) EXPECT_TRUE(id.is_string());
 }

@@ -268,6 +268,7 @@ std::vector<std::vector<std::string>> commands(const fs::path& session, const fs
   return {{"check", s, "--json", "-"},
           {"fit", s, "--json", "-"},
           {"fit", s},
+          {"inspect", s, "--json", "-"},
           {"fit", s, "--objective", "camera", "--fix-markers", "--json", "-"},
           {"fit", s, "--objective", "angle-axis", "--loss", "huber", "--json", "-"},
           {"fit", s, "--effects", "joint_offset", "marker_slip", "--export", (folder / "c.xml").string()},

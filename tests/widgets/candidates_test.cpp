@@ -8,10 +8,10 @@
 #include <QTableView>
 
 #include "effects/effect.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/candidate_list.h"
 #include "widgets/explain_samples.h"
 #include "widgets/mouse.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {

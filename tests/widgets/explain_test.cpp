@@ -8,12 +8,12 @@
 #include <QSignalSpy>
 #include <cmath>
 
+#include "widgets/base/theme.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/what_if_track.h"
 #include "widgets/explain_samples.h"
 #include "widgets/mouse.h"
 #include "widgets/still.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {

@@ -7,19 +7,19 @@
 #include <QTest>
 #include <functional>
 
-#include "widgets/blame_bar.h"
-#include "widgets/decision_list.h"
+#include "widgets/base/read_out_line.h"
+#include "widgets/base/theme.h"
 #include "widgets/gallery_explain.h"
-#include "widgets/histogram_plot.h"
-#include "widgets/loupe.h"
-#include "widgets/model_panel.h"
-#include "widgets/observation_strip.h"
-#include "widgets/read_out_line.h"
+#include "widgets/images/loupe.h"
+#include "widgets/images/triangle_panel.h"
+#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/decision_list.h"
+#include "widgets/lists/model_panel.h"
+#include "widgets/lists/observation_strip.h"
+#include "widgets/lists/three_numbers.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/scatter_plot.h"
 #include "widgets/sample_data.h"
-#include "widgets/scatter_plot.h"
-#include "widgets/theme.h"
-#include "widgets/three_numbers.h"
-#include "widgets/triangle_panel.h"
 
 namespace {
 

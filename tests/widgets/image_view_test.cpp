@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/image_view.h"
+#include "widgets/images/image_view.h"
 
 #include <gmock/gmock.h>
 
 #include <QSignalSpy>
 #include <cmath>
 
-#include "widgets/loupe.h"
+#include "app/window/painted_text.h"
+#include "widgets/images/loupe.h"
 #include "widgets/mouse.h"
 
 namespace handsight::widgets {
@@ -38,6 +39,24 @@ TEST(ImageView, PixelCentresAreIntegersAtEveryZoom) {
             200);
   EXPECT_NE(qGray(shown.pixel(static_cast<int>(border.x()) + 3, static_cast<int>(border.y()))),
             qGray(shown.pixel(static_cast<int>(border.x()) - 3, static_cast<int>(border.y()))));
+}
+
+/// Markers that lie closer together than their numbers are large.
+TEST(ImageView, NumbersOfMarkersThatLieCloseDoNotCoverEachOther) {
+  ImageView view;
+  view.set_image(checkers());
+  std::vector<ImageMark> marks;
+  for (int i = 0; i < 5; ++i) marks.push_back({.marker = i, .position = Vector2(300 + 4 * i, 200 + 3 * (i % 2))});
+  view.set_marks(marks);
+  test::show(view, {640, 480});
+  std::vector<test::PaintedText> numbers;
+  for (const test::PaintedText& text : test::texts_of(view))
+    if (text.text.size() == 1 && text.text[0].isDigit()) numbers.push_back(text);
+  EXPECT_EQ(numbers.size(), 5U) << "there is room for all of them";
+  for (std::size_t a = 0; a < numbers.size(); ++a)
+    for (std::size_t b = a + 1; b < numbers.size(); ++b)
+      EXPECT_FALSE(numbers[a].place.intersects(numbers[b].place))
+          << numbers[a].text.toStdString() << " and " << numbers[b].text.toStdString();
 }
 
 TEST(ImageView, TheWheelKeepsWhatIsUnderThePointer) {

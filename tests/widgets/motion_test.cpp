@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a desktop's settings say of motion, in the wrappings in which its portal sends them.
-#include "widgets/motion.h"
+#include "widgets/base/motion.h"
 
 #include <gtest/gtest.h>
 

@@ -11,13 +11,13 @@
 #include <QTableWidget>
 #include <QToolButton>
 
-#include "widgets/blame_bar.h"
-#include "widgets/decision_list.h"
-#include "widgets/model_panel.h"
+#include "widgets/base/read_out_line.h"
+#include "widgets/images/triangle_panel.h"
+#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/decision_list.h"
+#include "widgets/lists/model_panel.h"
+#include "widgets/lists/observation_table.h"
 #include "widgets/mouse.h"
-#include "widgets/observation_table.h"
-#include "widgets/read_out_line.h"
-#include "widgets/triangle_panel.h"
 
 namespace handsight::widgets {
 namespace {

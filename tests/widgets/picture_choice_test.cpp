@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/picture_choice.h"
+#include "widgets/base/picture_choice.h"
 
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
 #include <QSignalSpy>
 
-#include "widgets/icons.h"
+#include "widgets/base/icons.h"
 #include "widgets/mouse.h"
 
 namespace handsight::widgets {

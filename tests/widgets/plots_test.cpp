@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "temporary_folder.h"
-#include "widgets/convergence_plot.h"
-#include "widgets/histogram_bins.h"
-#include "widgets/histogram_plot.h"
 #include "widgets/mouse.h"
-#include "widgets/residual_map.h"
-#include "widgets/scatter_plot.h"
+#include "widgets/plots/convergence_plot.h"
+#include "widgets/plots/histogram_bins.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/residual_map.h"
+#include "widgets/plots/scatter_plot.h"
 
 namespace handsight::widgets {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/robot_view.h"
+#include "widgets/scene/robot_view.h"
 
 #include <gmock/gmock.h>
 
@@ -10,9 +10,9 @@
 
 #include "base/files.h"
 #include "robot/urdf.h"
+#include "widgets/base/theme.h"
 #include "widgets/mouse.h"
 #include "widgets/sample_data.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {

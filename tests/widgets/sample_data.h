@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "estimation/fit_report.h"
-#include "widgets/cells.h"
-#include "widgets/convergence_plot.h"
-#include "widgets/image_view.h"
-#include "widgets/observation_table.h"
-#include "widgets/residual_map.h"
-#include "widgets/robot_view.h"
+#include "widgets/base/cells.h"
+#include "widgets/images/image_view.h"
+#include "widgets/lists/observation_table.h"
+#include "widgets/plots/convergence_plot.h"
+#include "widgets/plots/residual_map.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::test {
 

@@ -2,7 +2,7 @@
 // Widgets without motion, so that a test need not wait for it.
 #pragma once
 
-#include "widgets/motion.h"
+#include "widgets/base/motion.h"
 
 namespace handsight::test {
 

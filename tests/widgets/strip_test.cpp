@@ -3,11 +3,11 @@
 
 #include <QSignalSpy>
 
+#include "widgets/base/theme.h"
+#include "widgets/lists/observation_strip.h"
+#include "widgets/lists/three_numbers.h"
 #include "widgets/mouse.h"
-#include "widgets/observation_strip.h"
 #include "widgets/sample_data.h"
-#include "widgets/theme.h"
-#include "widgets/three_numbers.h"
 
 namespace handsight::widgets {
 namespace {

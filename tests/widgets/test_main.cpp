@@ -4,8 +4,8 @@
 
 #include <QApplication>
 
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
+#include "widgets/scene/robot_view.h"
 
 namespace {
 

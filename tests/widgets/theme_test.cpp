@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 #include <gtest/gtest.h>
 
 #include <QPainter>
 #include <cmath>
 
-#include "widgets/icons.h"
-#include "widgets/number_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::widgets {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "widgets/model_panel.h"
+#include "widgets/lists/model_panel.h"
 
 class QLineEdit;
 class QPushButton;

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 

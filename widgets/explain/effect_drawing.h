@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 

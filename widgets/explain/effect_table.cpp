@@ -11,8 +11,8 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "widgets/base/theme.h"
 #include "widgets/explain/effect_table_model.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 

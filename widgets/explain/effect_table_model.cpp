@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 namespace {

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 
 LogAxis LogAxis::over(double low, double high, double bottom, double top) {
   if (!(low > 0) || !(high > 0) || low > high) low = 0.1, high = 1;
-  const double room = std::max(std::pow(high / low, 0.12), 1.25);
+  const double room = std::max(std::pow(high / low, 0.12), std::sqrt(2.0));
   return {low / room, high * room, bottom, top};
 }
 

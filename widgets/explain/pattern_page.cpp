@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/number_text.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::widgets {
 namespace {
@@ -51,7 +51,7 @@ PatternPage::Range PatternPage::range_of(const PatternPlot& plot) {
     r.high = std::max(r.high, point.y);
   }
   if (plot.points.empty()) r = {0, 1, -1, 1};
-  const double floor = 3 * plot.noise.value_or(0);  // noise alone never fills the plot
+  const double floor = kSigmas * plot.noise.value_or(0);  // noise alone never fills the plot
   r.low = std::min(r.low, -floor);
   r.high = std::max(r.high, floor);
   const double wide = std::max((r.right - r.left) * 0.03, 1e-12), tall = std::max((r.high - r.low) * 0.08, 1e-12);
@@ -66,6 +66,11 @@ bool PatternPage::outgrows(const Range& wanted, const Range& present) {
          wanted.high > present.high + tall;
 }
 
+bool PatternPage::is_filled_by_noise(const PatternPlot& plot, const Range& present) {
+  const double floor = kSigmas * plot.noise.value_or(0);
+  return present.low > -floor || present.high < floor;
+}
+
 void PatternPage::set_plots(std::vector<PatternPlot> plots) {
   plots_ = std::move(plots);
   if (plots_.size() > kPlots) plots_.resize(kPlots);
@@ -77,7 +82,8 @@ void PatternPage::set_plots(std::vector<PatternPlot> plots) {
 void PatternPage::update_plots(std::vector<PatternPlot> plots) {
   if (plots.size() > kPlots) plots.resize(kPlots);
   for (std::size_t i = 0; i < plots.size(); ++i)
-    if (i >= plots_.size() || plots_[i].id != plots[i].id || outgrows(range_of(plots[i]), ranges_[i]))
+    if (i >= plots_.size() || plots_[i].id != plots[i].id || outgrows(range_of(plots[i]), ranges_[i]) ||
+        is_filled_by_noise(plots[i], ranges_[i]))
       ranges_[i] = range_of(plots[i]);
   plots_ = std::move(plots);
   for (int* place : {&selected_plot_, &hovered_plot_, &brushing_})

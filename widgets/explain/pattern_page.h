@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "widgets/explain/dot_stamp.h"
-#include "widgets/scatter_plot.h"
+#include "widgets/plots/scatter_plot.h"
 
 namespace handsight::widgets {
 
@@ -77,6 +77,7 @@ class PatternPage : public QWidget {
   };
   static Range range_of(const PatternPlot& plot);
   static bool outgrows(const Range& wanted, const Range& present);
+  static bool is_filled_by_noise(const PatternPlot& plot, const Range& present);
   QRectF canvas(int place) const;  // where the points are
   int place_at(const QPointF& position) const;
   const ScatterPoint* point_at(int place, const QPointF& position) const;

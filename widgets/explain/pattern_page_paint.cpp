@@ -2,15 +2,28 @@
 // How the nine small plots are painted.
 #include <algorithm>
 
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/pattern_page.h"
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {
 
 bool contains(const std::vector<ObservationId>& sorted, ObservationId id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
+}
+
+/// As many names of a list as there is room for, none of them cut; the first alone is cut at worst.
+QString whole_names(const QString& list, const QFontMetricsF& metrics, double room) {
+  const QString between = QStringLiteral(", ");
+  const QStringList names = list.split(between, Qt::SkipEmptyParts);
+  QString fitting = names.value(0);
+  for (int i = 1; i < names.size(); ++i) {
+    const QString longer = fitting + between + names[i];
+    if (metrics.horizontalAdvance(longer) > room) break;
+    fitting = longer;
+  }
+  return fitting;
 }
 
 }  // namespace
@@ -42,7 +55,8 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
   painter.setPen(c.ink2);
   worded(tr("against %1").arg(plot.against), plot.against, foot, Qt::ElideMiddle);  // joints differ at their ends
   painter.setPen(c.ink3);
-  if (!plot.shows.isEmpty()) worded(tr("shows %1").arg(plot.shows), plot.shows, last, Qt::ElideRight);
+  const QString shown = whole_names(plot.shows, metrics, last.width());
+  if (!shown.isEmpty()) worded(tr("shows %1").arg(shown), shown, last, Qt::ElideRight);
 }
 
 void PatternPage::paint_curves(QPainter& painter, int place) const {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/motion.h"
-#include "widgets/number_text.h"
+#include "widgets/base/motion.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::widgets {
 namespace {
@@ -51,6 +51,7 @@ ResidualCloud::ResidualCloud(QWidget* parent) : QWidget(parent), empty_text_(tr(
 
 void ResidualCloud::set_noise(std::optional<double> sigma) {
   noise_ = sigma && *sigma > 0 ? sigma : std::nullopt;
+  if (noise_ && reach_ > 0) reach_ = std::max(reach_, 5 * *noise_);
   update();
 }
 

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/cells.h"
+#include "widgets/base/cells.h"
 #include "widgets/explain/dot_stamp.h"
 
 namespace handsight::widgets {

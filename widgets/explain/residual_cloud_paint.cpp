@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/number_text.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/residual_cloud.h"
-#include "widgets/number_text.h"
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 
@@ -103,10 +103,11 @@ void ResidualCloud::paint_pane(QPainter& painter, int index) const {
   const Colors& c = colors();
   const QRectF area = pane(index);
   const bool is_after = (index == 1) != is_swapped_;
-  const QString title = is_after ? (after_.title.isEmpty() ? tr("after") : after_.title)
-                                 : (before_.title.isEmpty() ? tr("before") : before_.title);
   const bool is_tried = is_after && is_predicted_;
   painter.setFont(text_font(TextRole::small));
+  QString title = is_after ? after_.title : before_.title;
+  if (title.isEmpty() || QFontMetricsF(painter.font()).horizontalAdvance(title) > area.width())
+    title = is_after ? tr("after") : tr("before");
   painter.setPen(is_tried ? c.candidate : c.ink2);
   draw_text(painter, QRectF(area.left(), 0, area.width(), 18), Qt::AlignHCenter | Qt::AlignVCenter, title);
   if (shown(index).empty()) {

@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/motion.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/staircase_paint.h"
-#include "widgets/motion.h"
-#include "widgets/number_text.h"
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {

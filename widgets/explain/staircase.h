@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/three_numbers.h"
+#include "widgets/lists/three_numbers.h"
 
 namespace handsight::widgets {
 

@@ -8,10 +8,10 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "widgets/base/number_text.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/text_lines.h"
-#include "widgets/number_text.h"
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {

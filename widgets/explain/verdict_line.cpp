@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/number_text.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/text_lines.h"
-#include "widgets/number_text.h"
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {
@@ -213,7 +213,7 @@ void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
     painter.setPen(c.ink1);
     const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text);
     painter.drawText(QRectF(text_x + 13, bar.bottom() + 4, wide + 2, 19), Qt::AlignLeft | Qt::AlignVCenter, text);
-    text_x += area.width() / 3;
+    text_x += std::max(area.width() / 3, 13 + wide + kGap);
   };
   painter.setFont(number_font(TextRole::body));
   letter(QStringLiteral("C"), blame.cameras, c.blame_cameras);

@@ -5,8 +5,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "widgets/blame_bar.h"
-#include "widgets/cells.h"
+#include "widgets/base/cells.h"
+#include "widgets/lists/blame_bar.h"
 
 namespace handsight::widgets {
 

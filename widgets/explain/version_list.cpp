@@ -10,8 +10,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/base/theme.h"
 #include "widgets/explain/version_list_model.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 

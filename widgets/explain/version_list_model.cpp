@@ -5,9 +5,9 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "widgets/number_text.h"
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 namespace {

@@ -9,9 +9,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/what_if_track.h"
-#include "widgets/number_text.h"
-#include "widgets/theme.h"
 
 namespace handsight::widgets {
 namespace {

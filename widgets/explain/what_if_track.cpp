@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/number_text.h"
-#include "widgets/paint_tools.h"
-#include "widgets/theme.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 namespace {

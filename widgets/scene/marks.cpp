@@ -16,7 +16,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "widgets/robot_view.h"
+#include "widgets/scene/robot_view.h"
 #include "widgets/scene/vtk_tools.h"
 
 namespace handsight::widgets {

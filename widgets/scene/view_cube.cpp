@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/view_cube.h"
 
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 

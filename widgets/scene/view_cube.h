@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/robot_view.h"
 #include "widgets/scene/orbit.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::widgets {
 

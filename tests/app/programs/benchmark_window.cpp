@@ -14,8 +14,8 @@
 #include "session/session_xml.h"
 #include "simulation/simulated_session.h"
 #include "temporary_folder.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::test {
 namespace {
@@ -126,7 +126,7 @@ TEST(Window, MemoryWithALongSession) {
   };
   until(is_quiet);
   tell("every card");
-  for (const int place : {1, 2, 3}) {
+  for (const auto place : {app::Place::calibrate, app::Place::inspect, app::Place::explain}) {
     desk.window.show_workspace(place);
     until(is_quiet);
     paint_everything();
@@ -162,10 +162,10 @@ TEST(Window, SelectingInTenThousand) {
   Desk desk;
   desk.window.open(QString::fromStdString(session.string()));
   desk.settle();
-  desk.window.show_workspace(1);
+  desk.window.show_workspace(app::Place::calibrate);
   paint_everything();
   select_forty(desk, "Calibrate: 95th percentile");
-  desk.window.show_workspace(2);
+  desk.window.show_workspace(app::Place::inspect);
   paint_everything();
   select_forty(desk, "Inspect, histogram: 95th percentile");
   desk.find<QTabWidget>("inspect_tabs")->setCurrentIndex(1);
@@ -178,7 +178,7 @@ TEST(Window, PlaysThirtyASecond) {
   const auto session = make_session(folder, 300);
   Desk desk;
   desk.window.open(QString::fromStdString(session.string()));
-  desk.window.show_workspace(1);
+  desk.window.show_workspace(app::Place::calibrate);
   CalibratePage calibrate{desk};
   calibrate.set_fastest();
   QElapsedTimer timer;
@@ -194,7 +194,7 @@ TEST(Window, AnswersWhileAFitRuns) {
   Desk desk;
   desk.window.open(QString::fromStdString(session.string()));
   desk.settle();
-  desk.window.show_workspace(4);
+  desk.window.show_workspace(app::Place::write_out);
   desk.document().perform({.sentence = "held the body's shape",
                            .settings = app::SettingsEdit{desk.document().settings(), {Objective::angle_axis, true}}});
   double worst = 0;
@@ -234,7 +234,7 @@ TEST(Explain, OpeningItWithAHundred) {
   Desk& desk = on.desk;
   QElapsedTimer timer;
   timer.start();
-  desk.window.show_workspace(3);
+  desk.window.show_workspace(app::Place::explain);
   auto& diagnosing = desk.window.bench().diagnosing;
   desk.wait([&] { return diagnosing.residuals() != nullptr; });
   paint_everything();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the user's story and keeps a picture of every workspace: take_pictures FOLDER light|dark. The scale is Qt's
-// own (QT_SCALE_FACTOR), the window's size HANDSIGHT_WINDOW, the language HANDSIGHT_LANGUAGE. pictures.sh runs it for
-// both themes and two scales.
+// own (QT_SCALE_FACTOR), the window's size HANDSIGHT_WINDOW, the language HANDSIGHT_LANGUAGE; of a session of one's own
+// with HANDSIGHT_SESSION and --gtest_filter='*OnesOwn'. pictures.sh runs it for both themes and two scales.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -10,14 +10,14 @@
 #include <QTabWidget>
 
 #include "app/window/pages.h"
+#include "bench/observation_views.h"
 #include "explain/missing_pane.h"
-#include "frame/language.h"
-#include "frame/observation_views.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
+#include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/scene/robot_view.h"
+#include "window/language.h"
 
 namespace handsight::test {
 namespace {
@@ -235,6 +235,26 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   desk.type_into(desk.find<QLineEdit>("export_path"), folder_of_pictures + "/report" + suffix + ".xml");
   desk.press_button("report_pdf");
   desk.press_button("report_html");
+}
+
+/// Of a session of one's own, HANDSIGHT_SESSION: Explain at the end of *Add until it stops*, Inspect and Export.
+TEST_F(Explained, ASessionOfOnesOwn) {
+  const QString session = qEnvironmentVariable("HANDSIGHT_SESSION");
+  if (session.isEmpty()) GTEST_SKIP() << "HANDSIGHT_SESSION names no session";
+  desk.window.resize(window_size());
+  ASSERT_TRUE(desk.window.open(session));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  photo.take_now("own_explain");
+  if (desk.find<QWidget>("until_it_stops")->isEnabled()) desk.press_button("until_it_stops");
+  const QString running = QObject::tr("Stop");
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != running; }, 120000));
+  ASSERT_TRUE(explain.is_settled());
+  photo.take_now("own_explain_end");
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  photo.take("own_inspect_end");
+  desk.key(Qt::Key_5, Qt::ControlModifier);
+  photo.take("own_export_end");
 }
 
 TEST_F(Explained, Tour) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theme and motion, chosen in the window and remembered.
-#include "frame/appearance.h"
+#include "window/appearance.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <QMenu>
 
 #include "app/window/pages.h"
-#include "start/preferences.h"
+#include "bench/preferences.h"
 #include "temporary_folder.h"
 
 namespace handsight::test {

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "frame/main_window.h"
+#include "window/main_window.h"
 
 namespace handsight::test {
 

@@ -12,7 +12,7 @@
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/staircase.h"
 #include "widgets/explain/version_list.h"
-#include "widgets/three_numbers.h"
+#include "widgets/lists/three_numbers.h"
 
 namespace handsight::test {
 namespace {
@@ -92,6 +92,30 @@ TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
   EXPECT_GE(steps, 1);
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(desk.document().undo_stack().index(), steps - 1) << "each stair is an action of its own";
+}
+
+/// A robot that was measured badly: 3 cm where a millimetre is plausible. What helps is taken, and said to be odd.
+TEST_F(Explain, AddUntilItStopsGoesOnWithWhatIsImplausibleAndSaysSo) {
+  session = folder.path / "odd";
+  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
+  ASSERT_EQ(run_cli(folder.path, {"simulate", "--like", like, "--effect", "link_geometry:axis_3.tu=0.03",
+                                  "--observations", "80", "--seed", "1", "--out", session.string()})
+                .exit_code,
+            0);
+  desk.window.resize(1440, 900);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  ASSERT_FALSE(explain.first().caution.isEmpty()) << "the only explanation is one that no robot has";
+  QStringList said;
+  QObject::connect(&desk.document(), &app::Document::noticed, &desk.window, [&](const QString& s) { said << s; });
+  desk.press_button("until_it_stops");
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_GE(desk.document().undo_stack().index(), 1);
+  EXPECT_LT(held_out(), 0.25) << "down to the noise of 0.2 px";
+  EXPECT_TRUE(said.join('\n').contains("Of a size that no robot is built with: link geometry"))
+      << said.join('\n').toStdString();
 }
 
 TEST_F(Explain, ASessionThatIsOpenedAgainHasItsStairs) {

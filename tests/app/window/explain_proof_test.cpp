@@ -5,10 +5,10 @@
 #include <qcustomplot.h>
 
 #include "app/window/explain_fixture.h"
+#include "widgets/base/number_text.h"
 #include "widgets/explain/pattern_page.h"
 #include "widgets/explain/staircase.h"
-#include "widgets/number_text.h"
-#include "widgets/scatter_plot.h"
+#include "widgets/plots/scatter_plot.h"
 
 namespace handsight::test {
 namespace {

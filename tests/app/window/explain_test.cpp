@@ -10,10 +10,10 @@
 #include "document/effect_words.h"
 #include "export/report.h"
 #include "session/calibration_xml.h"
+#include "widgets/base/number_text.h"
 #include "widgets/explain/staircase.h"
 #include "widgets/explain/truth_panel.h"
-#include "widgets/number_text.h"
-#include "widgets/three_numbers.h"
+#include "widgets/lists/three_numbers.h"
 
 namespace handsight::test {
 namespace {

@@ -7,7 +7,7 @@
 #include "widgets/explain/staircase.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/explain/what_if_track.h"
-#include "widgets/scatter_plot.h"
+#include "widgets/plots/scatter_plot.h"
 
 namespace handsight::test {
 namespace {

@@ -5,10 +5,10 @@
 #include <QListWidget>
 
 #include "app/window/pages.h"
-#include "frame/find_box.h"
 #include "temporary_folder.h"
-#include "widgets/convergence_plot.h"
-#include "widgets/robot_view.h"
+#include "widgets/plots/convergence_plot.h"
+#include "widgets/scene/robot_view.h"
+#include "window/find_box.h"
 
 namespace handsight::test {
 namespace {
@@ -49,18 +49,18 @@ class Find : public testing::Test {
 
 TEST_F(Find, ActionsObservationsJointsAndEffects) {
   find("export");
-  EXPECT_EQ(desk.window.workspace(), 4);
+  EXPECT_EQ(desk.window.workspace(), app::Place::write_out);
   find("observation 4");
   EXPECT_EQ(desk.window.bench().selection.current().observation, 4);
   const std::string joint = desk.document().session().joints[1];
   find(joint.c_str());
   EXPECT_EQ(desk.window.bench().selection.current().joint, joint);
   find("joint_elasticity");
-  EXPECT_EQ(desk.window.workspace(), 3);
+  EXPECT_EQ(desk.window.workspace(), app::Place::explain);
   desk.key(Qt::Key_K, Qt::ControlModifier);
   desk.key(Qt::Key_Escape);
   EXPECT_EQ(desk.window.findChild<app::FindBox*>(), nullptr);
-  EXPECT_EQ(desk.window.workspace(), 3) << "Esc chooses nothing";
+  EXPECT_EQ(desk.window.workspace(), app::Place::explain) << "Esc chooses nothing";
 }
 
 TEST_F(Find, AnArrowKeyChoosesTheNextOne) {
@@ -72,7 +72,7 @@ TEST_F(Find, AnArrowKeyChoosesTheNextOne) {
   EXPECT_EQ(list->item(list->currentRow())->text(), "Inspect");
   desk.key(Qt::Key_Return);
   QTest::qWait(20);
-  EXPECT_EQ(desk.window.workspace(), 2);
+  EXPECT_EQ(desk.window.workspace(), app::Place::inspect);
 }
 
 TEST_F(Find, APanelFillsTheCentreAndEscPutsItBack) {

@@ -6,7 +6,7 @@
 #include "base/files.h"
 #include "document/journal.h"
 #include "temporary_folder.h"
-#include "widgets/histogram_plot.h"
+#include "widgets/plots/histogram_plot.h"
 
 namespace handsight::test {
 namespace {

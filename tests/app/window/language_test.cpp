@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window speaks German where it is asked to: every text of the sources has its translation, with the same places
 // for what is put in, and plurals are those of the language.
-#include "frame/language.h"
+#include "window/language.h"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,12 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "diagnosis/common.h"
-#include "document/core_words.h"
-#include "document/counted.h"
 #include "document/effect_words.h"
-#include "frame/rail_button.h"
 #include "targets/target_xml.h"
-#include "widgets/convergence_plot.h"
+#include "widgets/plots/convergence_plot.h"
+#include "window/rail_button.h"
+#include "words/core_words.h"
+#include "words/counted.h"
 
 namespace handsight::test {
 namespace {
@@ -35,7 +35,8 @@ QString joined_literals(const QString& literals) {
 
 /// Every text that the sources hand to tr or said, with the file that does.
 std::map<QString, std::string> texts_of_the_sources() {
-  static const QRegularExpression call("\\b(?:tr|said)\\(\\s*((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
+  static const QRegularExpression call(
+      "\\b(?:tr|said|QT_TRANSLATE_NOOP)\\(\\s*(?:\"workspaces\",\\s*)?((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
   std::map<QString, std::string> texts;
   for (const char* folder : {"app", "widgets"})
     for (const auto& entry :
@@ -114,6 +115,19 @@ TEST(Language, ErrorsAreTranslatedWhateverFileTheyName) {
            "robot that move by themselves."),
       "s/session.xml, Zeile 3: <joints> nennt \"arm_9\", das der Roboter nicht hat; erwartet werden Gelenke des "
       "Roboters, die sich von selbst bewegen.");
+  EXPECT_EQ(told("camchain.yaml: T_cn_cnm1 holds no rotation; expected the motion from the camera before."),
+            "camchain.yaml: T_cn_cnm1 enthält keine Drehung; erwartet wird die Bewegung von der Kamera davor.");
+  EXPECT_EQ(told("morning.db3, topic /left: it is not plain CDR; the bag is damaged, or the message is of another type "
+                 "than it says."),
+            "morning.db3, topic /left: es ist kein schlichtes CDR; das Bag ist beschädigt, oder die Nachricht ist von "
+            "anderer Art, als sie sagt.");
+  EXPECT_EQ(
+      told("photos: is a folder without images and without a bag; expected a URDF, a folder of images, a table "
+           "(CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or "
+           "a ROS 2 bag in sqlite3."),
+      "photos: ist ein Ordner ohne Bilder und ohne Bag; erwartet wird eine URDF, ein Ordner mit Bildern, eine "
+      "Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von "
+      "easy_handeye oder ein ROS-2-Bag in sqlite3.");
   EXPECT_EQ(told("angles.csv, line 2: the line has 6 columns, expected 7."),
             "angles.csv, Zeile 2: die Zeile hat 6 Spalten; erwartet werden 7.");
   EXPECT_EQ(told("nobody: has translated this."), "nobody: has translated this.");
@@ -150,6 +164,62 @@ TEST(Language, ARefusalOfTheCoreIsGerman) {
       app::translated(common_text(
           common, {.kind = VariableKind::torque, .name = "gravity torque at torso_4", .unit = "N m", .values = {}})),
       "Alle 16 haben Schwerkraftmoment an torso_4 unter 76.8 N m; von den 64 anderen nur 1.");
+  QCoreApplication::removeTranslator(&german);
+}
+
+/// The sentences with which a reader refuses, as they are with 7 in every place.
+std::map<QString, std::string> refusals_of(const std::filesystem::path& source) {
+  static const QString literals = "((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)";
+  static const QRegularExpression call(
+      "(?:InputError\\(|refuse\\([^;\"]*?|fail\\((?:file, )?|refuse_kind\\(path, |refuse_pose\\(file, number, "
+      ")\\s*(?:[a-z_.]+ "
+      "\\+\\s*)?(?:fmt::format\\(\\s*)?" +
+      literals);
+  static const QRegularExpression place("\\{[^}]*\\}"), file("^(?:7)?(?:, line 7)?: ");
+  const QString text = QString::fromStdString(read_file(source));
+  std::map<QString, std::string> refusals;
+  for (auto i = call.globalMatch(text); i.hasNext();) {
+    QString sentence = joined_literals(i.next().captured(1));
+    sentence.replace(place, "7");
+    if (sentence.endsWith(' ')) continue;  // goes on with what is put together
+    refusals[sentence.remove(file)] = source.filename().string();
+  }
+  return refusals;
+}
+
+/// What wizard, watched folders and calibrations may say of files that others wrote.
+TEST(Language, EveryRefusalOfTheReadersIsTranslated) {
+  const auto core = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "core";
+  app::Translation german("de");
+  ASSERT_TRUE(QCoreApplication::installTranslator(&german));
+  std::size_t found = 0;
+  for (const char* name : {"ways/ros_bag",
+                           "ways/bag_contents",
+                           "ways/cdr",
+                           "ways/brought",
+                           "ways/camera_files",
+                           "ways/convert",
+                           "ways/convert_bag",
+                           "ways/convert_images",
+                           "ways/convert_pairing",
+                           "ways/convert_points",
+                           "ways/joint_file",
+                           "ways/point_file",
+                           "ways/pose_files",
+                           "ways/table",
+                           "ways/yaml_text",
+                           "ways/session_parts",
+                           "session/stereo_calibration",
+                           "session/opencv_storage",
+                           "calibrating/board_images",
+                           "calibrating/board_knowledge",
+                           "calibrating/bundle_start",
+                           "calibrating/camera_images"})
+    for (const auto& [sentence, file] : refusals_of(core / (std::string(name) + ".cpp"))) {
+      ++found;
+      EXPECT_NE(app::translated_of_file(sentence.toStdString()), sentence) << file << ": " << sentence.toStdString();
+    }
+  EXPECT_GT(found, 90U);
   QCoreApplication::removeTranslator(&german);
 }
 
@@ -206,7 +276,7 @@ TEST(Language, AWholeWindowInGerman) {
   {
     Desk desk;
     EXPECT_EQ(desk.find<QAbstractButton>("start_open")->text(), QString::fromUtf8("Sitzung öffnen…"));
-    EXPECT_EQ(desk.find<app::RailButton>("rail_3")->text(), QString::fromUtf8("Erklären"));
+    EXPECT_EQ(desk.find<app::RailButton>("rail_explain")->text(), QString::fromUtf8("Erklären"));
   }
   QCoreApplication::removeTranslator(&german);
 }

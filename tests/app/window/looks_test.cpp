@@ -9,7 +9,7 @@
 
 #include "app/window/pages.h"
 #include "temporary_folder.h"
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::test {
 namespace {

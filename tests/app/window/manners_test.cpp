@@ -11,9 +11,9 @@
 #include "app/window/pages.h"
 #include "base/files.h"
 #include "temporary_folder.h"
+#include "widgets/base/read_out_line.h"
 #include "widgets/explain/residual_cloud.h"
-#include "widgets/model_panel.h"
-#include "widgets/read_out_line.h"
+#include "widgets/lists/model_panel.h"
 
 namespace handsight::test {
 namespace {

@@ -16,13 +16,13 @@
 
 #include "app/window/desk.h"
 #include "explain/explain_workspace.h"
-#include "widgets/decision_list.h"
 #include "widgets/explain/candidate_list.h"
 #include "widgets/explain/verdict_line.h"
-#include "widgets/image_view.h"
-#include "widgets/observation_strip.h"
-#include "widgets/observation_table.h"
-#include "widgets/triangle_panel.h"
+#include "widgets/images/image_view.h"
+#include "widgets/images/triangle_panel.h"
+#include "widgets/lists/decision_list.h"
+#include "widgets/lists/observation_strip.h"
+#include "widgets/lists/observation_table.h"
 
 namespace handsight::test {
 

@@ -4,7 +4,7 @@
 
 #include "app/window/pages.h"
 #include "temporary_folder.h"
-#include "widgets/number_text.h"
+#include "widgets/base/number_text.h"
 
 namespace handsight::test {
 namespace {
@@ -45,7 +45,7 @@ TEST_F(Play, ADecisionsErrorIsThatOfThePresentModel) {
   const auto shown = [&](int row) { return list->model()->index(row, 0).data(Qt::AccessibleTextRole).toString(); };
   const auto& bench = desk.window.bench();
   for (int row = 0; row < 6; ++row) {
-    const app::InspectionRow* r = bench.row(desk.document().session().observations[static_cast<std::size_t>(row)].id);
+    const InspectionRow* r = bench.row(desk.document().session().observations[static_cast<std::size_t>(row)].id);
     ASSERT_NE(r, nullptr);
     EXPECT_TRUE(shown(row).contains(widgets::size_text(bench.units.shown(app::size_of(*r)))))
         << shown(row).toStdString();

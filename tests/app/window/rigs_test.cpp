@@ -8,10 +8,10 @@
 #include "app/window/rig_sessions.h"
 #include "base/files.h"
 #include "base/xml.h"
-#include "frame/camera_strip.h"
+#include "bench/camera_strip.h"
 #include "inspect/inspect_workspace.h"
 #include "robot/xml_rigid.h"
-#include "widgets/robot_view.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::test {
 namespace {

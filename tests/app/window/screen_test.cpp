@@ -5,10 +5,10 @@
 #include <QScreen>
 
 #include "app/window/pages.h"
-#include "start/preferences.h"
+#include "bench/preferences.h"
 #include "temporary_folder.h"
-#include "widgets/model_panel.h"
-#include "widgets/three_numbers.h"
+#include "widgets/lists/model_panel.h"
+#include "widgets/lists/three_numbers.h"
 
 namespace handsight::test {
 namespace {
@@ -53,7 +53,7 @@ TEST_F(Screen, NumbersPanelAndStripStandOnEveryScreen) {
       EXPECT_EQ(desk.window.size(), size) << "workspace " << workspace << " makes the window grow";
       EXPECT_TRUE(is_inside(desk.find<QWidget>("three_numbers"))) << workspace << " at " << size.width();
       EXPECT_TRUE(is_inside(desk.find<QWidget>("strip"))) << workspace << " at " << size.width();
-      EXPECT_TRUE(is_inside(desk.find<QWidget>("rail_4"))) << workspace << " at " << size.width();
+      EXPECT_TRUE(is_inside(desk.find<QWidget>("rail_export"))) << workspace << " at " << size.width();
       auto* panel = desk.find<QWidget>("model_panel");
       EXPECT_TRUE(panel->isHidden() || is_inside(panel)) << workspace << " at " << size.width();
     }

@@ -10,7 +10,7 @@
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
-#include "widgets/blame_bar.h"
+#include "widgets/lists/blame_bar.h"
 
 namespace handsight::test {
 namespace {
@@ -28,7 +28,7 @@ class Story : public testing::Test {
     for (const Vector2& px : places) label.click_left(px);
     ASSERT_TRUE(label.triangle().can_use) << label.triangle().sentence.toStdString();
     label.use();
-    ASSERT_EQ(desk.window.workspace(), 1) << "after the first labels the next step is Calibrate";
+    ASSERT_EQ(desk.window.workspace(), app::Place::calibrate) << "after the first labels the next step is Calibrate";
   }
   Rigid exported(const std::filesystem::path& file) { return read_calibration(file).tcp_from_body.motion; }
   static double difference(const Rigid& a, const Rigid& b) {
@@ -47,14 +47,14 @@ TEST_F(Story, FirstStepsFromLabelsToTheExportAndAllTheWayBack) {
   const auto session = copy_of("first_steps");
   const std::string untouched = read_file(session / "session.xml");
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
-  EXPECT_EQ(desk.window.workspace(), 0) << "nothing is labelled: Label comes first";
+  EXPECT_EQ(desk.window.workspace(), app::Place::label) << "nothing is labelled: Label comes first";
   label_three({{421, 338}, {408, 411}, {473, 378}});
   calibrate.set_fastest();
   ASSERT_TRUE(calibrate.play_to_the_end());
   EXPECT_EQ(calibrate.decisions(), 12);
 
   desk.key(Qt::Key_3, Qt::ControlModifier);
-  ASSERT_EQ(desk.window.workspace(), 2);
+  ASSERT_EQ(desk.window.workspace(), app::Place::inspect);
   inspect.sort_worst_first("px");
   inspect.click_row(0);
   const std::int64_t worst = inspect.id_at(0);

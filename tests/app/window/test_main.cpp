@@ -8,8 +8,8 @@
 
 #include "app/window/working_window.h"
 #include "temporary_folder.h"
-#include "widgets/robot_view.h"
-#include "widgets/theme.h"
+#include "widgets/base/theme.h"
+#include "widgets/scene/robot_view.h"
 
 namespace {
 

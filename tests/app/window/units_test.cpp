@@ -6,19 +6,19 @@
 #include <QToolButton>
 
 #include "app/window/pages.h"
+#include "bench/preferences.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
-#include "start/preferences.h"
 #include "temporary_folder.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/read_out_line.h"
 #include "widgets/explain/pattern_page.h"
 #include "widgets/explain/residual_cloud.h"
 #include "widgets/explain/staircase.h"
-#include "widgets/histogram_plot.h"
-#include "widgets/paint_tools.h"
-#include "widgets/read_out_line.h"
-#include "widgets/residual_map.h"
-#include "widgets/scatter_plot.h"
-#include "widgets/three_numbers.h"
+#include "widgets/lists/three_numbers.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/residual_map.h"
+#include "widgets/plots/scatter_plot.h"
 
 namespace handsight::test {
 namespace {
@@ -61,7 +61,7 @@ TEST_F(Units, UTurnsEveryViewFromPxToMmToSigmaAndBack) {
   desk.key(Qt::Key_3, Qt::ControlModifier);
   InspectPage inspect{desk};
   inspect.click_row(0);
-  const app::InspectionRow& row = *desk.window.bench().selected_row();
+  const InspectionRow& row = *desk.window.bench().selected_row();
   const ErrorSummary held_out = desk.document().model()->report->held_out;
   const double noise = *desk.document().model()->fit->noise;
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
@@ -105,7 +105,7 @@ TEST_F(Units, ACornerInMmIsAcrossItsLineOfSight) {
   desk.key(Qt::Key_3, Qt::ControlModifier);
   InspectPage{desk}.click_row(0);
   const auto& bench = desk.window.bench();
-  const app::MarkerResidual& m = bench.selected_row()->markers[0];
+  const MarkerResidual& m = bench.selected_row()->markers[0];
   desk.window.bench().selection.select(
       {.observation = bench.selection.current().observation, .marker = m.marker, .camera = 0});
   EXPECT_TRUE(crumb(desk, "crumb_2").endsWith("px"));

@@ -5,7 +5,7 @@
 #include <QFileDialog>
 
 #include "app/window/wizard_page.h"
-#include "widgets/robot_view.h"
+#include "widgets/scene/robot_view.h"
 
 namespace handsight::test {
 namespace {

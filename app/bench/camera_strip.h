@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which cameras' images stand beside each other: of a pair both, of one camera its own alone, of more the two that were
+// chosen last in this strip.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <array>
+#include <vector>
+
+#include "bench/observation_views.h"
+
+class QHBoxLayout;
+class QToolButton;
+
+namespace handsight::app {
+
+class CameraStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Hides itself where there is nothing to choose, and the second view where there is but one camera.
+  CameraStrip(Workbench& bench, widgets::ImageView* first, widgets::ImageView* second, QWidget* parent = nullptr);
+
+  /// The views that are in use, each with its camera.
+  std::vector<ShownCamera> shown() const;
+  int camera_of(const widgets::ImageView* view) const;
+  /// In place of the one that was chosen longest ago, where it is not shown already.
+  void show_camera(int camera);
+
+ signals:
+  /// Other cameras are shown than before.
+  void changed();
+
+ private:
+  void rebuild();
+  void refresh();
+
+  Workbench& bench_;
+  std::array<widgets::ImageView*, 2> views_;
+  std::array<int, 2> cameras_ = {0, 1};
+  int next_ = 1;  // the view that the next choice goes to
+  QStringList names_;
+  std::vector<QToolButton*> buttons_;
+  QHBoxLayout* row_;
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/model_effects.h"
+
+#include <algorithm>
+
+#include "document/curve_words.h"
+#include "document/effect_words.h"
+#include "effects/units.h"
+#include "widgets/base/number_text.h"
+#include "words/core_words.h"
+#include "words/counted.h"
+
+namespace handsight::app {
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+
+/// x y z in mm, then roll pitch yaw in degrees.
+std::vector<widgets::ModelParameter> six_parameters(const Rigid& motion, const Vector6& sigma) {
+  const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
+  const Vector3 rpy = rpy_from_rotation(motion.rotation);
+  std::vector<widgets::ModelParameter> list;
+  for (int i = 0; i < 6; ++i) {
+    const double scale = i < 3 ? 1e3 : degrees;
+    widgets::ModelParameter p{.name = names[i], .unit = i < 3 ? "mm" : QObject::tr("deg")};
+    p.value = scale * (i < 3 ? motion.translation[i] : rpy[i - 3]);
+    p.sigma = scale * sigma[i];
+    list.push_back(p);
+  }
+  return list;
+}
+
+/// Where in the machine an effect acts, by what it moves.
+QString group_of(const Effect& e, const Chain& chain) {
+  const std::vector<int> places = effect_places(e, chain);
+  Circumstances c =
+      circumstances_at(chain, Eigen::VectorXd::Constant(static_cast<Eigen::Index>(chain.joints.size()), 0.3));
+  c.velocity.setOnes();
+  c.approach.setOnes();
+  std::vector<double> values;
+  for (const EffectParameter& p : e.parameters)
+    values.push_back(!p.is_choice ? 1e-3 : p.choices.empty() ? 0 : p.choices.front());
+  Sites s = unmoved_sites(chain);
+  const int place = places.empty() ? (e.scope == EffectScope::session ? -1 : 0) : places.front();
+  if (place < static_cast<int>(e.scope == EffectScope::marker ? s.markers.size() : s.robot.joints.size()))
+    e.move(c, place, values, s);
+  const auto any = [&](auto&& is_moved) { return std::any_of(s.robot.joints.begin(), s.robot.joints.end(), is_moved); };
+  if (e.definition) return QObject::tr("Own");
+  const bool moves_cameras =
+      std::any_of(s.cameras.begin(), s.cameras.end(), [](const CameraChange& one) { return !one.is_zero(); });
+  if (moves_cameras || !s.mount.isZero() || !s.drift.isZero()) return QObject::tr("Cameras");
+  if (any([](const JointChange& j) { return !j.frame.isZero() || !j.after.isZero() || j.lateral_compliance != 0; }))
+    return QObject::tr("Links");
+  if (any([](const JointChange& j) {
+        return j.angle != 0 || j.compliance != 0 || j.gap != 0 || j.multiplier_error != 0 || j.share != 0;
+      }))
+    return QObject::tr("Joints");
+  if (s.robot.tilt_x != 0 || !s.robot.base_compliance.isZero()) return QObject::tr("Base");
+  return QObject::tr("Hand");
+}
+
+/// An effect, in the model or not.
+widgets::ModelEffect shown_effect(const Effect& e, const Document& document, const Chain& chain,
+                                  const Diagnosis* diagnosis) {
+  const Session& session = document.session();
+  const ModelSettings& settings = document.settings();
+  widgets::ModelEffect shown{.id = QString::fromStdString(e.id), .title = translated(e.title)};
+  shown.help = translated(e.cause) + "\n\n" + translated(e.visibility);
+  std::vector<EffectTerm> terms = terms_of_effect(settings.held, e.id);
+  shown.is_held = !terms.empty();
+  for (const EffectTerm& term : terms_of_effect(settings.estimated, e.id)) terms.push_back(term);
+  shown.is_in_model = !terms.empty();
+  if (shown.is_in_model) {
+    shown.can_hold = true;
+    std::vector<std::vector<double>> sigmas;
+    const ModelVersionPointer model = document.shown_model();
+    if (model && model->fit && !shown.is_held)
+      for (EffectTerm& term : terms)
+        for (const FittedEffect& fitted : model->fit->effects)
+          if (fitted.term.id == term.id && fitted.term.joint == term.joint) {
+            for (std::size_t p = 0; p < term.values.size(); ++p)
+              if (is_free(e, term, p)) term.values[p] = fitted.term.values[p];  // those that are held may be newer
+            sigmas.push_back(fitted.sigmas);
+          }
+    if (sigmas.size() != terms.size()) sigmas.clear();
+    shown.parameters = effect_parameters(session, terms, sigmas);
+    for (widgets::ModelParameter& p : shown.parameters) {
+      p.can_hold = !p.is_choice;
+      p.is_held = !p.is_choice && (p.is_held || shown.is_held);
+    }
+    const bool is_beyond = std::any_of(shown.parameters.begin(), shown.parameters.end(), [](const auto& p) {
+      return p.value && p.plausible && std::abs(*p.value) > 3 * *p.plausible;
+    });
+    if (is_beyond) {
+      shown.note = QObject::tr("More than three times what is plausible. Probably another cause.");
+      shown.note_is_warning = true;
+    }
+    return shown;
+  }
+  shown.group = group_of(e, chain);
+  if (effect_places(e, chain).empty()) {
+    shown.can_change = false;
+    shown.group = QObject::tr("Not in this session");
+    shown.is_out_of_sight = true;
+    shown.note = e.scope == EffectScope::mimic_joint ? QObject::tr("No joint of this robot follows another.")
+                                                     : QObject::tr("It has no place in this session.");
+  } else if (diagnosis &&
+             std::find(diagnosis->invisible.begin(), diagnosis->invisible.end(), e.id) != diagnosis->invisible.end()) {
+    shown.group = QObject::tr("Cannot be seen on these poses");
+    shown.is_out_of_sight = true;
+  }
+  return shown;
+}
+
+/// One term of every effect by formula in the model: a user's own, curves without a name.
+std::vector<EffectTerm> own_terms(const ModelSettings& settings) {
+  std::vector<EffectTerm> own;
+  for (const auto* terms : {&settings.held, &settings.estimated})
+    for (const EffectTerm& term : *terms)
+      if (term.own && std::none_of(own.begin(), own.end(), [&](const EffectTerm& t) { return t.id == term.id; }))
+        own.push_back(term);
+  return own;
+}
+
+}  // namespace
+
+std::vector<widgets::ModelParameter> effect_parameters(const Session& session, const std::vector<EffectTerm>& terms,
+                                                       const std::vector<std::vector<double>>& sigmas) {
+  std::vector<widgets::ModelParameter> list;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const Effect& effect = effect_of(terms[t]);
+    const QString of = place_text(place_name(effect, terms[t].joint, session.robot));
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const EffectParameter& number = effect.parameters[p];
+      const ShownUnit unit = shown_unit(unit_at(effect, p, terms[t].joint, session.robot));
+      widgets::ModelParameter row{.of = of, .name = number_title(number.name), .unit = unit.unit};
+      row.value = unit.scale * terms[t].values[p];
+      row.is_choice = number.is_choice;
+      row.is_held = !number.is_choice && !is_free(effect, terms[t], p);
+      if (!number.is_choice) row.plausible = unit.scale * number.sigma;
+      if (t < sigmas.size() && sigmas[t][p] > 0) row.sigma = unit.scale * sigmas[t][p];
+      list.push_back(row);
+    }
+  }
+  return list;
+}
+
+QString lone_sentence(const ModelVersion& model) {
+  if (model.lone.empty() || !model.inspection) return {};
+  const bool pixels = model.inspection->in_pixels;
+  const QString size = widgets::with_unit_text((pixels ? 1 : 1e3) * model.lone.front().error,
+                                               pixels ? QObject::tr("px") : QObject::tr("mm"));
+  if (model.lone.size() == 1)
+    return QObject::tr("Observation %1 is left out: alone it is off by %2.").arg(model.lone.front().id).arg(size);
+  QStringList ids;
+  for (const LoneObservation& l : model.lone) ids << QString::number(l.id);
+  return QObject::tr("Observations %1 are left out: they alone are far off.").arg(ids.join(", "));
+}
+
+QString wrong_points_text(const ModelVersion& model, std::size_t most_named) {
+  const auto& wrong = model.wrong_points;
+  if (wrong.empty()) return {};
+  const bool pixels = model.inspection->in_pixels;
+  QStringList named;
+  for (std::size_t i = 0; i < std::min(most_named, wrong.size()); ++i) {
+    const WrongPoint& w = wrong[i];
+    const auto& rig = model.fit->problem.rig;
+    const QString side = w.camera != by_tracker && rig
+                             ? QObject::tr(", %1 image").arg(QString::fromStdString(rig->at(w.camera).name))
+                             : QString();
+    named << QObject::tr("observation %1, marker %2%3, %4 off")
+                 .arg(w.id)
+                 .arg(w.marker)
+                 .arg(side, widgets::with_unit_text((pixels ? 1 : 1e3) * w.distance,
+                                                    pixels ? QObject::tr("px") : QObject::tr("mm")));
+  }
+  if (named.size() < static_cast<qsizetype>(wrong.size())) named << QObject::tr("and others");
+  return QObject::tr("%1 left out of the fit: %2.")
+      .arg(counted(static_cast<qint64>(wrong.size()), "%n wrong point(s)"), named.join("; "));
+}
+
+std::vector<widgets::ModelEffect> model_effects(const Document& document, const Diagnosis* diagnosis) {
+  const ModelVersionPointer model = document.shown_model();
+  if (!model || !model->fit) return {};
+  const Fit& fit = *model->fit;
+  std::vector<widgets::ModelEffect> list;
+  widgets::ModelEffect body{.id = "tcp_from_body", .title = QObject::tr("TCP→Body"), .is_in_model = true};
+  body.is_permanent = true;
+  body.help = QObject::tr(
+      "Where the marker body sits on the hand. Sigma is that of the body's origin, and of the "
+      "rotations about the TCP's axes.");
+  body.parameters = six_parameters(fit.tcp_from_body, origin_sigma(fit));
+  if (fit.covariance_kind == CovarianceKind::scatter) {
+    body.note =
+        QObject::tr("Sigmas from how the observations differ: the model does not agree with them to the noise.");
+    body.note_is_warning = true;
+  }
+  if (const QString alone = lone_sentence(*model); !alone.isEmpty())
+    body.note += (body.note.isEmpty() ? QString() : QString(" ")) + alone;
+  if (!model->wrong_points.empty()) {
+    body.note += (body.note.isEmpty() ? QString() : QString(" ")) + wrong_points_text(*model, 2);
+    body.help += "\n\n" + wrong_points_text(*model, 40);
+  }
+  list.push_back(std::move(body));
+  if (document.session().mount.estimate) {
+    widgets::ModelEffect mount{.id = "mount", .title = QObject::tr("Camera mount"), .is_in_model = true};
+    mount.is_permanent = true;
+    mount.help = QObject::tr("Where the cameras sit on %1, estimated with the rest.")
+                     .arg(QString::fromStdString(document.session().mount.link));
+    mount.parameters =
+        six_parameters(estimate(fit).mount_from_sensor,
+                       fit.parameter_covariance.block<6, 6>(fit.problem.mount_column(), fit.problem.mount_column())
+                           .diagonal()
+                           .cwiseMax(0)
+                           .cwiseSqrt());
+    list.push_back(std::move(mount));
+  }
+  const Chain chain = chain_of(document.session());
+  std::vector<widgets::ModelEffect> out;
+  const OwnEffects none, &own = fit.problem.source ? fit.problem.source->own_effects : none;
+  std::vector<const Effect*> known = catalogue_beside(own);
+  for (const std::shared_ptr<const Effect>& effect : own) known.push_back(effect.get());
+  for (const Effect* e : known) {
+    widgets::ModelEffect shown = shown_effect(*e, document, chain, diagnosis);
+    (shown.is_in_model ? list : out).push_back(std::move(shown));
+  }
+  for (const EffectTerm& term : own_terms(document.settings())) {
+    if (find_effect(term.id, own)) continue;  // stands above
+    widgets::ModelEffect shown = shown_effect(*term.own, document, chain, diagnosis);
+    shown.title = title_of(term, document.session().robot);
+    if (term.own->is_unnamed()) shown.help = QString::fromStdString(term.own->cause);
+    list.push_back(std::move(shown));
+  }
+  // Groups in the order in which one mends a robot; what cannot be seen last.
+  const QStringList groups = {QObject::tr("Joints"),  QObject::tr("Links"), QObject::tr("Base"),
+                              QObject::tr("Cameras"), QObject::tr("Hand"),  QObject::tr("Own")};
+  const auto place = [&](const widgets::ModelEffect& e) {
+    const auto at = groups.indexOf(e.group);
+    return at < 0 ? groups.size() + (e.can_change ? 0 : 1) : at;
+  };
+  std::stable_sort(out.begin(), out.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  list.insert(list.end(), out.begin(), out.end());
+  return list;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cards and the table of all effects.
+#include <algorithm>
+
+#include "bench/model_effects.h"
+#include "document/curve_words.h"
+#include "document/effect_words.h"
+#include "findings/explain_texts.h"
+#include "findings/robot_checks.h"
+#include "widgets/base/number_text.h"
+#include "words/core_words.h"
+
+namespace handsight::app {
+namespace {
+
+using widgets::CardKind;
+using widgets::CardState;
+
+constexpr std::size_t most_cards = 4;
+
+/// The held-out error that it would leave; in mm it is known only where the candidate was fitted.
+ResidualSize size_left(const DiagnosisCandidate& c, bool in_pixels, std::optional<double> noise) {
+  if (c.held_out) return size_of(*c.held_out, in_pixels, noise);
+  return c.predicted_held_out ? size_of_error(*c.predicted_held_out, in_pixels, noise) : ResidualSize{};
+}
+
+/// All three in the unit in force, or all in the session's own where one of them has no value there.
+widgets::ErrorLeft card_error(const DiagnosisCandidate& c, const Diagnosis& d, const ModelVersion& model,
+                              widgets::SizeUnit unit) {
+  const VersionSizes sizes = sizes_of(d.report, model.inspection->in_pixels, d.noise, d.noise);
+  const ResidualSize left = size_left(c, model.inspection->in_pixels, d.noise);
+  if (!left.in(unit)) unit = left.pixel ? widgets::SizeUnit::pixel : widgets::SizeUnit::millimetre;
+  return {sizes.held_out.in(unit), left.in(unit), sizes.noise.in(unit), !c.held_out, widgets::unit_name(unit)};
+}
+
+/// What the residuals follow that this candidate acts by.
+QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
+  for (const DiagnosisPattern& p : d.patterns) {
+    const bool is_own = p.against.joint < 0 || std::any_of(c.terms.begin(), c.terms.end(), [&](const EffectTerm& t) {
+                          return t.joint == p.against.joint;
+                        });
+    if (!is_own) continue;
+    return QObject::tr("The residual follows the %1. ").arg(translated(p.against.name));
+  }
+  return {};
+}
+
+CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ModelVersion& model) {
+  const Effect& effect = effect_of(c.terms.front());
+  CardState card{.id = QString::fromStdString(id_of(c)), .effect = c.id};
+  card.title = title_of(c.terms.front(), bench.document.session().robot);
+  if (!c.unnamed) card.where = places_text(c.where);
+  card.words = translated(effect.cause);
+  card.error = card_error(c, d, model, bench.units.unit());
+  card.evidence = speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
+  card.sizes = effect_parameters(bench.document.session(), c.terms, c.sigmas);
+  std::erase_if(card.sizes, [](const widgets::ModelParameter& p) { return p.is_choice; });
+  QStringList others;
+  for (const std::string& id : c.cannot_be_told_from) others << effect_of(id, {});
+  card.cannot_be_told_from = others.join(", ");
+  card.can_show_poses = !others.isEmpty();
+  card.check = translated(effect.check);
+  card.can_what_if = find_effect(c.id) != nullptr;  // the slider asks the catalogue where it may sit
+  if (!c.unnamed) card.check_number = card_check(c.check, bench.document.reading_of(c.id));
+  if (!c.plausible)
+    card.caution = QObject::tr("Its size is more than three times what is plausible. Probably another cause.");
+  return card;
+}
+
+CardState honest_card(CardKind kind, const QString& title, const QString& words) {
+  CardState card{.id = "honest", .kind = kind, .title = title, .words = words};
+  card.can_add = card.can_what_if = false;
+  return card;
+}
+
+std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d, const Workbench& bench,
+                                        const std::set<std::string>& refused) {
+  const widgets::SessionVerdict v = session_verdict(model, &d, false, bench.units.unit(), refused);
+  if (d.verdict == Verdict::adequate && !curves_of(*model.fit).empty()) {
+    CardState card =
+        honest_card(CardKind::adequate, QObject::tr("Down at the noise, but not all has a name"), v.sentence);
+    card.action = QObject::tr("Export it");
+    card.action_id = "export";
+    return card;
+  }
+  switch (v.state) {
+    case widgets::SessionState::adequate: {
+      CardState card = honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), v.sentence);
+      card.action = QObject::tr("Export it");
+      card.action_id = "export";
+      return card;
+    }
+    case widgets::SessionState::scatter: {
+      CardState card = honest_card(CardKind::scatter, QObject::tr("The robot does not repeat better"), v.sentence);
+      card.action = QObject::tr("Export it");
+      card.action_id = "export";
+      return card;
+    }
+    case widgets::SessionState::too_few: {
+      CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"), v.sentence);
+      card.action = QObject::tr("Plan poses");
+      card.action_id = "plan";
+      return card;
+    }
+    case widgets::SessionState::noise_unknown:
+      return honest_card(
+          CardKind::noise_unknown, QObject::tr("The noise is unknown"),
+          QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say when to "
+                      "stop. Nothing that it knows explains more than chance would."));
+    case widgets::SessionState::unexplained: {
+      CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"), v.sentence);
+      card.action = QObject::tr("Show the curve");
+      card.action_id = "curve";
+      return card;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+const Refusal* refusal_of(const std::string& id, const Document& document, const std::vector<Refusal>& refused) {
+  for (const Refusal& r : refused)
+    if (r.id == id && still_stands(r, document)) return &r;
+  return nullptr;
+}
+
+}  // namespace
+
+QString odds_text(double ln_odds) {
+  if (ln_odds > 13.8) return QObject::tr("more than a million to one");
+  return QObject::tr("about %1 to one").arg(std::lround(std::exp(std::max(ln_odds, 0.0))));
+}
+
+bool still_stands(const Refusal& refusal, const Document& document) {
+  const QUndoStack& stack = document.undo_stack();
+  return refusal.revision == document.revision() ||
+         (refusal.index == stack.index() && refusal.before == stack.undoText());
+}
+
+std::set<std::string> refused_now(const std::vector<Refusal>& refused, const Document& document) {
+  std::set<std::string> ids;
+  for (const Refusal& r : refused)
+    if (still_stands(r, document)) ids.insert(r.id);
+  return ids;
+}
+
+std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
+                                       const std::vector<Refusal>& refused) {
+  std::vector<CardState> cards;
+  const std::optional<CardState> honest = honest_card_of(model, d, bench, refused_now(refused, bench.document));
+  const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations;
+  if (honest && stops) cards.push_back(*honest);
+  for (const DiagnosisCandidate& c : d.candidates) {
+    if (stops || !can_be_added(c)) continue;
+    if (c.ln_bayes_factor < d.threshold || cards.size() >= most_cards) break;
+    cards.push_back(card_of(c, bench, d, model));
+    if (const Refusal* r = refusal_of(id_of(c), bench.document, refused)) {
+      cards.back().can_add = false;
+      cards.back().why_not = r->reason;
+    }
+  }
+  // What no robot is built like, or what was refused, is never the first word.
+  std::stable_partition(cards.begin(), cards.end(),
+                        [](const CardState& c) { return c.why_not.isEmpty() && c.caution.isEmpty(); });
+  if (honest && !stops) cards.push_back(*honest);
+  return cards;
+}
+
+std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
+                                            const std::vector<Refusal>& refused) {
+  using widgets::EffectVerdict;
+  std::vector<widgets::EffectRow> rows;
+  const bool in_pixels = error_and_noise(model).in_pixels;
+  const Session& session = bench.document.session();
+  std::optional<double> best;
+  for (const DiagnosisCandidate& c : d.candidates)
+    if (!c.unnamed && c.ln_bayes_factor >= d.threshold && !best) best = c.ln_bayes_factor;
+  for (const Effect& effect : catalogue()) {
+    widgets::EffectRow row{.id = QString::fromStdString(effect.id), .name = translated(effect.title)};
+    const auto candidate = std::find_if(d.candidates.begin(), d.candidates.end(),
+                                        [&](const DiagnosisCandidate& c) { return c.id == effect.id; });
+    std::vector<EffectTerm> in_model;
+    for (const FittedEffect& f : model.fit->effects)
+      if (f.term.id == effect.id) in_model.push_back(f.term);
+    const bool is_invisible = std::find(d.invisible.begin(), d.invisible.end(), effect.id) != d.invisible.end();
+    if (!in_model.empty()) {
+      row.verdict = EffectVerdict::in_model;
+      row.where = places_text(places_of(in_model, session));
+      row.reason = QObject::tr("It is estimated with the rest; the model panel shows its size.");
+      if (const RobotReading* reading = bench.document.reading_of(effect.id)) row.reason = reading_text(*reading);
+    } else if (candidate == d.candidates.end()) {
+      row.verdict = d.verdict == Verdict::too_few_observations ? EffectVerdict::unknown : EffectVerdict::cannot_be_seen;
+      row.reason = row.verdict == EffectVerdict::unknown ? QObject::tr("Too few observations to tell.")
+                                                         : QObject::tr("It has no place in this session.");
+    } else if (candidate->ln_bayes_factor >= d.threshold) {
+      row.where = places_text(candidate->where);
+      const bool is_best = candidate->ln_bayes_factor >= best.value_or(0) - 3;
+      row.verdict = is_best ? EffectVerdict::would_help : EffectVerdict::worse;
+      const widgets::ShownSize left = bench.units.shown(size_left(*candidate, in_pixels, d.noise));
+      row.reason = left.value
+                       ? QObject::tr("It would leave %1; odds against nothing missing %2.")
+                             .arg(widgets::size_text(left), odds_text(candidate->ln_bayes_factor))
+                       : QObject::tr("Odds against nothing missing %1.").arg(odds_text(candidate->ln_bayes_factor));
+    } else if (is_invisible) {
+      row.verdict = EffectVerdict::cannot_be_seen;
+      row.reason = translated(effect.visibility);
+    } else if (!candidate->cannot_be_told_from.empty()) {
+      row.verdict = EffectVerdict::same_as;
+      row.same_as = effect_of(candidate->cannot_be_told_from.front(), {});
+      row.reason = QObject::tr("On these poses both do the same to the images.");
+    } else {
+      row.verdict = EffectVerdict::no_sign;
+      row.reason = QObject::tr("Nothing in the residuals speaks for it beyond chance.");
+    }
+    if (const Refusal* r = refusal_of(effect.id, bench.document, refused)) {
+      row.verdict = EffectVerdict::worse;
+      row.reason = r->reason;
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "findings/inspection_rows.h"
+
+#include <Eigen/Dense>
+
+#include "bench/observation_views.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "words/core_words.h"
+
+namespace handsight::app {
+namespace {
+
+std::optional<double> scaled(std::optional<double> value, double scale) {
+  return value ? std::optional(scale * *value) : std::nullopt;
+}
+
+/// The reason that is shown: the decision's own, else whose fault it is where the observation is odd.
+QString reason_of(const Observation& o, const InspectionRow* row) {
+  if (!o.reason.empty()) return translated(o.reason);
+  if (!row || !row->outlier) return {};
+  return translated(row->what_would_mend);
+}
+
+}  // namespace
+
+std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
+  std::vector<widgets::ObservationRow> list;
+  const auto cells = bench.cells();
+  const auto& observations = bench.document.session().observations;
+  const bool pixels = !bench.document.session().is_tracker();
+  const auto& rig = bench.document.session().rig;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const Observation& o = observations[i];
+    const InspectionRow* row = bench.row(o.id);
+    widgets::ObservationRow r{.id = o.id, .state = cells[i].state};
+    if (row) {
+      if (pixels) r.rms_pixel = row->rms;
+      r.rms_mm = scaled(row->rms_m, 1e3);
+      r.angle_deg = scaled(row->angle, 57.29577951308232);
+      r.rms_over_sigma = row->ratio;
+      r.coordinates = row->coordinates;
+      if (row->worst_marker >= 0) {
+        r.worst = QString::number(row->worst_marker);
+        if (rig && rig->count() > 1 && row->worst_camera >= 0) r.worst += ", " + camera_name(*rig, row->worst_camera);
+      }
+      if (bench.inspection()->noise && *bench.inspection()->noise > 0)
+        r.worst_over_sigma = row->worst_size / std::sqrt(pixels ? 2.0 : 3.0) / *bench.inspection()->noise;
+    }
+    r.is_odd = (row && row->outlier) || o.decision == Decision::rejected;
+    r.reason = reason_of(o, row);
+    list.push_back(std::move(r));
+  }
+  return list;
+}
+
+std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
+  std::vector<widgets::MapPoint> points;
+  const Inspection* all = bench.inspection();
+  const auto& rig = bench.document.session().rig;
+  if (!all || !rig) return points;
+  for (const InspectionRow& row : all->rows) {
+    if (!row.is_used) continue;
+    for (const MarkerResidual& m : row.markers)
+      for (int camera = 0; camera < rig->count(); ++camera) {
+        const auto residual = corner_in(bench.units.unit(), m, camera, *rig, all->noise);
+        if (!residual) continue;
+        points.push_back({.observation = row.id,
+                          .marker = m.marker,
+                          .camera = camera,
+                          .position = *m.corners[static_cast<std::size_t>(camera)].measured,
+                          .residual = *residual,
+                          .rms_over_sigma = size_of_corner(m, camera, *rig, all->noise).sigma});
+      }
+  }
+  return points;
+}
+
+std::optional<widgets::Blame> shown_blame(const Blame& blame, bool of_tracker) {
+  switch (blame.letter) {
+    case 'C':
+      return widgets::Blame{1, 0, 0, of_tracker};
+    case 'B':
+      return widgets::Blame{blame.cameras, blame.body + blame.robot, 0, of_tracker};
+    case 'R':
+      return widgets::Blame{blame.cameras, blame.body, blame.robot, of_tracker};
+    default:
+      return std::nullopt;
+  }
+}
+
+QString blame_sentence(const InspectionRow* row, const Observation* observation, bool in_pixels) {
+  if (!observation) return QObject::tr("Choose an observation in the strip, a plot or the 3D view.");
+  if (!row) {
+    if (observation->sightings.empty() && observation->decision == Decision::rejected)
+      return QObject::tr("Its markers were not found, at a second look neither: %1")
+          .arg(translated(observation->reason));
+    return observation->sightings.empty() ? QObject::tr("No marker is labelled in this observation.")
+                                          : QObject::tr("Waits for a fit.");
+  }
+  if (!row->ratio) return QObject::tr("The noise is not known, so nothing can be said about this observation.");
+  QString text;
+  switch (row->blame.letter) {
+    case 'C':
+      text = in_pixels ? QObject::tr("The cameras: the two images do not agree with each other. ")
+                       : QObject::tr("The tracker: its points do not agree with each other. ");
+      break;
+    case 'B':
+      text = QObject::tr("The marker body: the markers are not where they sit on the hand. ");
+      break;
+    case 'R':
+      text = QObject::tr("The robot: the hand is not where the joints say. ");
+      break;
+    default:
+      text = QObject::tr("Agrees with the model down to the noise. ");
+  }
+  if (!row->what_would_mend.empty()) text += QObject::tr("To be right: %1").arg(translated(row->what_would_mend));
+  if (row->smallest_visible && row->blame.letter != 'R')
+    text += QObject::tr(" An error of one corner under %1 here could not be seen.")
+                .arg(in_pixels ? QObject::tr("%1 px").arg(*row->smallest_visible, 0, 'f', 1)
+                               : QObject::tr("%1 mm").arg(1e3 * *row->smallest_visible, 0, 'f', 1));
+  if (row->at_second_look) text += QObject::tr(" (Markers from a second look with wider gates; not part of the fit.)");
+  return text;
+}
+
+QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, std::size_t excluded, std::size_t of,
+                           const DisplayUnits& units) {
+  QString text = QObject::tr("%1 of %2.").arg(excluded).arg(of);
+  if (!then.fit) return text + " " + then.refusal;
+  if (!now.fit) return text;
+  const widgets::ShownSize a = units.shown(sizes_of(now, now.fit->noise).error());
+  const widgets::ShownSize b = units.shown(sizes_of(then, now.fit->noise).error());
+  if (a.value && b.value && a.unit == b.unit)
+    text += QObject::tr(" Error %1 → %2").arg(widgets::short_text(a.value, 3), widgets::size_text(b, 3));
+  const Vector6 xi = small_motion_between(now.fit->tcp_from_body, then.fit->tcp_from_body);
+  const Eigen::LDLT<Matrix6> covariance(now.fit->covariance);
+  const double sigmas = std::sqrt(std::max(0.0, xi.dot(covariance.solve(xi))) / 6);
+  if (std::isfinite(sigmas)) text += QObject::tr("; TCP→Body moves %1 sigma").arg(widgets::short_text(sigmas));
+  return text + ".";
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "findings/pattern_plots.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/trend.h"
+#include "document/curve_words.h"
+#include "document/effect_words.h"
+#include "words/core_words.h"
+
+namespace handsight::app {
+namespace {
+
+struct Found {
+  std::size_t series = 0, variable = 0;
+};
+
+std::optional<Found> find(const PlotKey& key, const ResidualViews& views) {
+  const auto series = std::find_if(views.series.begin(), views.series.end(),
+                                   [&](const ResidualSeries& s) { return s.name == key.residual; });
+  const auto variable = std::find_if(views.variables.begin(), views.variables.end(),
+                                     [&](const Variable& v) { return v.name == key.variable; });
+  if (series == views.series.end() || variable == views.variables.end()) return std::nullopt;
+  return Found{static_cast<std::size_t>(series - views.series.begin()),
+               static_cast<std::size_t>(variable - views.variables.begin())};
+}
+
+double root_mean_square(const Eigen::VectorXd& v) {
+  return v.size() ? std::sqrt(v.squaredNorm() / static_cast<double>(v.size())) : 0;
+}
+
+/// Time and the order of the observations, two angles that a mimic joint ties: plots against them are the same picture.
+bool tell_the_same(const Variable& a, const Variable& b) {
+  if (a.values.size() != b.values.size() || a.values.size() < 3) return false;
+  const Eigen::ArrayXd x = a.values.array() - a.values.mean(), y = b.values.array() - b.values.mean();
+  return std::abs((x * y).sum()) > 0.999 * std::sqrt(x.square().sum() * y.square().sum());
+}
+
+/// Values of a series as they are shown.
+struct ShownSeries {
+  Eigen::VectorXd values;
+  double noise = 1;
+  QString unit;
+};
+
+ShownSeries shown_series(const ResidualSeries& series, const Eigen::VectorXd& values, widgets::SizeUnit unit) {
+  if (unit == widgets::SizeUnit::sigma && (series.sigmas.array() > 0).all())
+    return {values.cwiseQuotient(series.sigmas), 1, widgets::unit_name(unit)};
+  const ShownUnit own = shown_unit(series.unit);
+  return {own.scale * values, own.scale * root_mean_square(series.sigmas), own.unit};
+}
+
+std::vector<widgets::TrendPoint> shown_trend(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+  std::vector<widgets::TrendPoint> line;
+  for (const TrendPoint& p : trend_of(x, y)) line.push_back({p.x, p.y, p.low, p.high});
+  return line;
+}
+
+}  // namespace
+
+std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
+  constexpr std::ptrdiff_t most_of_a_series = 3;  // nine plots of one joint's error say less than three of each
+  std::vector<PlotKey> keys;
+  std::vector<std::size_t> variables, series;
+  for (const Pattern& p : residuals.patterns) {
+    if (keys.size() == widgets::PatternPage::kPlots) break;
+    const auto is_same = [&](std::size_t other) {
+      return tell_the_same(residuals.views.variables[other], residuals.views.variables[p.variable]);
+    };
+    if (std::any_of(variables.begin(), variables.end(), is_same) ||
+        std::count(series.begin(), series.end(), p.series) >= most_of_a_series)
+      continue;
+    variables.push_back(p.variable);
+    series.push_back(p.series);
+    keys.push_back({residuals.views.series[p.series].name, residuals.views.variables[p.variable].name});
+  }
+  return keys;
+}
+
+std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
+                                                 const Workbench& bench, const std::vector<Eigen::VectorXd>* values) {
+  const ResidualViews& v = residuals.views;
+  const auto found = find(key, v);
+  if (!found) return std::nullopt;
+  const ResidualSeries& series = v.series[found->series];
+  const Variable& variable = v.variables[found->variable];
+  const ShownSeries shown = shown_series(series, values ? (*values)[found->series] : series.values, bench.units.unit());
+  const Eigen::VectorXd& y = shown.values;
+  widgets::PatternPlot plot;
+  plot.id = QString::fromStdString(key.residual + " / " + key.variable);
+  plot.what = translated(series.name);
+  plot.against = translated(variable.name);
+  plot.x_unit = QString::fromStdString(variable.unit);
+  plot.y_unit = shown.unit;
+  const Session& session = bench.document.session();
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const ProblemObservation& o = v.problem.observations[static_cast<std::size_t>(i)];
+    const std::int64_t id = id_at(session, o.index);
+    const InspectionRow* row = values ? nullptr : bench.row(id);
+    plot.points.push_back({.observation = id,
+                           .x = variable.values[i],
+                           .y = y[i],
+                           .rms_over_sigma = row ? row->ratio : std::nullopt,
+                           .coordinates = row && row->coordinates > 0 ? row->coordinates : 12});
+  }
+  plot.trend = shown_trend(variable.values, y);
+  plot.noise = shown.noise;
+  for (const Pattern& p : residuals.patterns)
+    if (p.series == found->series && p.variable == found->variable) {
+      plot.strength = p.strength;
+      plot.is_chance = p.p_value > 1e-3;
+    }
+  return plot;
+}
+
+std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const ModelResiduals& residuals,
+                                                 const EffectView& view, const Eigen::VectorXd& numbers,
+                                                 widgets::SizeUnit unit) {
+  const auto found = find(key, residuals.views);
+  if (!found || found->series >= view.series.size()) return {};
+  const Eigen::VectorXd& x = residuals.views.variables[found->variable].values;
+  if (view.series[found->series].rows() != x.size()) return {};  // of a version with other observations
+  const ShownSeries shown =
+      shown_series(residuals.views.series[found->series], view.series[found->series] * numbers, unit);
+  std::vector<widgets::TrendPoint> line = shown_trend(x, shown.values);
+  for (widgets::TrendPoint& p : line) p.low = p.high = p.y;
+  return line;
+}
+
+QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing) {
+  const auto found = find(key, residuals.views);
+  const auto diagnosis = diagnosing.diagnosis();
+  if (!found || !diagnosis) return {};
+  const Eigen::VectorXd& x = residuals.views.variables[found->variable].values;
+  const double noise = root_mean_square(residuals.views.series[found->series].sigmas);
+  std::vector<std::pair<double, QString>> list;
+  for (const DiagnosisCandidate& c : diagnosis->candidates) {
+    const auto view = c.unnamed ? nullptr : diagnosing.view_of(id_of(c));
+    // Where an earlier version is shown, the views are of another one, maybe of other observations.
+    if (!view || found->series >= view->effect.series.size() || view->effect.series[found->series].rows() != x.size())
+      continue;
+    Eigen::VectorXd plausible(static_cast<Eigen::Index>(view->effect.numbers.size()));
+    for (std::size_t i = 0; i < view->effect.numbers.size(); ++i)
+      plausible[static_cast<Eigen::Index>(i)] = view->effect.numbers[i].plausible;
+    const bool has_size = view->numbers.norm() > 0;
+    const Eigen::VectorXd y = view->effect.series[found->series] * (has_size ? view->numbers : plausible);
+    if (root_mean_square(y) < noise) continue;
+    const double share = followed_share(x, y);
+    if (share > 0.5) list.push_back({share, effect_of(c.id, {})});
+  }
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  QStringList names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, list.size()); ++i) names << list[i].second;
+  return names.join(", ");
+}
+
+std::unordered_map<std::int64_t, double> predicted_ratios(const ModelResiduals& residuals, const EffectView& view,
+                                                          const Eigen::VectorXd& numbers, const Session& session) {
+  const ResidualViews& v = residuals.views;
+  const Eigen::VectorXd change = view.corners * numbers;
+  std::vector<double> squares(v.problem.observations.size(), 0);
+  std::vector<int> rows(v.problem.observations.size(), 0);
+  for (std::size_t c = 0; c < v.corners.size(); ++c) {
+    const auto place = static_cast<std::size_t>(v.corners[c].place);
+    squares[place] += (v.corners[c].residual - change.segment<2>(static_cast<Eigen::Index>(2 * c))).squaredNorm();
+    rows[place] += 2;
+  }
+  std::unordered_map<std::int64_t, double> ratios;
+  for (std::size_t i = 0; i < squares.size(); ++i)
+    if (rows[i] > 0)
+      ratios[id_at(session, v.problem.observations[i].index)] = std::sqrt(squares[i] / rows[i]) / v.weighing.noise;
+  return ratios;
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Where it fails" as data for plots: which residual against what, points, trends, predictions.
+#pragma once
+
+#include "bench/workbench.h"
+#include "widgets/explain/pattern_page.h"
+
+namespace handsight::app {
+
+/// A residual against a variable, by their names, so that it means the same in every version of the model.
+struct PlotKey {
+  std::string residual, variable;
+  auto operator<=>(const PlotKey&) const = default;
+};
+
+/// Up to nine, most structured first, each against another variable.
+std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals);
+
+/// The plot of a key; nothing where these residuals do not have it. `values` (per series) stand in for the measured
+/// ones: noise alone. Points have the colours of the window's observations. A series has a unit of its own (mm of a
+/// body, mrad of a joint), in which it is told; in sigma each point is over its own.
+std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
+                                                 const Workbench& bench,
+                                                 const std::vector<Eigen::VectorXd>* values = nullptr);
+
+/// What a candidate with these numbers would show there; empty where the plot is not known.
+std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const ModelResiduals& residuals,
+                                                 const EffectView& view, const Eigen::VectorXd& numbers,
+                                                 widgets::SizeUnit unit);
+
+/// The titles of effects that show there, the clearest first, at most three.
+QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing);
+
+/// rms of one coordinate over the noise that each observation (by id) would have with a candidate of these numbers.
+std::unordered_map<std::int64_t, double> predicted_ratios(const ModelResiduals& residuals, const EffectView& view,
+                                                          const Eigen::VectorXd& numbers, const Session& session);
+
+}  // namespace handsight::app

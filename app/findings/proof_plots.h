@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Proof plots as the window shows and tells them.
+#pragma once
+
+#include "bench/workbench.h"
+#include "diagnosis/proof.h"
+#include "widgets/explain/pattern_page.h"
+
+namespace handsight::app {
+
+/// The proof plots of one effect, or of a curve, by the name under which they are shown.
+struct Proof {
+  QString name;  // "joint elasticity of arm_2"
+  std::vector<ProofPlot> plots;
+
+  bool is_empty() const { return plots.empty(); }
+};
+
+/// The points as they lie on the curve (`added` 0: the candidate, dashed, with the noise about it), on the way, or
+/// level once it is in the model (`added` 1).
+widgets::PatternPlot proof_plot(const ProofPlot& plot, const Workbench& bench, double added);
+
+/// "right_arm_2 gives way by 149.51 ± 0.59 µrad for each N m: 44 N m at most here, so 6.6 mrad, 5.8 mm at the hand."
+QString proof_sentence(const ProofPlot& plot);
+
+/// The plots of `after` in the order of `before`, so that each stays in its place.
+std::vector<ProofPlot> in_the_order_of(const std::vector<ProofPlot>& before, std::vector<ProofPlot> after);
+
+}  // namespace handsight::app

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/header.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
+#include <QToolButton>
+
+#include "widgets/base/icons.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "widgets/lists/three_numbers.h"
+#include "words/counted.h"
+
+namespace handsight::app {
+namespace {
+
+/// The error with everything that is left out of the fit (excluded observations, points that are wrong whatever the
+/// robot does), and how much that is; nothing where nothing is left out.
+QString excluded_note(const Workbench& bench) {
+  using widgets::SizeUnit;
+  const Inspection* all = bench.inspection();
+  if (!all) return {};
+  const SizeUnit unit = bench.units.unit();
+  double squares = 0;
+  int weights = 0, excluded = 0;
+  for (const InspectionRow& row : all->rows) {
+    const Observation* o = bench.document.find(row.id);
+    const auto size = size_of(row).in(unit);
+    if (!o || !size || (o->decision != Decision::excluded && !row.is_used)) continue;
+    const int weight = unit == SizeUnit::millimetre ? row.points : row.coordinates;
+    excluded += o->decision == Decision::excluded ? 1 : 0;
+    squares += *size * *size * weight;
+    weights += weight;
+  }
+  const ModelVersionPointer model = bench.document.shown_model();
+  const auto wrong = static_cast<qint64>(model ? model->wrong_points.size() : 0);
+  if (excluded + wrong == 0 || weights == 0) return {};
+  QStringList left_out;
+  if (excluded > 0) left_out << QObject::tr("%1 excluded").arg(excluded);
+  if (wrong > 0) left_out << QObject::tr("%1 set aside").arg(counted(wrong, "%n point(s)"));
+  return QObject::tr("with %1: %2")
+      .arg(left_out.join(QObject::tr(" and ")), widgets::size_text({std::sqrt(squares / weights), unit}));
+}
+
+}  // namespace
+
+namespace {
+
+/// A title that is shortened in its middle where there is no room for it.
+class TitleButton : public QToolButton {
+ public:
+  using QToolButton::QToolButton;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    constexpr int rim = 8;
+    QStylePainter painter(this);
+    QStyleOptionToolButton option;
+    initStyleOption(&option);
+    option.text = fontMetrics().elidedText(option.text, Qt::ElideMiddle, width() - rim);
+    painter.drawComplexControl(QStyle::CC_ToolButton, option);
+  }
+};
+
+}  // namespace
+
+Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QWidget* parent)
+    : QWidget(parent), bench_(bench), actions_(actions) {
+  setObjectName("header");
+  const auto button = [this](const char* name, const QString& text, const QString& tip) {
+    auto* b = new TitleButton(this);
+    b->setObjectName(name);
+    b->setText(text);
+    b->setToolTip(tip);
+    b->setAutoRaise(true);
+    b->setMinimumHeight(widgets::kControlHeight);
+    return b;
+  };
+  session_ = button("session_menu", tr("Session"), tr("Open, save, close"));
+  session_->setMenu(session_menu);
+  session_->setPopupMode(QToolButton::InstantPopup);
+  session_->setFont(widgets::text_font(widgets::TextRole::title));
+  session_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  session_->setMinimumWidth(96);  // a long title must not widen the window
+  undo_ = button("undo", tr("Undo"), {});
+  redo_ = button("redo", tr("Redo"), {});
+  undo_->setIcon(widgets::icon("undo"));
+  redo_->setIcon(widgets::icon("redo"));
+  for (QToolButton* b : {undo_, redo_}) b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  job_ = new QLabel(this);
+  job_->setObjectName("job");
+  job_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  job_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names must not widen the window
+  progress_ = new QProgressBar(this);
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(80, 6);
+  progress_->setRange(0, 1000);
+  cancel_ = button("cancel", tr("Cancel"), tr("Stops the job; everything stays as it was before"));
+  numbers_ = new widgets::ThreeNumbers(this);
+  numbers_->setObjectName("three_numbers");
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 0, 8, 0);
+  layout->setSpacing(8);
+  layout->addWidget(session_);
+  layout->addSpacing(8);
+  layout->addWidget(undo_);
+  layout->addWidget(redo_);
+  layout->addWidget(job_, 1);
+  layout->addWidget(progress_);
+  layout->addWidget(cancel_);
+  layout->addSpacing(16);
+  layout->addWidget(numbers_);
+
+  connect(undo_, &QToolButton::clicked, &bench.document, &Document::undo);
+  connect(redo_, &QToolButton::clicked, &bench.document, &Document::redo);
+  connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { shown_jobs().stop(); });
+  for (Jobs* jobs : {&bench.jobs, &bench.explaining})
+    connect(jobs, &Jobs::changed, this, [this] {
+      if (shown_jobs().is_busy() && !poll_.isActive()) poll_.start(50);
+      refresh_job();
+    });
+  connect(&poll_, &QTimer::timeout, this, &Header::refresh_job);
+  for (auto signal : {&Document::opened, &Document::closed, &Document::model_changed})
+    connect(&bench.document, signal, this, [this] {
+      refresh_session();
+      refresh_numbers();
+    });
+  connect(&bench.document, &Document::edited, this, &Header::refresh_session);
+  connect(&bench.document, &Document::settings_changed, this, &Header::refresh_session);
+  connect(&bench.document, &Document::readings_changed, this, &Header::refresh_session);
+  connect(&bench.document, &Document::saved_changed, this, &Header::refresh_session);
+  connect(&bench, &Workbench::tried, this, &Header::refresh_numbers);
+  connect(&bench.units, &DisplayUnits::changed, this, &Header::refresh_numbers);
+  refresh_session();
+  refresh_job();
+}
+
+/// On a small screen the arrows alone say undo and redo: words would push the window beyond it.
+void Header::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  constexpr int roomy = 1200;
+  const bool is_narrow = width() < roomy;
+  for (QToolButton* b : {undo_, redo_})
+    b->setToolButtonStyle(is_narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+  progress_->setFixedWidth(is_narrow ? 48 : 120);
+}
+
+void Header::refresh_session() {
+  const Document& d = bench_.document;
+  const QString title = QString::fromStdString(
+      d.session().title.empty() ? d.session().file.parent_path().filename().string() : d.session().title);
+  session_->setText((d.is_open() ? title + (d.is_saved() ? "" : " •") : tr("Session")) + QStringLiteral("  ▾"));
+  session_->setToolTip(!d.is_open()   ? tr("Open, save, close")
+                       : d.is_saved() ? tr("Everything is saved in %1").arg(QString::fromStdString(d.session().file))
+                                      : tr("Not yet saved in session.xml (Ctrl+S). Nothing is lost if you close."));
+  const QUndoStack& stack = d.undo_stack();
+  undo_->setEnabled(stack.canUndo());
+  redo_->setEnabled(stack.canRedo());
+  undo_->setToolTip(stack.canUndo() ? tr("Undo: %1 (%2)").arg(stack.undoText(), actions_.of("undo").keys_text())
+                                    : tr("Nothing to undo"));
+  redo_->setToolTip(stack.canRedo() ? tr("Do again: %1 (%2)").arg(stack.redoText(), actions_.of("redo").keys_text())
+                                    : tr("Nothing to redo"));
+  for (QWidget* w : {static_cast<QWidget*>(undo_), static_cast<QWidget*>(redo_), static_cast<QWidget*>(numbers_)})
+    w->setVisible(d.is_open());
+}
+
+Jobs& Header::shown_jobs() const { return bench_.jobs.is_busy() ? bench_.jobs : bench_.explaining; }
+
+void Header::refresh_job() {
+  const JobState state = shown_jobs().state();
+  if (!shown_jobs().is_busy()) poll_.stop();
+  // A job of a moment would only flicker; one that does not know how far it is can be cancelled like any other.
+  constexpr double moment = 0.4;  // s
+  const bool shown =
+      state.is_running && (cancel_->isVisible() || state.seconds_left || state.share > 0.02 || state.seconds > moment);
+  progress_->setVisible(shown);
+  cancel_->setVisible(shown);
+  if (!shown) return job_->clear();
+  QString text = state.title;
+  if (state.share > 0) text += tr(": %1 %").arg(static_cast<int>(100 * state.share));
+  if (state.seconds_left) text += tr(", %1 left").arg(widgets::duration_text(*state.seconds_left));
+  job_->setText(job_->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(job_->width() - 4, 40)));
+  job_->setToolTip(text);
+  progress_->setRange(0, state.share > 0 ? 1000 : 0);
+  progress_->setValue(static_cast<int>(1000 * state.share));
+}
+
+void Header::refresh_numbers() {
+  widgets::ErrorNumbers n;
+  const ModelVersionPointer shown = bench_.document.shown_model();
+  if (shown && shown->fit) {
+    const auto unit = bench_.units.unit();
+    const auto noise = shown->fit->noise;
+    const VersionSizes sizes = sizes_of(*shown, noise);
+    n.unit = widgets::unit_name(unit);
+    n.now = sizes.error().in(unit);
+    n.noise = sizes.noise.in(unit);
+    n.ratio = sizes.error().sigma;
+    n.is_stale = bench_.document.model() == nullptr;
+    n.excluded_note = excluded_note(bench_);
+    if (const auto predicted = bench_.predicted_error()) {
+      const auto told = bench_.units.shown(size_of_error(*predicted, !bench_.document.session().is_tracker(), noise));
+      n.predicted = told.value;
+      if (told.unit != unit) n.predicted_unit = widgets::unit_name(told.unit);
+    }
+    for (const ModelVersionPointer& version : bench_.document.versions()) {
+      if (!version || !version->fit) continue;
+      const VersionSizes one = sizes_of(*version, noise);
+      n.versions.push_back(
+          {version->cause.isEmpty() ? tr("as opened") : version->cause, one.fitted.in(unit), one.error().in(unit)});
+    }
+  }
+  numbers_->set_numbers(std::move(n));
+}
+
+}  // namespace handsight::app

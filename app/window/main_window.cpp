@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/main_window.h"
+
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QScreen>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "bench/link_selection.h"
+#include "bench/model_effects.h"
+#include "bench/observation_views.h"
+#include "bench/preferences.h"
+#include "start/start_page.h"
+#include "widgets/base/read_out_line.h"
+#include "widgets/base/unit_switch.h"
+#include "widgets/lists/model_panel.h"
+#include "widgets/lists/observation_strip.h"
+#include "window/appearance.h"
+#include "window/centre_fill.h"
+#include "window/centre_room.h"
+#include "window/doubt_bar.h"
+#include "window/header.h"
+#include "window/input_manners.h"
+#include "window/rail.h"
+#include "window/workspaces.h"
+
+namespace handsight::app {
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  setWindowTitle(tr("Handsight"));
+  menu_ = new QMenu(this);
+  menu_->setObjectName("menu");
+  make_pages();
+  make_actions();
+  connect_strip();
+  connect_read_out();
+  connect_units();
+  connect(&bench_.document, &Document::opened, this, &MainWindow::session_opened);
+  connect(&bench_.document, &Document::closed, this, &MainWindow::session_closed);
+  connect(&bench_, &Workbench::workspace_requested, this, &MainWindow::show_workspace);
+  connect(&bench_, &Workbench::relabel_requested, this, [this] { show_workspace(Place::label); });
+  session_closed();
+  open_in_size();
+  new InputManners(this);
+}
+
+MainWindow::~MainWindow() {
+  hide();  // while what the workspaces talk to is still there
+  disconnect(&bench_.document, nullptr, this, nullptr);
+  bench_.document.close();
+}
+
+void MainWindow::make_pages() {
+  pages_ = new QStackedWidget(this);
+  setCentralWidget(pages_);
+  start_ = new StartPage(pages_);
+  pages_->addWidget(start_);
+  connect(start_, &StartPage::open_requested, this, &MainWindow::choose_session);
+  connect(start_, &StartPage::new_requested, this, [this] { run_wizard(); });
+  connect(start_, &StartPage::session_chosen, this, &MainWindow::open);
+  connect(start_, &StartPage::sample_chosen, this, [this](const QString& name) { open_sample(name); });
+
+  auto* session = new QWidget(pages_);
+  header_ = new Header(bench_, actions_, menu_, session);
+  header_->setFixedHeight(44);
+  make_workspaces(session);
+  rail_ = new Rail(workspace_kinds(), session);
+  panel_ = new widgets::ModelPanel(session);
+  panel_->setObjectName("model_panel");
+  read_out_ = new widgets::ReadOutLine(session);
+  read_out_->setObjectName("read_out");
+  units_ = new widgets::UnitSwitch(session);
+  read_out_->add_at_end(units_);
+  strip_ = new widgets::ObservationStrip(session);
+  strip_->setObjectName("strip");
+  strip_->setFixedHeight(72);
+
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(0);
+  middle->addWidget(rail_);
+  // What a workspace needs is not to push header, model panel or strip off a small screen.
+  middle->addWidget(new CentreRoom(centre_, session), 1);
+  middle->addWidget(panel_);
+  auto* rows = new QVBoxLayout(session);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(header_);
+  rows->addWidget(new DoubtBar(bench_, session));
+  rows->addLayout(middle, 1);
+  rows->addWidget(read_out_);
+  rows->addWidget(strip_);
+  pages_->addWidget(session);
+  connect(rail_, &Rail::chosen, this, &MainWindow::show_workspace);
+  connect(panel_, &widgets::ModelPanel::folded_changed, this, [this](bool folded) { panel_choice_ = folded; });
+  link_selection(panel_, bench_);
+}
+
+void MainWindow::make_workspaces(QWidget* parent) {
+  centre_ = new QStackedWidget(parent);
+  for (const WorkspaceKind& kind : workspace_kinds()) {
+    workspaces_.push_back(kind.make(bench_, parent));
+    centre_->addWidget(workspaces_.back());
+    connect(workspaces_.back(), &Workspace::status_changed, this, &MainWindow::refresh_rail);
+  }
+  fill_ = new CentreFill(centre_);
+}
+
+void MainWindow::offer(Appearance& appearance) { appearance.add_to(*menu_, after_choices_); }
+
+void MainWindow::show_workspace(Place place) {
+  if (!bench_.document.is_open()) return;
+  fill_->put_back();
+  rail_->set_current(place);
+  centre_->setCurrentWidget(&page_of(place));
+  fit_panel_to_workspace();
+  page_of(place).activate();
+}
+
+Place MainWindow::workspace() const {
+  return workspace_kinds()[static_cast<std::size_t>(centre_->currentIndex())].place;
+}
+
+void MainWindow::fit_panel_to_workspace() {
+  const auto wanted = page_of(workspace()).panel();
+  panel_->setVisible(wanted != Workspace::Panel::absent);
+  constexpr int wide_enough = 1400;  // px: the panel beside plots that can still be read
+  panel_->set_folded(wanted == Workspace::Panel::folded || panel_choice_.value_or(width() < wide_enough));
+}
+
+void MainWindow::refresh_panel() {
+  if (bench_.document.is_open())
+    panel_->set_effects(model_effects(bench_.document, bench_.diagnosing.diagnosis().get()));
+}
+
+void MainWindow::refresh_strip() {
+  if (bench_.document.is_open()) strip_->set_cells(bench_.cells());
+}
+
+void MainWindow::refresh_rail() {
+  if (!bench_.document.is_open()) return;
+  for (const WorkspaceKind& kind : workspace_kinds()) rail_->set_status(kind.place, page_of(kind.place).status());
+}
+
+void MainWindow::refresh_crumbs() {
+  const Selected& s = bench_.selection.current();
+  QStringList crumbs;
+  if (s.observation) crumbs << tr("obs %1").arg(*s.observation);
+  if (s.marker) crumbs << tr("marker %1").arg(*s.marker);
+  const auto& rig = bench_.document.session().rig;
+  if (s.camera && rig && *s.camera < rig->count()) crumbs << camera_name(*rig, *s.camera);
+  if (s.joint) crumbs << QString::fromStdString(*s.joint);
+  const InspectionRow* row = bench_.selected_row();
+  if (!crumbs.isEmpty() && row && row->rms) {
+    const Inspection& all = *bench_.inspection();
+    ResidualSize size = size_of(*row);
+    for (const MarkerResidual& m : row->markers) {
+      if (!s.marker || m.marker != *s.marker) continue;
+      size = s.camera && rig ? size_of_corner(m, *s.camera, *rig, all.noise) : size_of(m, all);
+    }
+    crumbs.last() += "  " + bench_.units.text(size);
+  }
+  read_out_->set_crumbs(crumbs);
+}
+
+void MainWindow::step(int by) {
+  const auto& observations = bench_.document.session().observations;
+  if (observations.empty()) return;
+  const int count = static_cast<int>(observations.size());
+  const int now = bench_.selection.current().observation
+                      ? bench_.document.index_of(*bench_.selection.current().observation)
+                      : (by > 0 ? -1 : count);
+  bench_.selection.select_observation(observations[static_cast<std::size_t>(std::clamp(now + by, 0, count - 1))].id);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (!bench_.document.is_open()) return QMainWindow::keyPressEvent(event);
+  if (page_of(workspace()).key(event)) return;
+  if (event->modifiers() != Qt::NoModifier && event->modifiers() != Qt::KeypadModifier)
+    return QMainWindow::keyPressEvent(event);
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return step(-1);
+    case Qt::Key_Right:
+      return step(1);
+    case Qt::Key_Escape:
+      return fill_->put_back() ? void() : bench_.selection.up();
+    case Qt::Key_M:
+      return actions_.run("fold_model");
+    default:
+      QMainWindow::keyPressEvent(event);
+  }
+}
+
+/// In the size it last had, never larger than the screen.
+void MainWindow::open_in_size() {
+  const QRect screen = QMainWindow::screen()->availableGeometry();
+  const QStringList last = preference("window size").split('x');
+  QSize size(1440, 900);
+  if (last.size() == 2 && last[0].toInt() >= 640 && last[1].toInt() >= 400) size = {last[0].toInt(), last[1].toInt()};
+  constexpr int title_bar = 32;  // px, of the frame that the desktop puts round it
+  const QSize room(screen.width(), screen.height() - title_bar);
+  const bool is_cut = size.width() >= room.width() || size.height() >= room.height();
+  resize(size.boundedTo(room));
+  if (is_cut) move(screen.topLeft());
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  constexpr int wide_enough = 1400;
+  const bool crosses = (event->oldSize().width() < wide_enough) != (event->size().width() < wide_enough);
+  if (crosses && bench_.document.is_open() && !panel_choice_) fit_panel_to_workspace();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!isMaximized() && !isFullScreen())
+    remember_preference("window size", QString("%1x%2").arg(width()).arg(height()));
+  bench_.document.close();
+  event->accept();
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window: header, rail, the workspaces, model panel, read-out line, observation strip; or the start page.
+#pragma once
+
+#include <QMainWindow>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bench/workbench.h"
+#include "bench/workspace.h"
+#include "window/model_editor.h"
+
+class QAction;
+class QMenu;
+class QSplitter;
+class QStackedWidget;
+
+namespace handsight::widgets {
+class ModelPanel;
+class ObservationStrip;
+class ReadOutLine;
+class UnitSwitch;
+}  // namespace handsight::widgets
+
+namespace handsight::app {
+
+class Appearance;
+class CentreFill;
+class Header;
+class Rail;
+class StartPage;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Opens a session; where it cannot be opened the sentence is shown on the page at hand. True where it was.
+  bool open(const QString& path);
+  bool open_sample(const QString& name, bool fresh = false);
+  Workbench& bench() { return bench_; }
+  const Actions& registry() const { return actions_; }
+  void show_workspace(Place place);
+  /// Takes the choices of theme and motion into its menu.
+  void offer(Appearance& appearance);
+  /// The one in front.
+  Place workspace() const;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  Workspace& page_of(Place place) const { return *workspaces_.at(static_cast<std::size_t>(place)); }
+  void make_pages();
+  void make_workspaces(QWidget* parent);
+  void make_actions();
+  void add_session_actions();
+  void add_view_actions();
+  void add_observation_actions();
+  void connect_strip();
+  void connect_read_out();
+  void connect_units();
+  void choose_session();
+  void run_wizard();
+  void save();
+  void show_keys();
+  void find();
+  void session_opened();
+  void session_closed();
+  void remember_state();
+  void refresh_panel();
+  void refresh_strip();
+  void refresh_crumbs();
+  void refresh_rail();
+  void fit_panel_to_workspace();
+  void open_in_size();
+  void step(int by);
+
+  Workbench bench_;
+  Actions actions_{this};
+  ModelEditor editor_{bench_};
+  QMenu* menu_;
+  QAction* after_choices_;  // of the menu: before it stand theme and motion
+  QStackedWidget* pages_;   // start page, or the session
+  StartPage* start_;
+  Header* header_;
+  Rail* rail_;
+  QStackedWidget* centre_;
+  CentreFill* fill_;
+  QSplitter* splitter_;
+  widgets::ModelPanel* panel_;
+  widgets::ReadOutLine* read_out_;
+  widgets::ObservationStrip* strip_;
+  widgets::UnitSwitch* units_;
+  std::vector<Workspace*> workspaces_;  // as workspace_kinds()
+  QTimer strip_timer_;                  // a play edits many times a second
+  QTimer state_timer_;                  // what is remembered need not be of this moment
+  QTimer panel_timer_;                  // one action may tell several times
+  std::optional<bool> panel_choice_;    // folded by the user, or unfolded; absent: as the window's width has it
+};
+
+}  // namespace handsight::app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sessions: opened, saved, closed, and where the window begins with one.
+#include <QFileDialog>
+#include <QStackedWidget>
+#include <algorithm>
+
+#include "base/error.h"
+#include "start/session_places.h"
+#include "start/start_page.h"
+#include "widgets/base/read_out_line.h"
+#include "widgets/lists/model_panel.h"
+#include "widgets/lists/observation_strip.h"
+#include "window/main_window.h"
+#include "wizard/session_wizard.h"
+#include "words/core_words.h"
+
+namespace handsight::app {
+
+namespace {
+
+bool is_decided(const Session& s) {
+  return std::any_of(s.observations.begin(), s.observations.end(),
+                     [](const Observation& o) { return o.decision == Decision::accepted; });
+}
+
+/// Is there nothing that a play could start from: no labels, or images of which none is labelled?
+bool wants_labels(const Session& s) {
+  if (s.target || s.pose_sensor) return false;
+  bool any_labels = false, any_images = false;
+  for (const Observation& o : s.observations) {
+    if (!o.images[0].empty() && !o.sightings.empty()) return false;
+    any_labels = any_labels || !o.sightings.empty();
+    any_images = any_images || !o.images[0].empty();
+  }
+  return any_images ? !is_decided(s) : !any_labels;
+}
+
+/// Labels without images, enough to ask what is missing: there is nothing to label, and play would only repeat it.
+bool wants_explaining(const Session& s) {
+  constexpr std::ptrdiff_t fewest = 10;
+  const bool any_images = std::any_of(s.observations.begin(), s.observations.end(),
+                                      [](const Observation& o) { return !o.images[0].empty(); });
+  return !any_images && std::count_if(s.observations.begin(), s.observations.end(), is_used) >= fewest;
+}
+
+/// Where the work goes on.
+Place first_place(const Session& s) {
+  if (wants_labels(s)) return Place::label;
+  if (wants_explaining(s)) return Place::explain;
+  return is_decided(s) ? Place::inspect : Place::calibrate;
+}
+
+}  // namespace
+
+bool MainWindow::open(const QString& path) {
+  try {
+    bench_.document.open(std::filesystem::path(path.toStdString()));
+    return true;
+  } catch (const std::exception& error) {
+    const QString sentence = translated_error(error);
+    start_->set_refusal(sentence);
+    read_out_->show_message(sentence);
+    return false;
+  }
+}
+
+bool MainWindow::open_sample(const QString& name, bool fresh) {
+  try {
+    for (const SampleSession& sample : sample_sessions())
+      if (QString::fromStdString(sample.name) == name)
+        return open(QString::fromStdString((fresh ? fresh_copy(sample) : working_copy(sample)).string()));
+    throw InputError(fmt::format("There is no sample session \"{}\".", name.toStdString()));
+  } catch (const InputError& error) {
+    start_->set_refusal(translated_error(error));
+    return false;
+  }
+}
+
+void MainWindow::choose_session() {
+  auto* dialog = new QFileDialog(this, tr("Open a session"), {}, tr("Sessions (*.xml)"));
+  dialog->setObjectName("open_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
+  dialog->open();
+}
+
+void MainWindow::run_wizard() {
+  SessionWizard::run(*this, [this](const QString& path) { open(path); });
+}
+
+void MainWindow::save() {
+  if (!bench_.document.is_open()) return;
+  try {
+    bench_.document.save();
+  } catch (const InputError& error) {
+    read_out_->show_message(translated_error(error));
+  }
+}
+
+void MainWindow::session_opened() {
+  const Session& s = bench_.document.session();
+  const QString title = QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
+  setWindowTitle(tr("%1 - Handsight").arg(title));
+  remember_session(s.file, title);
+  start_->set_refusal({});
+  pages_->setCurrentIndex(1);
+  strip_->set_selected(widgets::kNoObservation);
+  refresh_strip();
+  panel_->set_effects({});
+  panel_->set_empty_text(tr("Not yet fitted."));
+  bench_.selection.select_observation(s.observations.front().id);
+  show_workspace(first_place(s));
+  refresh_rail();
+}
+
+/// What the start page says of it next time; also what a killed window leaves.
+void MainWindow::remember_state() {
+  const ModelVersionPointer model = bench_.document.model();
+  if (!bench_.document.is_open() || !model || !model->fit) return;
+  constexpr std::size_t most = 60;
+  std::vector<double> all;
+  for (const InspectionRow& row : model->inspection->rows)
+    if (row.ratio && row.is_used) all.push_back(*row.ratio);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
+    ratios.push_back(all[i * all.size() / std::min(all.size(), most)]);
+  const VersionSizes sizes = sizes_of(*model, model->fit->noise);
+  const auto unit = bench_.document.session().is_tracker() ? widgets::SizeUnit::millimetre : widgets::SizeUnit::pixel;
+  QString state = tr("Error %1, noise %2").arg(text_in(unit, sizes.error()), text_in(unit, sizes.noise));
+  const QString explained = page_of(Place::explain).status().line;
+  if (!explained.isEmpty()) state += tr(": %1").arg(explained);
+  handsight::app::remember_state(bench_.document.session().file, state, ratios);
+}
+
+void MainWindow::session_closed() {
+  setWindowTitle(tr("Handsight"));
+  start_->refresh();
+  pages_->setCurrentIndex(0);
+  strip_->set_cells({});
+}
+
+}  // namespace handsight::app

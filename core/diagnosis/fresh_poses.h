@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Observations that the fit has not seen, predicted against measured: the honest test of what is exported.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/inspection.h"
+
+namespace handsight {
+
+struct FreshPose {
+  std::int64_t id = 0;
+  double distance = 0;  // m, of TCPest from the TCP that the model predicts
+  double allowed = 0;   // m, how far the 95 % ellipsoid reaches in that direction
+  bool is_hit = false;
+  bool is_known_bad = false;  // its measurement is wrong, or it was rejected for being off: no test of the model
+};
+
+/// Every observation whose hand was seen and that is not part of the fit, against the ellipsoid in which 95 % of new
+/// poses lie if they are like the n that were fitted: with S the second moments of tcp_from_tcp_est's translation over
+/// these, d' S^-1 d <= 3 n / (n - 2) F(3, n - 2; 0.95) (Hotelling). Empty with fewer than 8 fitted.
+std::vector<FreshPose> fresh_poses(const Inspection& inspection);
+
+}  // namespace handsight

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/inspection.h"
+
+#include <algorithm>
+
+#include "estimation/pose_residuals.h"
+
+namespace handsight {
+namespace {
+
+std::optional<Vector2> pixel_in(const Sighting& s, int camera) {
+  const CameraPoint* const seen = seen_by(s, camera);
+  return seen ? std::optional(seen->pixel) : std::nullopt;
+}
+
+std::vector<ImageCorner> corners_of(const Rig* rig, const Sighting& s, const Vector3& predicted_in_sensor) {
+  std::vector<ImageCorner> corners;
+  for (int camera = 0; rig && camera < rig->count(); ++camera) {
+    corners.push_back({.measured = pixel_in(s, camera)});
+    const Vector3 in_camera = rig->at(camera).camera_from_first * predicted_in_sensor;
+    if (in_camera.z() > 1e-6) corners.back().predicted = project(rig->at(camera).camera, in_camera);
+  }
+  return corners;
+}
+
+void note_worst(const MarkerResidual& marker, InspectionRow& row) {
+  const auto look = [&](double size, int camera) {
+    if (size <= row.worst_size) return;
+    row.worst_size = size;
+    row.worst_marker = marker.marker;
+    row.worst_camera = camera;
+  };
+  for (std::size_t i = 0; i < marker.corners.size(); ++i)
+    if (const ImageCorner& c = marker.corners[i]; c.is_compared())
+      look((*c.measured - *c.predicted).norm(), static_cast<int>(i));
+  if (!marker.is_seen() && marker.measured_in_sensor)
+    look((*marker.measured_in_sensor - marker.predicted_in_sensor).norm(), -1);
+}
+
+/// Fills what the row shows of the observation's markers and pose.
+ResidualParts measure(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
+                      InspectionRow& row) {
+  const Rig* rig = problem.rig_or_null();
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  double lengths = 0;
+  double variances = 0, squared_variances = 0;  // of the points in space, for a noise of 1 px (1 m) a coordinate
+  const auto add_variance = [&](const Matrix3& covariance) {
+    variances += covariance.trace();
+    squared_variances += covariance.squaredNorm();
+  };
+  for (const Sighting& s : o.sightings) {
+    MarkerResidual marker{.marker = s.marker};
+    marker.predicted_in_sensor = sensor_from_tcp * marker_at(o, unknowns, s.marker);
+    marker.corners = corners_of(rig, s, marker.predicted_in_sensor);
+    marker.measured_in_sensor = s.point;
+    if (s.point) add_variance(Matrix3::Identity());
+    if (rig)
+      if (const auto point = triangulate_unweighed(*rig, s)) {
+        marker.measured_in_sensor = point->point;
+        add_variance(point->covariance);
+      }
+    if (marker.measured_in_sensor) {
+      lengths += (*marker.measured_in_sensor - marker.predicted_in_sensor).squaredNorm();
+      ++row.points;
+    }
+    note_worst(marker, row);
+    row.markers.push_back(std::move(marker));
+  }
+  const ResidualParts parts = residual_parts(problem, o, unknowns);
+  row.coordinates = parts.rows;
+  if (parts.rows > 0) row.rms = std::sqrt(parts.total / parts.rows);
+  if (row.points > 0) {
+    row.rms_m = std::sqrt(lengths / row.points);
+    row.noise_m = std::sqrt(variances / row.points);
+    // Satterthwaite: a sum of unlike squares is nearly one of so many like ones.
+    row.noise_coordinates = variances * variances / squared_variances;
+  }
+  if (!parts.sensor_from_body) return parts;
+  row.tcp_from_tcp_est = inverse(sensor_from_tcp) * *parts.sensor_from_body;
+  row.angle = vector_from_rotation(row.tcp_from_tcp_est->rotation).norm();
+  return parts;
+}
+
+/// The session as if every observation that shows markers counted.
+Session with_everything(const Session& session, const SecondLooks& looks) {
+  Session all = session;
+  all.source.reset();
+  for (Observation& o : all.observations) {
+    o.decision = Decision::none;
+    if (const auto look = looks.find(o.id); look != looks.end() && o.sightings.empty()) o.sightings = look->second;
+  }
+  return all;
+}
+
+ResidualParts measure_row(const Problem& problem, ProblemObservation& seen, const Unknowns& unknowns,
+                          const std::vector<char>& marker_is_known, InspectionRow& row) {
+  std::erase_if(seen.sightings,
+                [&](const Sighting& s) { return !marker_is_known[static_cast<std::size_t>(s.marker)]; });
+  row.root_from_tcp = seen.root_from_tcp;
+  row.root_from_sensor = seen.root_from_mount * unknowns.mount_from_sensor * seen.sensor_motion;
+  return measure(problem, seen, unknowns, row);
+}
+
+void judge(const Problem& problem, const ProblemObservation& seen, const Unknowns& unknowns,
+           std::optional<double> noise, const ResidualParts& parts, const TypicalParts& typical, InspectionRow& row) {
+  if (!noise || !row.rms || *noise <= 0) {
+    row.noise_m.reset();
+    return;
+  }
+  if (row.noise_m) *row.noise_m *= *noise;
+  row.ratio = *row.rms / *noise;
+  row.blame = blame_of(parts, *noise, typical);
+  const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.blame.letter);
+  row.what_would_mend = change_text(change, problem.rig_or_null());
+  row.smallest_visible = smallest_visible(problem, seen, unknowns, *noise);
+}
+
+}  // namespace
+
+void inspect_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
+                         std::optional<double> noise, const std::vector<char>& marker_is_known, InspectionRow& row) {
+  ProblemObservation seen = observation;
+  const ResidualParts parts = measure_row(problem, seen, unknowns, marker_is_known, row);
+  judge(problem, seen, unknowns, noise, parts, {}, row);
+}
+
+Inspection inspect(const Session& session, const Fit& fit, const FitReport& report, const SecondLooks& looks) {
+  Inspection inspection;
+  inspection.noise = fit.noise;
+  inspection.in_pixels = session.rig.has_value();
+  inspection.rows.resize(session.observations.size());
+  for (std::size_t i = 0; i < session.observations.size(); ++i) {
+    InspectionRow& row = inspection.rows[i];
+    row.id = session.observations[i].id;
+    row.index = static_cast<int>(i);
+    row.is_used = is_used(session.observations[i]);
+    const auto look = looks.find(row.id);
+    row.at_second_look = session.observations[i].sightings.empty() && look != looks.end() && !look->second.empty();
+  }
+  Session shown = with_everything(session, looks);
+  if (session.pose_sensor) shown = shown_as_fitted(shown, estimate(fit));
+  Problem problem = make_problem(shown, chain_of(shown), terms_of(fit));
+  shown = {};  // of a long session every copy counts
+  if (!problem.terms.empty()) {
+    problem.tcp_from_slip = fit.problem.tcp_from_slip;
+    place_observations(problem);
+  }
+  std::vector<ResidualParts> parts, used;
+  for (ProblemObservation& o : problem.observations) {
+    InspectionRow& row = inspection.rows[static_cast<std::size_t>(o.index)];
+    parts.push_back(measure_row(problem, o, estimate(fit), fit.problem.marker_is_seen, row));
+    if (row.is_used) used.push_back(parts.back());
+  }
+  const TypicalParts typical = typical_parts(used);
+  if (fit.noise && *fit.noise > 0) inspection.blame = blame_of(used, *fit.noise);
+  for (std::size_t i = 0; i < problem.observations.size(); ++i) {
+    const ProblemObservation& o = problem.observations[i];
+    judge(problem, o, estimate(fit), fit.noise, parts[i], typical, inspection.rows[static_cast<std::size_t>(o.index)]);
+  }
+  inspection.noise_m = report.rms_of_noise_m;
+  for (const ObservationReport& o : report.per_observation)
+    inspection.rows[static_cast<std::size_t>(o.index)].outlier = o.outlier;
+  return inspection;
+}
+
+void mark_left_out(const std::vector<WrongPoint>& points, const std::vector<LoneObservation>& lone,
+                   Inspection& inspection) {
+  for (const WrongPoint& w : points) inspection.rows[static_cast<std::size_t>(w.index)].outlier = true;
+  for (const LoneObservation& l : lone) inspection.rows[static_cast<std::size_t>(l.index)].outlier = true;
+}
+
+}  // namespace handsight

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every fit with effects is made of: where effects put an observation's chain, with derivatives and without, and
+// sums over rows, beside Eigen's.
+#include <benchmark/benchmark.h>
+
+#include <random>
+
+#include "estimation/column_products.h"
+#include "estimation/problem.h"
+#include "fixtures/arms.h"
+#include "session/session_xml.h"
+#include "simulation/simulated_session.h"
+
+namespace handsight {
+namespace {
+
+/// Geometry, springs of joints and links and play at every joint, at about their plausible sizes.
+struct Posed {
+  Session session;
+  Problem problem;
+  Eigen::VectorXd values;
+
+  explicit Posed(Session like) : session(std::move(like)) {
+    std::vector<EffectTerm> terms;
+    const Chain chain = chain_of(session);
+    for (const char* id : {"link_geometry", "joint_elasticity", "link_elasticity", "backlash"})
+      for (EffectTerm& term : effect_terms(id, chain)) terms.push_back(std::move(term));
+    problem = make_problem(session, chain, {}, terms);
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    values = Eigen::VectorXd::NullaryExpr(problem.effect_count(), [&](Eigen::Index i) {
+      return 0.5 * std::abs(normal(random)) * problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    });
+  }
+};
+
+/// Time an observation, of steps of a thousandth of the effects' sizes.
+void place(benchmark::State& state, const Session& like, bool derives) {
+  Posed posed(like);
+  double sign = 1;
+  for (auto _ : state) {
+    posed.values *= 1 + 1e-3 * (sign = -sign);
+    derives ? set_effects(posed.problem, posed.values) : follow_effects(posed.problem, posed.values);
+  }
+  const auto observations = static_cast<double>(posed.problem.observations.size());
+  state.counters["columns"] = static_cast<double>(posed.problem.effect_count());
+  state.counters["an_observation"] =
+      benchmark::Counter(observations, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void squares(benchmark::State& state, bool ours) {
+  const Eigen::MatrixXd rows = Eigen::MatrixXd::Random(state.range(0), state.range(1));
+  Eigen::MatrixXd sum(rows.cols(), rows.cols());
+  for (auto _ : state) {
+    sum.setZero();
+    if (ours)
+      add_column_products(rows, sum);
+    else
+      sum.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+    benchmark::DoNotOptimize(sum.data());
+  }
+}
+
+void products(benchmark::State& state, bool ours) {
+  const Eigen::MatrixXd a = Eigen::MatrixXd::Random(state.range(0), state.range(1));
+  const Eigen::MatrixXd b = Eigen::MatrixXd::Random(state.range(0), state.range(2));
+  Eigen::MatrixXd sum;
+  for (auto _ : state) {
+    if (ours)
+      sum = column_products(a, b);
+    else
+      sum.noalias() = a.transpose() * b;
+    benchmark::DoNotOptimize(sum.data());
+  }
+}
+
+Session of_hundred_poses(const Session& like) {
+  SimulationOptions options;
+  options.observations = 100;
+  return simulate_session(like, options).session;
+}
+
+void add_benchmarks(const std::vector<std::string>& sessions) {
+  for (const bool derives : {true, false}) {
+    const auto add = [&](std::string name, const Session& like) {
+      name += derives ? "/with_derivatives" : "/without";
+      benchmark::RegisterBenchmark(name.c_str(), place, like, derives)->Unit(benchmark::kMillisecond);
+    };
+    add("six_axes", of_hundred_poses(fixture::stand_session()));
+    add("seven_axes", of_hundred_poses(fixture::seven_axis_session()));
+    add("torso", of_hundred_poses(fixture::torso_session()));
+    for (const std::string& session : sessions) add(session, read_session(session));
+  }
+  for (const bool ours : {true, false}) {
+    const std::string by = ours ? "ours" : "eigen";
+    benchmark::RegisterBenchmark(("squares/" + by).c_str(), squares, ours)
+        ->Args({192, 20})
+        ->Args({192, 80})
+        ->Args({1500, 90})
+        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("products/" + by).c_str(), products, ours)
+        ->Args({750, 30, 100})
+        ->Args({1500, 90, 300})
+        ->Unit(benchmark::kMicrosecond);
+  }
+}
+
+}  // namespace
+}  // namespace handsight
+
+/// benchmark_postures [SESSION...]
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  handsight::add_benchmarks(std::vector<std::string>(argv + 1, argv + argc));
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// What has no room is told in fewer words, not in half of one; and a plot of little height can still be read.
+#include <gtest/gtest.h>
+
+#include "app/window/painted_text.h"
+#include "widgets/explain/pattern_page.h"
+#include "widgets/explain/residual_cloud.h"
+#include "widgets/explain/verdict_line.h"
+#include "widgets/mouse.h"
+#include "widgets/plots/convergence_plot.h"
+
+namespace handsight::widgets {
+namespace {
+
+QStringList painted(QWidget& widget) {
+  QStringList all;
+  for (const test::PaintedText& text : test::texts_of(widget)) all << text.text;
+  return all;
+}
+
+TEST(WholeTexts, ALongActionAboveTheCloudGivesWayToAfter) {
+  ResidualCloud cloud;
+  cloud.set_before({{.observation = 1, .du = 1}}, "as opened");
+  cloud.set_after({{.observation = 1, .du = 0.1}},
+                  "added joint elasticity of right_arm_1, right_arm_2 and right_arm_4");
+  test::show(cloud, {332, 172});
+  const QStringList texts = painted(cloud);
+  EXPECT_TRUE(texts.contains("as opened")) << texts.join('|').toStdString();
+  EXPECT_TRUE(texts.contains("after")) << texts.join('|').toStdString();
+  for (const QString& text : texts) EXPECT_FALSE(text.contains(QChar(0x2026))) << text.toStdString();
+}
+
+TEST(WholeTexts, OfTheEffectsThatShowSomeAreNamedInFull) {
+  PatternPage page;
+  PatternPlot plot{.id = "a", .what = "error", .against = "time"};
+  plot.points = {{1, 0, 0, 1.0, 2}, {2, 1, 1, 1.0, 2}};
+  plot.shows = "camera intrinsics, stereo rig, link geometry";
+  page.set_plots({plot});
+  test::show(page, {600, 240});
+  bool are_told = false;
+  for (const QString& text : painted(page)) {
+    EXPECT_FALSE(text.contains(QChar(0x2026))) << text.toStdString();
+    are_told = are_told || text.contains("camera intrinsics, stereo rig");
+  }
+  EXPECT_TRUE(are_told);
+}
+
+TEST(WholeTexts, AWholeHundredPerCentKeepsAwayFromTheNextLetter) {
+  for (const Blame& blame : {Blame{1, 0, 0}, Blame{0, 1, 0}, Blame{0, 0, 1}}) {
+    VerdictLine line;
+    SessionVerdict verdict{
+        .state = SessionState::missing, .sentence = "The model misses.", .error_px = 1, .noise_px = 0.2};
+    verdict.blame = blame;
+    line.set_verdict(verdict);
+    test::show(line, {1160, 72});
+    std::vector<QRectF> letters;
+    for (const test::PaintedText& text : test::texts_of(line))
+      if (text.text.contains(QRegularExpression("^[CBR] [0-9]+ %$"))) letters.push_back(text.place);
+    ASSERT_EQ(letters.size(), 3U);
+    constexpr double swatch = 13, apart = 5;
+    for (std::size_t i = 1; i < 3; ++i) EXPECT_GE(letters[i].left() - swatch, letters[i - 1].right() + apart) << i;
+    EXPECT_LE(letters[2].right(), line.width());
+  }
+}
+
+/// One tick tells no size.
+TEST(WholeTexts, ALowPlotHasTwoTicksAtLeastWhateverItsRange) {
+  ConvergencePlot plot("TCP to TCPest", "mm", {"x", "y", "z"});
+  test::show(plot, {380, 122});
+  for (double reach = 1e-3; reach < 0.05; reach *= 1.13) {
+    std::vector<ConvergencePlot::Sample> samples;
+    for (int i = 0; i < 20; ++i)
+      samples.push_back({.count = i + 1, .observation = i, .value = {i % 2 ? reach : -0.7 * reach, 0, 0}});
+    plot.set_samples(samples);
+    plot.plot()->replot();
+    const QCPAxis* axis = plot.plot()->yAxis;
+    int inside = 0;
+    for (const double tick : axis->tickVector()) inside += axis->range().contains(tick);
+    EXPECT_GE(inside, 2) << reach;
+  }
+}
+
+}  // namespace
+}  // namespace handsight::widgets

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers for people: a true minus, sigma to two digits and the value to the same place, "-" for what is not known.
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "widgets/base/cells.h"
+
+namespace handsight::widgets {
+
+/// With so many digits after the point; never "-0.00", "nan" or an exponent.
+QString fixed_text(std::optional<double> value, int decimals);
+
+/// To so many significant digits, as short as it gets: 0.24, 9.1, 12, 1.2e-4 (very small or large: times a power of
+/// 10).
+QString short_text(std::optional<double> value, int digits = 2);
+
+/// A factor: 1, 2.5, 2000; no zeros that say nothing.
+QString times_text(double factor);
+
+/// "12.34 ± 0.05": sigma to two digits, the value to the same place; an exact value (no sigma) to at most four digits.
+QString with_sigma_text(std::optional<double> value, std::optional<double> sigma);
+
+/// A value with its unit in one word: "9.1 px", "-" where it is not known.
+QString with_unit_text(std::optional<double> value, const QString& unit, int digits = 2);
+
+/// "9.1 px", "12 mm", "45 σ"; "-" where it has no value.
+QString size_text(const ShownSize& size, int digits = 2);
+
+/// "2 s", "1 min 20 s": time left of a job.
+QString duration_text(double seconds);
+
+}  // namespace handsight::widgets

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/base/theme.h"
+
+#include <QApplication>
+#include <QFontDatabase>
+#include <QFontMetricsF>
+#include <QPalette>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <map>
+
+#include "widgets/base/control_style.h"
+
+namespace handsight::widgets {
+namespace {
+
+ThemeKind& current() {
+  static ThemeKind kind = ThemeKind::light;
+  return kind;
+}
+
+QPalette palette_of(const Colors& c) {
+  QPalette p;
+  p.setColor(QPalette::Window, c.window);
+  p.setColor(QPalette::WindowText, c.ink1);
+  p.setColor(QPalette::Base, c.panel);
+  p.setColor(QPalette::AlternateBase, c.window);
+  p.setColor(QPalette::Text, c.ink1);
+  p.setColor(QPalette::PlaceholderText, c.ink3);
+  p.setColor(QPalette::Button, c.panel);
+  p.setColor(QPalette::ButtonText, c.ink1);
+  p.setColor(QPalette::BrightText, c.bad);
+  p.setColor(QPalette::Light, c.panel);
+  p.setColor(QPalette::Midlight, c.sunken);
+  p.setColor(QPalette::Mid, c.hairline);
+  p.setColor(QPalette::Dark, c.control_edge);
+  p.setColor(QPalette::Shadow, c.control_edge);
+  p.setColor(QPalette::Highlight, c.accent);
+  p.setColor(QPalette::HighlightedText, c.panel);
+  p.setColor(QPalette::Link, c.accent);
+  p.setColor(QPalette::LinkVisited, c.accent);
+  p.setColor(QPalette::ToolTipBase, c.panel);
+  p.setColor(QPalette::ToolTipText, c.ink1);
+  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    p.setColor(QPalette::Disabled, role, c.ink3);
+  p.setColor(QPalette::Disabled, QPalette::Highlight, c.sunken);
+  p.setColor(QPalette::Disabled, QPalette::HighlightedText, c.ink3);
+  return p;
+}
+
+int pixels_of(TextRole role) {
+  switch (role) {
+    case TextRole::small:
+      return 12;
+    case TextRole::body:
+      return 13;
+    case TextRole::title:
+      return 15;
+    case TextRole::number:
+      return 24;
+  }
+  return 13;
+}
+
+bool has_equal_digits(const QFont& font) {
+  const QFontMetricsF metrics(font);
+  const double first = metrics.horizontalAdvance(QLatin1Char('0'));
+  for (char digit = '1'; digit <= '9'; ++digit)
+    if (std::abs(metrics.horizontalAdvance(QLatin1Char(digit)) - first) > 1e-6) return false;
+  return true;
+}
+
+}  // namespace
+
+const Colors& colors() { return colors_of(current()); }
+
+ThemeKind theme() { return current(); }
+
+void set_colors(ThemeKind kind) { current() = kind; }
+
+void apply_theme(QApplication& application, ThemeKind kind) {
+  current() = kind;
+  QApplication::setStyle(new ControlStyle);
+  const QPalette palette = palette_of(colors_of(kind));
+  // Tool tips of Fusion read the application's palette; a style sheet would switch off the style's own drawing.
+  QApplication::setPalette(palette);
+  // What is chosen in a list is a row that is tinted, in tables and menus of choices alike.
+  QPalette lists = palette;
+  lists.setColor(QPalette::Highlight, colors().selected_row);
+  lists.setColor(QPalette::HighlightedText, colors().ink1);
+  QApplication::setPalette(lists, "QAbstractItemView");
+  QApplication::setFont(text_font(TextRole::body));
+  application.setProperty("handsight_theme", kind == ThemeKind::dark ? "dark" : "light");
+}
+
+QFont text_font(TextRole role) {
+  QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+  font.setPixelSize(pixels_of(role));
+  font.setWeight(role == TextRole::title || role == TextRole::number ? QFont::DemiBold : QFont::Normal);
+  return font;
+}
+
+QFont number_font(TextRole role) {
+  QFont font = text_font(role);
+  if (has_equal_digits(font)) return font;
+  font.setFamily(QStringLiteral("DejaVu Sans"));
+  return font;
+}
+
+double noise_limit(int coordinates) {
+  static std::map<int, double> known;  // the window has one thread for its widgets
+  if (coordinates < 1) coordinates = 1;
+  const auto found = known.find(coordinates);
+  if (found != known.end()) return found->second;
+  const boost::math::chi_squared distribution(coordinates);
+  return known[coordinates] = std::sqrt(boost::math::quantile(distribution, 0.99) / coordinates);
+}
+
+int residual_step(double rms_over_sigma, int coordinates) {
+  if (!(rms_over_sigma >= 1)) return 0;
+  if (rms_over_sigma < noise_limit(coordinates)) return 1;
+  if (rms_over_sigma < 3) return 2;
+  if (rms_over_sigma < 5) return 3;
+  return rms_over_sigma < 10 ? 4 : 5;
+}
+
+QColor residual_color(std::optional<double> rms_over_sigma, int coordinates) {
+  if (!rms_over_sigma || std::isnan(*rms_over_sigma)) return colors().ink3;
+  return colors().residual[static_cast<std::size_t>(residual_step(*rms_over_sigma, coordinates))];
+}
+
+QString residual_step_name(int step) {
+  static const std::array<QString, 6> names = {QStringLiteral("noise"), QStringLiteral("noise"), QStringLiteral("3"),
+                                               QStringLiteral("5"),     QStringLiteral("10"),    QStringLiteral("10+")};
+  return step < 0 || step > 5 ? QString() : names[static_cast<std::size_t>(step)];
+}
+
+}  // namespace handsight::widgets

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QPaintEvent>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
+#include "widgets/lists/observation_strip.h"
+
+namespace handsight::widgets {
+namespace {
+
+/// Height of a cell as a share, on a logarithmic scale from a third of sigma to twenty.
+double height_share(double rms_over_sigma) {
+  constexpr double low = 1.0 / 3, high = 20;
+  const double share = std::log(std::max(rms_over_sigma, low) / low) / std::log(high / low);
+  return 0.12 + 0.88 * std::clamp(share, 0.0, 1.0);
+}
+
+/// Which of two cells a column shows: the worse used one.
+bool is_worse(const ObservationCell& a, const ObservationCell& b) {
+  const bool a_counts = a.state == CellState::used, b_counts = b.state == CellState::used;
+  if (a_counts != b_counts) return a_counts;
+  return a.rms_over_sigma.value_or(-1) > b.rms_over_sigma.value_or(-1);
+}
+
+}  // namespace
+
+void ObservationStrip::paint_cell(QPainter& painter, const ObservationCell& cell, const QRectF& slot) const {
+  const Colors& c = colors();
+  const double gap = slot.width() >= 5 ? 1 : 0;
+  const QRectF room = slot.adjusted(gap / 2, 0, -gap / 2, 0);
+  const bool has_preview = cell.predicted.has_value();
+  const auto draw = [&](std::optional<double> value, double bottom, double height) {
+    const double tall = value ? std::max(4.0, height * height_share(*value)) : 4.0;
+    const QRectF bar(room.left(), bottom - tall, room.width(), tall);
+    if (value)
+      painter.fillRect(bar, residual_color(value, cell.coordinates));
+    else
+      painter.fillRect(bar.adjusted(0, 2, 0, 0), c.hairline);
+    return bar;
+  };
+  const double bottom = has_preview ? room.top() + room.height() / 2 - 1 : room.bottom();
+  draw(cell.rms_over_sigma, bottom, bottom - room.top());
+  if (has_preview) {
+    const QRectF bar = draw(cell.predicted, room.bottom(), room.height() / 2 - 1);
+    painter.fillRect(QRectF(bar.left(), bar.top(), bar.width(), 1.5), c.candidate);
+  }
+  if (cell.state == CellState::rejected || cell.state == CellState::excluded) {
+    painter.setPen(QPen(c.ink2, cell.state == CellState::excluded ? 2 : 1));
+    if (room.width() >= 4)
+      painter.drawLine(room.bottomLeft() - QPointF(0, 1), room.topRight() + QPointF(0, room.height() * 0.3));
+    else
+      painter.fillRect(QRectF(room.left(), room.top() + room.height() / 2, room.width(), 2), c.ink2);
+  }
+}
+
+void ObservationStrip::paint_cells() {
+  const double ratio = devicePixelRatioF();
+  picture_ = QPixmap(size() * ratio);
+  picture_.setDevicePixelRatio(ratio);
+  picture_.fill(colors().window);
+  QPainter painter(&picture_);
+  const QRectF area = cells_area();
+  painter.fillRect(area, colors().sunken);
+  painter.setClipRect(area);
+  const double width = cell_width();
+  const int count = static_cast<int>(cells_.size());
+  if (width * ratio >= 1) {
+    painter.setRenderHint(QPainter::Antialiasing, width >= 5);
+    const int last = std::min(count - 1, static_cast<int>(std::ceil(first_ + area.width() / width)));
+    for (int i = std::max(0, static_cast<int>(first_)); i <= last; ++i)
+      paint_cell(painter, cells_[static_cast<std::size_t>(i)], QRectF(left_of(i), area.top(), width, area.height()));
+  } else {
+    const double column = 1 / ratio;
+    for (double x = area.left(); x < area.right(); x += column) {
+      const int from = static_cast<int>(first_ + (x - area.left()) / width);
+      const int to = std::min(count, static_cast<int>(first_ + (x + column - area.left()) / width));
+      if (from >= to) continue;
+      const auto begin = cells_.begin() + from;
+      const auto worst =
+          std::max_element(begin, cells_.begin() + to, [](const auto& a, const auto& b) { return is_worse(b, a); });
+      paint_cell(painter, *worst, QRectF(x, area.top(), column, area.height()));
+    }
+  }
+  is_stale_ = false;
+}
+
+void ObservationStrip::paint_marks(QPainter& painter) const {
+  const Colors& c = colors();
+  const QRectF area = cells_area();
+  painter.setBrush(Qt::NoBrush);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto ring = [&](ObservationId id, const QColor& color, double pen) {
+    QRectF cell = cell_rect(id);
+    if (cell.isEmpty()) return;
+    if (cell.width() < 6) cell = QRectF(cell.center().x() - 3, cell.top(), 6, cell.height());
+    painter.setPen(QPen(color, pen));
+    painter.drawRoundedRect(cell.adjusted(-pen / 2, -pen / 2, pen / 2, pen / 2), 2, 2);
+  };
+  if (!highlighted_.empty()) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(c.ink1);
+    for (const ObservationId id : highlighted_) {
+      const QRectF cell = cell_rect(id);
+      if (!cell.isEmpty()) painter.drawEllipse(QPointF(cell.center().x(), area.top() + 3), 2.5, 2.5);
+    }
+    painter.setBrush(Qt::NoBrush);
+  }
+  if (hovered_ != kNoObservation && hovered_ != selected_) ring(hovered_, c.ink2, 1.5);
+  ring(selected_, c.accent, 2);
+  if (is_brushing_ && brush_from_ >= 0 && brush_to_ >= 0) {
+    QColor fill = c.accent;
+    fill.setAlpha(60);
+    const double from = left_of(std::min(brush_from_, brush_to_));
+    const double to = left_of(std::max(brush_from_, brush_to_) + 1);
+    painter.fillRect(QRectF(from, area.top(), to - from, area.height()).intersected(area), fill);
+  }
+}
+
+void ObservationStrip::paint_scale(QPainter& painter) const {
+  const Colors& c = colors();
+  const QRectF row(kGap, 54, width() - 2 * kGap, 16);
+  painter.setFont(text_font(TextRole::small));
+  const QFontMetricsF metrics(painter.font());
+  // The legend, from the right: swatch and name of every step.
+  const QString unit = QObject::tr("of the noise");
+  double x = row.right() - metrics.horizontalAdvance(unit);
+  painter.setPen(c.ink2);
+  painter.drawText(QRectF(x, row.top(), row.right() - x + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, unit);
+  const QStringList names = {QObject::tr("noise"), QStringLiteral("< 3"), QStringLiteral("< 5"), QStringLiteral("< 10"),
+                             QObject::tr("10 times or more")};
+  for (int i = static_cast<int>(names.size()) - 1; i >= 0; --i) {
+    const double wide = metrics.horizontalAdvance(names[i]);
+    x -= wide + kGap;
+    painter.drawText(QRectF(x, row.top(), wide + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, names[i]);
+    x -= 16;
+    const QRectF swatch(x, row.top() + 3, 12, 10);
+    painter.fillRect(swatch, c.residual[static_cast<std::size_t>(i + 1)]);
+    if (i == 0) {
+      x -= 12;
+      painter.fillRect(QRectF(x, swatch.top(), 12, 10), c.residual[0]);
+    }
+    x -= 4;
+  }
+  // Ids under the cells as far as there is room.
+  const double width_of_cell = cell_width();
+  int step = 1;
+  for (const int s : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 100000}) {
+    step = s;
+    if (s * width_of_cell > 44) break;
+  }
+  const int count = static_cast<int>(cells_.size());
+  for (int i = static_cast<int>(std::ceil(first_ / step)) * step; i < count; i += step) {
+    const QString text = QString::number(cells_[static_cast<std::size_t>(i)].id);
+    const double wide = metrics.horizontalAdvance(text);
+    const double middle = left_of(i) + width_of_cell / 2;
+    const double left = std::max(middle - wide / 2, row.left());
+    if (left + wide + 12 > x) break;
+    painter.drawText(QRectF(left, row.top(), wide + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+  }
+}
+
+void ObservationStrip::paint_lens(QPainter& painter) const {
+  const int index = index_of(hovered_);
+  if (cell_width() >= 4 || index < 0 || !underMouse()) return;
+  constexpr int around = 6;
+  constexpr double wide = 11;
+  const QRectF area = cells_area();
+  const double full = (2 * around + 1) * wide + 4;
+  const double middle = std::clamp(left_of(index), area.left() + full / 2, area.right() - full / 2);
+  const QRectF lens(middle - full / 2, area.top(), full, area.height());
+  painter.setPen(QPen(colors().control_edge, 1));
+  painter.setBrush(colors().panel);
+  painter.drawRoundedRect(lens, 3, 3);
+  for (int i = -around; i <= around; ++i) {
+    const int at = index + i;
+    if (at < 0 || at >= static_cast<int>(cells_.size())) continue;
+    const QRectF slot(middle + (i - 0.5) * wide, lens.top() + 2, wide, lens.height() - 4);
+    paint_cell(painter, cells_[static_cast<std::size_t>(at)], slot);
+    if (i == 0) {
+      painter.setPen(QPen(colors().ink1, 1.5));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(slot);
+    }
+  }
+}
+
+void ObservationStrip::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (cells_.empty()) {
+    painter.fillRect(rect(), colors().window);
+    painter.fillRect(cells_area(), colors().sunken);
+    draw_sentence(painter, cells_area(), empty_text_);
+  } else {
+    if (is_stale_ || picture_.devicePixelRatio() != devicePixelRatioF()) paint_cells();
+    painter.drawPixmap(0, 0, picture_);
+    paint_marks(painter);
+    paint_lens(painter);
+  }
+  paint_scale(painter);
+  if (hasFocus()) draw_focus(painter, rect());
+}
+
+}  // namespace handsight::widgets

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a ResidualMap draws with. Internal to residual_map*.cpp.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <array>
+
+#include "widgets/plots/residual_map.h"
+
+namespace handsight::widgets {
+
+inline constexpr int kColumns = 6, kRows = 4, kDirections = 16;
+
+struct ResidualMap::Layers {
+  std::array<QCPGraph*, 6> discs{};
+  std::array<QCPCurve*, 6> arrows{};
+  std::array<QCPGraph*, kDirections> directions{};
+  QCPCurve* means = nullptr;
+  QCPGraph *selected = nullptr, *hovered = nullptr;
+  QCPItemRect* frame = nullptr;
+  std::vector<QCPItemText*> counts;
+  QCPItemLine* bar = nullptr;
+  QCPItemText* bar_text = nullptr;
+};
+
+}  // namespace handsight::widgets

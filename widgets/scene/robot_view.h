@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The robot, its cameras and what they saw, in 3D.
+#pragma once
+
+#include <QWidget>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "camera/camera.h"
+#include "robot/robot.h"
+#include "widgets/base/cells.h"
+
+namespace handsight::widgets {
+
+struct ReadMesh;
+using ReadMeshes = std::map<std::string, ReadMesh>;
+
+/// Everything in the root link's frame, m.
+struct SceneCamera {
+  QString name;
+  Rigid root_from_camera;
+  Camera camera;
+};
+
+enum class SceneMarkerRole { measured, predicted };
+
+struct SceneMarker {
+  int marker = 0;
+  Vector3 in_root{0, 0, 0};
+  SceneMarkerRole role = SceneMarkerRole::measured;
+  std::optional<double> rms_over_sigma;
+};
+
+/// The residual of a past observation at its TCP, magnified by the view.
+struct SceneArrow {
+  ObservationId observation = kNoObservation;
+  Vector3 from{0, 0, 0};
+  Vector3 residual{0, 0, 0};  // m, true size
+  std::optional<double> rms_over_sigma;
+  int coordinates = 12;
+};
+
+/// Where something is with this probability: the ellipsoid of a covariance.
+struct SceneEllipsoid {
+  Vector3 center{0, 0, 0};
+  Matrix3 covariance = Matrix3::Zero();  // m^2
+  double probability = 0.95;
+};
+
+enum class StandardView { front, back, left, right, top, camera, tcp, all };
+
+/// What goes before QApplication: the surface format that the 3D view needs (3.2 core, depth 24, stencil 8).
+void set_surface_format();
+
+/// Left button orbits about the z axis up, middle or Shift+left pans, wheel and right button zoom. F fits, 1 to 6 the
+/// standard views, 0 the cameras' view. Hover names what is there, click takes it.
+class RobotView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RobotView(QWidget* parent = nullptr);
+  ~RobotView() override;
+
+  /// Links are drawn by their visuals; meshes are looked for under `mesh_folder`. A link without any gets a plausible
+  /// limb between its joints. Sentences about meshes that could not be shown are in notes().
+  void set_robot(const Robot& robot, const std::filesystem::path& mesh_folder);
+  /// Meshes that take longer than a moment to read are shown when they are there; notes_changed tells.
+  const std::vector<QString>& notes() const;
+  bool is_reading() const;
+  /// One motion per link of the robot, in its order.
+  void set_posture(const std::vector<Rigid>& root_from_link);
+  /// The same with what the model bends; the ghost is drawn where posture + magnification * (ghost - posture) is.
+  void set_ghost(const std::optional<std::vector<Rigid>>& root_from_link);
+  void set_ghost_magnification(double times);
+  /// Places that are to be in sight where neither cameras nor the TCP are shown.
+  void set_interest(std::vector<Vector3> in_root);
+  void set_cameras(std::vector<SceneCamera> cameras);
+  void set_tcp(const std::optional<Rigid>& root_from_tcp);          // red, green, blue
+  void set_tcp_est(const std::optional<Rigid>& root_from_tcp_est);  // cyan, yellow, magenta
+  void set_markers(std::vector<SceneMarker> markers);
+  void set_arrows(std::vector<SceneArrow> arrows);
+  void set_arrow_magnification(double times);
+  void set_ellipsoid(const std::optional<SceneEllipsoid>& ellipsoid);
+  void set_selected_observation(ObservationId id);
+  void set_hovered_observation(ObservationId id);
+  void set_selected_joint(const QString& joint);  // its link is tinted
+  void set_empty_text(const QString& sentence);   // where there is no robot
+  void look(StandardView view);
+
+  /// Where a point of the root frame is in widget coordinates; nothing behind the eye. For labels and tests.
+  std::optional<QPointF> to_screen(const Vector3& in_root) const;
+  /// The end of an observation's arrow as drawn; nothing where it has none.
+  std::optional<Vector3> arrow_tip(ObservationId id) const;
+  QImage picture(
+      double scale = 0);  // as shown, labels included; px of the picture for each of the widget's, 0: its own
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ signals:
+  void notes_changed();
+  void observation_selected(qint64 id);
+  void observation_hovered(qint64 id);
+  void joint_selected(const QString& joint);  // a link was clicked: the joint that carries it
+  void read_out(const QString& text);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Parts;
+  void take_meshes(const ReadMeshes& meshes);
+  void finish_reading();
+  void change();  // the scene: the next painting draws it anew
+  void draw(const QSize& size);
+  void show_menu(const QPoint& position);
+  void pick(const QPointF& position, bool take);
+  void paint_labels(QPainter& painter);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace handsight::widgets

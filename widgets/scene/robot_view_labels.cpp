@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "widgets/base/number_text.h"
+#include "widgets/base/paint_tools.h"
+#include "widgets/base/theme.h"
+#include "widgets/scene/robot_view_parts.h"
+
+namespace handsight::widgets {
+namespace {
+
+QRectF plate_rect(const QPointF& position, const QSizeF& size) {
+  return {QPointF(position.x(), position.y() - size.height() / 2), size};
+}
+
+/// The place nearest to the wanted one at which a plate of this size lies over no other; the wanted one where there is
+/// none near.
+QPointF free_place(const QPointF& wanted, const QSizeF& size, const std::vector<QRectF>& taken) {
+  for (const double radius : {0.0, 14.0, 24.0, 36.0, 50.0})
+    for (int step = 0; step < (radius > 0 ? 12 : 1); ++step) {
+      const double angle = 0.5236 * step;
+      const QPointF place = wanted + radius * QPointF(std::cos(angle), std::sin(angle));
+      const QRectF plate = plate_rect(place, size).adjusted(-1, -1, 1, 1);
+      if (std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(plate); }))
+        return place;
+    }
+  return wanted;
+}
+
+/// The longest of a frame's axes as it is seen, px.
+double length_on_screen(const RobotView& view, const Rigid& root_from_frame) {
+  const auto origin = view.to_screen(root_from_frame.translation);
+  double longest = 0;
+  for (int axis = 0; origin && axis < 3; ++axis)
+    if (const auto tip = view.to_screen(root_from_frame * Vector3(kAxisLength * Vector3::Unit(axis))))
+      longest = std::max(longest, std::hypot(tip->x() - origin->x(), tip->y() - origin->y()));
+  return longest;
+}
+
+}  // namespace
+
+void RobotView::paint_labels(QPainter& painter) {
+  static const std::array<QString, 3> letters = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
+  const Colors& c = colors();
+  const Parts& p = *parts_;
+  if (!p.has_robot()) {
+    draw_sentence(painter, rect(), p.empty_text);
+    return;
+  }
+  painter.setFont(text_font(TextRole::small));
+  std::vector<QRectF> taken;
+  const QFontMetricsF label_metrics(painter.font());
+  const auto plate = [&](const Vector3& in_root, const QString& text, const QPointF& offset) {
+    const auto at = to_screen(in_root);
+    if (!at) return;
+    const QSizeF size(std::max(label_metrics.horizontalAdvance(text) + 6, 14.0), label_metrics.height());
+    const QPointF place = free_place(*at + offset, size, taken);
+    if (place != *at + offset) {  // moved aside: a line to what it names
+      painter.setPen(QPen(c.ink3, 1));
+      painter.drawLine(*at, plate_rect(place, size).center());
+    }
+    taken.push_back(draw_plate(painter, place, text, c.ink1, c.panel));
+  };
+  const bool is_near = p.tcp && length_on_screen(*this, *p.tcp) > 34;  // from afar letters would hide what they name
+  for (int axis = 0; is_near && axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const Vector3 tip = 1.12 * kAxisLength * Vector3::Unit(axis);
+    plate(*p.tcp * tip, letters[i], QPointF(4, -7));
+    if (p.tcp_est) plate(*p.tcp_est * tip, letters[i] + QStringLiteral("′"), QPointF(4, 9));
+  }
+  for (std::size_t i = 0; i < p.cameras.size(); ++i)
+    plate(p.cameras[i].root_from_camera.translation, p.cameras[i].name, QPointF(8, i == 1 ? 10 : -10));
+  for (const SceneMarker& marker : p.markers)
+    if (is_near && marker.role == SceneMarkerRole::measured)
+      plate(marker.in_root, QString::number(marker.marker), QPointF(9, -9));
+
+  // The root's axes as a small triad.
+  const QPointF origin(30, height() - 32.0);
+  const Vector3 forward = p.orbit.direction(), right = forward.cross(Vector3::UnitZ()).normalized();
+  const Vector3 up = right.cross(forward);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 unit = Vector3::Unit(axis);
+    const QPointF tip = origin + 20 * QPointF(unit.dot(right), -unit.dot(up));
+    painter.setPen(QPen(c.ink3, 1.5));
+    painter.drawLine(origin, tip);
+    painter.setPen(c.ink2);
+    painter.drawText(QRectF(tip - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
+                     letters[static_cast<std::size_t>(axis)]);
+  }
+  const std::vector<CubeFace> cube = p.cube(size());
+  paint_cube(painter, cube);
+  QStringList legend;
+  if (p.tcp) legend += p.tcp_est ? QObject::tr("x y z TCP, x′ y′ z′ TCPest") : QObject::tr("x y z TCP");
+  if (p.bent) legend += QObject::tr("ghost %1 ×").arg(times_text(p.ghost_times));
+  if (!p.arrows.empty()) legend += QObject::tr("arrows %1 ×").arg(times_text(p.arrow_times));
+  // Right of the triad; where there is too little room for one line, a line each.
+  const double least_left = cube.empty() ? 64 : 122;
+  const QFontMetricsF metrics(painter.font());
+  const QString together = legend.join(QStringLiteral("   "));
+  if (metrics.horizontalAdvance(together) + 12 + least_left <= width() && !together.isEmpty()) legend = {together};
+  double low = height() - 13.0;
+  for (auto line = legend.rbegin(); line != legend.rend(); ++line, low -= 18)
+    draw_plate(painter, QPointF(std::max(width() - metrics.horizontalAdvance(*line) - 12, least_left), low), *line,
+               c.ink2, c.panel);
+  if (hasFocus()) draw_focus(painter, rect());
+}
+
+}  // namespace handsight::widgets

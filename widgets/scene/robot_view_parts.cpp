@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/robot_view_parts.h"
+
+#include <vtkCellPicker.h>
+#include <vtkLightKit.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/base/theme.h"
+
+namespace handsight::widgets {
+namespace {
+
+double distance_to_segment(const QPointF& p, const QPointF& a, const QPointF& b) {
+  const QPointF ab = b - a, ap = p - a;
+  const double squared = QPointF::dotProduct(ab, ab);
+  const double t = squared > 0 ? std::clamp(QPointF::dotProduct(ap, ab) / squared, 0.0, 1.0) : 0;
+  const QPointF d = ap - t * ab;
+  return std::hypot(d.x(), d.y());
+}
+
+/// A little darker than the ground, in the dark theme too.
+QColor shadow_color() {
+  const QColor ground = colors().panel, ink = ground.lightness() > 127 ? colors().ink1 : QColor(Qt::black);
+  const double share = ground.lightness() > 127 ? 0.13 : 0.4;
+  const auto mix = [share](int a, int b) { return static_cast<int>(std::lround((1 - share) * a + share * b)); };
+  return {mix(ground.red(), ink.red()), mix(ground.green(), ink.green()), mix(ground.blue(), ink.blue())};
+}
+
+/// A link that is as dark as a dark ground would be lost on it.
+QColor off_the_ground(const QColor& color) {
+  constexpr int least = 88;
+  if (colors().panel.lightness() > 127 || color.lightness() >= least) return color;
+  return QColor::fromHsl(color.hslHue() < 0 ? 0 : color.hslHue(), color.hslSaturation(), least);
+}
+
+}  // namespace
+
+const SceneArrow* RobotView::Parts::arrow_of(ObservationId id) const {
+  if (id == kNoObservation) return nullptr;
+  const auto found = std::find_if(arrows.begin(), arrows.end(), [id](const auto& a) { return a.observation == id; });
+  return found == arrows.end() ? nullptr : &*found;
+}
+
+void RobotView::Parts::make_ready() {
+  if (robot_changed) make_robot();
+  if (theme_changed) set_colors();
+  const bool has_moved_robot = posture_changed;
+  if (posture_changed || ghost_changed) place_robot();
+  if (marks_changed) make_marks();
+  if (arrows_changed || rings_changed) make_arrows();
+  if (wants_fit && has_robot() && !posture.empty()) {
+    look(StandardView::all);
+    wants_fit = false;
+  } else if (is_framed && has_moved_robot && has_robot() && !is_in_sight()) {
+    look(StandardView::all);
+  }
+  orbit.apply(*renderer->GetActiveCamera());
+  renderer->ResetCameraClippingRange();
+}
+
+void RobotView::Parts::make_robot() {
+  remove_from(*renderer, links);
+  remove_from(*renderer, ghost);
+  remove_from(*renderer, shadow);
+  std::vector<QString> notes = std::move(links.notes);
+  links = std::exchange(read_links, {});
+  ghost = make_ghost_actors(links, colors().candidate);
+  shadow = make_shadow_actors(links, shadow_color());
+  links.notes = std::move(notes);
+  add_to(*renderer, links);
+  add_to(*renderer, ghost);
+  add_to(*renderer, shadow);
+  robot_changed = false;
+  posture_changed = ghost_changed = theme_changed = true;
+}
+
+void RobotView::Parts::set_colors() {
+  const QColor ground = colors().panel;
+  renderer->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
+  for (const LinkActor& part : ghost.parts) set_color(*part.actor, colors().candidate, 0.32);
+  for (const LinkActor& part : shadow.parts) set_color(*part.actor, shadow_color());
+  const int selected_index = find_joint(robot, selected_joint.toStdString());
+  const int tinted = selected_index < 0 ? -1 : robot.joints[static_cast<std::size_t>(selected_index)].child_link;
+  for (const LinkActor& part : links.parts)
+    set_color(*part.actor, part.link == tinted ? colors().accent : off_the_ground(part.color));
+  theme_changed = false;
+  marks_changed = arrows_changed = posture_changed = true;
+}
+
+void RobotView::Parts::place_robot() {
+  set_visible(links, !posture.empty());
+  place_links(links, posture);
+  const bool has_ghost = bent.has_value() && !posture.empty();
+  set_visible(ghost, has_ghost);
+  if (has_ghost) place_links(ghost, magnified(posture, *bent, ghost_times));
+  if (posture_changed) {
+    double lowest = 0;
+    for (const LinkActor& part : links.parts)
+      if (part.actor->GetVisibility()) lowest = std::min(lowest, part.actor->GetBounds()[4]);
+    floor.clear(*renderer);
+    if (has_robot()) show_floor(*renderer, floor, lowest);
+    set_visible(shadow, !posture.empty());
+    place_shadow(shadow, posture, lowest);
+  }
+  posture_changed = ghost_changed = false;
+}
+
+void RobotView::Parts::make_marks() {
+  for (ActorGroup* group : {&camera_actors, &axes, &marker_actors, &ellipsoid_actors}) group->clear(*renderer);
+  for (const SceneCamera& camera : cameras) show_camera(*renderer, camera_actors, camera);
+  if (tcp) show_axes(*renderer, axes, *tcp, false);
+  if (tcp_est) show_axes(*renderer, axes, *tcp_est, true);
+  show_markers(*renderer, marker_actors, markers);
+  if (ellipsoid) show_ellipsoid(*renderer, ellipsoid_actors, *ellipsoid);
+  marks_changed = false;
+}
+
+void RobotView::Parts::make_arrows() {
+  if (arrows_changed) {
+    arrow_actors.clear(*renderer);
+    show_arrows(*renderer, arrow_actors, arrows, arrow_times);
+  }
+  ring_actors.clear(*renderer);
+  if (const SceneArrow* arrow = arrow_of(hovered); arrow && hovered != selected)
+    show_arrow(*renderer, ring_actors, *arrow, arrow_times, colors().ink2);
+  if (const SceneArrow* arrow = arrow_of(selected))
+    show_arrow(*renderer, ring_actors, *arrow, arrow_times, colors().accent);
+  arrows_changed = rings_changed = false;
+}
+
+std::pair<Vector3, Vector3> RobotView::Parts::extent() const {
+  Vector3 low(1e300, 1e300, 1e300), high = -low;
+  const auto hold = [&](const Vector3& x) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  };
+  for (const SceneArrow& arrow : arrows) hold(arrow.from);
+  for (const SceneCamera& camera : cameras) hold(camera.root_from_camera.translation);
+  for (const Vector3& place : interest) hold(place);
+  if (tcp) hold(tcp->translation);
+  const bool has_focus = low.x() <= high.x();
+  constexpr double reach = 0.35;  // m: links this near belong to it
+  const Vector3 from = low - Vector3::Constant(reach), to = high + Vector3::Constant(reach);
+  for (const LinkActor& part : links.parts) {
+    const double* bounds = part.actor->GetBounds();
+    const Vector3 middle(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
+    if (has_focus && ((middle - from).minCoeff() < 0 || (to - middle).minCoeff() < 0)) continue;
+    low = low.cwiseMin(Vector3(bounds[0], bounds[2], bounds[4]));
+    high = high.cwiseMax(Vector3(bounds[1], bounds[3], bounds[5]));
+  }
+  if (low.x() > high.x()) return {Vector3(-0.5, -0.5, 0), Vector3(0.5, 0.5, 1)};
+  if (links.parts.empty()) {  // only frames: their axes and the camera's body reach as far
+    low -= Vector3::Constant(0.2);
+    high += Vector3::Constant(0.2);
+  }
+  return {low, high};
+}
+
+bool RobotView::Parts::is_in_sight() const {
+  const auto [low, high] = extent();
+  const QSizeF size(aspect, 1);
+  int seen = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3 place(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
+                        corner & 4 ? high.z() : low.z());
+    const auto at = to_screen(place, size);
+    if (at && QRectF(QPointF(0, 0), size).contains(*at)) ++seen;
+  }
+  return seen >= 7;
+}
+
+void RobotView::Parts::look(StandardView view) {
+  is_framed = view == StandardView::all;
+  const auto from = [this](double azimuth, double elevation) {
+    orbit.azimuth = azimuth;
+    orbit.elevation = elevation;
+    const auto [low, high] = extent();
+    orbit.see_box(low, high, aspect);
+  };
+  switch (view) {
+    case StandardView::front:
+      return from(0, 0);
+    case StandardView::back:
+      return from(M_PI, 0);
+    case StandardView::left:
+      return from(M_PI / 2, 0);
+    case StandardView::right:
+      return from(-M_PI / 2, 0);
+    case StandardView::top:
+      return from(M_PI, 1.569);
+    case StandardView::all:
+      return from(0.7, 0.3);
+    case StandardView::tcp:
+      if (tcp) orbit.see(tcp->translation, 0.2);
+      return;
+    case StandardView::camera:
+      break;
+  }
+  if (cameras.empty()) return;
+  const Rigid& camera = cameras.front().root_from_camera;
+  // Along its axis, or at the TCP, which it watches: the 3D view shows less to the sides than a camera does.
+  const Vector3 along =
+      tcp ? Vector3((tcp->translation - camera.translation).normalized()) : Vector3(camera.rotation.col(2));
+  orbit.elevation = std::asin(std::clamp(-along.z(), -1.0, 1.0));
+  orbit.azimuth = std::atan2(-along.y(), -along.x());
+  // A little in front of it: the camera itself sits in a head.
+  orbit.distance = 0.7;
+  orbit.target = camera.translation + 0.9 * along;
+  orbit.turn(0, 0);
+}
+
+std::vector<CubeFace> RobotView::Parts::cube(const QSizeF& size) const {
+  constexpr double wide_enough = 340;
+  if (size.width() < wide_enough || !has_robot()) return {};
+  return cube_faces(orbit, {84, size.height() - 34}, 34);
+}
+
+std::optional<QPointF> RobotView::Parts::to_screen(const Vector3& in_root, const QSizeF& size) const {
+  const Vector3 forward = orbit.direction();
+  const Vector3 right = forward.cross(Vector3::UnitZ()).normalized();
+  const Vector3 up = right.cross(forward);
+  const Vector3 d = in_root - orbit.eye();
+  const double depth = d.dot(forward);
+  if (depth <= 1e-6) return std::nullopt;
+  const double scale = size.height() / 2 / std::tan(Orbit::view_angle / 2 * M_PI / 180) / depth;
+  return QPointF(size.width() / 2 + scale * d.dot(right), size.height() / 2 - scale * d.dot(up));
+}
+
+ObservationId RobotView::Parts::arrow_at(const QPointF& position, const QSizeF& size) const {
+  ObservationId best = kNoObservation;
+  double nearest = 8;
+  for (const SceneArrow& arrow : arrows) {
+    const auto from = to_screen(arrow.from, size), to = to_screen(arrow.from + arrow_times * arrow.residual, size);
+    if (!from || !to) continue;
+    const double distance = distance_to_segment(position, *from, *to);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = arrow.observation;
+  }
+  return best;
+}
+
+int RobotView::Parts::link_at(double x, double y) {
+  vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance(0.0005);
+  if (!picker->Pick(x, y, 0, renderer)) return -1;
+  for (const LinkActor& part : links.parts)
+    if (part.actor == picker->GetActor()) return part.link;
+  return -1;
+}
+
+}  // namespace handsight::widgets

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a RobotView holds. Internal to robot_view*.cpp.
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QImage>
+#include <QTimer>
+#include <array>
+#include <future>
+
+#include "widgets/scene/gl_window.h"
+#include "widgets/scene/marks.h"
+#include "widgets/scene/orbit.h"
+#include "widgets/scene/robot_actors.h"
+#include "widgets/scene/robot_view.h"
+#include "widgets/scene/view_cube.h"
+
+class QToolButton;
+
+namespace handsight::widgets {
+
+struct RobotView::Parts {
+  vtkNew<vtkRenderer> renderer;
+  GlWindow gl;
+  QImage picture;        // the scene as it was drawn last, device px
+  bool is_stale = true;  // the scene or the eye changed since
+  Orbit orbit;
+  QWidget* buttons = nullptr;
+
+  Robot robot;
+  std::future<ReadMeshes> reading;                 // meshes that are on their way
+  std::vector<std::future<ReadMeshes>> abandoned;  // of robots that are no longer shown: nobody waits for them
+  QTimer reading_poll;
+  std::vector<Rigid> posture;
+  std::optional<std::vector<Rigid>> bent;
+  double ghost_times = 20, arrow_times = 20;
+  std::vector<SceneCamera> cameras;
+  std::vector<Vector3> interest;  // places that are to be in sight
+  std::optional<Rigid> tcp, tcp_est;
+  std::vector<SceneMarker> markers;
+  std::vector<SceneArrow> arrows;
+  std::optional<SceneEllipsoid> ellipsoid;
+  ObservationId selected = kNoObservation, hovered = kNoObservation;
+  QString selected_joint, empty_text;
+
+  RobotActors read_links;  // not yet in the scene
+  RobotActors links, ghost, shadow;
+  ActorGroup floor, camera_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
+  // What has to be made anew before the next picture: actors may only go while the context is current.
+  bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, arrows_changed = true,
+       rings_changed = true, theme_changed = true;
+  bool wants_fit = true;
+  bool is_framed = false;    // the eye is where the view itself put it: it may follow a robot that leaves the picture
+  bool was_painted = false;  // once at least, with the scene or before there was one
+  double aspect = 1.3;       // width over height of the view
+
+  // What the pointer does.
+  Qt::MouseButton button = Qt::NoButton;
+  QPointF pressed_at, last_at;
+  bool has_moved = false;
+
+  /// The eye, moved by the user: from then on it stays.
+  Orbit& by_hand() {
+    is_framed = false;
+    return orbit;
+  }
+  void make_ready();
+  void make_robot();
+  void place_robot();
+  void make_marks();
+  void make_arrows();
+  void set_colors();
+  bool has_robot() const { return !robot.links.empty(); }
+  const SceneArrow* arrow_of(ObservationId id) const;
+  /// The corners of the box round what the session is about (hand, arrows, cameras and the links between them), else
+  /// round the robot; m, root frame.
+  std::pair<Vector3, Vector3> extent() const;
+  void look(StandardView view);
+  /// Is most of what the session is about in the picture?
+  bool is_in_sight() const;
+  /// The cube in the corner as it is painted now; empty where the view is too narrow for it.
+  std::vector<CubeFace> cube(const QSizeF& size) const;
+  std::optional<QPointF> to_screen(const Vector3& in_root, const QSizeF& size) const;
+  /// The observation whose arrow is under a position; kNoObservation where there is none.
+  ObservationId arrow_at(const QPointF& position, const QSizeF& size) const;
+  /// The link under a position (device px, origin below); -1.
+  int link_at(double x, double y);
+};
+
+}  // namespace handsight::widgets
