@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace handsight {
 
@@ -24,5 +25,33 @@ Eigen::MatrixXd column_products(const Columns& a);
 
 /// Adds a^T a to the lower triangle of `sum`; above it nothing is to be relied on.
 void add_column_products(const Columns& a, Eigen::Ref<Eigen::MatrixXd> sum);
+
+/// Adds r^T r of row after row to the lower triangle of a sum, many rows at a time: one long product costs less than
+/// many short ones. The sum must outlive it, and is complete once the rows are settled.
+class GatheredRows {
+ public:
+  /// `expected`: how many rows come in all, where they are few.
+  explicit GatheredRows(Eigen::Ref<Eigen::MatrixXd> sum, Eigen::Index expected = most)
+      : sum_(sum), rows_(std::min(expected, most), sum.cols()) {}
+
+  template <class Rows>
+  void add(const Rows& rows) {
+    if (used_ + rows.rows() > rows_.rows()) settle();
+    if (rows.rows() > rows_.rows()) rows_.resize(rows.rows(), Eigen::NoChange);
+    rows_.middleRows(used_, rows.rows()).noalias() = rows;
+    used_ += rows.rows();
+  }
+
+  void settle() {
+    add_column_products(rows_.topRows(used_), sum_);
+    used_ = 0;
+  }
+
+ private:
+  static constexpr Eigen::Index most = 256;
+  Eigen::Ref<Eigen::MatrixXd> sum_;
+  Eigen::MatrixXd rows_;
+  Eigen::Index used_ = 0;
+};
 
 }  // namespace handsight

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "estimation/body_pose.h"
+#include "estimation/column_products.h"
 #include "estimation/least_squares.h"
 
 namespace handsight {
@@ -24,7 +25,6 @@ struct Rows {
 
 /// A step of the body (m, rad) that changes no residual by more than 1e-5 px: near enough to linearise.
 constexpr double near_enough = 1e-3;
-constexpr Eigen::Index stacked_rows = 512;  // a long product costs less than many short ones
 
 Eigen::Index rig_numbers(const Problem& problem) { return problem.rig ? rig_number_count(problem.rig->count()) : 0; }
 
@@ -61,13 +61,8 @@ void set_rows(const Problem& problem, const ProblemObservation& o, const Unknown
 std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknowns& unknowns) {
   const Eigen::Index shared = 3 * problem.marker_count + rig_numbers(problem);
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(shared + 1, shared + 1);  // lower triangle
-  Eigen::MatrixXd stack(stacked_rows, shared + 1);
-  Eigen::Index stacked = 0, free_rows = 0;
-  auto add_stack = [&] {
-    if (stacked == 0) return;  // a product with no rows divides by their number
-    sums.selfadjointView<Eigen::Lower>().rankUpdate(stack.topRows(stacked).transpose());
-    stacked = 0;
-  };
+  GatheredRows gathered(sums);
+  Eigen::Index free_rows = 0;
   Rows rows;
   Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, 6>> qr;
   qr.setThreshold(1e-9);
@@ -79,13 +74,10 @@ std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknow
     qr.householderQ().adjoint().applyThisOnTheLeft(rows.shared_and_error, workspace);
     const Eigen::Index left = rows.by_pose.rows() - qr.rank();
     free_rows += left;
-    if (stacked + left > stack.rows()) add_stack();
-    if (left > stack.rows()) stack.resize(left, Eigen::NoChange);  // a body of very many markers
-    stack.middleRows(stacked, left) = rows.shared_and_error.bottomRows(left);
-    stacked += left;
+    gathered.add(rows.shared_and_error.bottomRows(left));
   }
   if (free_rows == 0) return std::nullopt;
-  add_stack();
+  gathered.settle();
   const Eigen::MatrixXd h = Eigen::MatrixXd(sums.selfadjointView<Eigen::Lower>()).topLeftCorner(shared, shared);
   const Eigen::VectorXd g = sums.row(shared).head(shared).transpose();
   const double squares = sums(shared, shared);

@@ -63,33 +63,12 @@ struct BodySums {
   Vector6 gradient = Vector6::Zero();
 };
 
-/// Rows of several observations by the columns from `first` on, of which the products are taken together.
-class GatheredRows {
- public:
-  GatheredRows(NormalEquations& normal, Eigen::Index first, int observations)
-      : normal_(&normal),
-        first_(first),
-        rows_(std::min<Eigen::Index>(most, max_rows * (observations + 1)), normal.gradient.size() - first) {}
-
-  template <class Rows>
-  void add(const Rows& rows) {
-    if (used_ + rows.rows() > rows_.rows()) settle();
-    rows_.middleRows(used_, rows.rows()).noalias() = rows;
-    used_ += rows.rows();
-  }
-
-  void settle() {
-    add_column_products(rows_.topRows(used_), normal_->information.bottomRightCorner(rows_.cols(), rows_.cols()));
-    used_ = 0;
-  }
-
- private:
-  static constexpr Eigen::Index most = 192;
-  NormalEquations* normal_;
-  Eigen::Index first_;
-  Eigen::MatrixXd rows_;
-  Eigen::Index used_ = 0;
-};
+/// For the columns from the mount on, of that many observations.
+GatheredRows rows_for(const Problem& problem, NormalEquations& normal, std::size_t observations) {
+  const Eigen::Index count = problem.columns() - problem.mount_column();
+  return GatheredRows(normal.information.bottomRightCorner(count, count),
+                      max_rows * static_cast<Eigen::Index>(observations));
+}
 
 /// A matrix R with R^T R = m, for m >= 0.
 Matrix6 root_of(const Matrix6& m) {
@@ -201,7 +180,7 @@ void add_plain_observation(const Problem& problem, const ProblemObservation& obs
 void add_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                      NormalEquations& normal) {
   if (is_plain(problem, observation)) return add_plain_observation(problem, observation, unknowns, normal);
-  GatheredRows gathered(normal, problem.mount_column(), 1);
+  GatheredRows gathered = rows_for(problem, normal, 1);
   add_observation_with_effects(problem, observation, unknowns, gathered, normal);
   gathered.settle();
 }
@@ -212,7 +191,7 @@ void complete(NormalEquations& normal) {
 
 NormalEquations normal_equations(const Problem& problem, const Unknowns& unknowns, std::span<const int> places) {
   NormalEquations normal(problem.columns());
-  GatheredRows gathered(normal, problem.mount_column(), static_cast<int>(problem.observations.size()));
+  GatheredRows gathered = rows_for(problem, normal, problem.observations.size());
   const auto add = [&](const ProblemObservation& o) {
     if (is_plain(problem, o))
       add_plain_observation(problem, o, unknowns, normal);

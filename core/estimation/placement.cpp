@@ -159,15 +159,14 @@ void set_numbers(const Sites& sites, const Sites& d, int cameras, Eigen::Ref<Eig
 }
 
 /// Cameras and rig move alike in all observations; only the chain's circumstances are needed.
-void place_cameras(Problem& problem) {
+void place_cameras(MovedSites& moved, Problem& problem) {
   const Chain& chain = problem.source->chain;
   if (!chain.rig || !problem.rig) return;
   const Circumstances c =
       circumstances_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
-  const Sites sites = moved_sites(c, problem.terms);
+  const Sites& sites = moved.by_all(c);
   if (!problem.terms.empty()) problem.rig = moved_rig(*chain.rig, sites);
   problem.cameras_by_effect.resize(0, 0);
-  MovedSites moved(problem);
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const Sites& d = moved.by_unit(c, problem.columns_of_effects[static_cast<std::size_t>(i)]);
     if (std::all_of(d.cameras.begin(), d.cameras.end(), [](const CameraChange& one) { return one.is_zero(); }))
@@ -189,16 +188,16 @@ Problem with_motions(const Problem& problem) {
 }
 
 void place_observations(Problem& problem) {
-  place_cameras(problem);
   const bool derives = problem.effect_count() > 0 || problem.with_motions;
   MovedSites moved(problem);
+  place_cameras(moved, problem);
   for (ProblemObservation& o : problem.observations) place(problem, derives, moved, o);
 }
 
 void follow_effects(Problem& problem, const Eigen::VectorXd& values) {
   set_effect_values(problem, values);
-  place_cameras(problem);
   MovedSites moved(problem);
+  place_cameras(moved, problem);
   for (ProblemObservation& o : problem.observations) place(problem, false, moved, o);
 }
 

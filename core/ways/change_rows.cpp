@@ -3,13 +3,12 @@
 
 #include <Eigen/Dense>
 
+#include "estimation/column_products.h"
 #include "estimation/noise.h"
 #include "estimation/normal_equations.h"
 
 namespace handsight {
 namespace {
-
-constexpr Eigen::Index rows_at_once = 256;
 
 /// The noise-like part of M = (S^-1 + B^T B)^-1, of a singular S too.
 Matrix6 posterior(const Matrix6& scatter, const Matrix6& body_squares) {
@@ -97,13 +96,7 @@ ChangeRows change_rows(const Problem& p, const SharedState& state, const ChangeC
   ChangeRows all;
   all.information = Eigen::MatrixXd::Zero(sizes.size(), sizes.size());
   all.gradient = Eigen::VectorXd::Zero(sizes.size());
-  // Many observations at a time: with hundreds of columns the sum of their squares is what takes the time.
-  Eigen::MatrixXd gathered(sizes.size(), rows_at_once);
-  Eigen::Index count = 0;
-  const auto sum_up = [&] {
-    all.information.selfadjointView<Eigen::Lower>().rankUpdate(gathered.leftCols(count));
-    count = 0;
-  };
+  GatheredRows gathered(all.information);
   for (const ProblemObservation& o : p.observations) {
     const ObservationParts parts = parts_of(p, o, state, columns, sizes, weight);
     ChangeObservation& summed = all.observations.emplace_back();
@@ -112,14 +105,10 @@ ChangeRows change_rows(const Problem& p, const SharedState& state, const ChangeC
     summed.body_squares = parts.by_body.transpose() * parts.by_body;
     all.gradient += parts.by_columns.transpose() * parts.error;
     all.squares += parts.error.squaredNorm();
-    const Eigen::Index rows = parts.error.size();
-    all.rows += static_cast<int>(rows);
-    if (count + rows > gathered.cols()) sum_up();
-    if (rows > gathered.cols()) gathered.resize(sizes.size(), rows);
-    gathered.middleCols(count, rows) = parts.by_columns.transpose();
-    count += rows;
+    all.rows += static_cast<int>(parts.error.size());
+    gathered.add(parts.by_columns);
   }
-  sum_up();
+  gathered.settle();
   all.information.triangularView<Eigen::StrictlyUpper>() = all.information.transpose();
   return all;
 }
