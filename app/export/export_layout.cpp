@@ -63,6 +63,9 @@ QWidget* ExportWorkspace::make_left() {
   motion_ = plain_table(4, left);
   motion_->setObjectName("motion");
   motion_->setAccessibleName(tr("TCP→Body"));
+  motion_->setWordWrap(true);
+  motion_->installEventFilter(this);
+  motion_->verticalHeader()->setMinimumSectionSize(24);
   motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
   motion_->setMinimumHeight(4 * 24 + 36);  // more where there is room; else it scrolls
   layout->addWidget(motion_);

@@ -24,12 +24,17 @@ class ExportWorkspace : public Workspace {
   WorkStatus status() const override;
   void activate() override;
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;  // the table's new width
+
  private:
   void make_layout();
   QWidget* make_left();
   QWidget* make_right();
   void refresh();
   void refresh_motion();
+  void fit_columns();
+  widgets::SessionVerdict verdict(const ModelVersion& model) const;
   void refresh_remarks(const ModelVersion* model);
   void refresh_excluded(const ModelVersion& model);
   void show_changes(const QString& text);

@@ -77,9 +77,14 @@ void set_body(const FitOptions& options, Fit& fit) {
 void add_notes(const Session& session, Fit& fit) {
   if (fit.problem.observations.size() == 1)
     fit.notes.push_back("Only one observation is used: tcp_from_body is that of thesis (4.35), and nothing checks it.");
+  std::vector<std::size_t> unseen;
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
-    if (!fit.problem.marker_is_seen[m])
-      fit.notes.push_back(fmt::format("Marker {} is seen in no used observation and has no position.", m));
+    if (!fit.problem.marker_is_seen[m]) unseen.push_back(m);
+  if (unseen.size() == 1)
+    fit.notes.push_back(fmt::format("Marker {} is seen in no used observation and has no position.", unseen.front()));
+  if (unseen.size() > 1)
+    fit.notes.push_back(
+        fmt::format("Markers {} are seen in no used observation and have no position.", fmt::join(unseen, ", ")));
   if (fit.sightings_left_out > 0)
     fit.notes.push_back(fmt::format(
         "{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",

@@ -5,8 +5,8 @@
 <context>
     <name>handsight</name>
     <message>
-        <source> Of a size that no robot is built with: %1; it probably stands in for another cause.</source>
-        <translation> Von einer Größe, mit der kein Roboter gebaut ist: %1; das steht wohl für eine andere Ursache.</translation>
+        <source> Larger than robots are built, so it stands in for another cause: %1.</source>
+        <translation> Größer, als Roboter gebaut sind, also wohl für eine andere Ursache: %1.</translation>
     </message>
     <message>
         <source> (%1 at the hand)</source>
@@ -820,6 +820,10 @@
         <translation>Kameras %1 %, Körper %2 %, Roboter %3 %</translation>
     </message>
     <message>
+        <source>Tracker %1 %, body %2 %, robot %3 %</source>
+        <translation>Tracker %1 %, Körper %2 %, Roboter %3 %</translation>
+    </message>
+    <message>
         <source>Cameras %1 mm apart.</source>
         <translation>Kameras %1 mm auseinander.</translation>
     </message>
@@ -1230,6 +1234,10 @@
     <message>
         <source>How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for.</source>
         <translation>Wie viel des Fehlers auf die Kameras (C), den Markerkörper (B) und den Roboter (R) zurückgehen kann.</translation>
+    </message>
+    <message>
+        <source>How much of the error the tracker (T), the marker body (B) and the robot (R) can answer for.</source>
+        <translation>Wie viel des Fehlers der Tracker (T), der Markerkörper (B) und der Roboter (R) verantworten.</translation>
     </message>
     <message>
         <source>How much of this residual the cameras (C), the marker body (B) and the robot (R) can answer for.</source>
@@ -2012,6 +2020,10 @@
         <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
     <message>
+        <source>Right only together with the mount of the tracker that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
+        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz des Trackers: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
+    </message>
+    <message>
         <source>Right, along the line</source>
         <translation>Rechts, auf Linie</translation>
     </message>
@@ -2120,8 +2132,8 @@
         <translation>Zeigt das Diagramm dagegen</translation>
     </message>
     <message>
-        <source>Sigmas from how the observations differ: the model does not agree with them to the noise.</source>
-        <translation>Sigmas daraus, wie die Beobachtungen sich unterscheiden: das Modell stimmt nicht bis aufs Rauschen.</translation>
+        <source>Sigmas from how the observations differ, not from the noise alone.</source>
+        <translation>Sigmas daraus, wie die Beobachtungen sich unterscheiden, nicht aus dem Rauschen allein.</translation>
     </message>
     <message>
         <source>Six poses, everything measured 1 cm nearer than it is: no images, labels only.</source>
@@ -2208,8 +2220,8 @@
         <translation>Angehalten, bevor Stellungen gefunden waren.</translation>
     </message>
     <message>
-        <source>Stopped by itself: %1 added, and nothing is left that would help. The first card says what is left.</source>
-        <translation>Von selbst angehalten: %1 hinzugefügt, und nichts ist übrig, das hülfe. Die erste Karte sagt, was bleibt.</translation>
+        <source>Stopped by itself: %1 added, and nothing is left that would help.</source>
+        <translation>Von selbst zu Ende: %1 hinzugefügt, und nichts ist übrig, was helfen würde.</translation>
     </message>
     <message>
         <source>Stopped. Everything is as before.</source>
@@ -2384,6 +2396,10 @@
         <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein (%1).</translation>
     </message>
     <message>
+        <source>The model comes near the noise (%1), but what is left is more than noise.</source>
+        <translation>Das Modell kommt dem Rauschen nahe (%1), aber was übrig ist, ist mehr als Rauschen.</translation>
+    </message>
+    <message>
         <source>The model is being fitted.</source>
         <translation>Das Modell wird angepasst.</translation>
     </message>
@@ -2504,8 +2520,8 @@
         <translation>Die Wahrheit</translation>
     </message>
     <message>
-        <source>The uncertainties come from how the observations differ, because the model does not agree with them to the noise: they hold for poses like these.</source>
-        <translation>Die Unsicherheiten kommen daher, wie die Beobachtungen sich unterscheiden, denn das Modell stimmt nicht bis aufs Rauschen: sie gelten für Stellungen wie diese.</translation>
+        <source>The uncertainties come from how the observations differ, not from the noise alone: they hold for poses like these.</source>
+        <translation>Die Unsicherheiten kommen daher, wie die Beobachtungen sich unterscheiden, nicht aus dem Rauschen allein: sie gelten für Stellungen wie diese.</translation>
     </message>
     <message>
         <source>There are %1 lines of joint angles for %2 images: each instant needs one of each, in the same order.</source>
@@ -2548,7 +2564,7 @@
         <translation>Titel</translation>
     </message>
     <message>
-        <source>To be right: %1</source>
+        <source>What would make it right: %1</source>
         <translation>Damit es stimmte: %1</translation>
     </message>
     <message>
@@ -2744,6 +2760,14 @@
         <translation>Wo es danebenliegt</translation>
     </message>
     <message>
+        <source>Each point: as if %1 alone had made the whole error. It is more than the %2 mrad to which the joints repeat, for all of them had their share.</source>
+        <translation>Jeder Punkt: als hätte %1 allein den ganzen Fehler gemacht. Das ist mehr als die %2 mrad, auf die sich die Gelenke wiederholen, denn jedes hatte seinen Teil.</translation>
+    </message>
+    <message>
+        <source>What is left</source>
+        <translation>Was übrig ist</translation>
+    </message>
+    <message>
         <source>Where it fails: the proof</source>
         <translation>Wo es danebenliegt: der Beweis</translation>
     </message>
@@ -2754,6 +2778,14 @@
     <message>
         <source>Where the cameras sit on %1, estimated with the rest.</source>
         <translation>Wo die Kameras auf %1 sitzen, mitgeschätzt.</translation>
+    </message>
+    <message>
+        <source>Mount of the tracker</source>
+        <translation>Sitz des Trackers</translation>
+    </message>
+    <message>
+        <source>Where the tracker sits on %1, estimated with the rest.</source>
+        <translation>Wo der Tracker auf %1 sitzt, mitgeschätzt.</translation>
     </message>
     <message>
         <source>Where the first model failed: the residual against what it followed most</source>
@@ -5206,6 +5238,14 @@
         <translation>Nur eine Beobachtung ist benutzt: tcp_from_body ist das der Arbeit (4.35), und nichts prüft es.</translation>
     </message>
     <message>
+        <source>Marker %1 is seen in no used observation and has no position.</source>
+        <translation>Marker %1 ist in keiner verwendeten Beobachtung zu sehen und hat keinen Ort.</translation>
+    </message>
+    <message>
+        <source>Markers %1 are seen in no used observation and have no position.</source>
+        <translation>Die Marker %1 sind in keiner verwendeten Beobachtung zu sehen und haben keinen Ort.</translation>
+    </message>
+    <message>
         <source>The fit did not converge in %1 iterations.</source>
         <translation>Die Anpassung ist nach %1 Schritten nicht zur Ruhe gekommen.</translation>
     </message>
@@ -5230,8 +5270,16 @@
         <translation>Das Rauschen ist weder angegeben noch zu schätzen: angenommen sind %1 %2.</translation>
     </message>
     <message>
-        <source>The declared noise %1 and the noise seen in the measurements %2 +- %3 %4 differ by more than 3 sigma; check the declaration, or look for wrong corners and camera errors.</source>
-        <translation>Das angegebene Rauschen %1 und das in den Messungen gesehene %2 +- %3 %4 unterscheiden sich um mehr als 3 Sigma; prüfe die Angabe, oder suche nach falschen Ecken und Fehlern der Kameras.</translation>
+        <source>The declared noise, %1 %2, and the noise seen in the measurements, %3 +- %4 %5, differ by more than 3 sigma; check the declaration, or look for wrong %6.</source>
+        <translation>Das angegebene Rauschen, %1 %2, und das in den Messungen gesehene, %3 ± %4 %5, unterscheiden sich um mehr als 3 Sigma; prüfe die Angabe, oder suche nach falschen %6.</translation>
+    </message>
+    <message>
+        <source>points of the tracker</source>
+        <translation>Punkten des Trackers</translation>
+    </message>
+    <message>
+        <source>corners and camera errors</source>
+        <translation>Ecken und Fehlern der Kameras</translation>
     </message>
     <message>
         <source>With %1 the rotation of tcp_from_body is %2 observable; what is not is left at its start value.</source>
