@@ -15,6 +15,9 @@ constexpr double kLargeDisc = 200;   // pixels: on smaller ones the next cells m
 constexpr double kSmallDiscs = 0.5;  // of what seems alike on them is the noise's doing
 constexpr double kMostAlike = 0.1;   // of neighbouring pixels: what interpolates colours makes edges look bent
 constexpr double kPlainBend = 5e-4;  // 1/px, of all corners together: the lens bends edges
+// Of what fits leave, that differs at opposite points: where it is less the next cells reach into the discs, and what
+// they pull at looks like bends.
+constexpr double kLeastOdd = 0.4;
 constexpr double kLeastChequer = 0.1, kSureChequer = 4;  // the latter in standard errors
 constexpr double kLeastFactor = 0.7, kMostFactor = 12;
 
@@ -73,7 +76,7 @@ double correlation_factor(const OddSystem& system, const Habits& habits) {
 bool are_bent(const Habits& habits) {
   const auto most = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double alike = *std::max_element(habits.correlation.begin(), habits.correlation.end(), most);
-  return habits.bend > kPlainBend && std::abs(alike) < kMostAlike;
+  return habits.bend > kPlainBend && habits.variance > kLeastOdd && std::abs(alike) < kMostAlike;
 }
 
 bool are_glared(const Habits& habits) { return habits.added > kPlainAdded; }
