@@ -116,10 +116,14 @@ TEST_F(FindingsIn, TheStartPageSaysHowARecentSessionStood) {
   // It is written down when a model has stood for a while.
   ASSERT_TRUE(desk.wait([] { return !app::recent_sessions().front().state.isEmpty(); }, 10000));
   desk.document().close();
-  auto* row = desk.find<QAbstractButton>("recent_0");
-  ASSERT_TRUE(desk.wait([&] { return row->isVisible(); }, 5000));
-  EXPECT_TRUE(row->accessibleDescription().contains("3.4 px, noise 0.20 px"))
-      << row->accessibleDescription().toStdString();
+  EXPECT_TRUE(desk.wait(
+      [&] {
+        auto* row = desk.find<QAbstractButton>("recent_0");
+        return row->isVisible() && row->accessibleDescription().contains("3.4 px, noise 0.20 px");
+      },
+      5000))
+      << desk.find<QAbstractButton>("recent_0")->accessibleDescription().toStdString()
+      << app::recent_sessions().front().state.toStdString();
 }
 
 TEST_F(FindingsIn, ATrackersSessionShowsNoPlaceForImages) {
