@@ -8,6 +8,7 @@
 #include "estimation/body_pose.h"
 #include "estimation/objectives.h"
 #include "estimation/pose_residuals.h"
+#include "estimation/problem_part.h"
 #include "estimation/shape_start.h"
 
 namespace handsight {
@@ -90,13 +91,9 @@ ErrorSummary summary(const std::vector<Residuals>& all, bool pixels) {
   return s;
 }
 
+/// `in_part` has one entry an observation of the session.
 Problem part_of(const Problem& whole, const std::vector<char>& in_part) {
-  Problem part = whole;
-  part.observations.clear();
-  for (std::size_t i = 0; i < whole.observations.size(); ++i)
-    if (in_part[static_cast<std::size_t>(whole.observations[i].index)])
-      part.observations.push_back(whole.observations[i]);
-  return part;
+  return part_of(whole, [&](const ProblemObservation& o) { return in_part[static_cast<std::size_t>(o.index)] != 0; });
 }
 
 /// How long a step of the unknowns is: m and rad as they are, an effect's number in thousandths of its plausible size.
@@ -318,13 +315,15 @@ std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, c
 }
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {
-  Problem images = fit.problem;
-  if (fit.objective == Objective::camera && session.rig) {
-    images = make_problem(session, chain_of(session), fit.problem.terms);
-    images.tcp_from_slip = fit.problem.tcp_from_slip;
-    images.columns_of_effects = fit.problem.columns_of_effects;
-    if (!images.terms.empty()) place_observations(images);
+  Problem of_session;
+  const bool are_points = fit.objective == Objective::camera && session.rig;
+  if (are_points) {
+    of_session = make_problem(session, chain_of(session), fit.problem.terms);
+    of_session.tcp_from_slip = fit.problem.tcp_from_slip;
+    of_session.columns_of_effects = fit.problem.columns_of_effects;
+    if (!of_session.terms.empty()) place_observations(of_session);
   }
+  const Problem& images = are_points ? of_session : fit.problem;
   FitReport r;
   r.observations = static_cast<int>(session.observations.size());
   r.used = static_cast<int>(images.observations.size());
