@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <memory>
+#include <mutex>
 
+#include "base/threads.h"
 #include "estimation/body_pose.h"
 #include "estimation/objectives.h"
 #include "estimation/pose_residuals.h"
@@ -145,14 +148,26 @@ Unknowns part_estimate(const Fit& fit, const FitOptions& options, const std::vec
   return refit(fit, fold_options, part_of(fit.problem, trains), fit.noise.value_or(1));
 }
 
+/// Whoever is asked whether a fit may go on is asked by one thread at a time.
+FitOptions asked_one_by_one(FitOptions options) {
+  if (options.on_iteration)
+    options.on_iteration = [ask = options.on_iteration, one = std::make_shared<std::mutex>()](
+                               int iteration, double cost, const Unknowns& unknowns) {
+      const std::scoped_lock lock(*one);
+      return ask(iteration, cost, unknowns);
+    };
+  return options;
+}
+
 /// What every used observation leaves when its fold is left out of the fit, fold by fold; `folds` has one number an
 /// observation, in the order of the problem.
-std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit, const FitOptions& options,
+std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit, const FitOptions& asked,
                                           std::size_t session_size, const std::vector<int>& folds) {
   std::vector<Residuals> all(images.observations.size());
   std::vector<char> is_known(images.observations.size(), 0);
   const int last = folds.empty() ? -1 : *std::max_element(folds.begin(), folds.end());
-  for (int fold = 0; fold <= last; ++fold) {
+  const FitOptions options = asked_one_by_one(asked);
+  each_part(last + 1, fit.problem.effect_count() > 0, [&](int fold) {
     std::vector<char> trains(session_size, 0);
     std::vector<std::size_t> held_ranks;
     for (std::size_t rank = 0; rank < images.observations.size(); ++rank) {
@@ -160,7 +175,7 @@ std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit,
       trains[static_cast<std::size_t>(images.observations[rank].index)] = held ? 0 : 1;
       if (held) held_ranks.push_back(rank);
     }
-    if (held_ranks.empty() || held_ranks.size() == images.observations.size()) continue;
+    if (held_ranks.empty() || held_ranks.size() == images.observations.size()) return;
     const Unknowns unknowns = part_estimate(fit, options, trains);
     for (char& train : trains) train = !train;
     Problem held = part_of(images, trains);
@@ -175,7 +190,7 @@ std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit,
       all[held_ranks[i]] = residuals_of(held, o, unknowns);
       is_known[held_ranks[i++]] = 1;
     }
-  }
+  });
   std::vector<Residuals> known;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (is_known[i]) known.push_back(std::move(all[i]));

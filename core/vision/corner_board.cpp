@@ -16,8 +16,13 @@ constexpr double kNextButTwo = 2;    // times the spacing, at least
 constexpr double kStraight = 0.95;   // cosine, between a step and the edge along which it is
 constexpr double kMostUnequal = 6;   // times the other side of a cell, as steep views show it
 constexpr double kAside = 0.25;      // of the spacing, from the straight line along an edge
+// Next cells that reach into a small one's disc turn its edges: so far aside a neighbour may lie all the same, where
+// the corners of other rows are farther.
+constexpr double kMostAside = 0.5, kAsideOfSmall = 3;  // of the spacing; px
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double most_aside(double along) { return std::max(kAside * along, std::min(kMostAside * along, kAsideOfSmall)); }
 
 }  // namespace
 
@@ -96,7 +101,7 @@ std::array<int, 4> Lattice::neighbours(int number) const {
       const double along = here.along[edge].dot(off), distance = std::abs(along);
       const int place = 2 * edge + (along < 0);
       if (!(distance > kLeastSpacing && distance < nearest[place])) continue;
-      if (std::abs(cross(here.along[edge], off)) > kAside * distance) continue;
+      if (std::abs(cross(here.along[edge], off)) > most_aside(distance)) continue;
       if (are_of_one_board(here, nodes_[n])) nearest[place] = distance, best[place] = n;
     }
   });

@@ -7,6 +7,7 @@
 
 #include "vision/corner_accuracy.h"
 #include "vision/corner_level.h"
+#include "vision/corner_mosaic.h"
 #include "vision/corner_noise.h"
 #include "vision/corner_patch.h"
 #include "vision/corner_pyramid.h"

@@ -35,6 +35,19 @@ TEST(CornerBoard, AnEdgesAngleNearHalfATurnIsTheSameDirection) {
   EXPECT_EQ(lattice.neighbours(0)[0], 1);
 }
 
+// Next cells that reach into a fit's disc turn its edges.
+TEST(CornerBoard, InSmallCellsNeighboursMayLieAsideOfTheEdges) {
+  for (const double size : {7.0, 20.0}) {
+    Lattice lattice(320, 240);
+    for (const int i : {0, 1}) {
+      Suspect suspect = of_board(i, 0);
+      suspect.position.x() = 100 + i * size, suspect.edges[0] = 0.4;
+      lattice.add(suspect);
+    }
+    EXPECT_EQ(lattice.neighbours(0)[0], size < 10 ? 1 : -1);
+  }
+}
+
 TEST(CornerBoard, ForetellsWhatLiesOppositeOfANeighbour) {
   Lattice lattice(320, 240);
   lattice.add(of_board(0, 0)), lattice.add(of_board(1, 0));

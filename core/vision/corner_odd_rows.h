@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The patch of a fit with its derivatives by all odd unknowns.
+#pragma once
+
+#include "vision/corner_odd_system.h"
+#include "vision/corner_patch.h"
+#include "vision/corner_products.h"
+
+namespace handsight {
+
+constexpr int kOddRows = kOddUnknowns + 1;
+
+/// The odd unknowns' rows in their order, then residuals, as often as a tile reads them.
+struct OddRows {
+  CornerPatch patch;
+  alignas(64) std::array<CornerPatch::Row, 4> more;  // by added light and bends
+  int reach = 0;
+  Eigen::Vector2i centre{0, 0};
+  std::array<const float*, kOddRows + kTileOfRows - 1> rows;
+};
+
+/// False where the fit's disc leaves the image.
+bool fill_rows(const Image& image, const CornerFit& fit, OddRows& all);
+
+/// Hessian and side of `count` numbers a row.
+void set_equations(const float* const* rows, int count, OddSystem& system);
+
+}  // namespace handsight
