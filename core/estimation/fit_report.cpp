@@ -167,7 +167,9 @@ std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit,
   std::vector<char> is_known(images.observations.size(), 0);
   const int last = folds.empty() ? -1 : *std::max_element(folds.begin(), folds.end());
   const FitOptions options = asked_one_by_one(asked);
-  each_part(last + 1, fit.problem.effect_count() > 0, [&](int fold) {
+  constexpr std::size_t most_at_once = 10'000;  // observations: of longer sessions every copy counts
+  const bool at_once = fit.problem.effect_count() > 0 && images.observations.size() <= most_at_once;
+  each_part(last + 1, at_once, [&](int fold) {
     std::vector<char> trains(session_size, 0);
     std::vector<std::size_t> held_ranks;
     for (std::size_t rank = 0; rank < images.observations.size(); ++rank) {

@@ -2,6 +2,7 @@
 #include "estimation/problem_part.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace handsight {
 

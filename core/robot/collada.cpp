@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/collada.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
-#include <cmath>
+#include <algorithm>
 #include <map>
 
 #include "base/numbers.h"

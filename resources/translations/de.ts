@@ -4746,6 +4746,42 @@
         <translation>%1 trennt diese nicht von den übrigen.</translation>
     </message>
     <message>
+        <source>%1 of %2 joint positions are beyond a whole turn (up to %3 rad): are they in degrees?</source>
+        <translation>%1 von %2 Gelenkwinkeln liegen jenseits einer ganzen Umdrehung (bis %3 rad): sind es Grad?</translation>
+    </message>
+    <message>
+        <source>The %1 camera sees %2 degrees across (fx %3 px, %4 px wide): is fx in px?</source>
+        <translation>Kamera %1 sieht %2 Grad in der Breite (fx %3 px, %4 px breit): ist fx in px?</translation>
+    </message>
+    <message>
+        <source>The %1 camera's fx %2 and fy %3 are far from each other.</source>
+        <translation>fx %2 und fy %3 der Kamera %1 liegen weit auseinander.</translation>
+    </message>
+    <message>
+        <source>The %1 camera's principal point %2, %3 lies outside of its image.</source>
+        <translation>Der Hauptpunkt %2, %3 der Kamera %1 liegt außerhalb ihres Bildes.</translation>
+    </message>
+    <message>
+        <source>In %1 of %2 sightings the %3 point is the %4 one: is one column copied?</source>
+        <translation>In %1 von %2 Sichtungen ist der Punkt %3 der Punkt %4: ist eine Spalte kopiert?</translation>
+    </message>
+    <message>
+        <source>In %1 observations the %2 image is the %3 one.</source>
+        <translation>In %1 Beobachtungen ist das Bild %2 das Bild %3.</translation>
+    </message>
+    <message>
+        <source>The cameras are %1 m apart: is right_from_left in m?</source>
+        <translation>Die Kameras sind %1 m auseinander: ist right_from_left in m?</translation>
+    </message>
+    <message>
+        <source>The cameras %1 and %2 are %3 m apart: is from_first in m?</source>
+        <translation>Die Kameras %1 und %2 sind %3 m auseinander: ist from_first in m?</translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s^2; on Earth it is 9.78 to 9.83.</source>
+        <translation>Die Schwerkraft ist %1 m/s^2; auf der Erde ist sie 9.78 bis 9.83.</translation>
+    </message>
+    <message>
         <source>%1 image points lie outside the image of %2 x %3 px, first in observation %4: are width and height of the cameras swapped?</source>
         <translation>%1 Bildpunkte liegen außerhalb des Bildes von %2 x %3 px, zuerst in Beobachtung %4: sind Breite und Höhe der Kameras vertauscht?</translation>
     </message>
