@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "diagnosis/fresh_poses.h"
+#include "export/correction_box.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
 #include "findings/explain_texts.h"
@@ -92,6 +93,7 @@ void ExportWorkspace::refresh() {
   calibrate_->setVisible(!ready);
   body_->setVisible(ready);
   for (QPushButton* b : {save_, html_, pdf_, copy_}) b->setEnabled(ready);
+  correction_->show_model(model);
   refresh_remarks(ready ? model.get() : nullptr);
   if (!ready) return;
   refresh_motion();

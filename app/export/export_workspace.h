@@ -15,6 +15,8 @@ class QVBoxLayout;
 
 namespace handsight::app {
 
+class CorrectionBox;
+
 class ExportWorkspace : public Workspace {
   Q_OBJECT
 
@@ -46,6 +48,7 @@ class ExportWorkspace : public Workspace {
 
   QWidget *before_, *body_;
   QVBoxLayout* remarks_;
+  CorrectionBox* correction_;
   QButtonGroup* forms_;
   QTableWidget *motion_, *excluded_;
   QPlainTextEdit* xml_;

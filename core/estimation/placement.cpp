@@ -127,6 +127,11 @@ void set_motion(const Problem& problem, const Circumstances& c, const Posture& p
   }
 }
 
+bool is_nothing(const Deflection& d) {
+  return d.base.isZero(0) && std::all_of(d.angle.begin(), d.angle.end(), [](double a) { return a == 0; }) &&
+         std::all_of(d.lateral.begin(), d.lateral.end(), [](const Vector3& l) { return l.isZero(0); });
+}
+
 /// `derives`: EffectMotion too; else it stays as it was.
 void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObservation& o) {
   const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
@@ -146,7 +151,8 @@ void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObser
   if (std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); }))
     for (const Vector3& m : sites.markers) o.marker_shifts.push_back(problem.tcp_from_slip.rotation * m);
   if (derives) set_motion(problem, c, posture, moved, sites, o);
-  o.deflection = std::move(posture.deflection);
+  // What does not bend starts from nothing; of a long session every number counts.
+  o.deflection = is_nothing(posture.deflection) ? Deflection{} : std::move(posture.deflection);
 }
 
 /// What the rig's numbers do as a unit of an effect moves the cameras' sites by `d`.

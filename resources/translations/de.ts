@@ -5,6 +5,42 @@
 <context>
     <name>handsight</name>
     <message>
+        <source>What to command so that the hand arrives where it was meant to be.</source>
+        <translation>Was zu befehlen ist, damit die Hand dort ankommt, wo sie hin sollte.</translation>
+    </message>
+    <message>
+        <source>The hand misses its place by %1 mm. Command the angles at the right, and it arrives to ± %2 mm.</source>
+        <translation>Die Hand verfehlt ihren Ort um %1 mm. Mit den Winkeln rechts kommt sie auf ± %2 mm genau an.</translation>
+    </message>
+    <message>
+        <source>The hand misses its place by %1 mm. Within the joints' limits %2 mm stay (± %3 mm), by the angles at the right.</source>
+        <translation>Die Hand verfehlt ihren Ort um %1 mm. In den Grenzen der Gelenke bleiben %2 mm (± %3 mm), mit den Winkeln rechts.</translation>
+    </message>
+    <message>
+        <source>What this buys you</source>
+        <translation>Was das bringt</translation>
+    </message>
+    <message>
+        <source>The hand's error as commanded and corrected</source>
+        <translation>Fehler der Hand, wie befohlen und korrigiert</translation>
+    </message>
+    <message>
+        <source>What correcting buys</source>
+        <translation>Was die Korrektur bringt</translation>
+    </message>
+    <message>
+        <source>Being worked out over %1 poses like the measured ones ...</source>
+        <translation>Wird über %1 Posen wie die gemessenen berechnet ...</translation>
+    </message>
+    <message>
+        <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when the corrected angles are commanded: handsight-cli correct, or the exported C++ and Python files.</source>
+        <translation>Über %1 Posen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden: handsight-cli correct, oder die exportierten C++- und Python-Dateien.</translation>
+    </message>
+    <message>
+        <source>%1 of the poses cannot be corrected within the joints' limits.</source>
+        <translation>%1 der Posen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
+    </message>
+    <message>
         <source> Larger than robots are built, so it stands in for another cause: %1.</source>
         <translation> Größer, als Roboter gebaut sind, also wohl für eine andere Ursache: %1.</translation>
     </message>
@@ -4742,6 +4778,42 @@
         <translation>%1 trennt diese nicht von den übrigen.</translation>
     </message>
     <message>
+        <source>%1 of %2 joint positions are beyond a whole turn (up to %3 rad): are they in degrees?</source>
+        <translation>%1 von %2 Gelenkwinkeln liegen jenseits einer ganzen Umdrehung (bis %3 rad): sind es Grad?</translation>
+    </message>
+    <message>
+        <source>The %1 camera sees %2 degrees across (fx %3 px, %4 px wide): is fx in px?</source>
+        <translation>Kamera %1 sieht %2 Grad in der Breite (fx %3 px, %4 px breit): ist fx in px?</translation>
+    </message>
+    <message>
+        <source>The %1 camera's fx %2 and fy %3 are far from each other.</source>
+        <translation>fx %2 und fy %3 der Kamera %1 liegen weit auseinander.</translation>
+    </message>
+    <message>
+        <source>The %1 camera's principal point %2, %3 lies outside of its image.</source>
+        <translation>Der Hauptpunkt %2, %3 der Kamera %1 liegt außerhalb ihres Bildes.</translation>
+    </message>
+    <message>
+        <source>In %1 of %2 sightings the %3 point is the %4 one: is one column copied?</source>
+        <translation>In %1 von %2 Sichtungen ist der Punkt %3 der Punkt %4: ist eine Spalte kopiert?</translation>
+    </message>
+    <message>
+        <source>In %1 observations the %2 image is the %3 one.</source>
+        <translation>In %1 Beobachtungen ist das Bild %2 das Bild %3.</translation>
+    </message>
+    <message>
+        <source>The cameras are %1 m apart: is right_from_left in m?</source>
+        <translation>Die Kameras sind %1 m auseinander: ist right_from_left in m?</translation>
+    </message>
+    <message>
+        <source>The cameras %1 and %2 are %3 m apart: is from_first in m?</source>
+        <translation>Die Kameras %1 und %2 sind %3 m auseinander: ist from_first in m?</translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s^2; on Earth it is 9.78 to 9.83.</source>
+        <translation>Die Schwerkraft ist %1 m/s^2; auf der Erde ist sie 9.78 bis 9.83.</translation>
+    </message>
+    <message>
         <source>%1 image points lie outside the image of %2 x %3 px, first in observation %4: are width and height of the cameras swapped?</source>
         <translation>%1 Bildpunkte liegen außerhalb des Bildes von %2 x %3 px, zuerst in Beobachtung %4: sind Breite und Höhe der Kameras vertauscht?</translation>
     </message>
@@ -5538,8 +5610,48 @@
         <translation>'&amp;' steht allein; für das Zeichen selbst wird &amp;amp; erwartet.</translation>
     </message>
     <message>
-        <source>the mesh is of a kind that is not read, expected an STL or an OBJ file.</source>
-        <translation>das Netz ist von einer Art, die nicht gelesen wird; erwartet wird eine STL- oder OBJ-Datei.</translation>
+        <source>the mesh is of a kind that is not read, expected an STL, an OBJ or a Collada (.dae) file.</source>
+        <translation>das Netz ist von einer Art, die nicht gelesen wird; erwartet wird eine STL-, OBJ- oder Collada-Datei (.dae).</translation>
+    </message>
+    <message>
+        <source>has %1, expected finite numbers.</source>
+        <translation>hat %1; erwartet werden endliche Zahlen.</translation>
+    </message>
+    <message>
+        <source>has %1 numbers, expected %2.</source>
+        <translation>hat %1 Zahlen; erwartet werden %2.</translation>
+    </message>
+    <message>
+        <source>names %1, expected a &lt;%2&gt; of the file.</source>
+        <translation>nennt %1; erwartet wird ein &lt;%2&gt; der Datei.</translation>
+    </message>
+    <message>
+        <source>turns about no axis, expected one that is not zero.</source>
+        <translation>dreht um keine Achse; erwartet wird eine, die nicht null ist.</translation>
+    </message>
+    <message>
+        <source>is one of too many nodes within nodes, expected at most %1 deep.</source>
+        <translation>ist einer von zu vielen Knoten in Knoten; erwartet werden höchstens %1 ineinander.</translation>
+    </message>
+    <message>
+        <source>has no points, expected an &lt;input&gt; of VERTEX whose &lt;vertices&gt; have a POSITION.</source>
+        <translation>hat keine Punkte; erwartet wird ein &lt;input&gt; VERTEX, dessen &lt;vertices&gt; eine POSITION haben.</translation>
+    </message>
+    <message>
+        <source>has a point that is not finite or too far away, expected points of a robot's link.</source>
+        <translation>hat einen Punkt, der nicht endlich oder zu weit weg ist; erwartet werden Punkte eines Roboterglieds.</translation>
+    </message>
+    <message>
+        <source>names the point %1, expected one of the %2 points, from 0.</source>
+        <translation>nennt den Punkt %1; erwartet wird einer der %2 Punkte, von 0 an.</translation>
+    </message>
+    <message>
+        <source>has %1 corners, expected as many as its faces have together.</source>
+        <translation>hat %1 Ecken; erwartet werden so viele, wie seine Flächen zusammen haben.</translation>
+    </message>
+    <message>
+        <source>makes more than %1 triangles, expected a simpler mesh.</source>
+        <translation>ergibt mehr als %1 Dreiecke; erwartet wird ein einfacheres Netz.</translation>
     </message>
     <message>
         <source>the mesh has %1 MB, expected at most %2.</source>
