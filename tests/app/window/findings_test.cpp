@@ -14,7 +14,6 @@
 #include "findings/pattern_plots.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
-#include "start/session_places.h"
 #include "widgets/lists/blame_bar.h"
 
 namespace handsight::test {
@@ -109,21 +108,6 @@ TEST_F(FindingsIn, ScatterIsNotContradictedByThePlotsBesideIt) {
   EXPECT_TRUE(beside.contains("1.4 mrad to which the joints repeat")) << beside.toStdString();
   EXPECT_TRUE(app::as_if_alone({"shift along x of the base", "time"}, scatter).isEmpty());
   EXPECT_TRUE(app::as_if_alone({"error of axis_5", "time"}, {}).isEmpty()) << "the joints repeat";
-}
-
-TEST_F(FindingsIn, TheStartPageSaysHowARecentSessionStood) {
-  open("hidden_3");
-  // It is written down when a model has stood for a while.
-  ASSERT_TRUE(desk.wait([] { return !app::recent_sessions().front().state.isEmpty(); }, 10000));
-  desk.document().close();
-  EXPECT_TRUE(desk.wait(
-      [&] {
-        auto* row = desk.find<QAbstractButton>("recent_0");
-        return row->isVisible() && row->accessibleDescription().contains("3.4 px, noise 0.20 px");
-      },
-      5000))
-      << desk.find<QAbstractButton>("recent_0")->accessibleDescription().toStdString()
-      << app::recent_sessions().front().state.toStdString();
 }
 
 TEST_F(FindingsIn, ATrackersSessionShowsNoPlaceForImages) {
