@@ -2,11 +2,14 @@
 // handsight: the window.
 #include <QApplication>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <thread>
 
+#include "base/threads.h"
 #include "widgets/scene/robot_view.h"
 #include "window/appearance.h"
 #include "window/main_window.h"
@@ -85,6 +88,7 @@ int main(int argc, char** argv) {
     return refuse("There is no display to open a window on; handsight-cli does the same work without one.");
   widgets::set_surface_format();
   QApplication application(argc, argv);
+  most_threads() = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);  // one paints
   QApplication::setApplicationName("handsight");
   QApplication::setApplicationVersion(HANDSIGHT_VERSION);
   app::Appearance appearance(application, QString::fromStdString(arguments.theme));

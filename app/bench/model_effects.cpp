@@ -191,8 +191,7 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
       "rotations about the TCP's axes.");
   body.parameters = six_parameters(fit.tcp_from_body, origin_sigma(fit));
   if (fit.covariance_kind == CovarianceKind::scatter) {
-    body.note =
-        QObject::tr("Sigmas from how the observations differ: the model does not agree with them to the noise.");
+    body.note = QObject::tr("Sigmas from how the observations differ, not from the noise alone.");
     body.note_is_warning = true;
   }
   if (const QString alone = lone_sentence(*model); !alone.isEmpty())
@@ -203,9 +202,13 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
   }
   list.push_back(std::move(body));
   if (document.session().mount.estimate) {
-    widgets::ModelEffect mount{.id = "mount", .title = QObject::tr("Camera mount"), .is_in_model = true};
+    const bool of_cameras = document.session().rig.has_value();
+    widgets::ModelEffect mount{.id = "mount",
+                               .title = of_cameras ? QObject::tr("Camera mount") : QObject::tr("Mount of the tracker"),
+                               .is_in_model = true};
     mount.is_permanent = true;
-    mount.help = QObject::tr("Where the cameras sit on %1, estimated with the rest.")
+    mount.help = (of_cameras ? QObject::tr("Where the cameras sit on %1, estimated with the rest.")
+                             : QObject::tr("Where the tracker sits on %1, estimated with the rest."))
                      .arg(QString::fromStdString(document.session().mount.link));
     mount.parameters =
         six_parameters(estimate(fit).mount_from_sensor,

@@ -225,4 +225,17 @@ double round_magnification(double size, double wanted) {
   return best;
 }
 
+double magnification_over_noise(double size, std::optional<double> noise, double wanted) {
+  constexpr double sigmas = 6;  // as the axes of plots
+  return round_magnification(std::max(size, sigmas * noise.value_or(0)), wanted);
+}
+
+double arrow_magnification(const Inspection& inspection) {
+  double largest = 0;
+  for (const InspectionRow& row : inspection.rows)
+    if (row.is_used && row.rms_m) largest = std::max(largest, *row.rms_m);
+  constexpr double wanted = 0.1;  // m
+  return magnification_over_noise(largest, inspection.noise_m, wanted);
+}
+
 }  // namespace handsight::app

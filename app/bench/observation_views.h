@@ -51,4 +51,11 @@ std::vector<Rigid> link_motions(const Session& session, const Eigen::VectorXd& p
 /// 1, 2, 5, 10, ...: how much arrows of this size are to be magnified to be about `wanted` long.
 double round_magnification(double size, double wanted);
 
+/// The same where `size` may be noise (its sigma, 0: unknown, in the same unit): what is wanted holds six sigma at
+/// least, so that what noise alone makes stays as small as noise is.
+double magnification_over_noise(double size, std::optional<double> noise, double wanted);
+
+/// For the arrows of all observations in 3D: the largest of those that count is about 10 cm long.
+double arrow_magnification(const Inspection& inspection);
+
 }  // namespace handsight::app

@@ -9,6 +9,7 @@
 #include "document/diagnosing.h"
 #include "document/document.h"
 #include "document/refit.h"
+#include "document/refusal.h"
 #include "document/selection.h"
 #include "images/image_source.h"
 #include "jobs/jobs.h"
@@ -34,6 +35,7 @@ class Workbench : public QObject {
   Diagnosing diagnosing{document, explaining};
   Jobs explaining;  // diagnoses, added effects, planned poses. After what its work reports to: it dies first
   ImageSource images;
+  std::vector<Refusal> refused;  // of this session, by Explain
 
   /// The inspection of the shown model; null before there is one.
   const Inspection* inspection() const;

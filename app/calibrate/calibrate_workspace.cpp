@@ -57,6 +57,15 @@ widgets::DecisionEntry entry_of(const PlayedStep& played, const InspectionRow* r
   return e;
 }
 
+/// A decision as the session remembers it.
+PlayedStep decided(const Observation& o) {
+  PlayedStep played;
+  played.step.id = o.id;
+  played.step.accepted = o.decision == Decision::accepted;
+  played.step.reason = o.reason;
+  return played;
+}
+
 }  // namespace
 
 CalibrateWorkspace::CalibrateWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent), player_(bench) {
@@ -157,9 +166,11 @@ void CalibrateWorkspace::show_played() {
     refresh_transport();
     return;
   }
-  // Some may have been decided after all: then everything is shown anew, in its place.
-  const bool is_anew = std::any_of(unshown_.begin(), unshown_.end(),
-                                   [this](const PlayedStep& p) { return !shown_.insert(p.step.id).second; });
+  // Some may have been decided after all: then everything is shown anew, in its place. So it is where the decisions of
+  // an earlier play are shown.
+  const bool is_anew = shown_.empty() || std::any_of(unshown_.begin(), unshown_.end(), [this](const PlayedStep& p) {
+                         return !shown_.insert(p.step.id).second;
+                       });
   for (const PlayedStep& p : unshown_) shown_.insert(p.step.id);
   const std::vector<PlayedStep>& news = is_anew ? player_.steps() : unshown_;
   std::vector<widgets::ConvergencePoint> points;
@@ -259,6 +270,7 @@ void CalibrateWorkspace::set_robot() {
   const std::filesystem::path urdf = folder(s) / s.robot_file;
   scene_->set_robot(s.robot, urdf.parent_path());
   say_notes();
+  left_->setVisible(s.rig.has_value());
   own_pose_->set_session();
   robot_is_set_ = true;
 }
@@ -271,6 +283,7 @@ void CalibrateWorkspace::activate() {
   set_robot();
   refresh_transport();
   if (is_stale_) refresh_model();
+  if (!player_.is_playing()) refresh_decisions();
   refresh_observation();
   recall();
 }
@@ -337,7 +350,11 @@ void CalibrateWorkspace::refresh_decisions() {
   std::vector<widgets::DecisionEntry> entries;
   for (const PlayedStep& played : player_.steps())
     entries.push_back(entry_of(played, is_present ? bench_.row(played.step.id) : nullptr, bench_.units));
-  if (!entries.empty()) decisions_->set_entries(std::move(entries));
+  if (player_.steps().empty() && !player_.is_playing())  // played before it was opened
+    for (const Observation& o : bench_.document.session().observations)
+      if (o.decision == Decision::accepted || o.decision == Decision::rejected)
+        entries.push_back(entry_of(decided(o), bench_.row(o.id), bench_.units));
+  if (!entries.empty() || player_.steps().empty()) decisions_->set_entries(std::move(entries));
   refresh_decision_title(is_present);
 }
 

@@ -13,7 +13,9 @@
 #include "base/numbers.h"
 #include "bench/observation_views.h"
 #include "model/chain.h"
+#include "ways/correction.h"
 #include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
 
 namespace handsight::app {
 namespace {
@@ -43,9 +45,14 @@ OwnPosePage::OwnPosePage(Workbench& bench, QWidget* parent) : QWidget(parent), b
   result_->setObjectName("own_pose_result");
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  correction_ = new QLabel(this);
+  correction_->setObjectName("own_pose_correction");
+  correction_->setWordWrap(true);
+  correction_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 0);
   layout->addWidget(result_);
+  layout->addWidget(correction_);
   layout->addLayout(row);
   layout->addWidget(scroll, 1);
   connect(take, &QPushButton::clicked, this, &OwnPosePage::take_selected);
@@ -61,6 +68,7 @@ void OwnPosePage::set_session() {
     if (auto* w = qobject_cast<QWidget*>(child)) w->deleteLater();
   sliders_.clear();
   boxes_.clear();
+  commands_.clear();
   scales_.clear();
   const Session& s = bench_.document.session();
   for (std::size_t i = 0; i < s.joints.size(); ++i) {
@@ -83,6 +91,14 @@ void OwnPosePage::set_session() {
     grid_->addWidget(name, r, 0);
     grid_->addWidget(slider, r, 1);
     grid_->addWidget(box, r, 2);
+    auto* command = new QLabel(joints_);
+    command->setObjectName("own_pose_command_" + QString::number(i));
+    command->setFont(widgets::number_font(widgets::TextRole::body));
+    command->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    command->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    command->setToolTip(tr("What to command so that the hand arrives where it was meant to be."));
+    grid_->addWidget(command, r, 3);
+    commands_.push_back(command);
     connect(slider, &QSlider::valueChanged, this, [this, box, scale](int value) {
       if (!is_filling_) box->setValue(1e-3 * value * scale);
     });
@@ -105,6 +121,12 @@ void OwnPosePage::set_active(bool active) {
   if (!active || boxes_.empty()) return;
   if (!prediction_) take_selected();
   refresh();
+}
+
+/// The model may have changed while another page was looked at.
+void OwnPosePage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (prediction_) refresh();
 }
 
 Eigen::VectorXd OwnPosePage::position() const {
@@ -145,6 +167,7 @@ void OwnPosePage::refresh() {
   if (!model || !model->fit) {
     prediction_.reset();
     result_->setText(tr("Waits for a fit; then it says where the TCP really is."));
+    show_correction(nullptr);
     emit changed();
     return;
   }
@@ -155,7 +178,30 @@ void OwnPosePage::refresh() {
                        .arg(widgets::fixed_text(1e3 * t.x(), 1), widgets::fixed_text(1e3 * t.y(), 1),
                             widgets::fixed_text(1e3 * t.z(), 1), widgets::short_text(1e3 * s[0]),
                             widgets::short_text(1e3 * s[1]), widgets::short_text(1e3 * s[2])));
+  show_correction(model.get());
   emit changed();
+}
+
+/// The joints that bring the hand where it was meant to be, beside those that were asked for.
+void OwnPosePage::show_correction(const ModelVersion* model) {
+  const bool is_moved = model && !model->prediction.effects.empty();
+  correction_->setVisible(is_moved);
+  for (QLabel* command : commands_) command->clear();
+  if (!is_moved) return;
+  const Chain chain = chain_of(bench_.document.session());
+  const Correction c = corrected(circumstances_at(chain, position()), model->prediction);
+  for (std::size_t i = 0; i < commands_.size(); ++i)
+    commands_[i]->setText("→ " + widgets::fixed_text(c.position[static_cast<Eigen::Index>(i)] * scales_[i], 3) +
+                          boxes_[i]->suffix());
+  const QString before = widgets::short_text(1e3 * c.error_before_m),
+                after = widgets::short_text(1e3 * c.error_after_m), sigma = widgets::short_text(1e3 * c.sigma_m);
+  correction_->setText(
+      c.reached
+          ? tr("The hand misses its place by %1 mm. Command the angles at the right, and it arrives to ± %2 mm.")
+                .arg(before, sigma)
+          : tr("The hand misses its place by %1 mm. Within the joints' limits %2 mm stay (± %3 mm), by the angles "
+               "at the right.")
+                .arg(before, after, sigma));
 }
 
 void OwnPosePage::show(widgets::RobotView& view) {

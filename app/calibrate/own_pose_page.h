@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A pose of the user's own: sliders or typed numbers, and where the TCP really is in it.
+// A pose of the user's own: sliders or typed numbers, where the TCP really is in it, and what to command instead.
 #pragma once
 
 #include <QWidget>
@@ -34,10 +34,14 @@ class OwnPosePage : public QWidget {
  signals:
   void changed();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void take_selected();
   void take_typed();
   void refresh();
+  void show_correction(const ModelVersion* model);
   Eigen::VectorXd position() const;
   void set_position(const Eigen::VectorXd& position);
 
@@ -45,9 +49,10 @@ class OwnPosePage : public QWidget {
   QWidget* joints_;
   QGridLayout* grid_;
   QLineEdit* typed_;
-  QLabel* result_;
+  QLabel *result_, *correction_;
   std::vector<QSlider*> sliders_;
   std::vector<QDoubleSpinBox*> boxes_;  // degrees (mm for prismatic joints)
+  std::vector<QLabel*> commands_;       // what to command instead, beside each box
   std::vector<double> scales_;          // shown per SI unit
   std::optional<TcpPrediction> prediction_;
   bool is_filling_ = false;

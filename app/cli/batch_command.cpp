@@ -11,6 +11,7 @@
 #include <map>
 
 #include "base/text.h"
+#include "base/threads.h"
 #include "command.h"
 #include "diagnosis/improvement.h"
 #include "outputs.h"
@@ -30,7 +31,7 @@ constexpr char header[] =
     "session,state,observations,used,noise,rms,held_out,unit,chi2_per_dof,verdict,best,where,ln_bayes_factor,reason\n";
 
 std::string field(const std::string& text) {
-  const std::string line = shortened(text, 2000);
+  std::string line = shortened(text, 2000);
   if (line.find_first_of(",\"") == std::string::npos) return line;
   std::string out = "\"";
   for (const char c : line) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -110,6 +111,7 @@ class Runner {
     if (process < 0) throw InputError("No more processes can be started; name fewer with --jobs.");
     if (process == 0) {
       close(ends[0]);
+      most_threads() = 1;  // as many cores as jobs, whoever else computes
       write_all(ends[1], line_of(o_.sessions[next_], o_.improves));
       _exit(0);
     }

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/text.h"
+#include "base/threads.h"
 #include "command.h"
 #include "describe.h"
 
@@ -17,6 +18,10 @@ int run(int argc, char** argv) {
   CLI::App app("Find out where a robot's hand really is, and why it is not where the model says.", "handsight-cli");
   app.set_version_flag("--version", "handsight " HANDSIGHT_VERSION);
   app.require_subcommand(1);
+  app.add_option("--threads", most_threads(),
+                 "At most so many at once (as many as the processor runs); results are the same")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
   std::string described;  // for packages: the manual page, completions of shells
   CLI::App* const describe =
       app.add_subcommand("describe", "Writes the manual page or a shell's completion")->group("");

@@ -38,7 +38,7 @@ QString place_text(const std::string& place) {
 }
 
 QString places_text(const std::vector<std::string>& where) {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t most = 7;  // all the joints of an arm
   QStringList names;
   const std::size_t shown = where.size() > most ? most - 1 : where.size();
   for (std::size_t i = 0; i < shown; ++i) names << place_text(where[i]);
@@ -50,6 +50,12 @@ QString places_text(const std::vector<std::string>& where) {
 
 QString effect_of(const std::string& id, const std::vector<std::string>& where) {
   return of_places(within_sentence(effect_title(id)), where);
+}
+
+QString effects_of(const std::string& ids) {
+  QStringList names;
+  for (const QString& id : QString::fromStdString(ids).split(", ")) names << effect_of(id.toStdString(), {});
+  return names.join(", ");
 }
 
 QString of_places(const QString& title, const std::vector<std::string>& where) {

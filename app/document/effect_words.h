@@ -32,6 +32,8 @@ QString places_text(const std::vector<std::string>& where);
 
 /// "joint elasticity of arm_2 and arm_4", within a sentence.
 QString effect_of(const std::string& id, const std::vector<std::string>& where);
+/// "mount drift, joint elasticity" of the ids of several, as `improve` joins them.
+QString effects_of(const std::string& ids);
 
 /// "joint elasticity of arm_2 and arm_4" from its title and places.
 QString of_places(const QString& title, const std::vector<std::string>& where);

@@ -16,7 +16,7 @@ constexpr int ms_between_pictures = 120;  // from one to the next the cloud move
 /// What an addition or removal is of, in words; `id` may be of several effects that went together.
 QString step_text(const std::string& id, const ImprovementStep& s, const Session& session) {
   if (!s.terms.empty() && s.terms.front().id == id) return name_of(s.terms, session);
-  return effect_of(id, {});
+  return effects_of(id);
 }
 
 QString sentence_of(const ModelChange& change, const Session& session) {
@@ -27,7 +27,7 @@ QString sentence_of(const ModelChange& change, const Session& session) {
     else if (s.added.empty())
       parts << QObject::tr("took out %1, no longer needed").arg(step_text(s.removed, s, session));
     else
-      parts << QObject::tr("exchanged %1 for %2").arg(effect_of(s.removed, {}), step_text(s.added, s, session));
+      parts << QObject::tr("exchanged %1 for %2").arg(effects_of(s.removed), step_text(s.added, s, session));
   }
   return parts.join(", ");
 }
@@ -77,7 +77,7 @@ Adding::Adding(Workbench& bench, QObject* parent) : QObject(parent), bench_(benc
   timer_.setInterval(ms_between_pictures);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] { show_news(false); });
-  connect(&bench.document, &Document::opened, this, [this] { refused_.clear(); });
+  connect(&bench.document, &Document::opened, this, [this] { bench_.refused.clear(); });
   const auto look = [this] {
     if (is_running_ && !is_taking_ && !bench_.explaining.is_busy("add")) stop();
   };
@@ -160,9 +160,9 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   const ModelChange& change = outcome.change;
   if (change.stopped || run.revision != bench_.document.revision()) return stop();
   for (const RefusedStep& r : change.refused)
-    refused_.push_back({r.id, r.where, refusal_sentence(*run.before, run.candidate, bench_.document.session()),
-                        bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index(),
-                        bench_.document.revision()});
+    bench_.refused.push_back({r.id, r.where, refusal_sentence(*run.before, run.candidate, bench_.document.session()),
+                              bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index(),
+                              bench_.document.revision()});
   if (!outcome.version)
     return end(AdditionEnd::refused, refusal_sentence(*run.before, run.candidate, bench_.document.session()));
   const std::shared_ptr<ModelVersion>& version = outcome.version;

@@ -30,7 +30,7 @@ class Adding : public QObject {
   void add(const std::string& id);
   bool is_running() const { return is_running_; }
   /// Of the open document, in the order in which they were tried.
-  const std::vector<Refusal>& refused() const { return refused_; }
+  const std::vector<Refusal>& refused() const { return bench_.refused; }
   /// The proof plots of what is being added, or was added last, and the same once it was in the model (empty where it
   /// was not taken).
   const Proof& offered() const { return offered_; }
@@ -65,7 +65,6 @@ class Adding : public QObject {
   Workbench& bench_;
   std::shared_ptr<FitWatch> watch_;
   QTimer timer_;
-  std::vector<Refusal> refused_;
   Proof offered_, taken_;
   bool is_running_ = false;
   bool is_taking_ = false;  // the document is being changed by what was found

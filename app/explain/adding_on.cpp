@@ -85,12 +85,9 @@ QString AddingOn::told_at_the_end() const {
   const QString added = counted(added_, "%n cause(s)");
   QString sentence = cards_.card(0)->state().kind == widgets::CardKind::adequate
                          ? tr("Done: %1 added, and nothing is missing any more.").arg(added)
-                         : tr("Stopped by itself: %1 added, and nothing is left that would help. The first card says "
-                              "what is left.")
-                               .arg(added);
+                         : tr("Stopped by itself: %1 added, and nothing is left that would help.").arg(added);
   if (!stand_ins_.isEmpty())
-    sentence += tr(" Of a size that no robot is built with: %1; it probably stands in for another cause.")
-                    .arg(stand_ins_.join(", "));
+    sentence += tr(" Larger than robots are built, so it stands in for another cause: %1.").arg(stand_ins_.join(", "));
   return sentence;
 }
 

@@ -104,6 +104,7 @@ void FailingPane::connect_all() {
   link_selection(page_, bench_);
   link_selection(large_, bench_);
   connect(common_, &QPushButton::clicked, this, [this] { show_variable(common_variable_); });
+  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, &FailingPane::say_proof);
   connect(&bench_.selection, &Selection::changed, this, [this] {
     if (isVisible()) refresh_selection();
   });

@@ -14,8 +14,16 @@ void FailingPane::say_proof() {
   patterns_->setVisible(is_proof && (added_ > 0 || !is_tried_));
   const auto place = static_cast<std::size_t>(std::max(chosen_, 0));
   if (!is_proof) {
-    title_->setText(residuals_ ? titled(tr("Where it fails"), *residuals_) : tr("Where it fails"));
-    hint_->setText(tr("Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?"));
+    const auto diagnosis = bench_.diagnosing.diagnosis();
+    const bool agrees = diagnosis && diagnosis->verdict == Verdict::adequate;
+    const QString title = agrees ? tr("What is left") : tr("Where it fails");
+    title_->setText(residuals_ ? titled(title, *residuals_) : title);
+    const PlotKey* key = key_at(chosen_);
+    const QString alone = agrees && key ? as_if_alone(*key, diagnosis->scatter) : QString();
+    hint_->setText(
+        alone.isEmpty()
+            ? tr("Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?")
+            : alone);
   } else {
     title_->setText(added_ > 0 ? tr("Where it failed") : tr("Where it fails: the proof"));
     hint_->setText(place < proof_.plots.size() ? proof_sentence(proof_.plots[place]) : proof_.name);

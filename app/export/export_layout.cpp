@@ -11,6 +11,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "export/correction_box.h"
 #include "export/export_workspace.h"
 #include "widgets/base/theme.h"
 
@@ -63,9 +64,14 @@ QWidget* ExportWorkspace::make_left() {
   motion_ = plain_table(4, left);
   motion_->setObjectName("motion");
   motion_->setAccessibleName(tr("TCP→Body"));
+  motion_->setWordWrap(true);
+  motion_->installEventFilter(this);
+  motion_->verticalHeader()->setMinimumSectionSize(24);
   motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
   motion_->setMinimumHeight(4 * 24 + 36);  // more where there is room; else it scrolls
   layout->addWidget(motion_);
+  correction_ = new CorrectionBox(bench_, left);
+  layout->addWidget(correction_);
   excluded_title_ = heading(tr("Not used"), left);
   layout->addWidget(excluded_title_);
   fresh_ = new QLabel(left);

@@ -125,32 +125,44 @@ namespace {
 QString mount_text(const Session& session, const Fit& fit) {
   const Rigid& mount = estimate(fit).mount_from_sensor;
   const auto three = [](const Vector3& x, int decimals) {
-    return QString("%1 %2 %3").arg(x.x(), 0, 'f', decimals).arg(x.y(), 0, 'f', decimals).arg(x.z(), 0, 'f', decimals);
+    return QStringList{widgets::fixed_text(x.x(), decimals), widgets::fixed_text(x.y(), decimals),
+                       widgets::fixed_text(x.z(), decimals)}
+        .join(' ');
   };
-  return QObject::tr(
-             "Right only together with the camera mount that was estimated with it: on %1 at %2 mm, rpy %3 deg "
-             "(mount_from_sensor in the XML).")
+  return (session.rig
+              ? QObject::tr("Right only together with the camera mount that was estimated with it: on %1 at %2 "
+                            "mm, rpy %3 deg (mount_from_sensor in the XML).")
+              : QObject::tr("Right only together with the mount of the tracker that was estimated with it: on %1 "
+                            "at %2 mm, rpy %3 deg (mount_from_sensor in the XML)."))
       .arg(QString::fromStdString(session.mount.link), three(1e3 * mount.translation, 3),
            three(180 / M_PI * rpy_from_rotation(mount.rotation), 4));
 }
 
 }  // namespace
 
-std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model,
-                                         const Diagnosis* diagnosis) {
-  std::vector<ExportRemark> remarks;
+ExportRemark verdict_remark(const widgets::SessionVerdict& verdict, const ModelVersion& model) {
+  using widgets::SessionState;
   const auto ratio = error_and_noise(model).ratio();
-  const widgets::SessionVerdict verdict = session_verdict(model, diagnosis, false, widgets::SizeUnit::pixel);
-  if (verdict.state == widgets::SessionState::scatter)  // nothing is to be mended before it is used
-    remarks.push_back({verdict.sentence, false});
-  else
-    remarks.push_back({comparison_sentence(model), !ratio || *ratio >= 1.25});
+  switch (verdict.state) {
+    case SessionState::adequate:
+    case SessionState::scatter:  // nothing is to be mended before it is used
+      return {verdict.sentence, false};
+    case SessionState::waiting:
+    case SessionState::looking:
+      return {verdict.sentence, !ratio || *ratio >= 1.25 || model.fit->covariance_kind == CovarianceKind::scatter};
+    default:
+      return {verdict.sentence, true};
+  }
+}
+
+std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model) {
+  std::vector<ExportRemark> remarks;
   if (!model.fit->converged())
     remarks.push_back({QObject::tr("The fit has not converged: more observations, or look at Inspect."), true});
   if (model.fit->covariance_kind == CovarianceKind::scatter)
     remarks.push_back(
-        {QObject::tr("The uncertainties come from how the observations differ, because the model does not "
-                     "agree with them to the noise: they hold for poses like these."),
+        {QObject::tr("The uncertainties come from how the observations differ, not from the noise alone: they hold for "
+                     "poses like these."),
          false});
   if (!model.fit->effects.empty())
     remarks.push_back({QObject::tr("Right only together with %1. Used alone, TCP→Body misses by %2 mm on these poses.")

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document/document.h"
+#include "widgets/explain/verdict_line.h"
 
 namespace handsight::app {
 
@@ -28,7 +29,9 @@ struct ExportRemark {
   QString sentence;
   bool is_warning = false;
 };
-std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model,
-                                         const Diagnosis* diagnosis = nullptr);
+/// Whether the model agrees, as Explain says it.
+ExportRemark verdict_remark(const widgets::SessionVerdict& verdict, const ModelVersion& model);
+/// All the rest.
+std::vector<ExportRemark> export_remarks(const Document& document, const ModelVersion& model);
 
 }  // namespace handsight::app

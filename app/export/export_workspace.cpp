@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "diagnosis/fresh_poses.h"
+#include "export/correction_box.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
 #include "findings/explain_texts.h"
@@ -92,6 +93,7 @@ void ExportWorkspace::refresh() {
   calibrate_->setVisible(!ready);
   body_->setVisible(ready);
   for (QPushButton* b : {save_, html_, pdf_, copy_}) b->setEnabled(ready);
+  correction_->show_model(model);
   refresh_remarks(ready ? model.get() : nullptr);
   if (!ready) return;
   refresh_motion();
@@ -108,6 +110,12 @@ void ExportWorkspace::refresh() {
   show_changes(text);
 }
 
+/// As Explain says it.
+widgets::SessionVerdict ExportWorkspace::verdict(const ModelVersion& model) const {
+  return session_verdict(model, bench_.diagnosing.diagnosis().get(), bench_.diagnosing.is_running(),
+                         bench_.units.unit(), refused_now(bench_.refused, bench_.document));
+}
+
 void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
   while (QLayoutItem* item = remarks_->takeAt(0)) {
     delete item->widget();
@@ -116,7 +124,8 @@ void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
   before_->setVisible(model != nullptr);
   if (!model) return;
   bool any_warning = false;
-  const auto remarks = export_remarks(bench_.document, *model, bench_.diagnosing.diagnosis().get());
+  std::vector<ExportRemark> remarks = export_remarks(bench_.document, *model);
+  remarks.insert(remarks.begin(), verdict_remark(verdict(*model), *model));
   for (const ExportRemark& remark : remarks) {
     auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, before_);
     label->setWordWrap(true);
@@ -145,8 +154,25 @@ void ExportWorkspace::refresh_motion() {
       motion_->setItem(r, c, item);
     }
   }
+  fit_columns();
+}
+
+/// Names as wide as they are, and in several lines where the numbers would be pushed out of sight.
+void ExportWorkspace::fit_columns() {
+  motion_->horizontalHeader()->setStretchLastSection(false);
   motion_->resizeColumnsToContents();
+  int numbers = 0;
+  for (int c = 1; c < motion_->columnCount(); ++c) numbers += motion_->columnWidth(c);
+  constexpr int scroll_bar = 16, least = 120;
+  const int room = std::max(motion_->width() - numbers - scroll_bar, least);
+  if (form() != MotionForm::matrix && motion_->columnWidth(0) > room) motion_->setColumnWidth(0, room);
   motion_->horizontalHeader()->setStretchLastSection(true);
+  motion_->resizeRowsToContents();
+}
+
+bool ExportWorkspace::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == motion_ && event->type() == QEvent::Resize && motion_->rowCount() > 0) fit_columns();
+  return Workspace::eventFilter(watched, event);
 }
 
 void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
@@ -235,10 +261,9 @@ void ExportWorkspace::save_report(bool pdf) {
   file.replace_extension(pdf ? ".pdf" : ".html");
   try {
     const auto pictures = report_pictures(bench_);
-    const QString verdict =
-        session_verdict(*model, bench_.diagnosing.diagnosis().get(), false, bench_.units.unit()).sentence;
-    const QByteArray bytes = pdf ? report_pdf(bench_.document, *model, pictures, verdict)
-                                 : report_html(bench_.document, *model, pictures, verdict).toUtf8();
+    const QString sentence = verdict(*model).sentence;
+    const QByteArray bytes = pdf ? report_pdf(bench_.document, *model, pictures, sentence)
+                                 : report_html(bench_.document, *model, pictures, sentence).toUtf8();
     replace_file(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     say(tr("Written: %1").arg(QString::fromStdString(file.string())), false);
   } catch (const std::exception& error) {

@@ -15,6 +15,8 @@ class QVBoxLayout;
 
 namespace handsight::app {
 
+class CorrectionBox;
+
 class ExportWorkspace : public Workspace {
   Q_OBJECT
 
@@ -24,12 +26,17 @@ class ExportWorkspace : public Workspace {
   WorkStatus status() const override;
   void activate() override;
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;  // the table's new width
+
  private:
   void make_layout();
   QWidget* make_left();
   QWidget* make_right();
   void refresh();
   void refresh_motion();
+  void fit_columns();
+  widgets::SessionVerdict verdict(const ModelVersion& model) const;
   void refresh_remarks(const ModelVersion* model);
   void refresh_excluded(const ModelVersion& model);
   void show_changes(const QString& text);
@@ -41,6 +48,7 @@ class ExportWorkspace : public Workspace {
 
   QWidget *before_, *body_;
   QVBoxLayout* remarks_;
+  CorrectionBox* correction_;
   QButtonGroup* forms_;
   QTableWidget *motion_, *excluded_;
   QPlainTextEdit* xml_;

@@ -145,18 +145,22 @@ constexpr const char* style =
     "img{max-width:100%;height:auto;margin-bottom:4px}\n"
     "@media print{body{max-width:none;padding:0;font-size:10pt}.wide{overflow-x:visible}}\n";
 
+enum class Pages { of_paper, of_a_browser };
+
 /// `source` gives the picture's address: inside the file, or of a resource.
 QString body(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
-             const QString& verdict, const std::function<QString(std::size_t)>& source) {
+             const QString& verdict, Pages pages, const std::function<QString(std::size_t)>& source) {
   const Session& s = document.session();
   QString text = "<h1>" + title_of(s).toHtmlEscaped() + "</h1>\n<p><b>" + verdict.toHtmlEscaped() +
                  "</b></p>\n<p class=\"from\">" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
                  QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
   text += numbers_part(document, model);
+  // The row of a table stays on one page: picture and caption do not part.
+  const QString begin = pages == Pages::of_paper ? "<table><tr><td>" : "<p class=\"picture\">";
+  const QString end = pages == Pages::of_paper ? "</td></tr></table>\n" : "</p>\n";
   for (std::size_t i = 0; i < pictures.size(); ++i)
-    // The caption below: a picture that goes to the next page takes it along.
-    text += "<p class=\"picture\"><img width=\"600\" alt=\"\" src=\"" + source(i) + "\"/><br/>" +
-            pictures[i].caption.toHtmlEscaped() + "</p>\n";
+    text += begin + "<img width=\"600\" alt=\"\" src=\"" + source(i) + "\"/><br/>" +
+            pictures[i].caption.toHtmlEscaped() + end;
   return text + decisions_part(model) + checks_part(document) + actions_part(document);
 }
 
@@ -177,7 +181,7 @@ QString report_html(const Document& document, const ModelVersion& model, const s
          "\"><head><meta charset=\"utf-8\"/>"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/><title>" +
          title_of(document.session()).toHtmlEscaped() + "</title><style>\n" + style + "</style></head><body>\n" +
-         body(document, model, pictures, verdict, inside) + "</body></html>\n";
+         body(document, model, pictures, verdict, Pages::of_a_browser, inside) + "</body></html>\n";
 }
 
 QByteArray report_pdf(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
@@ -195,7 +199,8 @@ QByteArray report_pdf(const Document& document, const ModelVersion& model, const
     for (std::size_t i = 0; i < pictures.size(); ++i)
       text.addResource(QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), pictures[i].image);
     text.setDefaultFont(QFont("DejaVu Sans", 9));
-    text.setHtml(body(document, model, pictures, verdict, [](std::size_t i) { return QString("picture:%1").arg(i); }));
+    text.setHtml(body(document, model, pictures, verdict, Pages::of_paper,
+                      [](std::size_t i) { return QString("picture:%1").arg(i); }));
     text.print(&writer);
   }
   return bytes;

@@ -196,6 +196,14 @@ const Observation* shown_observation(const Workbench& bench, const Inspection& a
   return best;
 }
 
+/// Drawn at twice the size: its edges are smooth also where the processor draws.
+QImage smooth_picture(widgets::RobotView& view) {
+  QImage image =
+      view.picture(2 * sharpness).scaled(view.size() * sharpness, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  image.setDevicePixelRatio(sharpness);
+  return image;
+}
+
 void add_robot(const Workbench& bench, const Observation& o, const Inspection& all,
                std::vector<ReportPicture>& pictures) {
   const Session& s = bench.document.session();
@@ -205,16 +213,16 @@ void add_robot(const Workbench& bench, const Observation& o, const Inspection& a
   const InspectionRow* row = bench.row(o.id);
   show_pose(bench.document, o, row, view);
   view.set_arrows(scene_arrows(all));
-  double typical = 0;
-  for (const InspectionRow& r : all.rows)
-    if (r.is_used && r.rms_m) typical = std::max(typical, *r.rms_m);
-  const double times = round_magnification(typical, 0.1);
+  if (row && row->tcp_from_tcp_est)
+    view.set_ghost_magnification(
+        magnification_over_noise(row->tcp_from_tcp_est->translation.norm(), all.noise_m, 0.05));
+  const double times = arrow_magnification(all);
   view.set_arrow_magnification(times);
   view.look(widgets::StandardView::all);
   pictures.push_back({QObject::tr("The robot in observation %1, with the deviation of every observation, times %2")
                           .arg(o.id)
                           .arg(times),
-                      view.picture(sharpness)});
+                      smooth_picture(view)});
 }
 
 void add_images(Workbench& bench, const Observation& o, std::vector<ReportPicture>& pictures) {
@@ -231,7 +239,7 @@ void add_images(Workbench& bench, const Observation& o, std::vector<ReportPictur
   }
   const InspectionRow* row = bench.row(o.id);
   show_images(bench, o, row, shown, true, true);
-  const double times = row ? round_magnification(row->worst_size, 40) : 1;
+  const double times = row ? magnification_over_noise(row->worst_size, bench.inspection()->noise, 40) : 1;
   for (const ShownCamera& one : shown) {
     one.view->set_magnification(times);
     one.view->fit();

@@ -128,20 +128,9 @@ const Refusal* refusal_of(const std::string& id, const Document& document, const
 
 QString odds_text(double ln_odds) {
   if (ln_odds > 13.8) return QObject::tr("more than a million to one");
-  return QObject::tr("about %1 to one").arg(std::lround(std::exp(std::max(ln_odds, 0.0))));
-}
-
-bool still_stands(const Refusal& refusal, const Document& document) {
-  const QUndoStack& stack = document.undo_stack();
-  return refusal.revision == document.revision() ||
-         (refusal.index == stack.index() && refusal.before == stack.undoText());
-}
-
-std::set<std::string> refused_now(const std::vector<Refusal>& refused, const Document& document) {
-  std::set<std::string> ids;
-  for (const Refusal& r : refused)
-    if (still_stands(r, document)) ids.insert(r.id);
-  return ids;
+  const double odds = std::exp(std::max(ln_odds, 0.0));
+  const double place = std::pow(10, std::max(std::floor(std::log10(odds)) - 1, 0.0));
+  return QObject::tr("about %1 to one").arg(std::lround(std::round(odds / place) * place));
 }
 
 std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
@@ -162,7 +151,10 @@ std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersio
   // What no robot is built like, or what was refused, is never the first word.
   std::stable_partition(cards.begin(), cards.end(),
                         [](const CardState& c) { return c.why_not.isEmpty() && c.caution.isEmpty(); });
-  if (honest && !stops) cards.push_back(*honest);
+  if (!honest || stops) return cards;
+  // What is left has no name: that is said first where nothing is left to add.
+  const bool can_go_on = !cards.empty() && cards.front().can_add && cards.front().caution.isEmpty();
+  cards.insert(can_go_on ? cards.end() : cards.begin(), *honest);
   return cards;
 }
 

@@ -55,6 +55,9 @@ QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
                "The model misses by %1. Without three markers the noise is not known, so that the program cannot "
                "say whether that is much.")
         .arg(t.error);
+  // So many observations may show that it is not the noise alone, however near it comes.
+  if (*e.ratio() < 1.25 && model.fit->covariance_kind == CovarianceKind::scatter)
+    return QObject::tr("The model comes near the noise (%1), but what is left is more than noise.").arg(t.both);
   if (*e.ratio() < 1.25)
     return QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
   return QObject::tr("The model misses by %1%2 where the noise is %3.").arg(t.error, t.at_hand, t.noise);

@@ -6,26 +6,12 @@
 
 #include "bench/workbench.h"
 #include "diagnosis/weighing.h"
+#include "document/refusal.h"
 #include "widgets/explain/candidate_card.h"
 #include "widgets/explain/effect_table.h"
 #include "widgets/explain/verdict_line.h"
 
 namespace handsight::app {
-
-/// A step that was tried and not taken.
-struct Refusal {
-  std::string id;
-  std::vector<std::string> where;
-  QString reason;
-  QString before;             // the action after which it was tried
-  int index = 0;              // of the undo stack
-  std::int64_t revision = 0;  // of the document
-};
-
-/// Was it tried on the model as it is now?
-bool still_stands(const Refusal& refusal, const Document& document);
-/// Those of them, by id.
-std::set<std::string> refused_now(const std::vector<Refusal>& refused, const Document& document);
 
 /// "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px."
 QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit = widgets::SizeUnit::pixel);
@@ -46,10 +32,10 @@ std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const Mo
 std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelVersion& model,
                                             const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
 
-/// "0.24 px", "3.1 mm": an error as the session measures it, from px or m.
-/// "about 12 to one", "more than a million to one".
+/// "about 12 to one", "about 32000 to one" (two digits of it), "more than a million to one".
 QString odds_text(double ln_odds);
 
+/// "0.24 px", "3.1 mm": an error as the session measures it, from px or m.
 QString error_with_unit(double error, bool in_pixels);
 
 }  // namespace handsight::app

@@ -114,7 +114,8 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation,
     default:
       text = QObject::tr("Agrees with the model down to the noise. ");
   }
-  if (!row->what_would_mend.empty()) text += QObject::tr("To be right: %1").arg(translated(row->what_would_mend));
+  if (!row->what_would_mend.empty())
+    text += QObject::tr("What would make it right: %1").arg(within_sentence(translated(row->what_would_mend)));
   if (row->smallest_visible && row->blame.letter != 'R')
     text += QObject::tr(" An error of one corner under %1 here could not be seen.")
                 .arg(in_pixels ? QObject::tr("%1 px").arg(*row->smallest_visible, 0, 'f', 1)

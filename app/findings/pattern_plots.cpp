@@ -7,6 +7,7 @@
 #include "diagnosis/trend.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
+#include "widgets/base/number_text.h"
 #include "words/core_words.h"
 
 namespace handsight::app {
@@ -28,6 +29,14 @@ std::optional<Found> find(const PlotKey& key, const ResidualViews& views) {
 
 double root_mean_square(const Eigen::VectorXd& v) {
   return v.size() ? std::sqrt(v.squaredNorm() / static_cast<double>(v.size())) : 0;
+}
+
+double median(const Eigen::VectorXd& v) {
+  std::vector<double> sorted(v.data(), v.data() + v.size());
+  if (sorted.empty()) return 0;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
 }
 
 /// Time and the order of the observations, two angles that a mimic joint ties: plots against them are the same picture.
@@ -94,6 +103,8 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
   plot.x_unit = QString::fromStdString(variable.unit);
   plot.y_unit = shown.unit;
   const Session& session = bench.document.session();
+  constexpr double weak = 2.5;
+  const double usual = median(series.sigmas);
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     const ProblemObservation& o = v.problem.observations[static_cast<std::size_t>(i)];
     const std::int64_t id = id_at(session, o.index);
@@ -102,7 +113,8 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
                            .x = variable.values[i],
                            .y = y[i],
                            .rms_over_sigma = row ? row->ratio : std::nullopt,
-                           .coordinates = row && row->coordinates > 0 ? row->coordinates : 12});
+                           .coordinates = row && row->coordinates > 0 ? row->coordinates : 12,
+                           .is_weak = series.sigmas[i] > weak * usual});
   }
   plot.trend = shown_trend(variable.values, y);
   plot.noise = shown.noise;
@@ -112,6 +124,15 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
       plot.is_chance = p.p_value > 1e-3;
     }
   return plot;
+}
+
+QString as_if_alone(const PlotKey& key, const Scatter& scatter) {
+  constexpr std::string_view error_of = "error of ";
+  if (scatter.joints <= 0 || !key.residual.starts_with(error_of)) return {};
+  return QObject::tr(
+             "Each point: as if %1 alone had made the whole error. It is more than the %2 mrad to which the joints "
+             "repeat, for all of them had their share.")
+      .arg(QString::fromStdString(key.residual.substr(error_of.size())), widgets::short_text(1e3 * scatter.joints));
 }
 
 std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const ModelResiduals& residuals,

@@ -23,6 +23,10 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
                                                  const Workbench& bench,
                                                  const std::vector<Eigen::VectorXd>* values = nullptr);
 
+/// Where all joints scatter, the whole error told as one joint's alone is more than that joint scatters: what to say
+/// beside such a plot; empty for any other.
+QString as_if_alone(const PlotKey& key, const Scatter& scatter);
+
 /// What a candidate with these numbers would show there; empty where the plot is not known.
 std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const ModelResiduals& residuals,
                                                  const EffectView& view, const Eigen::VectorXd& numbers,

@@ -123,7 +123,7 @@ void InspectWorkspace::make_layout() {
   pair->addWidget(left_);
   pair->addWidget(right_);
   cameras_ = new CameraStrip(bench_, left_, right_, this);
-  auto* images = new QWidget(this);
+  auto* images = images_ = new QWidget(this);
   auto* images_layout = new QVBoxLayout(images);
   images_layout->setContentsMargins(0, 0, 0, 0);
   images_layout->setSpacing(4);

@@ -309,15 +309,14 @@ void InspectWorkspace::refresh_plots() {
   map_->fit();
   if (!all) return;
   scene_->set_arrows(scene_arrows(*all));
-  double typical = 0;
-  for (const InspectionRow& row : all->rows)
-    if (row.is_used && row.rms_m) typical = std::max(typical, *row.rms_m);
-  scene_->set_arrow_magnification(round_magnification(typical, 0.1));
+  scene_->set_arrow_magnification(arrow_magnification(*all));
 }
 
 /// The choice of cameras over the image plane: of more than one.
 void InspectWorkspace::refresh_cameras() {
   const auto& rig = bench_.document.session().rig;
+  images_->setVisible(rig.has_value());
+  tabs_->setTabVisible(1, rig.has_value());
   const QStringList names = rig ? camera_names_in_words(*rig) : QStringList();
   map_camera_->setVisible(names.size() > 1);
   if (rig) map_->set_image_size(rig->at(0).camera.width, rig->at(0).camera.height);
@@ -357,13 +356,16 @@ void InspectWorkspace::refresh_observation() {
     return;
   }
   show_images(bench_, *o, row, cameras_->shown(), true);
-  const double times = row ? round_magnification(row->worst_size, 60) : 1;
+  const Inspection* all = bench_.inspection();
+  const double times = row && rig ? magnification_over_noise(row->worst_size, all->noise, 60) : 1;
   left_->set_magnification(times);
   right_->set_magnification(times);
-  magnified_->setText(row && row->rms ? tr("arrows × %1").arg(times) : QString());
+  magnified_->setText(row && row->rms && rig ? tr("arrows × %1").arg(times) : QString());
   show_pose(bench_.document, *o, row, *scene_);
   scene_->set_ghost_magnification(
-      row && row->tcp_from_tcp_est ? round_magnification(row->tcp_from_tcp_est->translation.norm(), 0.05) : 1);
+      row && row->tcp_from_tcp_est
+          ? magnification_over_noise(row->tcp_from_tcp_est->translation.norm(), all->noise_m, 0.05)
+          : 1);
 }
 
 std::vector<Action> InspectWorkspace::own_actions() const {

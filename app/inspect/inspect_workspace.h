@@ -57,6 +57,7 @@ class InspectWorkspace : public Workspace {
   widgets::ObservationTable* table_;
   widgets::ImageView *left_, *right_;
   CameraStrip* cameras_;
+  QWidget* images_;  // hidden where there are none
   widgets::BlameBar* blame_;
   widgets::RobotView* scene_;
   widgets::HistogramPlot* histogram_;

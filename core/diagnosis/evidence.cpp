@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/threads.h"
 #include "estimation/column_products.h"
 
 namespace handsight {
@@ -58,6 +59,76 @@ void whiten_rows(const Eigen::MatrixXd& whitener, Eigen::Index first, Eigen::Mat
   for (Eigen::Index c = 0; c < rows.cols(); ++c) rows.col(c).segment<6>(first) = fixed * rows.col(c).segment<6>(first);
 }
 
+/// The external rows for a scatter.
+struct WhitenedRows {
+  std::vector<Eigen::MatrixXd> whiteners;
+  Eigen::MatrixXd external;
+  Eigen::VectorXd error;
+  double ln_volume = 0;  // ln of the covariances' determinants
+};
+
+/// Adds to `rows` what is observation `i`'s.
+double whiten_observation(const LinearModel& model, std::size_t i, const Scatter& scatter, WhitenedRows& rows) {
+  const LinearObservation& o = model.observations[i];
+  const auto by_place = o.by_body.leftCols<3>();
+  Eigen::MatrixXd v = std::pow(scatter.joints, 2) * o.by_joints * o.by_joints.transpose() +
+                      std::pow(scatter.place, 2) * by_place * by_place.transpose();
+  v.diagonal().array() += 1;
+  const Eigen::LLT<Eigen::MatrixXd> llt(v);
+  rows.whiteners[i] = llt.matrixL().solve(Eigen::MatrixXd::Identity(o.count, o.count));
+  whiten_rows(rows.whiteners[i], o.first, rows.external);
+  rows.error.segment(o.first, o.count) = rows.whiteners[i] * model.external_error.segment(o.first, o.count);
+  return ln_determinant(llt);
+}
+
+/// `external`: the model's, or the base's columns of it.
+WhitenedRows whitened_rows(const LinearModel& model, Columns external, const Scatter& scatter) {
+  constexpr std::size_t of_a_part = 32;
+  WhitenedRows rows{{}, external, model.external_error};
+  for (const LinearObservation& o : model.observations)
+    rows.whiteners.emplace_back(Eigen::MatrixXd::Identity(o.count, o.count));
+  if (!scatter.is_any()) return rows;
+  const std::size_t count = model.observations.size(), parts = (count + of_a_part - 1) / of_a_part;
+  std::vector<double> ln_volumes(count);
+  each_part(static_cast<int>(parts), parts >= 3, [&](int part) {
+    const std::size_t first = static_cast<std::size_t>(part) * of_a_part;
+    for (std::size_t i = first; i < std::min(first + of_a_part, count); ++i)
+      ln_volumes[i] = whiten_observation(model, i, scatter, rows);
+  });
+  for (const double ln_volume : ln_volumes) rows.ln_volume += ln_volume;
+  return rows;
+}
+
+BaseSums sums_of(const LinearModel& model, const WhitenedRows& rows) {
+  const Eigen::Index base = model.base, last = model.internal.cols() - 1;
+  const auto by_base = rows.external.leftCols(base);
+  return {model.internal.topLeftCorner(base, base) + column_products(by_base),
+          model.internal.col(last).head(base) + by_base.transpose() * rows.error,
+          model.internal(last, last) + rows.error.squaredNorm(), rows.ln_volume};
+}
+
+/// The base at its own best step.
+struct SettledBase {
+  Eigen::LLT<Eigen::MatrixXd> llt;
+  Eigen::VectorXd gradient;
+  double residual_squares = 0, ln_evidence = 0;
+};
+
+SettledBase settled(const BaseSums& sums, const BasePrior& prior, const NoiseKnowledge& noise) {
+  SettledBase s;
+  Eigen::MatrixXd information = sums.information;
+  information.diagonal() += prior.precision;
+  // What the measurements do not determine (an unseen marker, a gauge) is held by a trace of a prior.
+  for (Eigen::Index i = 0; i < information.cols(); ++i)
+    information(i, i) += information(i, i) > 0 ? 1e-10 * information(i, i) : 1.0;
+  s.llt.compute(information);
+  s.gradient = s.llt.matrixL().solve(sums.gradient + prior.gradient);
+  s.residual_squares = sums.squares + prior.cost - s.gradient.squaredNorm();
+  s.ln_evidence = -0.5 * sums.ln_volume - 0.5 * ln_determinant(s.llt) -
+                  (noise.known ? 0.5 * s.residual_squares : 0.5 * noise.degrees * std::log(s.residual_squares));
+  return s;
+}
+
 }  // namespace
 
 double ln_mean_exp(std::span<const double> x) {
@@ -72,46 +143,29 @@ WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const Noi
   WhitenedModel w;
   w.model = &model;
   w.scatter = scatter;
-  w.external = model.external;
-  w.external_error = model.external_error;
-  double ln_volume = 0;
-  for (const LinearObservation& o : model.observations) {
-    if (!scatter.is_any()) {
-      w.whiteners.push_back(Eigen::MatrixXd::Identity(o.count, o.count));
-      continue;
-    }
-    const auto by_place = o.by_body.leftCols<3>();
-    Eigen::MatrixXd v = std::pow(scatter.joints, 2) * o.by_joints * o.by_joints.transpose() +
-                        std::pow(scatter.place, 2) * by_place * by_place.transpose();
-    v.diagonal().array() += 1;
-    const Eigen::LLT<Eigen::MatrixXd> llt(v);
-    w.whiteners.push_back(llt.matrixL().solve(Eigen::MatrixXd::Identity(o.count, o.count)));
-    ln_volume += ln_determinant(llt);
-    whiten_rows(w.whiteners.back(), o.first, w.external);
-    w.external_error.segment(o.first, o.count) = w.whiteners.back() * model.external_error.segment(o.first, o.count);
-  }
-  const Eigen::Index base = model.base, last = model.internal.cols() - 1;
-  const auto by_base = w.external.leftCols(base);
-  Eigen::MatrixXd information = model.internal.topLeftCorner(base, base);
-  information += column_products(by_base);
-  information.diagonal() += model.prior_precision;
-  // What the measurements do not determine (an unseen marker, a gauge) is held by a trace of a prior.
-  for (Eigen::Index i = 0; i < base; ++i) information(i, i) += information(i, i) > 0 ? 1e-10 * information(i, i) : 1.0;
-  w.base.compute(information);
-  Eigen::MatrixXd shared = column_products(by_base, w.external.rightCols(model.candidates()));
+  WhitenedRows rows = whitened_rows(model, model.external, scatter);
+  const auto by_base = rows.external.leftCols(model.base);
+  const SettledBase base = settled(sums_of(model, rows), model.prior, noise);
+  Eigen::MatrixXd shared = column_products(by_base, rows.external.rightCols(model.candidates()));
   for (Eigen::Index c = 0; c < model.candidates(); ++c)
     if (const Eigen::Index i = model.internal_of[static_cast<std::size_t>(c)]; i >= 0)
-      shared.col(c) += model.internal.col(i).head(base);
-  if (shared.cols() > 0) w.base.matrixL().solveInPlace(shared);
+      shared.col(c) += model.internal.col(i).head(model.base);
+  if (shared.cols() > 0) base.llt.matrixL().solveInPlace(shared);
+  w.whiteners = std::move(rows.whiteners);
+  w.external = std::move(rows.external);
+  w.external_error = std::move(rows.error);
+  w.base = base.llt;
   w.shared = std::move(shared);
-  w.base_gradient = w.base.matrixL().solve(by_base.transpose() * w.external_error +
-                                           model.internal.col(last).head(base) + model.prior_gradient);
-  w.residual_squares =
-      w.external_error.squaredNorm() + model.internal(last, last) + model.prior_cost - w.base_gradient.squaredNorm();
-  w.ln_evidence = -0.5 * ln_volume - 0.5 * ln_determinant(w.base) -
-                  (noise.known ? 0.5 * w.residual_squares : 0.5 * noise.degrees * std::log(w.residual_squares));
+  w.base_gradient = base.gradient;
+  w.residual_squares = base.residual_squares;
+  w.ln_evidence = base.ln_evidence;
   return w;
 }
+
+BaseEvidence::BaseEvidence(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise)
+    : sums_(sums_of(model, whitened_rows(model, model.external.leftCols(model.base), scatter))), noise_(noise) {}
+
+double BaseEvidence::ln_with(const BasePrior& prior) const { return settled(sums_, prior, noise_).ln_evidence; }
 
 Score score(const WhitenedModel& w, Eigen::Index first, Eigen::Index count) {
   const LinearModel& m = *w.model;

@@ -45,6 +45,25 @@ struct WhitenedModel {
 
 WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise);
 
+/// What the measurements say of a model's own parameters under one scatter.
+struct BaseSums {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+  double squares = 0, ln_volume = 0;
+};
+
+/// The evidence of a model's own parameters alone, for one prior after another.
+class BaseEvidence {
+ public:
+  BaseEvidence(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise);
+  /// WhitenedModel::ln_evidence, were this the model's prior.
+  double ln_with(const BasePrior& prior) const;
+
+ private:
+  BaseSums sums_;
+  NoiseKnowledge noise_;
+};
+
 /// What the data say of some parameters in units of their plausible size: information A and score b after the model's
 /// own parameters are projected out.
 struct Score {

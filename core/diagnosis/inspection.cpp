@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "estimation/pose_residuals.h"
+#include "session/by_time.h"
+#include "session/sample.h"
 
 namespace handsight {
 namespace {
@@ -15,6 +17,7 @@ std::optional<Vector2> pixel_in(const Sighting& s, int camera) {
 
 std::vector<ImageCorner> corners_of(const Rig* rig, const Sighting& s, const Vector3& predicted_in_sensor) {
   std::vector<ImageCorner> corners;
+  corners.reserve(rig ? static_cast<std::size_t>(rig->count()) : 0);
   for (int camera = 0; rig && camera < rig->count(); ++camera) {
     corners.push_back({.measured = pixel_in(s, camera)});
     const Vector3 in_camera = rig->at(camera).camera_from_first * predicted_in_sensor;
@@ -48,6 +51,7 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
     variances += covariance.trace();
     squared_variances += covariance.squaredNorm();
   };
+  row.markers.reserve(o.sightings.size());
   for (const Sighting& s : o.sightings) {
     MarkerResidual marker{.marker = s.marker};
     marker.predicted_in_sensor = sensor_from_tcp * marker_at(o, unknowns, s.marker);
@@ -81,21 +85,70 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
   return parts;
 }
 
-/// The session as if every observation that shows markers counted.
-Session with_everything(const Session& session, const SecondLooks& looks) {
-  Session all = session;
-  all.source.reset();
-  for (Observation& o : all.observations) {
+/// As if every observation that shows markers counted.
+void count_everything(const SecondLooks& looks, Session& session) {
+  for (Observation& o : session.observations) {
     o.decision = Decision::none;
     if (const auto look = looks.find(o.id); look != looks.end() && o.sightings.empty()) o.sightings = look->second;
   }
-  return all;
 }
 
-ResidualParts measure_row(const Problem& problem, ProblemObservation& seen, const Unknowns& unknowns,
-                          const std::vector<char>& marker_is_known, InspectionRow& row) {
+void forget_unknown(const std::vector<char>& marker_is_known, ProblemObservation& seen) {
   std::erase_if(seen.sightings,
                 [&](const Sighting& s) { return !marker_is_known[static_cast<std::size_t>(s.marker)]; });
+}
+
+/// The observations of a session, every one that shows markers counted, as a fit's model places them: a stretch at a
+/// time, because of a long session every copy counts.
+class ShownStretches {
+ public:
+  ShownStretches(const Session& session, const Fit& fit, const SecondLooks& looks)
+      : session_(session), fit_(fit), looks_(looks), order_(by_time(session)), usual_sigma_(usual_sigma(session)) {}
+
+  /// `see` is called with the problem of the stretch and each of its observations, whose index is into the session.
+  template <class See>
+  void each(const See& see) {
+    for (std::size_t first = 0; first < order_.size(); first += at_once) {
+      if (first != first_) make(first);
+      for (const ProblemObservation& o : problem_.observations)
+        see(problem_, o, order_[first + static_cast<std::size_t>(o.index)]);
+    }
+  }
+
+ private:
+  static constexpr std::size_t at_once = 4000, none = static_cast<std::size_t>(-1);
+
+  void make(std::size_t first) {
+    const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = order_.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_once, order_.size()));
+    problem_ = {};
+    Session shown = part_of(session_, {begin, end});
+    count_everything(looks_, shown);
+    if (session_.pose_sensor) shown = shown_as_fitted(shown, estimate(fit_));
+    problem_ = make_problem(shown, chain_of(shown), terms_of(fit_));
+    if (!problem_.terms.empty()) {
+      problem_.tcp_from_slip = fit_.problem.tcp_from_slip;
+      place_observations(problem_);
+    }
+    for (ProblemObservation& o : problem_.observations) {
+      forget_unknown(fit_.problem.marker_is_seen, o);
+      if (order_.size() > at_once)
+        for (Sighting& s : o.sightings) s.usual_sigma = usual_sigma_;
+    }
+    first_ = first;
+  }
+
+  const Session& session_;
+  const Fit& fit_;
+  const SecondLooks& looks_;
+  const std::vector<int> order_;
+  const double usual_sigma_;  // of the whole session
+  std::size_t first_ = none;
+  Problem problem_;
+};
+
+ResidualParts measure_row(const Problem& problem, const ProblemObservation& seen, const Unknowns& unknowns,
+                          InspectionRow& row) {
   row.root_from_tcp = seen.root_from_tcp;
   row.root_from_sensor = seen.root_from_mount * unknowns.mount_from_sensor * seen.sensor_motion;
   return measure(problem, seen, unknowns, row);
@@ -120,7 +173,8 @@ void judge(const Problem& problem, const ProblemObservation& seen, const Unknown
 void inspect_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                          std::optional<double> noise, const std::vector<char>& marker_is_known, InspectionRow& row) {
   ProblemObservation seen = observation;
-  const ResidualParts parts = measure_row(problem, seen, unknowns, marker_is_known, row);
+  forget_unknown(marker_is_known, seen);
+  const ResidualParts parts = measure_row(problem, seen, unknowns, row);
   judge(problem, seen, unknowns, noise, parts, {}, row);
 }
 
@@ -137,26 +191,19 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     const auto look = looks.find(row.id);
     row.at_second_look = session.observations[i].sightings.empty() && look != looks.end() && !look->second.empty();
   }
-  Session shown = with_everything(session, looks);
-  if (session.pose_sensor) shown = shown_as_fitted(shown, estimate(fit));
-  Problem problem = make_problem(shown, chain_of(shown), terms_of(fit));
-  shown = {};  // of a long session every copy counts
-  if (!problem.terms.empty()) {
-    problem.tcp_from_slip = fit.problem.tcp_from_slip;
-    place_observations(problem);
-  }
+  ShownStretches shown(session, fit, looks);
   std::vector<ResidualParts> parts, used;
-  for (ProblemObservation& o : problem.observations) {
-    InspectionRow& row = inspection.rows[static_cast<std::size_t>(o.index)];
-    parts.push_back(measure_row(problem, o, estimate(fit), fit.problem.marker_is_seen, row));
+  shown.each([&](const Problem& problem, const ProblemObservation& o, int index) {
+    InspectionRow& row = inspection.rows[static_cast<std::size_t>(index)];
+    parts.push_back(measure_row(problem, o, estimate(fit), row));
     if (row.is_used) used.push_back(parts.back());
-  }
+  });
   const TypicalParts typical = typical_parts(used);
   if (fit.noise && *fit.noise > 0) inspection.blame = blame_of(used, *fit.noise);
-  for (std::size_t i = 0; i < problem.observations.size(); ++i) {
-    const ProblemObservation& o = problem.observations[i];
-    judge(problem, o, estimate(fit), fit.noise, parts[i], typical, inspection.rows[static_cast<std::size_t>(o.index)]);
-  }
+  auto next = parts.begin();
+  shown.each([&](const Problem& problem, const ProblemObservation& o, int index) {
+    judge(problem, o, estimate(fit), fit.noise, *next++, typical, inspection.rows[static_cast<std::size_t>(index)]);
+  });
   inspection.noise_m = report.rms_of_noise_m;
   for (const ObservationReport& o : report.per_observation)
     inspection.rows[static_cast<std::size_t>(o.index)].outlier = o.outlier;

@@ -4,6 +4,8 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "base/threads.h"
+#include "estimation/column_products.h"
 #include "estimation/priors.h"
 
 namespace handsight {
@@ -53,7 +55,7 @@ class Builder {
     model_.external_error.resize(total);
     const Eigen::Index inner = model_.base + static_cast<Eigen::Index>(direct_.size()) + 1;
     model_.internal = Eigen::MatrixXd::Zero(inner, inner);
-    for (const ProblemObservation& o : p_.observations) add(o);
+    add_observations();
     model_.external.conservativeResize(next_, Eigen::NoChange);
     model_.external_error.conservativeResize(next_);
     add_shape();
@@ -99,7 +101,14 @@ class Builder {
     return rows;
   }
 
-  void add(const ProblemObservation& o) {
+  /// One observation's rows, parted in the external ones (the first part.count) and the internal ones below.
+  struct Parted {
+    LinearObservation part;
+    Eigen::MatrixXd rest;        // as in Rows
+    Eigen::MatrixXd candidates;  // external rows by the candidates
+  };
+
+  Parted parted(const ProblemObservation& o) const {
     const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u_.mount_from_sensor);
     Rows rows = rows_at(o, sensor_from_tcp);
     const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(p_, o, u_);
@@ -107,11 +116,11 @@ class Builder {
     rows.rest.middleCols(p_.mount_column(), mount + base_effects_) +=
         rows.by_body * motion.leftCols(mount + base_effects_);
 
-    LinearObservation part;
+    Parted parted;
+    LinearObservation& part = parted.part;
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
     qr.setThreshold(1e-9);
     qr.compute(rows.by_body);
-    part.first = next_;
     part.count = qr.rank();
     rows.rest.applyOnTheLeft(qr.householderQ().adjoint());
     part.by_body = Eigen::MatrixXd(qr.matrixR().topRows(part.count).template triangularView<Eigen::Upper>()) *
@@ -125,26 +134,44 @@ class Builder {
         part.joint_motions.col(static_cast<Eigen::Index>(j)) *= metres_per_radian;
     part.by_joints = part.by_body * part.joint_motions / noise_;
 
-    auto external = model_.external.middleRows(next_, part.count);
-    external.leftCols(model_.base) = rows.rest.topRows(part.count).leftCols(model_.base);
-    external.rightCols(model_.candidates()).noalias() =
-        part.by_body * motion.rightCols(p_.effect_count() - base_effects_);
+    parted.candidates = part.by_body * motion.rightCols(p_.effect_count() - base_effects_);
     for (std::size_t i = 0; i < direct_.size(); ++i)
-      external.col(p_.effect_column() + direct_[i]) +=
+      parted.candidates.col(direct_[i] - base_effects_) +=
           rows.rest.col(model_.base + static_cast<Eigen::Index>(i)).head(part.count);
-    model_.external_error.segment(next_, part.count) = rows.rest.col(rows.rest.cols() - 1).head(part.count);
-    next_ += part.count;
     part.by_body /= noise_;
-    const Eigen::Index inner = rows.rest.rows() - part.count;
-    part.internal = static_cast<int>(inner);
-    if (inner > 0) {
-      const auto below = rows.rest.bottomRows(inner);
-      part.internal_squares = below.rightCols<1>().squaredNorm() / (noise_ * noise_);
-      model_.internal.selfadjointView<Eigen::Lower>().rankUpdate(below.transpose());
-    }
-    model_.rows += static_cast<int>(rows.rest.rows());
-    model_.internal_rows += static_cast<int>(inner);
+    part.internal = static_cast<int>(rows.rest.rows() - part.count);
+    part.internal_squares = rows.rest.bottomRows(part.internal).rightCols<1>().squaredNorm() / (noise_ * noise_);
+    parted.rest = std::move(rows.rest);
+    return parted;
+  }
+
+  void take(Parted parted, GatheredRows& inner_rows) {
+    LinearObservation& part = parted.part;
+    part.first = next_;
+    auto external = model_.external.middleRows(next_, part.count);
+    external.leftCols(model_.base) = parted.rest.topRows(part.count).leftCols(model_.base);
+    external.rightCols(model_.candidates()) = parted.candidates;
+    model_.external_error.segment(next_, part.count) = parted.rest.rightCols<1>().head(part.count);
+    next_ += part.count;
+    if (part.internal > 0) inner_rows.add(parted.rest.bottomRows(part.internal));
+    model_.rows += static_cast<int>(parted.rest.rows());
+    model_.internal_rows += part.internal;
     model_.observations.push_back(std::move(part));
+  }
+
+  /// Some at a time: what they leave before it is put together takes as much memory as the whole.
+  void add_observations() {
+    constexpr std::size_t at_once = 64, worth_threads = 16;
+    GatheredRows inner_rows(model_.internal);
+    for (std::size_t first = 0; first < p_.observations.size(); first += at_once) {
+      std::vector<Parted> some(std::min(at_once, p_.observations.size() - first));
+      each_part(static_cast<int>(some.size()), some.size() >= worth_threads, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        some[at] = parted(p_.observations[first + at]);
+      });
+      for (Parted& one : some) take(std::move(one), inner_rows);
+    }
+    inner_rows.settle();
   }
 
   /// What is known of the markers' shape is one more measurement, that no motion of the body moves.
@@ -184,16 +211,16 @@ class Builder {
       model_.internal.row(model_.base + place) *= sigma;
       model_.internal.col(model_.base + place) *= sigma;
     }
-    model_.prior_precision = model_.prior_gradient = Eigen::VectorXd::Zero(model_.base);
+    model_.prior.precision = model_.prior.gradient = Eigen::VectorXd::Zero(model_.base);
     for (Eigen::Index c = 0; c < base_effects_; ++c) {
       const double sigma = p_.columns_of_effects[static_cast<std::size_t>(c)].sigma;
       const Eigen::Index column = p_.effect_column() + c;
       model_.external.col(column) *= sigma;
       model_.internal.row(column) *= sigma;
       model_.internal.col(column) *= sigma;
-      model_.prior_precision[column] = 1;
-      model_.prior_gradient[column] = -u_.effects[c] / sigma;
-      model_.prior_cost += std::pow(u_.effects[c] / sigma, 2);
+      model_.prior.precision[column] = 1;
+      model_.prior.gradient[column] = -u_.effects[c] / sigma;
+      model_.prior.cost += std::pow(u_.effects[c] / sigma, 2);
     }
   }
 

@@ -19,6 +19,13 @@ struct LinearObservation {
   double internal_squares = 0;
 };
 
+/// What is known of the base beforehand, as one more measurement.
+struct BasePrior {
+  Eigen::VectorXd precision;  // 1 for its effects, 0 where flat
+  Eigen::VectorXd gradient;   // -precision * value
+  double cost = 0;            // value^T precision value
+};
+
 struct LinearModel {
   std::vector<LinearObservation> observations;
   Eigen::Index base = 0;                  // columns of the model: markers, mount, its effects
@@ -27,9 +34,7 @@ struct LinearModel {
   std::vector<Eigen::Index> internal_of;  // per candidate: its place in `internal`, or -1
   /// J^T J of the internal rows; columns: base, the candidates that have internal rows, the error.
   Eigen::MatrixXd internal;
-  Eigen::VectorXd prior_precision;  // of the base: 1 for its effects, 0 where flat
-  Eigen::VectorXd prior_gradient;   // -precision * value
-  double prior_cost = 0;            // value^T precision value
+  BasePrior prior;
   int rows = 0;
   int internal_rows = 0;
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/localisers.h"
 
+#include <optional>
+
+#include "base/threads.h"
+
 namespace handsight {
 namespace {
 
@@ -23,29 +27,40 @@ bool acts_there(const Variable& v, const CurveShape& shape, const CurveSite& sit
   return v.joint < 0 || site.joint == v.joint || shape.family == ShapeFamily::product;
 }
 
+/// Nothing where the variable acts nowhere.
+std::optional<Localiser> localise_by(const Variable& v, const WhitenedModel& w, const NoiseKnowledge& noise,
+                                     const Robot& robot, const std::vector<CurveSite>& sites,
+                                     const std::vector<Variable>& variables) {
+  Localiser localiser{std::make_shared<Variable>(v), 0, {}};
+  std::vector<double> factors;
+  for (const CurveShape& shape : shapes_of(v, robot, variables))
+    for (const CurveSite& site : sites)
+      if (acts_there(v, shape, site)) consider(w, noise, site, shape, localiser, factors);
+  if (v.kind == VariableKind::angle) {  // a coupling: another joint's deviation in proportion to this one's angle
+    const CurveShape line = shape_of({&v, nullptr, formula_variable(v, robot), ""}, ShapeFamily::line, 0);
+    for (const CurveSite& site : sites)
+      if (site.kind == LocaliserSite::joint && site.joint != v.joint)
+        consider(w, noise, site, line, localiser, factors);
+  }
+  if (factors.empty()) return std::nullopt;
+  localiser.ln_bayes_factor = ln_mean_exp(factors);
+  return localiser;
+}
+
 }  // namespace
 
 std::vector<Localiser> localise(const WhitenedModel& w, const NoiseKnowledge& noise, const Problem& problem,
                                 const std::vector<Variable>& variables) {
   const std::vector<CurveSite> sites = curve_sites(w, problem);
   const Robot& robot = problem.source->chain.robot;
+  std::vector<std::optional<Localiser>> found(variables.size());
+  each_part(static_cast<int>(variables.size()), true, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    found[at] = localise_by(variables[at], w, noise, robot, sites, variables);
+  });
   std::vector<Localiser> localisers;
-  for (const Variable& v : variables) {
-    Localiser localiser{std::make_shared<Variable>(v), 0, {}};
-    std::vector<double> factors;
-    for (const CurveShape& shape : shapes_of(v, robot, variables))
-      for (const CurveSite& site : sites)
-        if (acts_there(v, shape, site)) consider(w, noise, site, shape, localiser, factors);
-    if (v.kind == VariableKind::angle) {  // a coupling: another joint's deviation in proportion to this one's angle
-      const CurveShape line = shape_of({&v, nullptr, formula_variable(v, robot), ""}, ShapeFamily::line, 0);
-      for (const CurveSite& site : sites)
-        if (site.kind == LocaliserSite::joint && site.joint != v.joint)
-          consider(w, noise, site, line, localiser, factors);
-    }
-    if (factors.empty()) continue;
-    localiser.ln_bayes_factor = ln_mean_exp(factors);
-    localisers.push_back(std::move(localiser));
-  }
+  for (std::optional<Localiser>& one : found)
+    if (one) localisers.push_back(std::move(*one));
   return localisers;
 }
 

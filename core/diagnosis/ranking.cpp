@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/threads.h"
 #include "diagnosis/scatter_levels.h"
 
 namespace handsight {
@@ -238,8 +239,11 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
   for (const Scatter& scatter : ranking.scatters) {
     const WhitenedModel w = whiten(model, scatter, noise);
     evidence.push_back(w.ln_evidence);
-    effects.emplace_back();
-    for (const CandidateEffect& c : candidates.effects) effects.back().push_back(EffectRanker(w, noise, c).rank());
+    effects.emplace_back(candidates.effects.size());
+    each_part(static_cast<int>(candidates.effects.size()), true, [&](int i) {
+      const auto e = static_cast<std::size_t>(i);
+      effects.back()[e] = EffectRanker(w, noise, candidates.effects[e]).rank();
+    });
     localisers.push_back(localise(w, noise, candidates.problem, variables));
   }
   const auto top = std::max_element(evidence.begin(), evidence.end());
@@ -264,7 +268,10 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
   }
   search_places_of_the_best(model, noise, ranking);
   const WhitenedModel plain = whiten(model, {}, noise);
-  for (RankedEffect& r : ranking.effects) EffectRanker(plain, noise, *r.candidate).measure(r);
+  each_part(static_cast<int>(ranking.effects.size()), true, [&](int i) {
+    RankedEffect& r = ranking.effects[static_cast<std::size_t>(i)];
+    EffectRanker(plain, noise, *r.candidate).measure(r);
+  });
   const auto better = [](const auto& a, const auto& b) { return a.ln_bayes_factor > b.ln_bayes_factor; };
   std::stable_sort(ranking.effects.begin(), ranking.effects.end(), better);
   std::stable_sort(ranking.localisers.begin(), ranking.localisers.end(), better);

@@ -12,32 +12,29 @@ namespace {
 
 constexpr auto& scales = plausible_scales;
 
-/// The model with the plausible sizes of the columns from `first` on times `scale`.
-void set_scale(LinearModel& model, const LinearModel& plain, Eigen::Index first, double scale) {
-  const double precision = 1 / (scale * scale);
-  model.prior_cost = 0;
-  for (Eigen::Index i = 0; i < model.base; ++i) {
-    const double factor = i >= first ? precision : 1.0;
-    model.prior_precision[i] = factor * plain.prior_precision[i];
-    model.prior_gradient[i] = factor * plain.prior_gradient[i];
-    if (plain.prior_precision[i] > 0) model.prior_cost += factor * std::pow(plain.prior_gradient[i], 2);
-  }
+/// With the plausible sizes of the columns from `first` on times `scale`.
+BasePrior at_scale(const BasePrior& plain, Eigen::Index first, double scale) {
+  const Eigen::Index added = plain.precision.size() - first;
+  BasePrior scaled = plain;
+  scaled.precision.tail(added) /= scale * scale;
+  scaled.gradient.tail(added) /= scale * scale;
+  scaled.cost += (1 / (scale * scale) - 1) * plain.gradient.tail(added).squaredNorm();
+  return scaled;
 }
 
 }  // namespace
 
 FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing) {
   const Problem problem = with_motions(fit.problem);
-  const LinearModel plain = linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
-  LinearModel scaled = plain;
+  const LinearModel model = linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
   const Eigen::Index first = problem.effect_column() + first_new;
   const auto added = static_cast<double>(problem.effect_count() - first_new);
   FitEvidence best{-1e300, {}};
-  for (const Scatter& scatter : scatter_levels(plain, weighing.knowledge)) {
+  for (const Scatter& scatter : scatter_levels(model, weighing.knowledge)) {
+    const BaseEvidence evidence(model, scatter, weighing.knowledge);
     std::vector<double> values;
     for (const double scale : scales) {
-      set_scale(scaled, plain, first, scale);
-      values.push_back(whiten(scaled, scatter, weighing.knowledge).ln_evidence - added * std::log(scale));
+      values.push_back(evidence.ln_with(at_scale(model.prior, first, scale)) - added * std::log(scale));
       if (added == 0) break;
     }
     const double value = ln_mean_exp(values);

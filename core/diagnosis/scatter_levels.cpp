@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+
+#include "base/threads.h"
 
 namespace handsight {
 namespace {
@@ -44,9 +47,9 @@ struct Likelihood {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // tr(V^-1 K V^-1 L)
 };
 
-Likelihood likelihood(const std::vector<Shares>& all, const Variances& v) {
+Likelihood likelihood_of(std::span<const Shares> some, const Variances& v) {
   Likelihood sum;
-  for (const Shares& s : all) {
+  for (const Shares& s : some) {
     Covariance covariance = v[1] * s.joints + v[2] * s.place;
     covariance.diagonal().array() += v[0];
     const Eigen::LLT<Covariance> llt(covariance);
@@ -58,6 +61,24 @@ Likelihood likelihood(const std::vector<Shares>& all, const Variances& v) {
       sum.traces[k] += by[k].trace();
       for (int l = 0; l < 3; ++l) sum.information(k, l) += by[k].cwiseProduct(by[l].transpose()).sum();
     }
+  }
+  return sum;
+}
+
+/// In parts, as many however many threads there are: sums then are the same bit by bit.
+Likelihood likelihood(const std::vector<Shares>& all, const Variances& v) {
+  constexpr std::size_t parts = 8, worth_threads = 100;
+  std::array<Likelihood, parts> sums;
+  each_part(parts, all.size() >= worth_threads, [&](int i) {
+    const auto part = static_cast<std::size_t>(i);
+    const std::size_t first = all.size() * part / parts, end = all.size() * (part + 1) / parts;
+    sums[part] = likelihood_of(std::span(all).subspan(first, end - first), v);
+  });
+  Likelihood sum;
+  for (const Likelihood& part : sums) {
+    sum.squares += part.squares;
+    sum.traces += part.traces;
+    sum.information += part.information;
   }
   return sum;
 }
@@ -93,13 +114,6 @@ std::vector<Scatter> parts_of(const Scatter& s) {
   return parts;
 }
 
-LinearModel without_candidates(const LinearModel& model) {
-  LinearModel base = model;
-  base.external = model.external.leftCols(model.base);
-  base.internal_of.clear();
-  return base;
-}
-
 }  // namespace
 
 Scatter likely_scatter(const LinearModel& model, const Scatter& start, const NoiseKnowledge& noise, bool with_place) {
@@ -121,8 +135,7 @@ Scatter likely_scatter(const LinearModel& model, const Scatter& start, const Noi
 }
 
 std::vector<Scatter> scatter_levels(const LinearModel& model, const NoiseKnowledge& noise) {
-  const LinearModel base = model.candidates() > 0 ? without_candidates(model) : model;
-  const auto evidence = [&](const Scatter& s) { return whiten(base, s, noise).ln_evidence; };
+  const auto evidence = [&](const Scatter& s) { return BaseEvidence(model, s, noise).ln_with(model.prior); };
   std::vector<Scatter> levels = usual_levels();
   Scatter best;
   double top = -1e300;
@@ -133,7 +146,7 @@ std::vector<Scatter> scatter_levels(const LinearModel& model, const NoiseKnowled
     }
   for (const bool with_place : {false, true}) {
     if (with_place && !noise.known) continue;
-    const Scatter likely = likely_scatter(base, best, noise, with_place);
+    const Scatter likely = likely_scatter(model, best, noise, with_place);
     const double e = evidence(likely);
     if (e <= top + clearly_likelier) continue;
     top = e;

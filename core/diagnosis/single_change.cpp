@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/shown_number.h"
 #include "diagnosis/blame.h"
 #include "estimation/body_pose.h"
 
@@ -125,21 +126,21 @@ std::string change_text(const SingleChange& c, const Rig* rig) {
     case SingleChange::Kind::corner:
       return fmt::format("Marker {}, {} image, {}.", c.marker, rig->at(c.camera).name, direction(c.shift));
     case SingleChange::Kind::marker:
-      return fmt::format("Marker {}, {:.1f} mm from its place on the body: loose, hidden in part, or another corner.",
-                         c.marker, 1e3 * c.size);
+      return fmt::format("Marker {}, {} mm from its place on the body: loose, hidden in part, or another corner.",
+                         c.marker, shown_number(1e3 * c.size));
     case SingleChange::Kind::images:
       return fmt::format(
-          "The {} images do not fit together ({:.1f} px across the epipolar lines): not taken at the same instant, or "
+          "The {} images do not fit together ({} px across the epipolar lines): not taken at the same instant, or "
           "several wrong corners.",
-          is_pair(*rig) ? "two" : "cameras'", c.size);
+          is_pair(*rig) ? "two" : "cameras'", shown_number(c.size));
     case SingleChange::Kind::body:
       return fmt::format(
-          "The markers do not lie to each other as on the other images ({:.1f} {}): several are wrong, or the body is "
+          "The markers do not lie to each other as on the other images ({} {}): several are wrong, or the body is "
           "bent.",
-          c.size * (in_pixels ? 1 : 1e3), in_pixels ? "px" : "mm");
+          shown_number(c.size * (in_pixels ? 1 : 1e3)), in_pixels ? "px" : "mm");
     case SingleChange::Kind::pose:
-      return fmt::format("The whole hand, {:.1f} mm and {:.1f} deg from where the robot says.", 1e3 * c.size,
-                         degrees * c.angle);
+      return fmt::format("The whole hand, {} mm and {} deg from where the robot says.", shown_number(1e3 * c.size),
+                         shown_number(degrees * c.angle));
   }
   return {};
 }

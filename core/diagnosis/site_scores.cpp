@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/site_scores.h"
 
+#include "base/threads.h"
 #include "estimation/column_products.h"
 
 namespace handsight {
@@ -9,17 +10,23 @@ namespace {
 constexpr double joint_size = 1e-3;                    // rad (m): plausible
 constexpr double shift_size = 1e-3, turn_size = 2e-3;  // m, rad
 
-/// `directions`: per observation, the body's motion by the site's directions, 6 x directions.
-CurveSite make_site(LocaliserSite kind, int joint, const WhitenedModel& w, const Eigen::VectorXd& sizes,
-                    const std::vector<Eigen::MatrixXd>& directions) {
+struct Place {
+  LocaliserSite kind;
+  int joint;
+  Eigen::VectorXd sizes;
+  std::vector<Eigen::MatrixXd>
+      directions;  // per observation, the body's motion by the site's directions, 6 x directions
+};
+
+CurveSite make_site(const Place& place, const WhitenedModel& w) {
   const LinearModel& m = *w.model;
-  const auto count = static_cast<Eigen::Index>(m.observations.size()), n = sizes.size();
-  CurveSite site{kind, joint, sizes, Eigen::MatrixXd(count, n * n), Eigen::MatrixXd(count, n), {}};
+  const auto count = static_cast<Eigen::Index>(m.observations.size()), n = place.sizes.size();
+  CurveSite site{place.kind, place.joint, place.sizes, Eigen::MatrixXd(count, n * n), Eigen::MatrixXd(count, n), {}};
   site.shared.assign(static_cast<std::size_t>(n), Eigen::MatrixXd(count, m.base));
   for (Eigen::Index i = 0; i < count; ++i) {
     const LinearObservation& o = m.observations[static_cast<std::size_t>(i)];
     const auto at = static_cast<std::size_t>(i);
-    const Eigen::MatrixXd columns = w.whiteners[at] * (o.by_body * directions[at]);
+    const Eigen::MatrixXd columns = w.whiteners[at] * (o.by_body * place.directions[at]);
     const Eigen::MatrixXd information = columns.transpose() * columns;
     site.information.row(i) = information.reshaped().transpose();
     site.gradient.row(i) = w.external_error.segment(o.first, o.count).transpose() * columns;
@@ -41,14 +48,14 @@ Vector6 rigid_sizes() {
 
 std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& problem) {
   const LinearModel& m = *w.model;
-  std::vector<CurveSite> sites;
+  std::vector<Place> places;
   std::vector<Eigen::MatrixXd> tcp, mount;
   for (const LinearObservation& o : m.observations) {
     tcp.push_back(adjoint(o.sensor_from_tcp) * rigid_sizes().asDiagonal());
     mount.push_back(-Matrix6(rigid_sizes().asDiagonal()));
   }
-  sites.push_back(make_site(LocaliserSite::tcp, -1, w, rigid_sizes(), tcp));
-  sites.push_back(make_site(LocaliserSite::mount, -1, w, rigid_sizes(), mount));
+  places.push_back({LocaliserSite::tcp, -1, rigid_sizes(), std::move(tcp)});
+  places.push_back({LocaliserSite::mount, -1, rigid_sizes(), std::move(mount)});
   const Chain& chain = problem.source->chain;
   for (std::size_t j = 0; j < chain.joints.size(); ++j) {
     std::vector<Eigen::MatrixXd> directions;
@@ -58,9 +65,11 @@ std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& proble
       largest = std::max(largest, m.observations[i].by_joints.col(static_cast<Eigen::Index>(j)).norm());
     }
     if (largest > 0)
-      sites.push_back(
-          make_site(LocaliserSite::joint, chain.joints[j], w, Eigen::VectorXd::Constant(1, joint_size), directions));
+      places.push_back({LocaliserSite::joint, chain.joints[j], Eigen::VectorXd::Constant(1, joint_size), directions});
   }
+  std::vector<CurveSite> sites(places.size());
+  each_part(static_cast<int>(places.size()), true,
+            [&](int i) { sites[static_cast<std::size_t>(i)] = make_site(places[static_cast<std::size_t>(i)], w); });
   return sites;
 }
 

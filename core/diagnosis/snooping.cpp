@@ -6,24 +6,32 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <numeric>
 
 #include "diagnosis/body_rows.h"
 #include "diagnosis/weighing.h"
 #include "estimation/fit_noise.h"
+#include "estimation/problem_part.h"
 
 namespace handsight {
 namespace {
 
 constexpr double most_dropped = 0.15;  // share of all points
+constexpr std::size_t at_once = 2000;  // observations whose motions are in memory together
+
+/// The errors of one observation, parted by the body's six motions.
+struct Squares {
+  std::size_t place = 0;  // in the problem
+  Eigen::Index rows = 0;
+  Vector6 external_error;  // in the eigenframe of the joints' errors
+  Vector6 joint_variance;  // per rad^2
+  double internal_squares = 0;
+};
 
 /// One observation: rows parted by the body's six motions, and how joint errors move them.
-struct Parted {
-  const ProblemObservation* observation = nullptr;
-  Eigen::MatrixXd motions;         // n x 6 orthonormal: the external part
-  Eigen::VectorXd error;           // n
-  Eigen::VectorXd external_error;  // 6, in the eigenframe of the joints' errors
-  Eigen::VectorXd joint_variance;  // 6, per rad^2
-  double internal_squares = 0;
+struct Parted : Squares {
+  Eigen::MatrixXd motions;  // n x 6 orthonormal: the external part
+  Eigen::VectorXd error;    // n
 };
 
 std::optional<Parted> parted(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
@@ -31,7 +39,7 @@ std::optional<Parted> parted(const Problem& problem, const ProblemObservation& o
   const Eigen::Index count = rows.error.size();
   if (count <= 6) return std::nullopt;
   Parted p;
-  p.observation = &o;
+  p.rows = count;
   p.error = rows.error;
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows.by_body);
   const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(count, 6);
@@ -70,24 +78,27 @@ class ChiSquared {
 };
 
 /// Of one coordinate, from the internal squares of the middle observation: wrong points do not reach it.
-double robust_noise(const std::vector<Parted>& all) {
+double robust_noise(const std::vector<Squares>& all) {
   std::vector<double> variances;
   ChiSquared middle(0.5);
-  for (const Parted& p : all) variances.push_back(p.internal_squares / middle.at(p.error.size() - 6));
+  for (const Squares& p : all) variances.push_back(p.internal_squares / middle.at(p.rows - 6));
   return std::sqrt(std::max(median(variances), 1e-300));
 }
 
+/// Of all rows of an observation, with joints that err by `scatter` (rad).
+double chi_squared(const Squares& p, double noise, double scatter) {
+  double chi2 = p.internal_squares / (noise * noise);
+  for (Eigen::Index k = 0; k < 6; ++k)
+    chi2 += p.external_error[k] * p.external_error[k] / (noise * noise + scatter * scatter * p.joint_variance[k]);
+  return chi2;
+}
+
 /// The joints' random error (rad) for which the middle observation is as likely as it should be.
-double joint_scatter(const std::vector<Parted>& all, double noise) {
+double joint_scatter(const std::vector<Squares>& all, double noise) {
   ChiSquared middle_of(0.5);
   const auto excess = [&](double scatter) {
     std::vector<double> ratios;
-    for (const Parted& p : all) {
-      double chi2 = p.internal_squares / (noise * noise);
-      for (Eigen::Index k = 0; k < 6; ++k)
-        chi2 += p.external_error[k] * p.external_error[k] / (noise * noise + scatter * scatter * p.joint_variance[k]);
-      ratios.push_back(chi2 / middle_of.at(p.error.size()));
-    }
+    for (const Squares& p : all) ratios.push_back(chi_squared(p, noise, scatter) / middle_of.at(p.rows));
     return median(ratios) > 1;
   };
   if (!excess(0)) return 0;
@@ -100,8 +111,8 @@ double joint_scatter(const std::vector<Parted>& all, double noise) {
 }
 
 /// The least likely point of an observation, if it is less likely than `wrong_by_chance`.
-std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, double noise, double scatter,
-                                      ChiSquared& likely) {
+std::optional<WrongPoint> worst_point(const Session& session, const ProblemObservation& observed, const Parted& p,
+                                      double noise, double scatter, ChiSquared& likely) {
   // V^-1 = (1 - Q diag(m) Q^T) / noise^2 with m = g / (1 + g).
   const Eigen::VectorXd g = scatter * scatter / (noise * noise) * p.joint_variance;
   const Eigen::VectorXd m = g.array() / (1 + g.array());
@@ -118,10 +129,10 @@ std::optional<WrongPoint> worst_point(const Session& session, const Parted& p, d
     row += size;
     if (chi2 < likely.at(size) || chi2 <= largest) return;
     largest = chi2;
-    const Observation& o = session.observations[static_cast<std::size_t>(p.observation->index)];
-    worst = WrongPoint{o.id, p.observation->index, s.marker, camera, displacement.norm()};
+    const Observation& o = session.observations[static_cast<std::size_t>(observed.index)];
+    worst = WrongPoint{o.id, observed.index, s.marker, camera, displacement.norm()};
   };
-  for (const Sighting& s : p.observation->sightings) {
+  for (const Sighting& s : observed.sightings) {
     if (s.point) consider(s, by_tracker, row_count(s));
     for (const CameraPoint& seen : s.in_cameras) consider(s, seen.camera, 2);
   }
@@ -140,11 +151,26 @@ void drop(Session& session, const WrongPoint& w) {
   std::erase_if(sightings, [](const Sighting& s) { return row_count(s) == 0; });
 }
 
+/// The observations at these places with their motions, a stretch of the problem at a time.
+template <class See>
+void see_motions(const Problem& problem, const std::vector<std::size_t>& places, const See& see) {
+  for (std::size_t first = 0; first < places.size(); first += at_once) {
+    Problem some = without_observations(problem);
+    const std::size_t last = std::min(first + at_once, places.size());
+    for (std::size_t i = first; i < last; ++i) some.observations.push_back(problem.observations[places[i]]);
+    some = with_motions(some);
+    for (std::size_t i = first; i < last; ++i) see(some, some.observations[i - first], places[i]);
+  }
+}
+
 std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
-  std::vector<Parted> all;
-  const Problem problem = with_motions(f.problem);
-  for (const ProblemObservation& o : problem.observations)
-    if (auto p = parted(problem, o, estimate(f))) all.push_back(std::move(*p));
+  const Unknowns& unknowns = estimate(f);
+  std::vector<std::size_t> places(f.problem.observations.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::vector<Squares> all;
+  see_motions(f.problem, places, [&](const Problem& some, const ProblemObservation& o, std::size_t place) {
+    if (auto p = parted(some, o, unknowns)) all.emplace_back(std::move(*p)).place = place;
+  });
   std::vector<WrongPoint> wrong;
   if (all.size() < 5) return wrong;
   // What the session declares is the least: points of one rigid thing (a tracker's) may fit each other far better than
@@ -152,8 +178,16 @@ std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
   const double noise = std::max(robust_noise(all), declared_noise(session).value_or(0));
   const double scatter = joint_scatter(all, noise);
   ChiSquared likely(wrong_by_chance);
-  for (const Parted& p : all)
-    if (const auto w = worst_point(session, p, noise, scatter, likely)) wrong.push_back(*w);
+  // No point takes more from chi-squared than all rows have: few observations need a second look.
+  const double least = (1 - 1e-9) * likely.at(1);
+  places.clear();
+  for (const Squares& p : all)
+    if (chi_squared(p, noise, scatter) >= least) places.push_back(p.place);
+  see_motions(f.problem, places, [&](const Problem& some, const ProblemObservation& o, std::size_t) {
+    const auto p = parted(some, o, unknowns);
+    if (!p) return;
+    if (const auto w = worst_point(session, o, *p, noise, scatter, likely)) wrong.push_back(*w);
+  });
   return wrong;
 }
 
@@ -198,11 +232,17 @@ CleanFit clean_fit(const Session& session, const FitOptions& options) {
     if (wrong.empty() || clean.wrong.size() + wrong.size() > most) break;
     for (const WrongPoint& w : wrong) drop(clean.session, w);
     clean.wrong.insert(clean.wrong.end(), wrong.begin(), wrong.end());
-    const FitOptions again = from_there(options, clean.fit);
     is_rough = bends;
-    clean.fit = fit(clean.session, is_rough ? roughly(again, weighing(clean.fit)) : again);
+    FitOptions again = from_there(options, clean.fit);
+    if (is_rough) again = roughly(again, weighing(clean.fit));
+    clean.fit.problem = {};  // of a long session every copy counts
+    clean.fit = fit(clean.session, again);
   }
-  if (is_rough && !clean.fit.solution.stopped) clean.fit = fit(clean.session, from_there(options, clean.fit));
+  if (is_rough && !clean.fit.solution.stopped) {
+    const FitOptions whole = from_there(options, clean.fit);
+    clean.fit.problem = {};
+    clean.fit = fit(clean.session, whole);
+  }
   return clean;
 }
 

@@ -4,20 +4,16 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
 
 namespace handsight {
-
-struct Formula::Parsed {
-  mu::Parser parser;
-  std::vector<double> numbers;
-  std::vector<std::size_t> used;
-  std::mutex one_at_a_time;  // the parser reads its variables from `numbers`
-};
 
 namespace {
 
@@ -52,36 +48,69 @@ void define_functions(mu::Parser& parser) {
                   place, in_quotes(text, 120), found));
 }
 
+/// A parser reads its variables from numbers of its own.
+struct Reader {
+  std::optional<mu::Parser> parser;  // none before it has read
+  std::vector<double> numbers;
+  std::mutex one_at_a_time;
+
+  void read(const std::string& text, const std::vector<std::string>& names) {
+    numbers.assign(names.size(), 0.0);
+    define_functions(parser.emplace());
+    parser->SetExpr(text);
+    for (std::size_t i = 0; i < names.size(); ++i) parser->DefineVar(names[i], &numbers[i]);
+  }
+};
+
 }  // namespace
+
+struct Formula::Parsed {
+  std::string text;
+  std::vector<std::string> names;
+  std::vector<std::size_t> used;
+  /// Threads that ask at the same time have one each; all but the first are made when they are needed.
+  std::array<Reader, 8> readers;
+
+  /// A reader that nobody uses, held.
+  std::pair<Reader*, std::unique_lock<std::mutex>> free_reader() {
+    for (Reader& reader : readers) {
+      std::unique_lock lock(reader.one_at_a_time, std::try_to_lock);
+      if (!lock) continue;
+      if (!reader.parser) reader.read(text, names);
+      return {&reader, std::move(lock)};
+    }
+    return {&readers.front(), std::unique_lock(readers.front().one_at_a_time)};
+  }
+};
 
 Formula::Formula(const std::string& text, const std::vector<std::string>& names, const std::string& place)
     : parsed_(std::make_shared<Parsed>()) {
   Parsed& p = *parsed_;
-  p.numbers.assign(names.size(), 0.0);
+  p.text = text;
+  p.names = names;
   try {
-    define_functions(p.parser);
-    p.parser.SetExpr(text);
-    for (std::size_t i = 0; i < names.size(); ++i) p.parser.DefineVar(names[i], &p.numbers[i]);
-    for (const auto& [name, address] : p.parser.GetUsedVar()) {
+    p.readers.front().read(text, names);
+    mu::Parser& parser = *p.readers.front().parser;
+    for (const auto& [name, address] : parser.GetUsedVar()) {
       const auto found = std::find(names.begin(), names.end(), name);
       if (found == names.end())
         throw mu::ParserError(mu::ecUNASSIGNABLE_TOKEN, name, text, static_cast<int>(text.find(name)));
       p.used.push_back(static_cast<std::size_t>(found - names.begin()));
     }
     std::sort(p.used.begin(), p.used.end());
-    p.parser.Eval();
-    if (p.parser.GetNumResults() != 1) throw mu::ParserError(mu::ecUNEXPECTED_ARG_SEP, ",", text, -1);
+    parser.Eval();
+    if (parser.GetNumResults() != 1) throw mu::ParserError(mu::ecUNEXPECTED_ARG_SEP, ",", text, -1);
   } catch (const mu::ParserError& error) {
     refuse_formula(place, text, error);
   }
 }
 
 double Formula::value(std::span<const double> numbers) const {
-  const std::lock_guard lock(parsed_->one_at_a_time);
-  check(numbers.size() == parsed_->numbers.size(), "a formula of {} names, but {} numbers", parsed_->numbers.size(),
+  check(numbers.size() == parsed_->names.size(), "a formula of {} names, but {} numbers", parsed_->names.size(),
         numbers.size());
-  std::copy(numbers.begin(), numbers.end(), parsed_->numbers.begin());
-  return parsed_->parser.Eval();
+  const auto [reader, held] = parsed_->free_reader();
+  std::copy(numbers.begin(), numbers.end(), reader->numbers.begin());
+  return reader->parser->Eval();
 }
 
 const std::vector<std::size_t>& Formula::used() const { return parsed_->used; }

@@ -2,9 +2,11 @@
 #include "estimation/column_products.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "base/error.h"
+#include "base/threads.h"
 
 namespace handsight {
 namespace {
@@ -66,8 +68,7 @@ auto add_block_in(Registers) { return in_quarters::add; }
 Registers widest() { return Registers::quarter; }
 #endif
 
-void add(const Columns& a, const Columns& b, bool is_lower, double* sum, Eigen::Index sum_stride) {
-  check(a.rows() == b.rows(), "{} and {} rows", a.rows(), b.rows());
+void add_alone(const Columns& a, const Columns& b, bool is_lower, double* sum, Eigen::Index sum_stride) {
   const auto add_block = add_block_in(registers_in_use());
   for (Eigen::Index r = 0; r < a.rows(); r += rows_at_once) {
     const Eigen::Index rows = std::min(rows_at_once, a.rows() - r);
@@ -79,6 +80,27 @@ void add(const Columns& a, const Columns& b, bool is_lower, double* sum, Eigen::
                sum,
                sum_stride});
   }
+}
+
+/// Where part `part` of the columns of b begins: each has about as many products.
+Eigen::Index first_column(Eigen::Index columns, int part, int parts, bool is_lower) {
+  const double share = static_cast<double>(part) / parts;
+  const double at = is_lower ? 1 - std::sqrt(1 - share) : share;
+  return part == parts ? columns : static_cast<Eigen::Index>(at * static_cast<double>(columns));
+}
+
+/// Large products in parts, some columns of b each: every sum is made as it would be alone.
+void add(const Columns& a, const Columns& b, bool is_lower, double* sum, Eigen::Index sum_stride) {
+  constexpr double worth_threads = 4e6;  // products
+  check(a.rows() == b.rows(), "{} and {} rows", a.rows(), b.rows());
+  const bool is_large = static_cast<double>(a.rows()) * static_cast<double>(a.cols() * b.cols()) > worth_threads;
+  const int parts = is_large ? 2 * threads_for(static_cast<int>(b.cols())) : 1;
+  each_part(parts, parts > 2, [&](int part) {
+    const Eigen::Index first = first_column(b.cols(), part, parts, is_lower);
+    const Eigen::Index count = first_column(b.cols(), part + 1, parts, is_lower) - first, above = is_lower ? first : 0;
+    add_alone(a.rightCols(a.cols() - above), b.middleCols(first, count), is_lower, sum + above + first * sum_stride,
+              sum_stride);
+  });
 }
 
 }  // namespace

@@ -77,9 +77,14 @@ void set_body(const FitOptions& options, Fit& fit) {
 void add_notes(const Session& session, Fit& fit) {
   if (fit.problem.observations.size() == 1)
     fit.notes.push_back("Only one observation is used: tcp_from_body is that of thesis (4.35), and nothing checks it.");
+  std::vector<std::size_t> unseen;
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
-    if (!fit.problem.marker_is_seen[m])
-      fit.notes.push_back(fmt::format("Marker {} is seen in no used observation and has no position.", m));
+    if (!fit.problem.marker_is_seen[m]) unseen.push_back(m);
+  if (unseen.size() == 1)
+    fit.notes.push_back(fmt::format("Marker {} is seen in no used observation and has no position.", unseen.front()));
+  if (unseen.size() > 1)
+    fit.notes.push_back(
+        fmt::format("Markers {} are seen in no used observation and have no position.", fmt::join(unseen, ", ")));
   if (fit.sightings_left_out > 0)
     fit.notes.push_back(fmt::format(
         "{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",
@@ -173,8 +178,8 @@ void settle_slip_frame(const Session& session, const FitOptions& options, Proble
     const Vector6 change = small_motion_between(images.tcp_from_slip, tcp_from_body);
     if (change.norm() < 1e-10) return;
     images.tcp_from_slip = result.problem.tcp_from_slip = tcp_from_body;
-    set_effects(images, u.effects);
     set_effects(result.problem, u.effects);
+    if (&images != &result.problem) set_effects(images, u.effects);
     minimise(session, images, Unknowns(u), options, images.noise, result);
   }
 }
@@ -238,7 +243,10 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
     if (!sides.markers.empty()) images.tcp_from_slip = body_frame(sides, start->markers_in_tcp).tcp_from_body;
     if (has_slip(images)) place_observations(images);
   }
-  result.problem = options.objective == Objective::image ? images : as_points(images, result.sightings_left_out);
+  // Of a long session every copy counts: where the images themselves are fitted there is one problem.
+  const bool are_images = options.objective == Objective::image;
+  result.problem = are_images ? std::move(images) : as_points(images, result.sightings_left_out);
+  Problem& measured = are_images ? result.problem : images;
   if (result.problem.observations.empty())
     throw InputError(fmt::format(
         "{}: no marker is seen by two cameras in any used observation, which the {} objective needs; use the image "
@@ -246,16 +254,16 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
         session_name(session), options.objective == Objective::camera ? "camera" : "angle-axis"));
   if (options.objective == Objective::camera) result.problem.noise = 1e-3;  // points: m
   const double pose_noise =
-      options.objective == Objective::angle_axis ? noise_at_start(session, images, *start).value_or(1) : 1;
-  result.loss_noise = loss_noise(session, images, result.problem, *start, options);
-  minimise_surely(session, images, *start, options, pose_noise, result);
-  settle_slip_frame(session, options, images, result);
-  if (images.effect_count() > 0) {
-    set_effects(images, result.solution.unknowns.effects);
+      options.objective == Objective::angle_axis ? noise_at_start(session, measured, *start).value_or(1) : 1;
+  result.loss_noise = loss_noise(session, measured, result.problem, *start, options);
+  minimise_surely(session, measured, *start, options, pose_noise, result);
+  settle_slip_frame(session, options, measured, result);
+  if (measured.effect_count() > 0) {
     set_effects(result.problem, result.solution.unknowns.effects);
+    if (!are_images) set_effects(images, result.solution.unknowns.effects);
   }
-  set_noise(session, images, result);
-  set_covariances(images, options, declared_noise(session).has_value() || !result.noise_estimate, result);
+  set_noise(session, measured, result);
+  set_covariances(measured, options, declared_noise(session).has_value() || !result.noise_estimate, result);
   add_shape_covariance(result);
   set_body(options, result);
   set_effect_results(options.effects.size(), result);

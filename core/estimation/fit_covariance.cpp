@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "estimation/column_products.h"
 #include "estimation/noise.h"
 #include "estimation/objectives.h"
 #include "estimation/priors.h"
@@ -60,11 +61,9 @@ void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, Eigen::
 /// Sum over observations of the outer product of their gradients: how much observations differ, whatever the cause.
 Eigen::MatrixXd clustered_middle(const Problem& problem, const Unknowns& unknowns) {
   Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(problem.columns(), problem.columns());
-  for (const ProblemObservation& o : problem.observations) {
-    NormalEquations one(problem.columns());
-    add_observation(problem, o, unknowns, one);
-    middle.selfadjointView<Eigen::Lower>().rankUpdate(one.gradient);
-  }
+  GatheredRows gathered(middle, static_cast<Eigen::Index>(problem.observations.size()));
+  for (const ProblemObservation& o : problem.observations) gathered.add(gradient_of(problem, o, unknowns).transpose());
+  gathered.settle();
   add_prior_scatter(problem, unknowns, middle);
   return middle.selfadjointView<Eigen::Lower>();
 }

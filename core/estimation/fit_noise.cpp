@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_number.h"
+
 namespace handsight {
 const std::optional<double>& declared_noise(const Session& session) {
   return session.is_tracker() ? session.sigma_point : session.sigma_pixel;
@@ -75,6 +77,16 @@ double loss_noise(const Session& session, const Problem& images, const Problem& 
   return usual.value_or(session.is_tracker() ? 1e-3 : 0.3) * unit;
 }
 
+static std::string text_of_a_wrong_declaration(double declared, const NoiseEstimate& seen, bool of_tracker) {
+  const double scale = of_tracker ? 1e3 : 1;
+  return fmt::format(
+      "The declared noise, {0} {3}, and the noise seen in the measurements, {1} +- {2} {3}, differ by more than 3 "
+      "sigma; "
+      "check the declaration, or look for wrong {4}.",
+      shown_number(scale * declared), shown_number(scale * seen.sigma), shown_number(scale * seen.error, 1),
+      of_tracker ? "mm" : "px", of_tracker ? "points of the tracker" : "corners and camera errors");
+}
+
 void set_noise(const Session& session, const Problem& images, Fit& fit) {
   const char* unit = session.is_tracker() ? "m" : "px";
   fit.noise_estimate = estimate_noise(images, fit.solution.unknowns);
@@ -103,10 +115,7 @@ void set_noise(const Session& session, const Problem& images, Fit& fit) {
         told, unit));
   }
   if (declared && fit.noise_estimate && std::abs(fit.noise_estimate->sigma - *declared) > 3 * fit.noise_estimate->error)
-    fit.notes.push_back(fmt::format(
-        "The declared noise {:.3g} and the noise seen in the measurements {:.3g} +- {:.2g} {} differ by more than 3 "
-        "sigma; check the declaration, or look for wrong corners and camera errors.",
-        *declared, fit.noise_estimate->sigma, fit.noise_estimate->error, unit));
+    fit.notes.push_back(text_of_a_wrong_declaration(*declared, *fit.noise_estimate, session.is_tracker()));
 }
 
 }  // namespace handsight

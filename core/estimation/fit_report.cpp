@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <memory>
+#include <mutex>
 
+#include "base/threads.h"
 #include "estimation/body_pose.h"
 #include "estimation/objectives.h"
 #include "estimation/pose_residuals.h"
+#include "estimation/problem_part.h"
 #include "estimation/shape_start.h"
 
 namespace handsight {
@@ -90,13 +94,9 @@ ErrorSummary summary(const std::vector<Residuals>& all, bool pixels) {
   return s;
 }
 
+/// `in_part` has one entry an observation of the session.
 Problem part_of(const Problem& whole, const std::vector<char>& in_part) {
-  Problem part = whole;
-  part.observations.clear();
-  for (std::size_t i = 0; i < whole.observations.size(); ++i)
-    if (in_part[static_cast<std::size_t>(whole.observations[i].index)])
-      part.observations.push_back(whole.observations[i]);
-  return part;
+  return part_of(whole, [&](const ProblemObservation& o) { return in_part[static_cast<std::size_t>(o.index)] != 0; });
 }
 
 /// How long a step of the unknowns is: m and rad as they are, an effect's number in thousandths of its plausible size.
@@ -148,14 +148,28 @@ Unknowns part_estimate(const Fit& fit, const FitOptions& options, const std::vec
   return refit(fit, fold_options, part_of(fit.problem, trains), fit.noise.value_or(1));
 }
 
+/// Whoever is asked whether a fit may go on is asked by one thread at a time.
+FitOptions asked_one_by_one(FitOptions options) {
+  if (options.on_iteration)
+    options.on_iteration = [ask = options.on_iteration, one = std::make_shared<std::mutex>()](
+                               int iteration, double cost, const Unknowns& unknowns) {
+      const std::scoped_lock lock(*one);
+      return ask(iteration, cost, unknowns);
+    };
+  return options;
+}
+
 /// What every used observation leaves when its fold is left out of the fit, fold by fold; `folds` has one number an
 /// observation, in the order of the problem.
-std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit, const FitOptions& options,
+std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit, const FitOptions& asked,
                                           std::size_t session_size, const std::vector<int>& folds) {
   std::vector<Residuals> all(images.observations.size());
   std::vector<char> is_known(images.observations.size(), 0);
   const int last = folds.empty() ? -1 : *std::max_element(folds.begin(), folds.end());
-  for (int fold = 0; fold <= last; ++fold) {
+  const FitOptions options = asked_one_by_one(asked);
+  constexpr std::size_t most_at_once = 10'000;  // observations: of longer sessions every copy counts
+  const bool at_once = fit.problem.effect_count() > 0 && images.observations.size() <= most_at_once;
+  each_part(last + 1, at_once, [&](int fold) {
     std::vector<char> trains(session_size, 0);
     std::vector<std::size_t> held_ranks;
     for (std::size_t rank = 0; rank < images.observations.size(); ++rank) {
@@ -163,7 +177,7 @@ std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit,
       trains[static_cast<std::size_t>(images.observations[rank].index)] = held ? 0 : 1;
       if (held) held_ranks.push_back(rank);
     }
-    if (held_ranks.empty() || held_ranks.size() == images.observations.size()) continue;
+    if (held_ranks.empty() || held_ranks.size() == images.observations.size()) return;
     const Unknowns unknowns = part_estimate(fit, options, trains);
     for (char& train : trains) train = !train;
     Problem held = part_of(images, trains);
@@ -178,7 +192,7 @@ std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit,
       all[held_ranks[i]] = residuals_of(held, o, unknowns);
       is_known[held_ranks[i++]] = 1;
     }
-  }
+  });
   std::vector<Residuals> known;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (is_known[i]) known.push_back(std::move(all[i]));
@@ -318,13 +332,15 @@ std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, c
 }
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {
-  Problem images = fit.problem;
-  if (fit.objective == Objective::camera && session.rig) {
-    images = make_problem(session, chain_of(session), fit.problem.terms);
-    images.tcp_from_slip = fit.problem.tcp_from_slip;
-    images.columns_of_effects = fit.problem.columns_of_effects;
-    if (!images.terms.empty()) place_observations(images);
+  Problem of_session;
+  const bool are_points = fit.objective == Objective::camera && session.rig;
+  if (are_points) {
+    of_session = make_problem(session, chain_of(session), fit.problem.terms);
+    of_session.tcp_from_slip = fit.problem.tcp_from_slip;
+    of_session.columns_of_effects = fit.problem.columns_of_effects;
+    if (!of_session.terms.empty()) place_observations(of_session);
   }
+  const Problem& images = are_points ? of_session : fit.problem;
   FitReport r;
   r.observations = static_cast<int>(session.observations.size());
   r.used = static_cast<int>(images.observations.size());

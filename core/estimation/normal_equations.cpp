@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/threads.h"
 #include "estimation/column_products.h"
 #include "estimation/priors.h"
 
@@ -175,6 +176,47 @@ void add_plain_observation(const Problem& problem, const ProblemObservation& obs
   normal.gradient.segment<6>(mount) += mount_gradient;
 }
 
+/// Of the observations at `places` in the problem's order from `first` on; of all of them where there are no places.
+NormalEquations sum_of(const Problem& problem, const Unknowns& unknowns, std::span<const int> places, std::size_t first,
+                       std::size_t count) {
+  NormalEquations normal(problem.columns());
+  GatheredRows gathered = rows_for(problem, normal, count);
+  for (std::size_t i = first; i < first + count; ++i) {
+    const ProblemObservation& o = problem.observations[places.empty() ? i : static_cast<std::size_t>(places[i])];
+    if (is_plain(problem, o))
+      add_plain_observation(problem, o, unknowns, normal);
+    else
+      add_observation_with_effects(problem, o, unknowns, gathered, normal);
+  }
+  gathered.settle();
+  return normal;
+}
+
+void add_sum(const NormalEquations& part, NormalEquations& normal) {
+  normal.information += part.information;
+  normal.gradient += part.gradient;
+  normal.cost += part.cost;
+  normal.rows += part.rows;
+  normal.in_front = normal.in_front && part.in_front;
+}
+
+/// In parts, as many however many threads there are: sums then are the same bit by bit.
+NormalEquations sums_of(const Problem& problem, const Unknowns& unknowns, std::span<const int> places) {
+  constexpr std::size_t most_parts = 8, of_sightings = 10, least_work = 4'000;
+  const std::size_t count = places.empty() ? problem.observations.size() : places.size();
+  const auto effects = static_cast<std::size_t>(problem.effect_count());
+  if (count < most_parts || effects == 0 || count * (effects + of_sightings) < least_work)
+    return sum_of(problem, unknowns, places, 0, count);
+  std::vector<NormalEquations> sums(most_parts, NormalEquations(0));
+  each_part(most_parts, true, [&](int part) {
+    const std::size_t first = count * static_cast<std::size_t>(part) / most_parts;
+    const std::size_t end = count * static_cast<std::size_t>(part + 1) / most_parts;
+    sums[static_cast<std::size_t>(part)] = sum_of(problem, unknowns, places, first, end - first);
+  });
+  for (std::size_t part = 1; part < most_parts; ++part) add_sum(sums[part], sums.front());
+  return std::move(sums.front());
+}
+
 }  // namespace
 
 void add_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
@@ -185,25 +227,33 @@ void add_observation(const Problem& problem, const ProblemObservation& observati
   gathered.settle();
 }
 
+Eigen::VectorXd gradient_of(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(problem.columns());
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
+  Vector6 by_body = Vector6::Zero();
+  for (std::size_t i = 0; i < o.sightings.size(); ++i) {
+    const Sighting& sighting = o.sightings[i];
+    const Vector3 x = sensor_from_tcp * marker_at(o, u, sighting.marker);
+    SightingResidual r = sighting_residual(problem.rig_or_null(), sighting, x);
+    if (!o.weights.empty()) r.error *= o.weights[i];
+    gradient.segment<3>(3 * sighting.marker) +=
+        sensor_from_tcp.rotation.transpose() * (r.by_point.transpose() * r.error);
+    by_body += by_motion(r.by_point, x).transpose() * r.error;
+    if (direct)
+      gradient.tail(problem.effect_count()) +=
+          direct_by_effects(problem, o, sighting, r, x, sensor_from_tcp.rotation).transpose() * r.error;
+  }
+  gradient.tail(problem.columns() - problem.mount_column()) += motion_by_columns(problem, o, u).transpose() * by_body;
+  return gradient;
+}
+
 void complete(NormalEquations& normal) {
   normal.information = Eigen::MatrixXd(normal.information.selfadjointView<Eigen::Lower>());
 }
 
 NormalEquations normal_equations(const Problem& problem, const Unknowns& unknowns, std::span<const int> places) {
-  NormalEquations normal(problem.columns());
-  GatheredRows gathered = rows_for(problem, normal, problem.observations.size());
-  const auto add = [&](const ProblemObservation& o) {
-    if (is_plain(problem, o))
-      add_plain_observation(problem, o, unknowns, normal);
-    else
-      add_observation_with_effects(problem, o, unknowns, gathered, normal);
-  };
-  if (places.empty()) {
-    for (const ProblemObservation& o : problem.observations) add(o);
-  } else {
-    for (const int place : places) add(problem.observations[static_cast<std::size_t>(place)]);
-  }
-  gathered.settle();
+  NormalEquations normal = sums_of(problem, unknowns, places);
   complete(normal);
   add_priors(problem, unknowns, normal);
   return normal;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/threads.h"
 #include "estimation/problem.h"
 #include "robot/posture_tangent.h"
 
@@ -126,6 +127,11 @@ void set_motion(const Problem& problem, const Circumstances& c, const Posture& p
   }
 }
 
+bool is_nothing(const Deflection& d) {
+  return d.base.isZero(0) && std::all_of(d.angle.begin(), d.angle.end(), [](double a) { return a == 0; }) &&
+         std::all_of(d.lateral.begin(), d.lateral.end(), [](const Vector3& l) { return l.isZero(0); });
+}
+
 /// `derives`: EffectMotion too; else it stays as it was.
 void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObservation& o) {
   const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
@@ -145,7 +151,8 @@ void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObser
   if (std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); }))
     for (const Vector3& m : sites.markers) o.marker_shifts.push_back(problem.tcp_from_slip.rotation * m);
   if (derives) set_motion(problem, c, posture, moved, sites, o);
-  o.deflection = std::move(posture.deflection);
+  // What does not bend starts from nothing; of a long session every number counts.
+  o.deflection = is_nothing(posture.deflection) ? Deflection{} : std::move(posture.deflection);
 }
 
 /// What the rig's numbers do as a unit of an effect moves the cameras' sites by `d`.
@@ -159,9 +166,10 @@ void set_numbers(const Sites& sites, const Sites& d, int cameras, Eigen::Ref<Eig
 }
 
 /// Cameras and rig move alike in all observations; only the chain's circumstances are needed.
-void place_cameras(MovedSites& moved, Problem& problem) {
+void place_cameras(Problem& problem) {
   const Chain& chain = problem.source->chain;
   if (!chain.rig || !problem.rig) return;
+  MovedSites moved(problem);
   const Circumstances c =
       circumstances_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
   const Sites& sites = moved.by_all(c);
@@ -177,6 +185,18 @@ void place_cameras(MovedSites& moved, Problem& problem) {
   }
 }
 
+/// Each by itself, in parts that are worth a thread.
+void place_each(bool derives, Problem& problem) {
+  constexpr std::size_t of_a_part = 16;
+  const std::size_t count = problem.observations.size(), parts = (count + of_a_part - 1) / of_a_part;
+  each_part(static_cast<int>(parts), parts >= 3, [&](int part) {
+    MovedSites moved(problem);
+    const std::size_t first = static_cast<std::size_t>(part) * of_a_part;
+    for (std::size_t i = first; i < std::min(first + of_a_part, count); ++i)
+      place(problem, derives, moved, problem.observations[i]);
+  });
+}
+
 }  // namespace
 
 Problem with_motions(const Problem& problem) {
@@ -188,17 +208,14 @@ Problem with_motions(const Problem& problem) {
 }
 
 void place_observations(Problem& problem) {
-  const bool derives = problem.effect_count() > 0 || problem.with_motions;
-  MovedSites moved(problem);
-  place_cameras(moved, problem);
-  for (ProblemObservation& o : problem.observations) place(problem, derives, moved, o);
+  place_cameras(problem);
+  place_each(problem.effect_count() > 0 || problem.with_motions, problem);
 }
 
 void follow_effects(Problem& problem, const Eigen::VectorXd& values) {
   set_effect_values(problem, values);
-  MovedSites moved(problem);
-  place_cameras(moved, problem);
-  for (ProblemObservation& o : problem.observations) place(problem, false, moved, o);
+  place_cameras(problem);
+  place_each(false, problem);
 }
 
 }  // namespace handsight

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/session_oddities.h"
+#include "estimation/session_doubts.h"
 #include "model/arrangement.h"
 #include "model/chain.h"
 #include "model/sighting.h"
@@ -177,7 +177,7 @@ SessionCheck check_session(const Session& session) {
   SessionCheck check;
   const Chain chain = chain_of(session);
   list_contents(session, chain, check);
-  check.warnings = session_oddities(session);
+  check.warnings = session_doubts(session);
   check_images(session, check);
   check_limits(session, chain, check);
   check_markers(session, check);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "estimation/competition.h"
+#include "estimation/problem_part.h"
 #include "estimation/shape_start.h"
 
 namespace handsight {
@@ -87,8 +88,7 @@ Unknowns with_rotation(const MountSystem& system, int marker_count, const Matrix
 
 Problem thinned(const Problem& problem, std::size_t most) {
   if (problem.observations.size() <= most) return problem;
-  Problem thin = problem;
-  thin.observations.clear();
+  Problem thin = without_observations(problem);
   for (std::size_t i = 0; i < most; ++i)
     thin.observations.push_back(problem.observations[i * problem.observations.size() / most]);
   return thin;

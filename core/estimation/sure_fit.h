@@ -18,7 +18,7 @@ double widened_by(const Problem& problem, std::size_t term);
 /// `minimise`, priors that are refuted widened in `images` and the fit's problem, to the narrowest that what is found
 /// does not refute; then, unless a quick answer is asked for or the fit's objective is not that of the images, where it
 /// looks lost from other starts too. The end with the least squares in the measurements is kept; what `is_no_answer`
-/// has not converged.
+/// has not converged. `images` may be the fit's own problem.
 void minimise_surely(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options,
                      double noise, Fit& fit);
 

@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "robot/collada.h"
 
 namespace handsight {
 namespace {
@@ -175,12 +176,14 @@ Mesh read_mesh(const fs::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   const std::string name = file.filename().string();
-  if (ending != ".stl" && ending != ".obj")
-    refuse(name, 0, "the mesh is of a kind that is not read, expected an STL or an OBJ file.");
+  if (ending != ".stl" && ending != ".obj" && ending != ".dae")
+    refuse(name, 0, "the mesh is of a kind that is not read, expected an STL, an OBJ or a Collada (.dae) file.");
   const std::string bytes = read_file(file);
   if (bytes.size() > largest_file)
     refuse(name, 0, fmt::format("the mesh has {} MB, expected at most {}.", bytes.size() >> 20, largest_file >> 20));
-  Mesh mesh = ending == ".stl" ? parse_stl(bytes, name) : parse_obj(bytes, name);
+  Mesh mesh = ending == ".stl"   ? parse_stl(bytes, name)
+              : ending == ".dae" ? parse_collada(bytes, name)
+                                 : parse_obj(bytes, name);
   if (mesh.triangles.empty()) refuse(name, 0, "the mesh has no triangle, expected at least one.");
   return mesh;
 }

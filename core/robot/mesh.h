@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces of links from mesh files: STL (binary and text) and OBJ. A reader of our own, because a file that lies about
-// its own content must not reach a library that believes it.
+// Surfaces of links from mesh files: STL (binary and text), OBJ, and Collada (collada.h). A reader of our own, because
+// a file that lies about its own content must not reach a library that believes it.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,7 +27,8 @@ Mesh parse_obj(std::string_view text, const std::string& file);
 /// An STL file's bytes; equal points are one.
 Mesh parse_stl(std::string_view bytes, const std::string& file);
 
-/// Reads a file by its ending, .stl or .obj. InputError where it is of another kind, wrong, or without a triangle.
+/// Reads a file by its ending, .stl, .obj or .dae. InputError where it is of another kind, wrong, or without a
+/// triangle.
 Mesh read_mesh(const std::filesystem::path& file);
 
 /// Where a mesh that a URDF in this folder names lies: as written, without "package://" or "file://", without the

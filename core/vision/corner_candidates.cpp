@@ -9,8 +9,8 @@
 #include <functional>
 #include <utility>
 
+#include "base/threads.h"
 #include "vision/corner_lanes.h"
-#include "vision/corner_parallel.h"
 
 namespace handsight {
 namespace {
@@ -199,7 +199,7 @@ std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast
   // half-resolution px^2; 0.075 of the contrast is what one of 2.5 px blur has left at 53 deg, less 3 sigma of noise.
   // Noise of sigma 1 leaves 0.062 in Ixy.
   const float least = static_cast<float>(std::pow(kUnit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
-  const bool is_large = is_worth_threads(image.width, image.height);
+  const bool is_large = is_worth_threads(image);
   const int bands = is_large ? std::max(1, height / kRowsOfBand) : 1;
   std::vector<std::vector<Candidate>> of_band(static_cast<std::size_t>(bands));
   const auto edge = [&](int band) { return static_cast<int>(static_cast<std::int64_t>(height) * band / bands); };

@@ -22,4 +22,7 @@ struct Candidate {
 /// `half`, if given, becomes the image at half the resolution: the rounded mean of 2 x 2 pixels.
 std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half = nullptr);
 
+/// Work on smaller images is done before other threads have begun.
+inline bool is_worth_threads(const Image& image) { return static_cast<double>(image.width) * image.height > 1.5e6; }
+
 }  // namespace handsight

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "vision/corner_parallel.h"
+#include "base/threads.h"
 #include "vision/corner_pyramid.h"
 #include "vision/corner_structure.h"
 
@@ -46,7 +46,7 @@ struct Left {
 
 // Of a large image parts are looked at on several threads, and put together in their order.
 constexpr int kPart = 512;
-bool is_large(const Sight& sight) { return is_worth_threads(sight.image.width, sight.image.height); }
+bool is_large(const Sight& sight) { return is_worth_threads(sight.image); }
 
 // What look(i) finds for i below `count`, with its number.
 struct Numbered {

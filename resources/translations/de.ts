@@ -5,8 +5,44 @@
 <context>
     <name>handsight</name>
     <message>
-        <source> Of a size that no robot is built with: %1; it probably stands in for another cause.</source>
-        <translation> Von einer Größe, mit der kein Roboter gebaut ist: %1; das steht wohl für eine andere Ursache.</translation>
+        <source>What to command so that the hand arrives where it was meant to be.</source>
+        <translation>Was zu befehlen ist, damit die Hand dort ankommt, wo sie hin sollte.</translation>
+    </message>
+    <message>
+        <source>The hand misses its place by %1 mm. Command the angles at the right, and it arrives to ± %2 mm.</source>
+        <translation>Die Hand verfehlt ihren Ort um %1 mm. Mit den Winkeln rechts kommt sie auf ± %2 mm genau an.</translation>
+    </message>
+    <message>
+        <source>The hand misses its place by %1 mm. Within the joints' limits %2 mm stay (± %3 mm), by the angles at the right.</source>
+        <translation>Die Hand verfehlt ihren Ort um %1 mm. In den Grenzen der Gelenke bleiben %2 mm (± %3 mm), mit den Winkeln rechts.</translation>
+    </message>
+    <message>
+        <source>What this buys you</source>
+        <translation>Was das bringt</translation>
+    </message>
+    <message>
+        <source>The hand's error as commanded and corrected</source>
+        <translation>Fehler der Hand, wie befohlen und korrigiert</translation>
+    </message>
+    <message>
+        <source>What correcting buys</source>
+        <translation>Was die Korrektur bringt</translation>
+    </message>
+    <message>
+        <source>Being worked out over %1 poses like the measured ones ...</source>
+        <translation>Wird über %1 Posen wie die gemessenen berechnet ...</translation>
+    </message>
+    <message>
+        <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when the corrected angles are commanded: handsight-cli correct, or the exported C++ and Python files.</source>
+        <translation>Über %1 Posen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden: handsight-cli correct, oder die exportierten C++- und Python-Dateien.</translation>
+    </message>
+    <message>
+        <source>%1 of the poses cannot be corrected within the joints' limits.</source>
+        <translation>%1 der Posen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
+    </message>
+    <message>
+        <source> Larger than robots are built, so it stands in for another cause: %1.</source>
+        <translation> Größer, als Roboter gebaut sind, also wohl für eine andere Ursache: %1.</translation>
     </message>
     <message>
         <source> (%1 at the hand)</source>
@@ -820,6 +856,10 @@
         <translation>Kameras %1 %, Körper %2 %, Roboter %3 %</translation>
     </message>
     <message>
+        <source>Tracker %1 %, body %2 %, robot %3 %</source>
+        <translation>Tracker %1 %, Körper %2 %, Roboter %3 %</translation>
+    </message>
+    <message>
         <source>Cameras %1 mm apart.</source>
         <translation>Kameras %1 mm auseinander.</translation>
     </message>
@@ -1230,6 +1270,10 @@
     <message>
         <source>How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for.</source>
         <translation>Wie viel des Fehlers auf die Kameras (C), den Markerkörper (B) und den Roboter (R) zurückgehen kann.</translation>
+    </message>
+    <message>
+        <source>How much of the error the tracker (T), the marker body (B) and the robot (R) can answer for.</source>
+        <translation>Wie viel des Fehlers der Tracker (T), der Markerkörper (B) und der Roboter (R) verantworten.</translation>
     </message>
     <message>
         <source>How much of this residual the cameras (C), the marker body (B) and the robot (R) can answer for.</source>
@@ -2012,6 +2056,10 @@
         <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
     <message>
+        <source>Right only together with the mount of the tracker that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
+        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz des Trackers: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
+    </message>
+    <message>
         <source>Right, along the line</source>
         <translation>Rechts, auf Linie</translation>
     </message>
@@ -2120,8 +2168,8 @@
         <translation>Zeigt das Diagramm dagegen</translation>
     </message>
     <message>
-        <source>Sigmas from how the observations differ: the model does not agree with them to the noise.</source>
-        <translation>Sigmas daraus, wie die Beobachtungen sich unterscheiden: das Modell stimmt nicht bis aufs Rauschen.</translation>
+        <source>Sigmas from how the observations differ, not from the noise alone.</source>
+        <translation>Sigmas daraus, wie die Beobachtungen sich unterscheiden, nicht aus dem Rauschen allein.</translation>
     </message>
     <message>
         <source>Six poses, everything measured 1 cm nearer than it is: no images, labels only.</source>
@@ -2208,8 +2256,8 @@
         <translation>Angehalten, bevor Stellungen gefunden waren.</translation>
     </message>
     <message>
-        <source>Stopped by itself: %1 added, and nothing is left that would help. The first card says what is left.</source>
-        <translation>Von selbst angehalten: %1 hinzugefügt, und nichts ist übrig, das hülfe. Die erste Karte sagt, was bleibt.</translation>
+        <source>Stopped by itself: %1 added, and nothing is left that would help.</source>
+        <translation>Von selbst zu Ende: %1 hinzugefügt, und nichts ist übrig, was helfen würde.</translation>
     </message>
     <message>
         <source>Stopped. Everything is as before.</source>
@@ -2384,6 +2432,10 @@
         <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein (%1).</translation>
     </message>
     <message>
+        <source>The model comes near the noise (%1), but what is left is more than noise.</source>
+        <translation>Das Modell kommt dem Rauschen nahe (%1), aber was übrig ist, ist mehr als Rauschen.</translation>
+    </message>
+    <message>
         <source>The model is being fitted.</source>
         <translation>Das Modell wird angepasst.</translation>
     </message>
@@ -2504,8 +2556,8 @@
         <translation>Die Wahrheit</translation>
     </message>
     <message>
-        <source>The uncertainties come from how the observations differ, because the model does not agree with them to the noise: they hold for poses like these.</source>
-        <translation>Die Unsicherheiten kommen daher, wie die Beobachtungen sich unterscheiden, denn das Modell stimmt nicht bis aufs Rauschen: sie gelten für Stellungen wie diese.</translation>
+        <source>The uncertainties come from how the observations differ, not from the noise alone: they hold for poses like these.</source>
+        <translation>Die Unsicherheiten kommen daher, wie die Beobachtungen sich unterscheiden, nicht aus dem Rauschen allein: sie gelten für Stellungen wie diese.</translation>
     </message>
     <message>
         <source>There are %1 lines of joint angles for %2 images: each instant needs one of each, in the same order.</source>
@@ -2548,7 +2600,7 @@
         <translation>Titel</translation>
     </message>
     <message>
-        <source>To be right: %1</source>
+        <source>What would make it right: %1</source>
         <translation>Damit es stimmte: %1</translation>
     </message>
     <message>
@@ -2744,6 +2796,14 @@
         <translation>Wo es danebenliegt</translation>
     </message>
     <message>
+        <source>Each point: as if %1 alone had made the whole error. It is more than the %2 mrad to which the joints repeat, for all of them had their share.</source>
+        <translation>Jeder Punkt: als hätte %1 allein den ganzen Fehler gemacht. Das ist mehr als die %2 mrad, auf die sich die Gelenke wiederholen, denn jedes hatte seinen Teil.</translation>
+    </message>
+    <message>
+        <source>What is left</source>
+        <translation>Was übrig ist</translation>
+    </message>
+    <message>
         <source>Where it fails: the proof</source>
         <translation>Wo es danebenliegt: der Beweis</translation>
     </message>
@@ -2754,6 +2814,14 @@
     <message>
         <source>Where the cameras sit on %1, estimated with the rest.</source>
         <translation>Wo die Kameras auf %1 sitzen, mitgeschätzt.</translation>
+    </message>
+    <message>
+        <source>Mount of the tracker</source>
+        <translation>Sitz des Trackers</translation>
+    </message>
+    <message>
+        <source>Where the tracker sits on %1, estimated with the rest.</source>
+        <translation>Wo der Tracker auf %1 sitzt, mitgeschätzt.</translation>
     </message>
     <message>
         <source>Where the first model failed: the residual against what it followed most</source>
@@ -4710,6 +4778,42 @@
         <translation>%1 trennt diese nicht von den übrigen.</translation>
     </message>
     <message>
+        <source>%1 of %2 joint positions are beyond a whole turn (up to %3 rad): are they in degrees?</source>
+        <translation>%1 von %2 Gelenkwinkeln liegen jenseits einer ganzen Umdrehung (bis %3 rad): sind es Grad?</translation>
+    </message>
+    <message>
+        <source>The %1 camera sees %2 degrees across (fx %3 px, %4 px wide): is fx in px?</source>
+        <translation>Kamera %1 sieht %2 Grad in der Breite (fx %3 px, %4 px breit): ist fx in px?</translation>
+    </message>
+    <message>
+        <source>The %1 camera's fx %2 and fy %3 are far from each other.</source>
+        <translation>fx %2 und fy %3 der Kamera %1 liegen weit auseinander.</translation>
+    </message>
+    <message>
+        <source>The %1 camera's principal point %2, %3 lies outside of its image.</source>
+        <translation>Der Hauptpunkt %2, %3 der Kamera %1 liegt außerhalb ihres Bildes.</translation>
+    </message>
+    <message>
+        <source>In %1 of %2 sightings the %3 point is the %4 one: is one column copied?</source>
+        <translation>In %1 von %2 Sichtungen ist der Punkt %3 der Punkt %4: ist eine Spalte kopiert?</translation>
+    </message>
+    <message>
+        <source>In %1 observations the %2 image is the %3 one.</source>
+        <translation>In %1 Beobachtungen ist das Bild %2 das Bild %3.</translation>
+    </message>
+    <message>
+        <source>The cameras are %1 m apart: is right_from_left in m?</source>
+        <translation>Die Kameras sind %1 m auseinander: ist right_from_left in m?</translation>
+    </message>
+    <message>
+        <source>The cameras %1 and %2 are %3 m apart: is from_first in m?</source>
+        <translation>Die Kameras %1 und %2 sind %3 m auseinander: ist from_first in m?</translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s^2; on Earth it is 9.78 to 9.83.</source>
+        <translation>Die Schwerkraft ist %1 m/s^2; auf der Erde ist sie 9.78 bis 9.83.</translation>
+    </message>
+    <message>
         <source>%1 image points lie outside the image of %2 x %3 px, first in observation %4: are width and height of the cameras swapped?</source>
         <translation>%1 Bildpunkte liegen außerhalb des Bildes von %2 x %3 px, zuerst in Beobachtung %4: sind Breite und Höhe der Kameras vertauscht?</translation>
     </message>
@@ -5206,6 +5310,14 @@
         <translation>Nur eine Beobachtung ist benutzt: tcp_from_body ist das der Arbeit (4.35), und nichts prüft es.</translation>
     </message>
     <message>
+        <source>Marker %1 is seen in no used observation and has no position.</source>
+        <translation>Marker %1 ist in keiner verwendeten Beobachtung zu sehen und hat keinen Ort.</translation>
+    </message>
+    <message>
+        <source>Markers %1 are seen in no used observation and have no position.</source>
+        <translation>Die Marker %1 sind in keiner verwendeten Beobachtung zu sehen und haben keinen Ort.</translation>
+    </message>
+    <message>
         <source>The fit did not converge in %1 iterations.</source>
         <translation>Die Anpassung ist nach %1 Schritten nicht zur Ruhe gekommen.</translation>
     </message>
@@ -5230,8 +5342,16 @@
         <translation>Das Rauschen ist weder angegeben noch zu schätzen: angenommen sind %1 %2.</translation>
     </message>
     <message>
-        <source>The declared noise %1 and the noise seen in the measurements %2 +- %3 %4 differ by more than 3 sigma; check the declaration, or look for wrong corners and camera errors.</source>
-        <translation>Das angegebene Rauschen %1 und das in den Messungen gesehene %2 +- %3 %4 unterscheiden sich um mehr als 3 Sigma; prüfe die Angabe, oder suche nach falschen Ecken und Fehlern der Kameras.</translation>
+        <source>The declared noise, %1 %2, and the noise seen in the measurements, %3 +- %4 %5, differ by more than 3 sigma; check the declaration, or look for wrong %6.</source>
+        <translation>Das angegebene Rauschen, %1 %2, und das in den Messungen gesehene, %3 ± %4 %5, unterscheiden sich um mehr als 3 Sigma; prüfe die Angabe, oder suche nach falschen %6.</translation>
+    </message>
+    <message>
+        <source>points of the tracker</source>
+        <translation>Punkten des Trackers</translation>
+    </message>
+    <message>
+        <source>corners and camera errors</source>
+        <translation>Ecken und Fehlern der Kameras</translation>
     </message>
     <message>
         <source>With %1 the rotation of tcp_from_body is %2 observable; what is not is left at its start value.</source>
@@ -5490,8 +5610,48 @@
         <translation>'&amp;' steht allein; für das Zeichen selbst wird &amp;amp; erwartet.</translation>
     </message>
     <message>
-        <source>the mesh is of a kind that is not read, expected an STL or an OBJ file.</source>
-        <translation>das Netz ist von einer Art, die nicht gelesen wird; erwartet wird eine STL- oder OBJ-Datei.</translation>
+        <source>the mesh is of a kind that is not read, expected an STL, an OBJ or a Collada (.dae) file.</source>
+        <translation>das Netz ist von einer Art, die nicht gelesen wird; erwartet wird eine STL-, OBJ- oder Collada-Datei (.dae).</translation>
+    </message>
+    <message>
+        <source>has %1, expected finite numbers.</source>
+        <translation>hat %1; erwartet werden endliche Zahlen.</translation>
+    </message>
+    <message>
+        <source>has %1 numbers, expected %2.</source>
+        <translation>hat %1 Zahlen; erwartet werden %2.</translation>
+    </message>
+    <message>
+        <source>names %1, expected a &lt;%2&gt; of the file.</source>
+        <translation>nennt %1; erwartet wird ein &lt;%2&gt; der Datei.</translation>
+    </message>
+    <message>
+        <source>turns about no axis, expected one that is not zero.</source>
+        <translation>dreht um keine Achse; erwartet wird eine, die nicht null ist.</translation>
+    </message>
+    <message>
+        <source>is one of too many nodes within nodes, expected at most %1 deep.</source>
+        <translation>ist einer von zu vielen Knoten in Knoten; erwartet werden höchstens %1 ineinander.</translation>
+    </message>
+    <message>
+        <source>has no points, expected an &lt;input&gt; of VERTEX whose &lt;vertices&gt; have a POSITION.</source>
+        <translation>hat keine Punkte; erwartet wird ein &lt;input&gt; VERTEX, dessen &lt;vertices&gt; eine POSITION haben.</translation>
+    </message>
+    <message>
+        <source>has a point that is not finite or too far away, expected points of a robot's link.</source>
+        <translation>hat einen Punkt, der nicht endlich oder zu weit weg ist; erwartet werden Punkte eines Roboterglieds.</translation>
+    </message>
+    <message>
+        <source>names the point %1, expected one of the %2 points, from 0.</source>
+        <translation>nennt den Punkt %1; erwartet wird einer der %2 Punkte, von 0 an.</translation>
+    </message>
+    <message>
+        <source>has %1 corners, expected as many as its faces have together.</source>
+        <translation>hat %1 Ecken; erwartet werden so viele, wie seine Flächen zusammen haben.</translation>
+    </message>
+    <message>
+        <source>makes more than %1 triangles, expected a simpler mesh.</source>
+        <translation>ergibt mehr als %1 Dreiecke; erwartet wird ein einfacheres Netz.</translation>
     </message>
     <message>
         <source>the mesh has %1 MB, expected at most %2.</source>

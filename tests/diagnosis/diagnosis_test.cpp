@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "base/threads.h"
 #include "diagnosis/improvement.h"
 #include "simulated_stand.h"
 
@@ -189,6 +190,27 @@ TEST(Improvement, FindsTwoEffectsAndStopsAtTheNoise) {
   EXPECT_LT(*m.steps.back().held_out.rms_pixel, 0.22);
   for (std::size_t i = 1; i < m.steps.size(); ++i)
     EXPECT_LT(*m.steps[i].held_out.rms_pixel, *m.steps[i - 1].held_out.rms_pixel);
+}
+
+TEST(Improvement, IsTheSameBitByBitHoweverManyThreadsThereAre) {
+  const Session session =
+      simulated({{"joint_elasticity", 1, {1e-4}}, {"encoder_eccentricity", 0, {1.5e-3, 1e-3}}}, 12, 60);
+  std::vector<Improvement> all;
+  for (const int threads : {1, 2, 5}) {
+    most_threads() = threads;
+    all.push_back(improve(session));
+  }
+  most_threads() = 0;
+  const Improvement& alone = all.front();
+  for (const Improvement& m : all) {
+    ASSERT_EQ(m.steps.size(), alone.steps.size());
+    EXPECT_EQ(m.last.report.held_out.rms_pixel, alone.last.report.held_out.rms_pixel);
+    ASSERT_EQ(m.last.candidates.size(), alone.last.candidates.size());
+    for (std::size_t c = 0; c < m.last.candidates.size(); ++c)
+      EXPECT_EQ(m.last.candidates[c].ln_bayes_factor, alone.last.candidates[c].ln_bayes_factor);
+    const Eigen::VectorXd effects = estimate(m.last.model.fit).effects;
+    EXPECT_TRUE((effects.array() == estimate(alone.last.model.fit).effects.array()).all());
+  }
 }
 
 TEST(Improvement, AddsNothingWhereNothingIsMissing) {

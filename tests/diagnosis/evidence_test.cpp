@@ -80,6 +80,26 @@ TEST(Evidence, IsTheRatioOfTwoNormalDensities) {
   }
 }
 
+TEST(Evidence, OfTheBaseAloneIsThatOfTheWholeModelWhateverThePrior) {
+  const Session session = bench(6, 30).simulated.session;
+  FitOptions o;
+  o.estimated = {{"joint_offset", 1, {0}}, {"joint_elasticity", 2, {0}}};
+  const Fit f = fit(session, o);
+  const Candidates c = all_candidates(f.problem, 4);
+  LinearModel m = linear_model(c.problem, estimate(f), c.base_effects, noise);
+  for (const NoiseKnowledge& knowledge : {NoiseKnowledge{}, NoiseKnowledge{false, 200}})
+    for (const Scatter& scatter : {Scatter{}, Scatter{3e-4, 2e-4}}) {
+      const BaseEvidence evidence(m, scatter, knowledge);
+      for (const double scale : {0.3, 1.0, 3.0}) {
+        LinearModel other = m;
+        other.prior.precision *= scale;
+        other.prior.gradient *= scale;
+        other.prior.cost *= scale;
+        EXPECT_NEAR(evidence.ln_with(other.prior), whiten(other, scatter, knowledge).ln_evidence, 1e-8);
+      }
+    }
+}
+
 TEST(Evidence, GainsNothingFromWhatTheModelAlreadyHas) {
   // The last joint's offset turns the body about the joint's axis: the markers take that up.
   const Bench b = bench(4);

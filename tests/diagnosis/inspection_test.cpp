@@ -8,6 +8,7 @@
 #include "fixtures/arms.h"
 #include "session/pose_points.h"
 #include "session/session_xml.h"
+#include "simulated_stand.h"
 #include "vision/first_observation.h"
 #include "vision/image_file.h"
 
@@ -75,6 +76,39 @@ TEST(InspectionTest, PosesAreShownAsTheyWereFitted) {
   const Fitted model = fitted(s);
   EXPECT_GT((estimate(model.fit).markers_in_tcp[1] - estimate(model.fit).markers_in_tcp[0]).norm(), 4);
   for (const InspectionRow& row : model.all.rows) EXPECT_LT(row.rms_m, 2e-3) << row.id;
+}
+
+/// What is seen a stretch at a time is seen as it would be all at once: order, approach, sigmas.
+TEST(InspectionTest, ALongSessionIsSeenAsAWhole) {
+  Session session = simulated({{"backlash", 2, {1e-3}}}, 7, 4100);
+  session.sigma_pixel.reset();
+  for (Observation& o : session.observations) {
+    o.velocity.resize(0);  // the approach follows from the pose before
+    const double sigma = o.id < 4050 ? 0.2 : 0.6;
+    for (Sighting& s : o.sightings)
+      for (CameraPoint& p : s.in_cameras) p.sigma = PixelSigma{sigma, sigma, 0};
+  }
+  std::swap(session.observations[10], session.observations[4060]);
+  FitOptions options;
+  options.effects = {{"backlash", 2, {1e-3}}};
+  session.observations[20].decision = Decision::excluded;
+  const Fit f = fit(session, options);
+  const Inspection all = inspect(session, f, report(session, f, options), {});
+  session.observations[20].decision = Decision::none;
+  const Problem whole = make_problem(session, chain_of(session), terms_of(f));
+  ASSERT_EQ(whole.observations.size(), all.rows.size());
+  for (const ProblemObservation& o : whole.observations) {
+    const InspectionRow& row = all.rows[static_cast<std::size_t>(o.index)];
+    InspectionRow alone;
+    inspect_observation(whole, o, estimate(f), f.noise, f.problem.marker_is_seen, alone);
+    ASSERT_EQ(row.id, session.observations[static_cast<std::size_t>(o.index)].id);
+    ASSERT_EQ(row.rms, alone.rms) << row.id;
+    ASSERT_EQ(row.rms_m, alone.rms_m) << row.id;
+    ASSERT_EQ(row.smallest_visible, alone.smallest_visible) << row.id;
+    ASSERT_EQ(row.root_from_tcp.translation, alone.root_from_tcp.translation) << row.id;
+  }
+  EXPECT_FALSE(all.rows[20].is_used);
+  EXPECT_TRUE(all.rows[20].rms);
 }
 
 TEST(InspectionTest, TheThreeBadPosesHaveTheRightBlame) {

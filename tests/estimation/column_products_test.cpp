@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "base/threads.h"
+
 namespace handsight {
 namespace {
 
@@ -66,6 +68,18 @@ TEST_P(ColumnProducts, AreAddedToTheLowerTriangleOfAPartOfAMatrix) {
 INSTANTIATE_TEST_SUITE_P(OfManySizes, ColumnProducts,
                          testing::Values(Case{0, 3, 2}, Case{1, 1, 1}, Case{7, 5, 3}, Case{8, 4, 4}, Case{9, 9, 6},
                                          Case{130, 7, 13}, Case{512, 6, 5}, Case{1031, 17, 10}));
+
+TEST(ColumnProductsOf, LargeMatricesAreTheSameBitByBitHoweverManyThreadsThereAre) {
+  const Eigen::MatrixXd a = random_matrix(1200, 121, 7), b = random_matrix(1200, 67, 8);
+  most_threads() = 1;
+  const Eigen::MatrixXd product = column_products(a, b), squares = column_products(a);
+  for (const int threads : {2, 3, 16}) {
+    most_threads() = threads;
+    EXPECT_TRUE((column_products(a, b).array() == product.array()).all());
+    EXPECT_TRUE((column_products(a).array() == squares.array()).all());
+  }
+  most_threads() = 0;
+}
 
 TEST(ColumnProductsOf, MatricesOfAnotherHeightAreRefused) {
   EXPECT_ANY_THROW(column_products(Eigen::MatrixXd::Zero(3, 2), Eigen::MatrixXd::Zero(4, 2)));

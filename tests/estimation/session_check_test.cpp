@@ -33,5 +33,17 @@ TEST(CheckSession, TorquesWithoutASignAreNotGravitys) {
   EXPECT_NE(warnings[0].find("measured torques"), std::string::npos);
 }
 
+/// The same as the window and `convert` say.
+TEST(CheckSession, TellsWhatIsDoubtful) {
+  Session session = simulate_session(fixture::stand_session(), {.observations = 12, .seed = 5}).session;
+  for (Camera* camera : {&session.rig->at(0).camera, &session.rig->at(1).camera})
+    std::swap(camera->width, camera->height);
+  for (Link& link : session.robot.links) link.mass = 0;
+  std::string all;
+  for (const std::string& warning : check_session(session).warnings) all += warning + '\n';
+  EXPECT_NE(all.find("are width and height of the cameras swapped?"), std::string::npos) << all;
+  EXPECT_NE(all.find("No link of the robot has a mass"), std::string::npos) << all;
+}
+
 }  // namespace
 }  // namespace handsight

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/session_doubts.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "fixtures/arms.h"
 #include "session/session_xml.h"
 
 namespace handsight {
 namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
 
 Session made() { return simulate_session(fixture::stand_session(), {.observations = 12, .seed = 5}).session; }
 
@@ -76,6 +79,43 @@ TEST(SessionDoubts, ARobotWithoutMassesIsSaidToHaveNone) {
 TEST(SessionDoubts, ABodyMetresFromTheHandIsDoubted) {
   EXPECT_EQ(body_doubt({Matrix3::Identity(), {0.1, 0.2, 0.3}}), "");
   EXPECT_NE(body_doubt({Matrix3::Identity(), {0, 0, 2.5}}).find("2.5 m"), std::string::npos);
+}
+
+TEST(SessionDoubts, DegreesAreSuspected) {
+  Session s = made();
+  for (Observation& o : s.observations) o.position *= 8;
+  EXPECT_THAT(session_doubts(s), Contains(HasSubstr("are they in degrees?")));
+}
+
+TEST(SessionDoubts, CamerasThatSeeNothingAreTold) {
+  Session s = made();
+  s.rig->at(0).camera.fx = 1;
+  s.rig->at(1).camera.cx = -5;
+  s.rig->at(1).camera_from_first.translation *= 1000;
+  const auto said = session_doubts(s);
+  EXPECT_THAT(said, Contains(HasSubstr("left camera sees 180 degrees")));
+  EXPECT_THAT(said, Contains(HasSubstr("left camera's fx 1 and fy")));
+  EXPECT_THAT(said, Contains(HasSubstr("right camera's principal point")));
+  EXPECT_THAT(said, Contains(HasSubstr("is right_from_left in m?")));
+}
+
+TEST(SessionDoubts, CopiesAreTold) {
+  Session s = made();
+  for (Observation& o : s.observations) {
+    o.position = s.observations.front().position;
+    o.images[0] = o.images[1] = "a.png";
+    for (Sighting& sighting : o.sightings) see(sighting, 1, seen_by(sighting, 0)->pixel);
+  }
+  const auto said = session_doubts(s);
+  EXPECT_THAT(said, Contains(HasSubstr("the left point is the right one")));
+  EXPECT_THAT(said, Contains(HasSubstr("the left image is the right one")));
+  EXPECT_THAT(said, Contains(HasSubstr("same joint positions")));
+}
+
+TEST(SessionDoubts, GravityOfAnotherPlanetIsTold) {
+  Session s = made();
+  s.gravity *= 1000;
+  EXPECT_THAT(session_doubts(s), Contains(HasSubstr("Gravity is 9810")));
 }
 
 }  // namespace

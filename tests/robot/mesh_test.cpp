@@ -119,8 +119,8 @@ TEST(Mesh, OnlyFilesInTheRobotsOrTheSessionsFolderAreFound) {
 
 TEST(Mesh, KindsThatAreNotReadSaySo) {
   const TemporaryFolder folder;
-  replace_file(folder.path / "a.dae", "x");
-  EXPECT_THAT(refusal_of([&] { read_mesh(folder.path / "a.dae"); }), HasSubstr("expected an STL or an OBJ"));
+  replace_file(folder.path / "a.ply", "x");
+  EXPECT_THAT(refusal_of([&] { read_mesh(folder.path / "a.ply"); }), HasSubstr("expected an STL, an OBJ or a Collada"));
   replace_file(folder.path / "a.OBJ", three_points);
   EXPECT_THAT(refusal_of([&] { read_mesh(folder.path / "a.OBJ"); }), HasSubstr("no triangle"));
 }

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Correction, closed loop: a simulated robot with hidden effects and a curve, calibrated from 80 observations by
 // improve, commanded to 200 targets as they are and corrected; by the core, by the exported C++ file and by the
-// exported Python file. trial_correct COUNT [FIRST_SEED] [ROBOT] [KIND]: core; files: also by the files; named: without
-// a curve; given: without a curve, and the hidden effects are given to the fit, so that nothing has to be found;
-// plausible: as given, and every number is drawn with just the size that the catalogue calls plausible (else each robot
-// with 0.3 to 3 times that).
+// exported Python file. trial_correct COUNT [FIRST_SEED] [ROBOT] [KIND]: core; files: also by the files; told: as core,
+// but the hidden effects and the curve's form are given to the fit, so that nothing has to be found; named: without
+// a curve; given: without a curve, and as told; plausible: as given, and every number is drawn with just the size that
+// the catalogue calls plausible (else each robot with 0.3 to 3 times that).
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <numeric>
 
+#include "base/numbers.h"
+#include "effects/own_effect.h"
 #include "fixtures/trial_sessions.h"
 #include "ways/correction.h"
 #include "ways/exported.h"
@@ -59,7 +61,7 @@ Hidden hidden_robot(int robot, std::uint64_t seed, const std::string& kind) {
   curve.joint = chain.joints[chain.joints.size() - 2 - random() % 3];
   curve.size = 1e-3 * uniform(random);
   curve.order = 2 + uniform(random);
-  if (kind == "core" || kind == "files") h.curves = {curve};
+  if (kind == "core" || kind == "files" || kind == "told") h.curves = {curve};
   if (kind == "plausible") draw_as_plausible(h.effects, random);
   SimulationOptions o = simulation(seed + 50000, robot);
   o.effects = h.effects;
@@ -127,6 +129,16 @@ struct Calibrated {
   FitOptions options;
 };
 
+/// The curve as an effect of which the form is known.
+EffectTerm term_of_curve(const Session& session, const Curve& curve) {
+  EffectDefinition d;
+  d.id = d.title = "told_curve";
+  d.parameters = {{"size", "rad", 1e-3}};
+  d.moves = {{"angle", fmt::format("size*{}({}*q)", curve.cosine ? "cos" : "sin", format_number(curve.order))}};
+  const auto effect = own_effect(d, session.robot);
+  return term_of(*effect, curve.joint, effect);
+}
+
 Calibrated calibrated(const Hidden& h, bool is_given) {
   if (!is_given) {
     const Improvement improved = improve(h.session);
@@ -135,11 +147,12 @@ Calibrated calibrated(const Hidden& h, bool is_given) {
   FitOptions options;
   options.estimated = h.effects;
   for (EffectTerm& t : options.estimated) std::fill(t.values.begin(), t.values.end(), 0);
+  for (const Curve& curve : h.curves) options.estimated.push_back(term_of_curve(h.session, curve));
   return {fit(h.session, options), options};
 }
 
 int correct_trials(const Arguments& a) {
-  const bool is_given = a.kind == "given" || a.kind == "plausible";
+  const bool is_given = a.kind == "told" || a.kind == "given" || a.kind == "plausible";
   std::vector<double> gains, ratios, squares;
   for (int i = 0; i < a.count; ++i) {
     const int robot = a.robot >= 0 ? a.robot : i % 3;

@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "base/threads.h"
 #include "vision/corner_camera.h"
+#include "vision/corner_candidates.h"
 #include "vision/corner_detector.h"
-#include "vision/corner_parallel.h"
 #include "vision/corner_truth.h"
 
 namespace handsight {
@@ -43,7 +44,7 @@ TEST(Threads, ResultsAreTheSameBitByBitHoweverManyThereAre) {
   std::mt19937 random(6);
   const Image image =
       corner_images::take({.width = 1500, .height = 1100, .ground = corner_images::Ground::things}, random).image;
-  ASSERT_TRUE(is_worth_threads(image.width, image.height));
+  ASSERT_TRUE(is_worth_threads(image));
   std::vector<std::vector<Corner>> all;
   for (const int threads : {1, 2, 5}) {
     most_threads() = threads;
@@ -58,19 +59,6 @@ TEST(Threads, ResultsAreTheSameBitByBitHoweverManyThereAre) {
       EXPECT_EQ(corners[i].covariance, all.front()[i].covariance);
     }
   }
-}
-
-TEST(Threads, EachPartIsDoneOnceAndWhatGoesWrongIsHeard) {
-  most_threads() = 4;
-  std::vector<int> done(1000, 0);
-  each_part(1000, true, [&](int i) { ++done[static_cast<std::size_t>(i)]; });
-  EXPECT_EQ(done, std::vector<int>(1000, 1));
-  EXPECT_THROW(each_part(100, true,
-                         [](int i) {
-                           if (i == 50) throw std::runtime_error("here");
-                         }),
-               std::runtime_error);
-  most_threads() = 0;
 }
 
 TEST(Lanes, ErfAndBellAreExactToTheirPolynomials) {

@@ -199,6 +199,24 @@ TEST(DecisionList, ClickSelectsAndSetterIsSilent) {
   EXPECT_EQ(selected[0][0].toLongLong(), 2);
 }
 
+TEST(ReadOutLine, WhatDoesNotFitEndsInAnEllipsisAndIsWholeInTheToolTip) {
+  ReadOutLine line;
+  test::show(line, {500, 24});
+  const QString long_one = QString("a sentence that goes on and on ").repeated(6);
+  line.show_message(long_one);
+  QTest::qWait(20);
+  const auto labels = line.findChildren<QLabel*>();
+  const auto shown =
+      std::find_if(labels.begin(), labels.end(), [](auto* l) { return l->text().startsWith("a sentence"); });
+  ASSERT_NE(shown, labels.end());
+  EXPECT_TRUE((*shown)->text().endsWith(QChar(0x2026)));
+  EXPECT_LE((*shown)->fontMetrics().horizontalAdvance((*shown)->text()), (*shown)->width());
+  EXPECT_EQ((*shown)->toolTip(), long_one);
+  line.resize(2000, 24);
+  QTest::qWait(20);
+  EXPECT_EQ((*shown)->text(), long_one);
+}
+
 TEST(ReadOutLine, CrumbsCanBeClickedAndMessagesGiveWay) {
   ReadOutLine line;
   line.set_crumbs({"obs 37", "marker 2"});

@@ -147,6 +147,88 @@ TEST_F(RobotViewTest, WithoutThemTheWholeRobotIsSeen) {
   }
 }
 
+/// Places that differ between two pictures.
+std::vector<QPoint> changes(const QImage& a, const QImage& b) {
+  std::vector<QPoint> places;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      if (a.pixel(x, y) != b.pixel(x, y)) places.emplace_back(x, y);
+  return places;
+}
+
+/// How much of the box round these pixels was drawn on before: robot, cameras' cones.
+double share_drawn_on(const QImage& before, const QRect& box) {
+  const QColor ground = colors().panel;
+  int drawn = 0;
+  for (int y = box.top(); y <= box.bottom(); ++y)
+    for (int x = box.left(); x <= box.right(); ++x) {
+      const QColor c = before.pixelColor(x, y);
+      if (std::abs(c.red() - ground.red()) + std::abs(c.green() - ground.green()) + std::abs(c.blue() - ground.blue()) >
+          120)
+        ++drawn;
+    }
+  return drawn / (1.0 * box.width() * box.height());
+}
+
+TEST_F(RobotViewTest, TheCamerasNamesStandBesideTheRobotOnLeaders) {
+  const auto with_names = [&](bool first, bool second) {
+    std::vector<SceneCamera> cameras = data_.cameras(0);
+    cameras[0].name = first ? "left" : "";
+    cameras[1].name = second ? "right" : "";
+    view_.set_cameras(cameras);
+    return view_.picture(1);
+  };
+  for (const QSize& size : {QSize(370, 260), QSize(460, 400)}) {
+    test::show(view_, size);
+    const QImage bare = with_names(false, false);
+    for (const bool is_first : {true, false}) {
+      // The plate is where most changes lie close together: the leader is thin.
+      const std::vector<QPoint> places = changes(bare, with_names(is_first, !is_first));
+      ASSERT_GT(places.size(), 30U);
+      QRect plate;
+      std::size_t most = 0;
+      for (const QPoint& at : places) {
+        const QRect box(at.x(), at.y() - 7, 26, 14);
+        const auto inside = static_cast<std::size_t>(
+            std::count_if(places.begin(), places.end(), [&](const QPoint& p) { return box.contains(p); }));
+        if (inside > most) most = inside, plate = box;
+      }
+      EXPECT_LT(share_drawn_on(bare, plate & bare.rect()), 0.15) << is_first << " at " << size.width();
+    }
+  }
+}
+
+TEST_F(RobotViewTest, AnArrowIsThickEnoughToBeSeenFromAfar) {
+  test::show(view_, {360, 270});
+  const QImage before = view_.picture(1);
+  const Vector3 from = data_.root_from_tcp(0).translation + Vector3(0, 0, 0.25);
+  view_.set_arrow_magnification(1);
+  view_.set_arrows({{17, from, Vector3(0, 0, 0.1), 30.0, 12}});
+  const QImage after = view_.picture(1);
+  const QPointF a = *view_.to_screen(from), b = *view_.to_screen(*view_.arrow_tip(17));
+  const double length = std::hypot(a.x() - b.x(), a.y() - b.y());
+  ASSERT_GT(length, 6);
+  int dark = 0;
+  for (const QPoint& p : changes(before, after))
+    if (QRectF(a, b).normalized().adjusted(-5, -5, 5, 5).contains(p) && after.pixelColor(p).lightness() < 120) ++dark;
+  EXPECT_GT(dark, 1.5 * length);
+}
+
+/// What does not differ by more than a few px is no second robot in the first one's skin.
+TEST_F(RobotViewTest, TheGhostIsDrawnOnlyWhereItDiffers) {
+  test::show(view_, {460, 400});
+  const QImage before = view_.picture(1);
+  std::vector<Rigid> bent = data_.posture(0);
+  for (Rigid& link : bent) link.translation.x() += 0.0002;
+  view_.set_ghost_magnification(1);
+  view_.set_ghost(bent);
+  const QRect robot(60, 40, 340, 300);  // without the legend, which names the ghost
+  EXPECT_EQ(before.copy(robot), view_.picture(1).copy(robot));
+  bent.back().translation.x() += 0.3;
+  view_.set_ghost(bent);
+  EXPECT_NE(before.copy(robot), view_.picture(1).copy(robot));
+}
+
 TEST_F(RobotViewTest, ClickOnAnArrowChoosesItsObservation) {
   const Vector3 from = data_.root_from_tcp(0).translation + Vector3(0, 0, 0.5);
   view_.set_arrows(
@@ -208,6 +290,18 @@ TEST_F(RobotViewTest, DraggingOrbitsAndNeverRolls) {
   QSignalSpy selected(&view_, &RobotView::observation_selected);
   test::drag(&view_, {250, 200}, {280, 260});
   EXPECT_TRUE(selected.isEmpty());
+}
+
+TEST_F(RobotViewTest, TheRightButtonZooms) {
+  test::show(view_, {500, 400});
+  view_.picture();
+  const Vector3 low(0, 0, 0), high(0, 0, 1);
+  const auto height = [&] { return view_.to_screen(low)->y() - view_.to_screen(high)->y(); };
+  const double before = height();
+  test::drag(&view_, {250, 200}, {250, 140}, {}, Qt::RightButton);
+  EXPECT_GT(height(), 1.2 * before);
+  test::drag(&view_, {250, 140}, {250, 260}, {}, Qt::RightButton);
+  EXPECT_LT(height(), before);
 }
 
 TEST(RobotViewMeshes, ThatLieAboutTheirPointsAreASentence) {

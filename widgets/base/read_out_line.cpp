@@ -46,6 +46,7 @@ ReadOutLine::ReadOutLine(QWidget* parent) : QWidget(parent) {
   right_->setMinimumWidth(40);
   right_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   right_->setTextFormat(Qt::PlainText);
+  right_->installEventFilter(this);
   action_ = text_button({}, this);
   action_->hide();
   layout->addWidget(left_, 0);
@@ -75,7 +76,7 @@ void ReadOutLine::set_pointer(const QString& text) {
   show_right();
 }
 
-QString ReadOutLine::pointer_text() const { return right_->text(); }
+QString ReadOutLine::pointer_text() const { return told_; }
 
 void ReadOutLine::show_message(const QString& sentence, const QString& action) {
   message_ = sentence;
@@ -92,9 +93,19 @@ void ReadOutLine::show_right() {
     message_.clear();
     action_->hide();
   }
-  const QString text = is_message ? message_ : pointer_.isEmpty() ? QString() : QObject::tr("Pointer: ") + pointer_;
-  right_->setText(text);
-  right_->setToolTip(text);
+  told_ = is_message ? message_ : pointer_.isEmpty() ? QString() : QObject::tr("Pointer: ") + pointer_;
+  elide_right();
+}
+
+/// What does not fit ends in an ellipsis; the tool tip has it whole.
+void ReadOutLine::elide_right() {
+  right_->setText(right_->fontMetrics().elidedText(told_, Qt::ElideRight, right_->width()));
+  right_->setToolTip(told_);
+}
+
+bool ReadOutLine::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == right_ && event->type() == QEvent::Resize) elide_right();
+  return QWidget::eventFilter(watched, event);
 }
 
 void ReadOutLine::rebuild() {

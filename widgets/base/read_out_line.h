@@ -32,13 +32,15 @@ class ReadOutLine : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;  // the slot's new width
 
  private:
   void rebuild();
   void show_right();
+  void elide_right();
 
   QStringList crumbs_;
-  QString pointer_, message_;
+  QString pointer_, message_, told_;  // what stands at the right, whole
   QWidget* left_;
   QLabel* right_;
   QToolButton* action_;

@@ -216,7 +216,7 @@ void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
     text_x += std::max(area.width() / 3, 13 + wide + kGap);
   };
   painter.setFont(number_font(TextRole::body));
-  letter(QStringLiteral("C"), blame.cameras, c.blame_cameras);
+  letter(blame.of_tracker ? QStringLiteral("T") : QStringLiteral("C"), blame.cameras, c.blame_cameras);
   letter(QStringLiteral("B"), blame.body, c.blame_body);
   letter(QStringLiteral("R"), blame.robot, c.blame_robot);
 }
@@ -242,7 +242,9 @@ bool VerdictLine::event(QEvent* event) {
   const auto* help = static_cast<QHelpEvent*>(event);
   const QString text =
       blame_area().contains(help->pos())
-          ? tr("How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for.")
+          ? (verdict_.blame && verdict_.blame->of_tracker
+                 ? tr("How much of the error the tracker (T), the marker body (B) and the robot (R) can answer for.")
+                 : tr("How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for."))
       : numbers_area().contains(help->pos())
           ? tr("The error of one coordinate on observations that the fit has not seen, and the measurement's noise.")
           : verdict_.sentence;

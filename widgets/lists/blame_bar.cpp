@@ -24,8 +24,8 @@ struct Part {
 
 std::array<Part, 3> parts_of(const Blame& blame) {
   const Colors& c = colors();
-  return {Part{QStringLiteral("C"), blame.of_tracker ? QObject::tr("tracker") : QObject::tr("cameras"), blame.cameras,
-               c.blame_cameras},
+  return {Part{blame.of_tracker ? QStringLiteral("T") : QStringLiteral("C"),
+               blame.of_tracker ? QObject::tr("tracker") : QObject::tr("cameras"), blame.cameras, c.blame_cameras},
           Part{QStringLiteral("B"), QObject::tr("body"), blame.body, c.blame_body},
           Part{QStringLiteral("R"), QObject::tr("robot"), blame.robot, c.blame_robot}};
 }
@@ -41,7 +41,8 @@ BlameBar::BlameBar(QWidget* parent) : QWidget(parent) {
 void BlameBar::set_blame(std::optional<Blame> blame) {
   blame_ = blame;
   if (blame)
-    setAccessibleDescription(QObject::tr("Cameras %1 %, body %2 %, robot %3 %")
+    setAccessibleDescription((blame->of_tracker ? QObject::tr("Tracker %1 %, body %2 %, robot %3 %")
+                                                : QObject::tr("Cameras %1 %, body %2 %, robot %3 %"))
                                  .arg(std::lround(100 * blame->cameras))
                                  .arg(std::lround(100 * blame->body))
                                  .arg(std::lround(100 * blame->robot)));

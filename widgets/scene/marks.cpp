@@ -113,7 +113,8 @@ void show_markers(vtkRenderer& renderer, ActorGroup& group, const std::vector<Sc
   }
 }
 
-void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<SceneArrow>& arrows, double times) {
+void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<SceneArrow>& arrows, double times,
+                 double metres_per_px) {
   if (arrows.empty()) return;
   vtkNew<vtkPoints> points;
   vtkNew<vtkDoubleArray> vectors;
@@ -130,7 +131,9 @@ void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<Sce
     const Vector3 shown = times * arrow.residual;
     vectors->InsertNextTuple(shown.data());
     // A long one is not thicker: it would hide what it points from, and itself when it is selected.
-    const double length = shown.norm(), thickness = std::clamp(length, 0.02, 0.18);
+    constexpr double shaft = 0.035, least_px = 0.9, pointed = 4;
+    const double length = shown.norm(), least = std::min(least_px / shaft * metres_per_px, pointed * length);
+    const double thickness = std::max(std::clamp(length, 0.02, 0.18), least);
     sizes->InsertNextTuple3(length, thickness, thickness);
     const QColor color = residual_color(arrow.rms_over_sigma, arrow.coordinates);
     shades->InsertNextTuple3(color.red(), color.green(), color.blue());
@@ -164,11 +167,12 @@ void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<Sce
   group.add(renderer, actor);
 }
 
-void show_arrow(vtkRenderer& renderer, ActorGroup& group, const SceneArrow& arrow, double times, const QColor& color) {
+void show_arrow(vtkRenderer& renderer, ActorGroup& group, const SceneArrow& arrow, double times, double metres_per_px,
+                const QColor& color) {
   const Vector3 tip = arrow.from + times * arrow.residual;
   const double length = (tip - arrow.from).norm();
   if (length < 1e-6) return;
-  const double radius = std::clamp(0.05 * length, 0.003, 0.012);
+  const double radius = std::max(std::clamp(0.05 * length, 0.003, 0.012), 1.2 * metres_per_px);
   for (const auto& surface : {rod(arrow.from, tip, radius), cone_tip(arrow.from, tip, 0.3 * length, 2.6 * radius)}) {
     auto actor = make_actor(surface, color);
     actor->GetProperty()->LightingOff();

@@ -24,9 +24,12 @@ void show_axes(vtkRenderer& renderer, ActorGroup& group, const Rigid& root_from_
 void show_camera(vtkRenderer& renderer, ActorGroup& group, const SceneCamera& camera);
 void show_markers(vtkRenderer& renderer, ActorGroup& group, const std::vector<SceneMarker>& markers);
 /// One glyph mapper for all arrows, coloured by the residual scale.
-void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<SceneArrow>& arrows, double times);
+/// `metres_per_px` where they stand: none is so thin that it is lost.
+void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<SceneArrow>& arrows, double times,
+                 double metres_per_px);
 /// One arrow alone in a colour of its own, thicker.
-void show_arrow(vtkRenderer& renderer, ActorGroup& group, const SceneArrow& arrow, double times, const QColor& color);
+void show_arrow(vtkRenderer& renderer, ActorGroup& group, const SceneArrow& arrow, double times, double metres_per_px,
+                const QColor& color);
 void show_ellipsoid(vtkRenderer& renderer, ActorGroup& group, const SceneEllipsoid& ellipsoid);
 /// A faint grid of 0.5 m on the plane z = height.
 void show_floor(vtkRenderer& renderer, ActorGroup& group, double height);

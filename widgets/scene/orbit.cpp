@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/orbit.h"
 
+#include <vtkCamera.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,20 +38,30 @@ void Orbit::see(const Vector3& center, double radius) {
   distance = std::clamp(std::max(radius, 0.02) / std::sin(view_angle / 2 * M_PI / 180), 0.05, 50.0);
 }
 
-void Orbit::see_box(const Vector3& low, const Vector3& high, double aspect) {
-  constexpr double used = 0.84;  // of the view: buttons lie along its upper edge
-  const double up_slope = used * std::tan(view_angle / 2 * M_PI / 180), right_slope = up_slope * std::max(aspect, 0.1);
-  target = (low + high) / 2;
+void Orbit::see_points(const std::vector<Vector3>& points, double aspect, double covered_above) {
+  if (points.empty()) return;
+  constexpr double used = 0.88;
+  const double slope = std::tan(view_angle / 2 * M_PI / 180), aside = used * slope * std::max(aspect, 0.1);
+  const double below = used * slope, above = std::max(used - 2 * covered_above, 0.3) * slope;
   const Vector3 forward = direction(), right = forward.cross(Vector3::UnitZ()).normalized(), up = right.cross(forward);
-  distance = 0.05;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3 at =
-        Vector3(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(), corner & 4 ? high.z() : low.z()) -
-        target;
-    const double aside = std::max(std::abs(up.dot(at)) / up_slope, std::abs(right.dot(at)) / right_slope);
-    distance = std::max(distance, aside - forward.dot(at));
+  // An edge of the view is a plane through the eye: the points that lie furthest beyond its slope hold it.
+  double to_right = -1e300, to_left = -1e300, to_top = -1e300, to_bottom = -1e300, nearest = 1e300;
+  for (const Vector3& point : points) {
+    const double depth = forward.dot(point), x = right.dot(point), y = up.dot(point);
+    to_right = std::max(to_right, x - aside * depth);
+    to_left = std::max(to_left, -x - aside * depth);
+    to_top = std::max(to_top, y - above * depth);
+    to_bottom = std::max(to_bottom, -y - below * depth);
+    nearest = std::min(nearest, depth);
   }
-  distance = std::min(distance, 50.0);
+  constexpr double closest = 0.05, farthest = 50.0;  // m
+  const double back =
+      std::min({-(to_right + to_left) / (2 * aside), -(to_top + to_bottom) / (above + below), nearest - closest});
+  const double x = (to_right - to_left) / 2, y = (to_top + above * back - to_bottom - below * back) / 2;
+  double middle = 0;
+  for (const Vector3& point : points) middle += forward.dot(point) / static_cast<double>(points.size());
+  distance = std::clamp(middle - back, closest, farthest);
+  target = x * right + y * up + (back + distance) * forward;
 }
 
 void Orbit::apply(vtkCamera& camera) const {

@@ -2,9 +2,11 @@
 // The eye of the 3D view: it looks at a point from a direction, z up; it never rolls.
 #pragma once
 
-#include <vtkCamera.h>
+#include <vector>
 
 #include "geometry/rigid.h"
+
+class vtkCamera;
 
 namespace handsight::widgets {
 
@@ -22,9 +24,9 @@ struct Orbit {
   void zoom(double factor);
   /// Far enough away to see a ball round a point.
   void see(const Vector3& center, double radius);
-  /// The nearest from which a box (m, root frame) is seen whole in a view `aspect` times as wide as high, with room
-  /// round it.
-  void see_box(const Vector3& low, const Vector3& high, double aspect);
+  /// The nearest from which all these points (m, root frame) are seen in a view `aspect` times as wide as high, with a
+  /// little room round them and below what covers this share of the view's height along its upper edge.
+  void see_points(const std::vector<Vector3>& points, double aspect, double covered_above);
   /// From the eye to the target.
   Vector3 direction() const;
   Vector3 eye() const;

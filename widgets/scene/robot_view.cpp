@@ -201,6 +201,7 @@ void RobotView::set_empty_text(const QString& sentence) {
 }
 
 void RobotView::look(StandardView view) {
+  parts_->shown_size = QSizeF(size());
   parts_->look(view);
   parts_->wants_fit = false;
   change();
@@ -243,7 +244,8 @@ void RobotView::draw(const QSize& size) {
     p.empty_text = QObject::tr("The 3D view needs OpenGL 3.2, which this display does not offer.");
     return;
   }
-  p.aspect = size.height() > 0 ? static_cast<double>(size.width()) / size.height() : 1;
+  if (p.is_framed && p.shown_size != QSizeF(this->size())) p.wants_fit = true;
+  p.shown_size = QSizeF(this->size());
   p.make_ready();
   p.picture = p.gl.picture(size);
   p.is_stale = false;

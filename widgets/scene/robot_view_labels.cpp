@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "widgets/base/number_text.h"
@@ -31,6 +32,53 @@ QPointF free_place(const QPointF& wanted, const QSizeF& size, const std::vector<
   return wanted;
 }
 
+/// How much of what was drawn a plate would lie over, 0 to 1; `picture` has `ratio` px for each of the widget's.
+double covered_share(const QImage& picture, double ratio, const QRectF& plate) {
+  constexpr int step = 3, faint = 40;  // px; the floor's lines may be crossed
+  const QColor ground = colors().panel;
+  int covered = 0, all = 0;
+  for (double y = plate.top(); y <= plate.bottom(); y += step)
+    for (double x = plate.left(); x <= plate.right(); x += step) {
+      const QPoint at(static_cast<int>(x * ratio), static_cast<int>(y * ratio));
+      if (!picture.valid(at)) continue;
+      const QColor c = picture.pixelColor(at);
+      ++all;
+      if (std::abs(c.red() - ground.red()) + std::abs(c.green() - ground.green()) + std::abs(c.blue() - ground.blue()) >
+          3 * faint)
+        ++covered;
+    }
+  return all > 0 ? static_cast<double>(covered) / all : 1;
+}
+
+/// The nearest place about `at` on free ground within `room`, over no other plate; where there is none the one that
+/// hides least.
+QPointF place_on_ground(const QPointF& at, const QSizeF& size, const std::vector<QRectF>& taken, const QRectF& room,
+                        const std::function<double(const QRectF&)>& hidden) {
+  constexpr double little = 0.05;
+  QPointF best = at;
+  double least = 1e300;
+  for (double radius = 12; radius <= 132; radius += 12)
+    for (int step = 0; step < 16; ++step) {
+      const double angle = M_PI / 8 * step;
+      const QPointF middle = at + radius * QPointF(std::cos(angle), std::sin(angle));
+      const QPointF place(middle.x() - (std::cos(angle) < -0.3  ? size.width()
+                                        : std::cos(angle) > 0.3 ? 0
+                                                                : size.width() / 2),
+                          middle.y());
+      const QRectF plate = plate_rect(place, size).adjusted(-2, -2, 2, 2);
+      if (!room.contains(plate)) continue;
+      if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(plate); }))
+        continue;
+      const double share = hidden(plate);
+      if (share < little) return place;
+      if (share < least) {
+        least = share;
+        best = place;
+      }
+    }
+  return best;
+}
+
 /// The longest of a frame's axes as it is seen, px.
 double length_on_screen(const RobotView& view, const Rigid& root_from_frame) {
   const auto origin = view.to_screen(root_from_frame.translation);
@@ -54,16 +102,21 @@ void RobotView::paint_labels(QPainter& painter) {
   painter.setFont(text_font(TextRole::small));
   std::vector<QRectF> taken;
   const QFontMetricsF label_metrics(painter.font());
+  const auto size_of = [&](const QString& text) {
+    return QSizeF(std::max(label_metrics.horizontalAdvance(text) + 6, 14.0), label_metrics.height());
+  };
+  const auto put = [&](const QPointF& at, const QPointF& place, const QString& text, bool is_aside) {
+    if (is_aside) {  // a line to what it names
+      painter.setPen(QPen(c.ink3, 1));
+      painter.drawLine(at, plate_rect(place, size_of(text)).center());
+    }
+    taken.push_back(draw_plate(painter, place, text, c.ink1, c.panel));
+  };
   const auto plate = [&](const Vector3& in_root, const QString& text, const QPointF& offset) {
     const auto at = to_screen(in_root);
     if (!at) return;
-    const QSizeF size(std::max(label_metrics.horizontalAdvance(text) + 6, 14.0), label_metrics.height());
-    const QPointF place = free_place(*at + offset, size, taken);
-    if (place != *at + offset) {  // moved aside: a line to what it names
-      painter.setPen(QPen(c.ink3, 1));
-      painter.drawLine(*at, plate_rect(place, size).center());
-    }
-    taken.push_back(draw_plate(painter, place, text, c.ink1, c.panel));
+    const QPointF place = free_place(*at + offset, size_of(text), taken);
+    put(*at, place, text, place != *at + offset);
   };
   const bool is_near = p.tcp && length_on_screen(*this, *p.tcp) > 34;  // from afar letters would hide what they name
   for (int axis = 0; is_near && axis < 3; ++axis) {
@@ -72,8 +125,16 @@ void RobotView::paint_labels(QPainter& painter) {
     plate(*p.tcp * tip, letters[i], QPointF(4, -7));
     if (p.tcp_est) plate(*p.tcp_est * tip, letters[i] + QStringLiteral("′"), QPointF(4, 9));
   }
-  for (std::size_t i = 0; i < p.cameras.size(); ++i)
-    plate(p.cameras[i].root_from_camera.translation, p.cameras[i].name, QPointF(8, i == 1 ? 10 : -10));
+  const double ratio = width() > 0 ? p.picture.width() / static_cast<double>(width()) : 1;
+  constexpr double above = 30, below = 70;  // px: the buttons, the triad and the legend
+  const QRectF room(2, above, width() - 4.0, height() - above - below);
+  for (const SceneCamera& camera : p.cameras)
+    if (const auto at = to_screen(camera.root_from_camera.translation);
+        at && !camera.name.isEmpty() && rect().contains(at->toPoint()))
+      put(*at,
+          place_on_ground(*at, size_of(camera.name), taken, room,
+                          [&](const QRectF& area) { return covered_share(p.picture, ratio, area); }),
+          camera.name, true);
   for (const SceneMarker& marker : p.markers)
     if (is_near && marker.role == SceneMarkerRole::measured)
       plate(marker.in_root, QString::number(marker.marker), QPointF(9, -9));

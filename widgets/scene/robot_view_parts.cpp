@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/robot_view_parts.h"
 
+#include <vtkCamera.h>
 #include <vtkCellPicker.h>
 #include <vtkLightKit.h>
+#include <vtkMapper.h>
 #include <vtkProperty.h>
 
 #include <algorithm>
@@ -50,13 +52,17 @@ void RobotView::Parts::make_ready() {
   const bool has_moved_robot = posture_changed;
   if (posture_changed || ghost_changed) place_robot();
   if (marks_changed) make_marks();
-  if (arrows_changed || rings_changed) make_arrows();
   if (wants_fit && has_robot() && !posture.empty()) {
     look(StandardView::all);
     wants_fit = false;
   } else if (is_framed && has_moved_robot && has_robot() && !is_in_sight()) {
     look(StandardView::all);
   }
+  constexpr double much = 1.3;
+  const double scale = metres_per_px() / std::max(arrow_scale, 1e-9);
+  if (scale > much || scale < 1 / much) arrows_changed = true;
+  if (arrows_changed || rings_changed) make_arrows();
+  hide_ghost_within_robot();
   orbit.apply(*renderer->GetActiveCamera());
   renderer->ResetCameraClippingRange();
 }
@@ -95,7 +101,8 @@ void RobotView::Parts::place_robot() {
   place_links(links, posture);
   const bool has_ghost = bent.has_value() && !posture.empty();
   set_visible(ghost, has_ghost);
-  if (has_ghost) place_links(ghost, magnified(posture, *bent, ghost_times));
+  ghost_posture = has_ghost ? magnified(posture, *bent, ghost_times) : std::vector<Rigid>();
+  place_links(ghost, ghost_posture);
   if (posture_changed) {
     double lowest = 0;
     for (const LinkActor& part : links.parts)
@@ -118,58 +125,79 @@ void RobotView::Parts::make_marks() {
   marks_changed = false;
 }
 
+double RobotView::Parts::metres_per_px() const {
+  return 2 * orbit.distance * std::tan(Orbit::view_angle / 2 * M_PI / 180) / std::max(shown_size.height(), 1.0);
+}
+
+void RobotView::Parts::hide_ghost_within_robot() {
+  constexpr double least_px = 3;
+  const auto moves = [&](const LinkActor& part) {
+    const auto link = static_cast<std::size_t>(part.link);
+    if (link >= ghost_posture.size()) return false;
+    double bounds[6];
+    part.actor->GetMapper()->GetBounds(bounds);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3 at = part.link_from_shape *
+                         Vector3(bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)]);
+      const auto a = to_screen(posture[link] * at, shown_size), b = to_screen(ghost_posture[link] * at, shown_size);
+      if (a && b && std::hypot(a->x() - b->x(), a->y() - b->y()) >= least_px) return true;
+    }
+    return false;
+  };
+  for (const LinkActor& part : ghost.parts) part.actor->SetVisibility(moves(part));
+}
+
 void RobotView::Parts::make_arrows() {
   if (arrows_changed) {
+    arrow_scale = metres_per_px();
     arrow_actors.clear(*renderer);
-    show_arrows(*renderer, arrow_actors, arrows, arrow_times);
+    show_arrows(*renderer, arrow_actors, arrows, arrow_times, arrow_scale);
   }
   ring_actors.clear(*renderer);
   if (const SceneArrow* arrow = arrow_of(hovered); arrow && hovered != selected)
-    show_arrow(*renderer, ring_actors, *arrow, arrow_times, colors().ink2);
+    show_arrow(*renderer, ring_actors, *arrow, arrow_times, arrow_scale, colors().ink2);
   if (const SceneArrow* arrow = arrow_of(selected))
-    show_arrow(*renderer, ring_actors, *arrow, arrow_times, colors().accent);
+    show_arrow(*renderer, ring_actors, *arrow, arrow_times, arrow_scale, colors().accent);
   arrows_changed = rings_changed = false;
 }
 
-std::pair<Vector3, Vector3> RobotView::Parts::extent() const {
-  Vector3 low(1e300, 1e300, 1e300), high = -low;
-  const auto hold = [&](const Vector3& x) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  };
-  for (const SceneArrow& arrow : arrows) hold(arrow.from);
-  for (const SceneCamera& camera : cameras) hold(camera.root_from_camera.translation);
-  for (const Vector3& place : interest) hold(place);
-  if (tcp) hold(tcp->translation);
-  const bool has_focus = low.x() <= high.x();
+std::vector<Vector3> RobotView::Parts::points_of_interest() const {
+  std::vector<Vector3> points = interest;
+  for (const SceneArrow& arrow : arrows) points.push_back(arrow.from);
+  for (const SceneCamera& camera : cameras) points.push_back(camera.root_from_camera.translation);
+  for (const SceneMarker& marker : markers) points.push_back(marker.in_root);
+  if (tcp) points.push_back(tcp->translation);
+  Vector3 low = Vector3::Constant(1e300), high = -low;
+  for (const Vector3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
   constexpr double reach = 0.35;  // m: links this near belong to it
+  const bool has_focus = !points.empty();
   const Vector3 from = low - Vector3::Constant(reach), to = high + Vector3::Constant(reach);
   for (const LinkActor& part : links.parts) {
-    const double* bounds = part.actor->GetBounds();
-    const Vector3 middle(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
+    const double* b = part.actor->GetBounds();
+    const Vector3 middle(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]));
     if (has_focus && ((middle - from).minCoeff() < 0 || (to - middle).minCoeff() < 0)) continue;
-    low = low.cwiseMin(Vector3(bounds[0], bounds[2], bounds[4]));
-    high = high.cwiseMax(Vector3(bounds[1], bounds[3], bounds[5]));
+    for (int corner = 0; corner < 8; ++corner)
+      points.emplace_back(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2 & 1)]);
   }
-  if (low.x() > high.x()) return {Vector3(-0.5, -0.5, 0), Vector3(0.5, 0.5, 1)};
+  if (points.empty()) return {Vector3(-0.5, -0.5, 0), Vector3(0.5, 0.5, 1)};
   if (links.parts.empty()) {  // only frames: their axes and the camera's body reach as far
-    low -= Vector3::Constant(0.2);
-    high += Vector3::Constant(0.2);
+    points.push_back(low - Vector3::Constant(0.2));
+    points.push_back(high + Vector3::Constant(0.2));
   }
-  return {low, high};
+  return points;
 }
 
 bool RobotView::Parts::is_in_sight() const {
-  const auto [low, high] = extent();
-  const QSizeF size(aspect, 1);
-  int seen = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3 place(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
-                        corner & 4 ? high.z() : low.z());
-    const auto at = to_screen(place, size);
-    if (at && QRectF(QPointF(0, 0), size).contains(*at)) ++seen;
-  }
-  return seen >= 7;
+  constexpr double enough = 0.85;
+  const std::vector<Vector3> points = points_of_interest();
+  const auto seen = std::count_if(points.begin(), points.end(), [&](const Vector3& point) {
+    const auto at = to_screen(point, shown_size);
+    return at && QRectF(QPointF(0, 0), shown_size).contains(*at);
+  });
+  return static_cast<double>(seen) >= enough * static_cast<double>(points.size());
 }
 
 void RobotView::Parts::look(StandardView view) {
@@ -177,8 +205,9 @@ void RobotView::Parts::look(StandardView view) {
   const auto from = [this](double azimuth, double elevation) {
     orbit.azimuth = azimuth;
     orbit.elevation = elevation;
-    const auto [low, high] = extent();
-    orbit.see_box(low, high, aspect);
+    constexpr double covered = 28;  // px along the upper edge
+    orbit.see_points(points_of_interest(), shown_size.width() / std::max(shown_size.height(), 1.0),
+                     covered / std::max(shown_size.height(), 1.0));
   };
   switch (view) {
     case StandardView::front:

@@ -47,6 +47,8 @@ struct RobotView::Parts {
 
   RobotActors read_links;  // not yet in the scene
   RobotActors links, ghost, shadow;
+  std::vector<Rigid> ghost_posture;  // as it is drawn, magnified
+  double arrow_scale = 0;            // m for each px with which the arrows were made
   ActorGroup floor, camera_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
   // What has to be made anew before the next picture: actors may only go while the context is current.
   bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, arrows_changed = true,
@@ -54,7 +56,7 @@ struct RobotView::Parts {
   bool wants_fit = true;
   bool is_framed = false;    // the eye is where the view itself put it: it may follow a robot that leaves the picture
   bool was_painted = false;  // once at least, with the scene or before there was one
-  double aspect = 1.3;       // width over height of the view
+  QSizeF shown_size{400, 300};  // px of the widget
 
   // What the pointer does.
   Qt::MouseButton button = Qt::NoButton;
@@ -74,9 +76,13 @@ struct RobotView::Parts {
   void set_colors();
   bool has_robot() const { return !robot.links.empty(); }
   const SceneArrow* arrow_of(ObservationId id) const;
-  /// The corners of the box round what the session is about (hand, arrows, cameras and the links between them), else
-  /// round the robot; m, root frame.
-  std::pair<Vector3, Vector3> extent() const;
+  /// Points round what the session is about (hand, markers, arrows, cameras and the links near them), else round the
+  /// robot; m, root frame.
+  std::vector<Vector3> points_of_interest() const;
+  /// Where the target is.
+  double metres_per_px() const;
+  /// Of the ghost only what is seen to differ from the robot.
+  void hide_ghost_within_robot();
   void look(StandardView view);
   /// Is most of what the session is about in the picture?
   bool is_in_sight() const;

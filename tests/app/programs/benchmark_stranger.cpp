@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QThread>
 
+#include "app/programs/window_program.h"
 #include "app/window/stranger.h"
 #include "temporary_folder.h"
 #include "widgets/base/theme.h"
@@ -126,13 +127,4 @@ TEST(AddUntilItStops, OnARealSession) {
 }  // namespace
 }  // namespace handsight::test
 
-int main(int argc, char** argv) {
-  using namespace handsight;
-  testing::InitGoogleTest(&argc, argv);
-  const TemporaryFolder state;
-  ::setenv("XDG_STATE_HOME", state.path.c_str(), 1);
-  widgets::set_surface_format();
-  QApplication application(argc, argv);
-  widgets::apply_theme(application, widgets::ThemeKind::light);
-  return RUN_ALL_TESTS();
-}
+int main(int argc, char** argv) { return handsight::test::run_window_program(argc, argv); }

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "app/programs/window_program.h"
 #include "app/window/pages.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_session.h"
@@ -302,13 +303,4 @@ TEST(Explain, PicturesASecondWhileAThousandAreFitted) {
 }  // namespace
 }  // namespace handsight::test
 
-int main(int argc, char** argv) {
-  using namespace handsight;
-  testing::InitGoogleTest(&argc, argv);
-  const TemporaryFolder state;
-  ::setenv("XDG_STATE_HOME", state.path.c_str(), 1);
-  widgets::set_surface_format();
-  QApplication application(argc, argv);
-  widgets::apply_theme(application, widgets::ThemeKind::light);
-  return RUN_ALL_TESTS();
-}
+int main(int argc, char** argv) { return handsight::test::run_window_program(argc, argv); }

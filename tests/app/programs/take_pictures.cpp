@@ -253,8 +253,12 @@ TEST_F(Explained, ASessionOfOnesOwn) {
   photo.take_now("own_explain_end");
   desk.key(Qt::Key_3, Qt::ControlModifier);
   photo.take("own_inspect_end");
+  desk.key(Qt::Key_2, Qt::ControlModifier);
+  photo.take("own_calibrate_end");
   desk.key(Qt::Key_5, Qt::ControlModifier);
   photo.take("own_export_end");
+  desk.type_into(desk.find<QLineEdit>("export_path"), folder_of_pictures + "/own_report" + suffix + ".xml");
+  desk.press_button("report_pdf");
 }
 
 TEST_F(Explained, Tour) {

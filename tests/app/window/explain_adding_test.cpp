@@ -114,7 +114,8 @@ TEST_F(Explain, AddUntilItStopsGoesOnWithWhatIsImplausibleAndSaysSo) {
   ASSERT_TRUE(explain.is_settled());
   EXPECT_GE(desk.document().undo_stack().index(), 1);
   EXPECT_LT(held_out(), 0.25) << "down to the noise of 0.2 px";
-  EXPECT_TRUE(said.join('\n').contains("Of a size that no robot is built with: link geometry"))
+  EXPECT_TRUE(
+      said.join('\n').contains("Larger than robots are built, so it stands in for another cause: link geometry"))
       << said.join('\n').toStdString();
 }
 

@@ -97,22 +97,27 @@ TEST_F(Manners, AFailedJobThatNobodyAnswersForSaysWhy) {
       << line->message().toStdString();
 }
 
-TEST_F(Manners, EveryLongJobCanBeStopped) {
+TEST_F(Manners, EveryLongJobCanBeStoppedInEveryWorkspace) {
   open("thesis_simulation");
-  std::atomic<bool> has_seen{false};
-  desk.window.bench().jobs.start<int>(
-      "test", "Thinking",
-      [&](app::JobControl& control) {
-        while (!control.is_cancelled()) QThread::msleep(2);
-        has_seen = true;
-        return 0;
-      },
-      [](int) {});
   auto* cancel = desk.find<QToolButton>("cancel");
-  ASSERT_TRUE(desk.wait([&] { return cancel->isVisible(); }, 5000)) << "a job that does not say how far it is";
-  desk.click(cancel);
-  EXPECT_TRUE(desk.wait([&] { return has_seen.load(); }, 5000));
-  EXPECT_TRUE(desk.wait([&] { return !cancel->isVisible(); }, 5000));
+  for (const auto place : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {
+    desk.key(place, Qt::ControlModifier);
+    ASSERT_TRUE(desk.settle());
+    ASSERT_TRUE(desk.wait([&] { return !desk.window.bench().explaining.is_busy(); }));
+    std::atomic<bool> has_seen{false};
+    desk.window.bench().jobs.start<int>(
+        "test", "Thinking",
+        [&](app::JobControl& control) {
+          while (!control.is_cancelled()) QThread::msleep(2);
+          has_seen = true;
+          return 0;
+        },
+        [](int) {});
+    ASSERT_TRUE(desk.wait([&] { return cancel->isVisible(); }, 5000)) << "a job that does not say how far it is";
+    desk.click(cancel);
+    EXPECT_TRUE(desk.wait([&] { return has_seen.load(); }, 5000));
+    EXPECT_TRUE(desk.wait([&] { return !cancel->isVisible(); }, 5000)) << "workspace " << place - Qt::Key_0;
+  }
 }
 
 TEST_F(Manners, LeavingExplainAndMinimisingTheWindowStopNothing) {

@@ -12,12 +12,17 @@ namespace {
 class Play : public testing::Test {
  protected:
   void SetUp() override {
-    const auto session = copy_of_sample(folder.path, "thesis_simulation");
+    session = copy_of_sample(folder.path, "thesis_simulation");
     ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
     ASSERT_TRUE(desk.settle());
     desk.key(Qt::Key_2, Qt::ControlModifier);
   }
+  QString decision(int row) {
+    const auto* list = desk.find<widgets::DecisionList>("decisions");
+    return list->model()->index(row, 0).data(Qt::AccessibleTextRole).toString();
+  }
   TemporaryFolder folder;
+  std::filesystem::path session;
   Desk desk;
   CalibratePage calibrate{desk};
 };
@@ -50,6 +55,20 @@ TEST_F(Play, ADecisionsErrorIsThatOfThePresentModel) {
     EXPECT_TRUE(shown(row).contains(widgets::size_text(bench.units.shown(app::size_of(*r)))))
         << shown(row).toStdString();
   }
+}
+
+TEST_F(Play, ASessionThatIsOpenedAgainHasItsDecisions) {
+  calibrate.set_fastest();
+  ASSERT_TRUE(calibrate.play_to_the_end());
+  QStringList before;
+  for (int row = 0; row < 6; ++row) before << decision(row);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  desk.key(Qt::Key_2, Qt::ControlModifier);
+  ASSERT_EQ(calibrate.decisions(), 6);
+  for (int row = 0; row < 6; ++row) EXPECT_EQ(decision(row), before[row]);
+  desk.press_button("step");
+  ASSERT_TRUE(desk.wait([this] { return calibrate.decisions() == 1; }, 5000)) << calibrate.decisions();
 }
 
 TEST_F(Play, StepDecidesOneAndPlayGoesOnFromThere) {

@@ -7,10 +7,13 @@
 #include "app/window/pages.h"
 #include "base/files.h"
 #include "cli/cli_runner.h"
+#include "findings/explain_texts.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
 #include "widgets/lists/blame_bar.h"
+#include "widgets/lists/three_numbers.h"
+#include "window/rail_button.h"
 
 namespace handsight::test {
 namespace {
@@ -42,6 +45,24 @@ class Story : public testing::Test {
   InspectPage inspect{desk};
   ExportPage exporting{desk};
 };
+
+/// One observation shows no error: nothing says that it is good, nor that it can be used.
+TEST_F(Story, FromOneObservationNoErrorNoGreenMarkAndNothingReady) {
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of("first_steps").string())));
+  label_three({{421, 338}, {408, 411}, {473, 378}});
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(desk.document().model() && desk.document().model()->fit);
+  EXPECT_FALSE(desk.find<widgets::ThreeNumbers>("three_numbers")->numbers().now) << "no held-out error";
+  for (const char* place : {"rail_explain", "rail_export"}) {
+    const app::WorkStatus& status = desk.find<app::RailButton>(place)->status();
+    EXPECT_NE(status.state, app::WorkState::done) << place;
+    EXPECT_FALSE(status.line.contains("ready")) << place << ": " << status.line.toStdString();
+  }
+  const widgets::SessionVerdict verdict =
+      app::session_verdict(*desk.document().model(), nullptr, false, widgets::SizeUnit::pixel);
+  EXPECT_NE(verdict.state, widgets::SessionState::adequate);
+  EXPECT_TRUE(verdict.sentence.contains("alone cannot show an error")) << verdict.sentence.toStdString();
+}
 
 TEST_F(Story, FirstStepsFromLabelsToTheExportAndAllTheWayBack) {
   const auto session = copy_of("first_steps");

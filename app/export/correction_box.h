@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What correcting buys: the hand's error over poses like the measured ones, as commanded and corrected.
+#pragma once
+
+#include <QWidget>
+
+#include "bench/workbench.h"
+#include "ways/correction.h"
+
+class QLabel;
+
+namespace handsight::app {
+
+class GainBars;
+
+class CorrectionBox : public QWidget {
+  Q_OBJECT
+
+ public:
+  CorrectionBox(Workbench& bench, QWidget* parent);
+  /// Of this model, worked out beside the window where it is not known; nothing is shown of a model without effects.
+  void show_model(const ModelVersionPointer& model);
+  /// What is shown; null: nothing yet.
+  const CorrectionGain* gain() const { return gain_ ? &*gain_ : nullptr; }
+
+ private:
+  void show_gain();
+
+  Workbench& bench_;
+  ModelVersionPointer model_;
+  std::optional<CorrectionGain> gain_;
+  QLabel* sentence_;
+  GainBars* bars_;
+};
+
+/// Shares of errors by size: bins that grow by the same factor from the smallest to the largest of both lists.
+struct GainBins {
+  std::vector<double> edges;  // m, one more than there are bins
+  std::vector<double> before, after;
+};
+GainBins gain_bins(const CorrectionGain& gain);
+
+}  // namespace handsight::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Work in parts, on as many threads as the processor runs at once: what comes out does not depend on how many there
+// are.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace handsight {
+
+// Threads at most; 0: as many as the processor runs. Programs set it before they begin to work.
+inline int& most_threads() {
+  static int most = 0;
+  return most;
+}
+
+// What a part of other parts is made of is done where it is: its threads would only be in each other's way.
+inline bool& is_a_part() {
+  thread_local bool is = false;
+  return is;
+}
+
+class AsPart {
+ public:
+  explicit AsPart(bool of_several) : before_(is_a_part()) { is_a_part() = before_ || of_several; }
+  ~AsPart() { is_a_part() = before_; }
+  AsPart(const AsPart&) = delete;
+  AsPart& operator=(const AsPart&) = delete;
+
+ private:
+  bool before_;
+};
+
+/// How many of `count` parts are done at once, this thread's among them.
+inline int threads_for(int count) {
+  if (is_a_part()) return 1;
+  const int here = most_threads() > 0 ? most_threads() : static_cast<int>(std::thread::hardware_concurrency());
+  return std::max(1, std::min(here, count));
+}
+
+/// Calls act(i) once for each i below `count`, which must not depend on each other; where `is_worth_it` (more than some
+/// tenths of a millisecond: a thread takes as long as that to begin) on several threads. What one of them throws is
+/// thrown here.
+template <class Act>
+void each_part(int count, bool is_worth_it, const Act& act) {
+  std::atomic<int> next{0};
+  const auto work = [&](bool of_several) {
+    const AsPart as_part(of_several);
+    for (int i = next++; i < count; i = next++) act(i);
+  };
+  const int threads = is_worth_it ? threads_for(count) : 1;
+  std::vector<std::future<void>> others;
+  for (int i = 1; i < threads; ++i) {
+    try {
+      others.push_back(std::async(std::launch::async, work, true));
+    } catch (const std::system_error&) {  // no more threads to be had: this one does the rest
+      break;
+    }
+  }
+  work(threads > 1);
+  for (std::future<void>& other : others) other.get();
+}
+
+}  // namespace handsight

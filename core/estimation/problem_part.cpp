@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/problem_part.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace handsight {
+
+Problem without_observations(const Problem& problem) {
+  // Every field by its name: one that a problem gets some day is missing here until it is named too.
+  const auto& [observations, rig, marker_count, mount_is_estimated, marker_is_seen, source, terms, columns_of_effects,
+               tcp_from_slip, with_motions, noise, cameras_by_effect, camera_images, shape] = problem;
+  return Problem{{},
+                 rig,
+                 marker_count,
+                 mount_is_estimated,
+                 marker_is_seen,
+                 source,
+                 terms,
+                 columns_of_effects,
+                 tcp_from_slip,
+                 with_motions,
+                 noise,
+                 cameras_by_effect,
+                 camera_images,
+                 shape};
+}
+
+Problem part_of(const Problem& problem, const std::function<bool(const ProblemObservation&)>& is_taken) {
+  Problem part = without_observations(problem);
+  std::copy_if(problem.observations.begin(), problem.observations.end(), std::back_inserter(part.observations),
+               is_taken);
+  return part;
+}
+
+Problem stretch_of(const Problem& problem, std::size_t first, std::size_t last) {
+  Problem part = without_observations(problem);
+  const auto at = [&](std::size_t place) {
+    return problem.observations.begin() + static_cast<std::ptrdiff_t>(std::min(place, problem.observations.size()));
+  };
+  part.observations.assign(at(first), at(last));
+  return part;
+}
+
+}  // namespace handsight

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// What Export says before the numbers are used, and that the numbers are in sight.
+#include <gtest/gtest.h>
+
+#include <QTableWidget>
+
+#include "app/window/explain_fixture.h"
+#include "base/files.h"
+#include "export/export_texts.h"
+#include "findings/explain_texts.h"
+
+namespace handsight::test {
+namespace {
+
+class Export : public Explain {
+ protected:
+  void go() {
+    desk.key(Qt::Key_5, Qt::ControlModifier);
+    ASSERT_TRUE(desk.settle());
+  }
+  /// Those above the table, without their signs.
+  QStringList remarks() {
+    QStringList list;
+    for (const QLabel* label : desk.find<QWidget>("export")->findChildren<QLabel*>())
+      for (const char* sign : {"▲  ", "✓  "})
+        if (label->text().startsWith(QString::fromUtf8(sign)))
+          list << label->text().mid(QString::fromUtf8(sign).size());
+    return list;
+  }
+};
+
+TEST_F(Export, SaysWhatExplainSays) {
+  open("hidden_3");
+  go();
+  ASSERT_FALSE(remarks().isEmpty());
+  EXPECT_EQ(remarks().front(), explain.verdict().sentence) << "an effect is missing";
+  ASSERT_TRUE(explain.open());
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  go();
+  EXPECT_EQ(remarks().front(), explain.verdict().sentence) << "at the noise";
+}
+
+TEST_F(Export, NearTheNoiseIsNotDownToTheNoise) {
+  open("hidden_3");
+  app::ModelVersion model = *desk.document().model();
+  auto fit = std::make_shared<Fit>(*model.fit);
+  fit->covariance_kind = CovarianceKind::scatter;
+  auto report = std::make_shared<FitReport>(*model.report);
+  report->held_out.rms_pixel = 1.2 * *fit->noise;
+  model.fit = fit;
+  model.report = report;
+  const widgets::SessionVerdict verdict = app::session_verdict(model, nullptr, false, widgets::SizeUnit::pixel);
+  EXPECT_TRUE(verdict.sentence.contains("comes near the noise")) << verdict.sentence.toStdString();
+  EXPECT_TRUE(app::verdict_remark(verdict, model).is_warning);
+}
+
+TEST_F(Export, MarkersThatAreNeverSeenAreOneRemark) {
+  session = copy_of("hidden_3");
+  std::string xml = read_file(session / "session.xml");
+  const std::string three = "<markers count=\"3\"/>";
+  const auto at = xml.find(three);
+  ASSERT_NE(at, std::string::npos);
+  replace_file(session / "session.xml", xml.replace(at, three.size(), "<markers count=\"9\"/>"));
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  go();
+  EXPECT_EQ(remarks().filter("no used observation"),
+            QStringList("Markers 3, 4, 5, 6, 7, 8 are seen in no used observation and have no position."));
+}
+
+TEST_F(Export, LongNamesDoNotPushTheNumbersOutOfSight) {
+  open("hidden_8");
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  for (const QSize& size : {QSize(1440, 900), QSize(1200, 640)}) {
+    desk.window.resize(size);
+    go();
+    auto* table = desk.find<QTableWidget>("motion");
+    const QFontMetrics metrics(table->font());
+    for (int row = 0; row < table->rowCount(); ++row) {
+      const QRect name = table->visualItemRect(table->item(row, 0)), unit = table->visualItemRect(table->item(row, 3));
+      EXPECT_LE(unit.left() + metrics.horizontalAdvance(table->item(row, 3)->text()), table->viewport()->width());
+      const QRect text =
+          metrics.boundingRect(QRect(0, 0, name.width() - 6, 1000), Qt::TextWordWrap, table->item(row, 0)->text());
+      EXPECT_LE(text.height(), name.height()) << table->item(row, 0)->text().toStdString();
+      EXPECT_LE(text.width(), name.width());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace handsight::test

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/threads.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace handsight {
+namespace {
+
+class Threads : public testing::Test {
+ protected:
+  void SetUp() override { most_threads() = 4; }
+  void TearDown() override { most_threads() = 0; }
+};
+
+TEST_F(Threads, DoEachPartOnce) {
+  for (const int count : {0, 1, 3, 1000}) {
+    std::vector<int> done(static_cast<std::size_t>(count), 0);
+    each_part(count, true, [&](int i) { ++done[static_cast<std::size_t>(i)]; });
+    EXPECT_EQ(done, std::vector<int>(static_cast<std::size_t>(count), 1));
+  }
+}
+
+TEST_F(Threads, LetWhatGoesWrongBeHeardWhereverItDoes) {
+  for (const int wrong : {0, 50, 99})
+    EXPECT_THROW(each_part(100, true,
+                           [&](int i) {
+                             if (i == wrong) throw std::runtime_error("here");
+                           }),
+                 std::runtime_error);
+  EXPECT_FALSE(is_a_part());
+}
+
+TEST_F(Threads, AreNotBegunByPartsOfParts) {
+  std::atomic<int> elsewhere{0};
+  each_part(8, true, [&](int) {
+    const auto here = std::this_thread::get_id();
+    each_part(8, true, [&](int) { elsewhere += std::this_thread::get_id() != here ? 1 : 0; });
+  });
+  EXPECT_EQ(elsewhere, 0);
+  EXPECT_EQ(threads_for(8), 4);
+}
+
+TEST_F(Threads, AreNotBegunWhereItIsNotWorthIt) {
+  const auto here = std::this_thread::get_id();
+  each_part(8, false, [&](int) { EXPECT_EQ(std::this_thread::get_id(), here); });
+}
+
+}  // namespace
+}  // namespace handsight
