@@ -10,11 +10,22 @@
 namespace handsight {
 namespace {
 
-constexpr double kMeasured = 0.80;      // of the variance, that rendered boards of all kinds show
+// Of the variance, that rendered boards of all kinds show: of what moves, of what stays, by the smoothed residuals.
+constexpr double kMeasured = 0.80, kMeasuredOfStaying = 0.75, kMeasuredSmoothed = 0.26;
 constexpr double kFreedomOfImage = 30;  // of the variance that the image's corners tell together
 constexpr double kPlain = 30;  // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
                                // do not make: below it the position is better off without them
-constexpr double kMeasuredSmoothed = 0.22;  // of the variance by the smoothed residuals, measured as kMeasured
+
+// The fit's own position, which knows of neither added light nor bends: what they usually are pulls at it. The
+// information of the unknowns is that of this variance.
+Eigen::Matrix2d covariance_of_staying(const OddSystem& system, const OddVector& information, double variance) {
+  Eigen::Matrix4d inverse = system.hessian.topLeftCorner<4, 4>();
+  inverse.diagonal() += information.head<4>();
+  inverse = inverse.inverse().eval();
+  const Eigen::Matrix<double, 2, 4> pulls = inverse.topRows<2>() * system.hessian.topRightCorner<4, 4>();
+  const Eigen::Vector4d usual = variance * information.tail<4>().cwiseInverse();
+  return kMeasuredOfStaying * variance * inverse.topLeftCorner<2, 2>() + pulls * usual.asDiagonal() * pulls.transpose();
+}
 
 }  // namespace
 
@@ -44,8 +55,11 @@ std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits)
   const OddVector step = inverse * side;
   LastStep last;
   last.is_needed = system.is_smoothed || is_plain(system) || are_bent(habits) || are_glared(habits);
-  last.move = step.head<2>(),
-  last.covariance = (system.is_smoothed ? kMeasuredSmoothed : kMeasured) * variance * inverse.topLeftCorner<2, 2>();
+  last.move = step.head<2>();
+  if (!last.is_needed)
+    last.covariance = covariance_of_staying(system, information, variance);
+  else
+    last.covariance = (system.is_smoothed ? kMeasuredSmoothed : kMeasured) * variance * inverse.topLeftCorner<2, 2>();
   if (system.is_smoothed) last.covariance += system.alias;
   if (!(last.covariance(0, 0) > 0 && last.covariance.determinant() > 0)) return std::nullopt;
   return last;

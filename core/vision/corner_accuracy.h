@@ -21,7 +21,7 @@ bool is_plain(const OddSystem& system);
 struct LastStep {
   bool is_needed = false;                          // by this corner or by all together: otherwise the move is chance
   Eigen::Vector2d move = Eigen::Vector2d::Zero();  // px
-  Eigen::Matrix2d covariance;                      // px^2
+  Eigen::Matrix2d covariance;                      // px^2, after the move if it is needed, without it if not
 };
 /// Nothing where the system is singular.
 std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits);

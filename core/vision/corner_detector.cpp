@@ -21,7 +21,7 @@ constexpr int kCoarsePlaces = 1000;  // where a coarser image's noise is measure
 constexpr double kSame = 2;          // px: nearer ones are the same
 constexpr double kSharp = 2.4;       // px, of blur: what is less is fitted in this image, what is more in a coarser one
 constexpr double kMostLastMove = 0.5;  // px
-constexpr double kMostSigma = 1.2;  // px, of what is fitted and is so uncertain after all that it is most likely none
+constexpr double kMostSigma = 1.16;  // px, of what is fitted and is so uncertain after all that it is most likely none
 constexpr std::size_t kFewCorners = 4;     // tell nothing of an image
 constexpr std::size_t kNoiseCorners = 12;  // that tell how alike neighbouring pixels' noise is
 

@@ -60,6 +60,7 @@ Habits habits_of(std::span<const OddSystem> systems) {
   for (float& influence : habits.influence) influence /= static_cast<float>(std::max(looked_at, 1));
   habits.added = std::max(std::sqrt(std::max(added, 0.0) / lit), kAddedSigma);
   habits.bend = std::clamp(std::sqrt(std::max(bends, 0.0) / corners), 0.3 * kBendSigma, kMostBend);
+  if (habits.variance < kLeastOdd) habits.bend = std::min(habits.bend, kPlainBend);
   const bool all_small = !has_large && looked_at >= kFewCorners;
   for (double& correlation : habits.correlation) correlation *= (all_small ? kSmallDiscs : 1) / pixels;
   return habits;

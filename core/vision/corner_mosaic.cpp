@@ -11,7 +11,7 @@ namespace handsight {
 namespace {
 
 constexpr double kSmoothedShare = 70.0 * 70 / (256 * 256);  // of white noise's variance, that smoothing leaves
-constexpr double kMosaicSigma = 0.003;                      // px an axis, what is left of the pattern's own errors
+constexpr double kMosaicSigma = 0.002;                      // px an axis, what is left of the pattern's own errors
 // What a colour filter samples at every other pixel it cannot tell from what is coarser: px, across an edge that meets
 // the pattern in one phase all along, times what blur leaves at half a cycle a pixel; px, along which phases differ.
 constexpr double kAlias = 0.11, kPhases = 0.7;

@@ -51,7 +51,8 @@ Outcome outcome_of(const std::vector<std::pair<CornerFit, Image>>& all, const Ei
   outcome.habits = habits_of(systems);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto last = last_step(systems[i], outcome.habits);
-    const Eigen::Vector2d error = all[i].first.model.position + last->move - truth;
+    const Eigen::Vector2d move = last->is_needed ? last->move : Eigen::Vector2d::Zero();
+    const Eigen::Vector2d error = all[i].first.model.position + move - truth;
     outcome.normalised += error.dot(last->covariance.inverse() * error) / static_cast<double>(all.size());
     outcome.squares += error.squaredNorm() / static_cast<double>(all.size());
     outcome.before += (all[i].first.model.position - truth).squaredNorm() / static_cast<double>(all.size());
@@ -106,6 +107,31 @@ TEST(CornerAccuracy, FindsBothEdgesBends) {
   EXPECT_NEAR(outcome.habits.bend, bend, 0.4 * bend);
   EXPECT_LT(outcome.squares, 0.25 * outcome.before);
   EXPECT_LT(outcome.normalised, 3);
+}
+
+// Bends too small to be sure of move nothing, but sigma knows how far they pull the fit.
+TEST(CornerAccuracy, WhatStaysKnowsWhatBendsPullAt) {
+  const double bend = 4.5e-4, times = 10;  // 1/px; times that, which the drawn scene resolves
+  const auto mean_of = [](double first, double second) {
+    const auto bent = [&](double u, double v) {
+      const double x = u - 32.2, y = v - 31.9;
+      return ((x < 0.5 * first * y * y) == (y < 0.5 * second * x * x)) ? 60 : 180;
+    };
+    Eigen::Vector2d sum(0, 0);
+    const auto all = fits(bent, 1, false, 30);
+    for (const auto& one : all) sum += one.first.model.position;
+    return Eigen::Vector2d(sum / static_cast<double>(all.size()));
+  };
+  const Eigen::Vector2d straight = mean_of(0, 0);
+  const Eigen::Vector2d by_first = (mean_of(times * bend, 0) - straight) / times;
+  const Eigen::Vector2d by_second = (mean_of(0, times * bend) - straight) / times;
+  const auto one = fits(plain, 1, false, 1).front();
+  const OddSystem system = *odd_system(one.second, one.first);
+  Habits bent, none;
+  bent.bend = bend, none.bend = 1e-7;
+  ASSERT_FALSE(last_step(system, bent)->is_needed);
+  const double more = (last_step(system, bent)->covariance - last_step(system, none)->covariance).trace();
+  EXPECT_NEAR(more, by_first.squaredNorm() + by_second.squaredNorm(), 0.5 * more);
 }
 
 TEST(CornerAccuracy, FindsLightThatIsAdded) {
