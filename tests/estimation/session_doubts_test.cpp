@@ -83,7 +83,7 @@ TEST(SessionDoubts, ABodyMetresFromTheHandIsDoubted) {
 
 TEST(SessionDoubts, DegreesAreSuspected) {
   Session s = made();
-  for (Observation& o : s.observations) o.position *= 8;
+  for (Observation& o : s.observations) o.position *= 5.9;  // less than two turns each
   EXPECT_THAT(session_doubts(s), Contains(HasSubstr("are they in degrees?")));
 }
 
