@@ -79,6 +79,7 @@ void Document::open(const std::filesystem::path& path) {
 
 void Document::close() {
   if (!journal_) return;
+  emit closing();
   // What session.xml cannot hold (the model's effects, what was measured) stays in the journal.
   if (stack_.isClean() && settings_ == ModelSettings{} && readings_.empty() && drafts_.empty()) {
     try {

@@ -98,6 +98,8 @@ class Document : public QObject {
 
  signals:
   void opened();
+  /// The session is about to go: everything of it can still be asked.
+  void closing();
   void closed();
   /// Observations changed (labels, decisions), came or went. Empty: none, only settings.
   void edited(const std::vector<std::int64_t>& ids);

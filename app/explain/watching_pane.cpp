@@ -212,7 +212,6 @@ void WatchingPane::compare(int a, int b) {
     refresh_cloud();
   }
   versions_->set_comparison(sentence);
-  emit compared();
 }
 
 void WatchingPane::take_back(int row) {

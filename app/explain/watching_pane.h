@@ -46,7 +46,6 @@ class WatchingPane : public QWidget {
 
  signals:
   void version_chosen(const ModelVersionPointer& version);
-  void compared();
 
  private:
   struct Row {

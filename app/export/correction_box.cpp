@@ -48,7 +48,7 @@ GainBins gain_bins(const CorrectionGain& gain) {
 /// Both histograms over one logarithmic axis, as commanded behind, corrected in front.
 class GainBars : public QWidget {
  public:
-  explicit GainBars(QWidget* parent) : QWidget(parent) { setMinimumHeight(96); }
+  explicit GainBars(QWidget* parent) : QWidget(parent) { setMinimumHeight(110); }
   void set_bins(GainBins shown) {
     shown_ = std::move(shown);
     update();
@@ -60,12 +60,14 @@ class GainBars : public QWidget {
     QPainter painter(this);
     painter.setFont(widgets::text_font(TextRole::small));
     const int text = painter.fontMetrics().height();
-    const QRectF area = QRectF(rect()).adjusted(1, 2, -1, -text - 4);
+    const QRectF area = QRectF(rect()).adjusted(1, text + 4, -1, -text - 4);
     double most = 0;
     for (const auto* list : {&shown_.before, &shown_.after})
       most = std::max(most, *std::max_element(list->begin(), list->end()));
     draw(painter, area, shown_.before, most, colors().care);
     draw(painter, area, shown_.after, most, colors().good);
+    const int left = draw_key(painter, 0, tr("corrected"), colors().good);
+    draw_key(painter, left, tr("as commanded"), colors().care);
     painter.setPen(colors().ink3);
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     const QRectF below(0, area.bottom() + 2, width(), text);
@@ -76,6 +78,17 @@ class GainBars : public QWidget {
   }
 
  private:
+  /// A square in the histogram's colour and its name; returns where the next one may begin.
+  static int draw_key(QPainter& painter, int left, const QString& name, QColor color) {
+    color.setAlphaF(0.75F);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int side = metrics.ascent() * 2 / 3, width = metrics.horizontalAdvance(name);
+    painter.fillRect(QRect(left, metrics.ascent() - side, side, side), color);
+    painter.setPen(colors().ink2);
+    painter.drawText(QRect(left + side + 4, 0, width + 1, metrics.height()), Qt::AlignLeft, name);
+    return left + side + 4 + width + 16;
+  }
+
   static void draw(QPainter& painter, const QRectF& area, const std::vector<double>& list, double most, QColor color) {
     color.setAlphaF(0.75F);
     const double step = area.width() / static_cast<double>(list.size());

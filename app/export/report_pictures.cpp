@@ -196,14 +196,6 @@ const Observation* shown_observation(const Workbench& bench, const Inspection& a
   return best;
 }
 
-/// Drawn at twice the size: its edges are smooth also where the processor draws.
-QImage smooth_picture(widgets::RobotView& view) {
-  QImage image =
-      view.picture(2 * sharpness).scaled(view.size() * sharpness, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-  image.setDevicePixelRatio(sharpness);
-  return image;
-}
-
 void add_robot(const Workbench& bench, const Observation& o, const Inspection& all,
                std::vector<ReportPicture>& pictures) {
   const Session& s = bench.document.session();
@@ -222,7 +214,7 @@ void add_robot(const Workbench& bench, const Observation& o, const Inspection& a
   pictures.push_back({QObject::tr("The robot in observation %1, with the deviation of every observation, times %2")
                           .arg(o.id)
                           .arg(times),
-                      smooth_picture(view)});
+                      view.picture(sharpness)});
 }
 
 void add_images(Workbench& bench, const Observation& o, std::vector<ReportPicture>& pictures) {

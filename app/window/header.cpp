@@ -102,6 +102,9 @@ Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QW
   cancel_ = button("cancel", tr("Cancel"), tr("Stops the job; everything stays as it was before"));
   numbers_ = new widgets::ThreeNumbers(this);
   numbers_->setObjectName("three_numbers");
+  connect(numbers_, &widgets::ThreeNumbers::version_selected, this, [this](int stair) {
+    if (stair < static_cast<int>(stairs_.size())) bench_.document.show_version(stairs_[static_cast<std::size_t>(stair)]);
+  });
 
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 0, 8, 0);
@@ -208,8 +211,11 @@ void Header::refresh_numbers() {
       n.predicted = told.value;
       if (told.unit != unit) n.predicted_unit = widgets::unit_name(told.unit);
     }
+    stairs_.clear();
     for (const ModelVersionPointer& version : bench_.document.versions()) {
       if (!version || !version->fit) continue;
+      if (version == shown) n.current = static_cast<int>(stairs_.size());
+      stairs_.push_back(version);
       const VersionSizes one = sizes_of(*version, noise);
       n.versions.push_back(
           {version->cause.isEmpty() ? tr("as opened") : version->cause, one.fitted.in(unit), one.error().in(unit)});

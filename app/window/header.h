@@ -41,6 +41,7 @@ class Header : public QWidget {
   QLabel* job_;
   QProgressBar* progress_;
   widgets::ThreeNumbers* numbers_;
+  std::vector<ModelVersionPointer> stairs_;  // as they are drawn there
   QTimer poll_;
 };
 

@@ -24,6 +24,11 @@ void MainWindow::connect_strip() {
   state_timer_.setInterval(1500);
   connect(&state_timer_, &QTimer::timeout, this, &MainWindow::remember_state);
   connect(&d, &Document::model_changed, this, [this] { state_timer_.start(); });
+  connect(&d, &Document::closing, this, [this] {
+    if (!state_timer_.isActive()) return;
+    state_timer_.stop();
+    remember_state();
+  });
   connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, [this] { state_timer_.start(); });
   panel_timer_.setSingleShot(true);
   panel_timer_.setInterval(0);

@@ -17,6 +17,14 @@
         <translation>Die Hand verfehlt ihren Ort um %1 mm. In den Grenzen der Gelenke bleiben %2 mm (± %3 mm), mit den Winkeln rechts.</translation>
     </message>
     <message>
+        <source>corrected</source>
+        <translation>korrigiert</translation>
+    </message>
+    <message>
+        <source>as commanded</source>
+        <translation>wie befohlen</translation>
+    </message>
+    <message>
         <source>What this buys you</source>
         <translation>Was das bringt</translation>
     </message>

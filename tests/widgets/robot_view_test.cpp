@@ -229,6 +229,36 @@ TEST_F(RobotViewTest, TheGhostIsDrawnOnlyWhereItDiffers) {
   EXPECT_NE(before.copy(robot), view_.picture(1).copy(robot));
 }
 
+/// What is behind it stays in sight: it covers a few lines, not the room of a second body.
+TEST_F(RobotViewTest, TheGhostIsAnOutline) {
+  test::show(view_, {460, 400});
+  const QImage before = view_.picture(1);
+  std::vector<Rigid> bent = data_.posture(0);
+  for (Rigid& link : bent) link.translation.y() += 0.25;
+  view_.set_ghost_magnification(1);
+  view_.set_ghost(bent);
+  const QRect robot(60, 40, 340, 300);
+  std::vector<QPoint> places = changes(before, view_.picture(1));
+  std::erase_if(places, [&](const QPoint& at) { return !robot.contains(at); });
+  QRect reach;
+  for (const QPoint& at : places) reach |= QRect(at, QSize(1, 1));
+  EXPECT_GT(places.size(), 1000U) << "it is seen";
+  EXPECT_GT(reach.width() * reach.height(), 40000) << "as large as the robot";
+  EXPECT_LT(static_cast<double>(places.size()), 0.15 * reach.width() * reach.height());
+}
+
+TEST_F(RobotViewTest, EdgesAreSmoothOnceNothingMoves) {
+  test::show(view_, {460, 400});
+  const auto shown = [&] { return view_.grab().toImage().convertToFormat(QImage::Format_RGB32); };
+  const QRect robot(60, 40, 340, 300);
+  const auto greys = [&](const QImage& image) { return share_of_marks(image.copy(robot)); };
+  const QImage smooth = view_.picture(1).convertToFormat(QImage::Format_RGB32);
+  ASSERT_GT(greys(smooth), 0.02);
+  view_.look(StandardView::front);
+  view_.look(StandardView::all);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown().copy(robot) == smooth.copy(robot); }, 5000));
+}
+
 TEST_F(RobotViewTest, ClickOnAnArrowChoosesItsObservation) {
   const Vector3 from = data_.root_from_tcp(0).translation + Vector3(0, 0, 0.5);
   view_.set_arrows(

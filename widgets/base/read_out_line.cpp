@@ -47,16 +47,12 @@ ReadOutLine::ReadOutLine(QWidget* parent) : QWidget(parent) {
   right_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   right_->setTextFormat(Qt::PlainText);
   right_->installEventFilter(this);
-  action_ = text_button({}, this);
-  action_->hide();
   layout->addWidget(left_, 0);
   layout->addSpacing(kWideGap);
   layout->addWidget(right_, 1);
-  layout->addWidget(action_, 0);
   timer_ = new QTimer(this);
   timer_->setSingleShot(true);
   connect(timer_, &QTimer::timeout, this, &ReadOutLine::show_right);
-  connect(action_, &QToolButton::clicked, this, &ReadOutLine::action_clicked);
   rebuild();
 }
 
@@ -78,10 +74,8 @@ void ReadOutLine::set_pointer(const QString& text) {
 
 QString ReadOutLine::pointer_text() const { return told_; }
 
-void ReadOutLine::show_message(const QString& sentence, const QString& action) {
+void ReadOutLine::show_message(const QString& sentence) {
   message_ = sentence;
-  action_->setText(action);
-  action_->setVisible(!action.isEmpty());
   timer_->start(kMessageTime);
   show_right();
 }
@@ -89,10 +83,7 @@ void ReadOutLine::show_message(const QString& sentence, const QString& action) {
 void ReadOutLine::show_right() {
   // A message keeps the slot for its time; afterwards it gives way as soon as the pointer says something.
   const bool is_message = !message_.isEmpty() && (timer_->isActive() || pointer_.isEmpty());
-  if (!is_message) {
-    message_.clear();
-    action_->hide();
-  }
+  if (!is_message) message_.clear();
   told_ = is_message ? message_ : pointer_.isEmpty() ? QString() : QObject::tr("Pointer: ") + pointer_;
   elide_right();
 }

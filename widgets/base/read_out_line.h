@@ -7,7 +7,6 @@
 
 class QLabel;
 class QTimer;
-class QToolButton;
 
 namespace handsight::widgets {
 
@@ -19,7 +18,7 @@ class ReadOutLine : public QWidget {
   explicit ReadOutLine(QWidget* parent = nullptr);
   void set_crumbs(const QStringList& crumbs);  // outermost first; empty: "Nothing selected"
   void set_pointer(const QString& text);       // empty: nothing under the pointer
-  void show_message(const QString& sentence, const QString& action = {});
+  void show_message(const QString& sentence);
   /// Something small at the right end, for good.
   void add_at_end(QWidget* widget);
   QString pointer_text() const;
@@ -28,7 +27,6 @@ class ReadOutLine : public QWidget {
 
  signals:
   void crumb_clicked(int index);
-  void action_clicked();  // the button of the message, "Undo" for instance
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -43,7 +41,6 @@ class ReadOutLine : public QWidget {
   QString pointer_, message_, told_;  // what stands at the right, whole
   QWidget* left_;
   QLabel* right_;
-  QToolButton* action_;
   QTimer* timer_;
 };
 

@@ -56,7 +56,6 @@ VersionList::VersionList(QWidget* parent) : QWidget(parent) {
 int VersionList::count() const { return model_->rowCount(); }
 
 void VersionList::set_versions(std::vector<VersionEntry> versions, const QString& unit) {
-  hovered_ = -1;
   model_->set_versions(std::move(versions), unit);
   refresh();
 }
@@ -114,13 +113,6 @@ bool VersionList::eventFilter(QObject* watched, QEvent* event) {
       }
     emit version_selected(index.row());
     return true;
-  }
-  if (watched == view_->viewport() && (event->type() == QEvent::MouseMove || event->type() == QEvent::Leave)) {
-    const QModelIndex at = event->type() == QEvent::Leave
-                               ? QModelIndex()
-                               : view_->indexAt(static_cast<QMouseEvent*>(event)->position().toPoint());
-    const int version = at.isValid() ? at.row() : -1;
-    if (version != hovered_) emit version_hovered(hovered_ = version);
   }
   if (watched == view_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();

@@ -39,7 +39,6 @@ class VersionList : public QWidget {
 
  signals:
   void version_selected(int version);
-  void version_hovered(int version);  // -1: none
   void compared(int a, int b);
   void take_back_requested(int version);  // "Take back to here"
 
@@ -55,7 +54,6 @@ class VersionList : public QWidget {
   QListView* view_ = nullptr;
   QLabel *comparison_, *empty_;
   QPushButton* take_back_;
-  int hovered_ = -1;
 };
 
 }  // namespace handsight::widgets

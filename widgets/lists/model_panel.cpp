@@ -107,8 +107,6 @@ void ModelPanel::refresh_texts() { headline_->setText(is_busy_ ? tr("fitting ...
 QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
   const Colors& c = colors();
   auto* box = new QWidget(content_);
-  box->setProperty("effect", effect.id);
-  box->installEventFilter(this);
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
@@ -273,16 +271,10 @@ void ModelPanel::add_groups() {
 }
 
 bool ModelPanel::eventFilter(QObject* watched, QEvent* event) {
-  const QString id = watched->property("effect").toString();
   const QString joint = watched->property("joint").toString();
-  if (!id.isEmpty() && event->type() == QEvent::Enter) emit effect_hovered(id);
-  if (!id.isEmpty() && event->type() == QEvent::Leave) emit effect_hovered({});
-  if (event->type() == QEvent::MouseButtonRelease) {
-    if (!joint.isEmpty()) {
-      emit joint_selected(joint);
-      return true;
-    }
-    if (!id.isEmpty()) emit effect_chosen(id);
+  if (event->type() == QEvent::MouseButtonRelease && !joint.isEmpty()) {
+    emit joint_selected(joint);
+    return true;
   }
   return QFrame::eventFilter(watched, event);
 }

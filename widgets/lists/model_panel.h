@@ -62,8 +62,6 @@ class ModelPanel : public QFrame {
   void effect_held(const QString& id, bool held);
   void number_held(const QString& id, int parameter, bool held);
   void value_typed(const QString& id, int parameter, double value);  // of a held number, in the parameter's unit
-  void effect_chosen(const QString& id);                             // its title was clicked
-  void effect_hovered(const QString& id);                            // empty: left
   void joint_selected(const QString& joint);                         // the `of` of a parameter was clicked
   void folded_changed(bool folded);
 

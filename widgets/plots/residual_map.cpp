@@ -113,7 +113,6 @@ void ResidualMap::set_lens(MapLens lens) {
   lens_ = lens;
   fill();
   replot();
-  emit lens_changed(lens);
 }
 
 void ResidualMap::set_regions(bool shown) {

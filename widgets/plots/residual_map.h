@@ -51,7 +51,6 @@ class ResidualMap : public PlotWidget {
   void observation_selected(qint64 id);
   void observation_hovered(qint64 id);
   void observations_selected(const std::vector<qint64>& ids);  // a rectangle, with Shift
-  void lens_changed(handsight::widgets::MapLens lens);
 
  protected:
   void restyle() override;

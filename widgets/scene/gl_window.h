@@ -28,6 +28,8 @@ class GlWindow {
   bool is_ready() const { return is_ready_; }
   /// The scene in this many device px; null where make_ready() is false.
   QImage picture(const QSize& size);
+  /// Does one picture have smooth edges by itself?
+  bool is_smooth() const { return window_->GetMultiSamples() > 0; }
   void release();
 
   vtkGenericOpenGLRenderWindow* window() { return window_; }

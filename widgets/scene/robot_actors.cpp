@@ -196,16 +196,6 @@ RobotActors make_robot_actors(const Robot& robot, const ReadMeshes& meshes) {
   return actors;
 }
 
-RobotActors make_ghost_actors(const RobotActors& robot, const QColor& color) {
-  RobotActors ghost;
-  for (const LinkActor& part : robot.parts) {
-    auto* mapper = vtkPolyDataMapper::SafeDownCast(part.actor->GetMapper());
-    ghost.parts.push_back({part.link, part.link_from_shape, color, make_actor(mapper->GetInput(), color, 0.32)});
-    ghost.parts.back().actor->PickableOff();
-  }
-  return ghost;
-}
-
 RobotActors make_shadow_actors(const RobotActors& robot, const QColor& color) {
   RobotActors shadow;
   for (const LinkActor& part : robot.parts) {

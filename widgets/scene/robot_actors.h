@@ -43,9 +43,6 @@ ReadMeshes read_meshes(const Robot& robot, const std::filesystem::path& mesh_fol
 /// that are not among those that were read are left out.
 RobotActors make_robot_actors(const Robot& robot, const ReadMeshes& meshes);
 
-/// The same surfaces again, all in one translucent colour.
-RobotActors make_ghost_actors(const RobotActors& robot, const QColor& color);
-
 /// The same surfaces again as they lie on the floor when light falls from above: in one colour, without light.
 RobotActors make_shadow_actors(const RobotActors& robot, const QColor& color);
 /// One motion per link; the floor is the plane z = height.

@@ -36,7 +36,14 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   setAccessibleName(QObject::tr("Robot in 3D"));
   parts_->empty_text = QObject::tr("No robot yet.");
   connect(&parts_->reading_poll, &QTimer::timeout, this, &RobotView::finish_reading);
+  parts_->still.setSingleShot(true);
+  connect(&parts_->still, &QTimer::timeout, this, &RobotView::smooth_on);
+  parts_->gl.window()->SetNumberOfLayers(2);
   parts_->gl.window()->AddRenderer(parts_->renderer);
+  parts_->after->SetLayer(1);
+  parts_->after->SetActiveCamera(parts_->renderer->GetActiveCamera());
+  parts_->after->PreserveDepthBufferOn();
+  parts_->gl.window()->AddRenderer(parts_->after);
   vtkNew<vtkLightKit> lights;
   lights->SetKeyLightWarmth(0.5);
   lights->SetFillLightWarmth(0.5);
@@ -222,6 +229,7 @@ QImage RobotView::picture(double scale) {
     finish_reading();
   }
   draw((QSizeF(size()) * ratio).toSize());
+  for (std::size_t i = 0; i < SmoothPicture::pictures; ++i) smooth();
   QImage image = parts_->picture;
   if (image.isNull())
     image = QImage((QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32), image.fill(colors().panel);
@@ -247,8 +255,26 @@ void RobotView::draw(const QSize& size) {
   if (p.is_framed && p.shown_size != QSizeF(this->size())) p.wants_fit = true;
   p.shown_size = QSizeF(this->size());
   p.make_ready();
+  set_line_width(p.ghost, size.width() / std::max(1.0, p.shown_size.width()));
   p.picture = p.gl.picture(size);
   p.is_stale = false;
+  p.smooth.begin_anew();
+  p.still.stop();
+}
+
+void RobotView::smooth() {
+  Parts& p = *parts_;
+  if (p.gl.is_smooth() || p.smooth.is_done() || p.picture.isNull()) return;
+  p.smooth.add(p.moved_picture(p.smooth.next_offset()));
+  if (p.smooth.is_done()) p.picture = p.smooth.mean();
+}
+
+void RobotView::smooth_on() {
+  Parts& p = *parts_;
+  if (p.is_stale || !isVisible()) return;
+  smooth();
+  if (p.smooth.is_done()) return update();
+  p.still.start(0);
 }
 
 void RobotView::paintEvent(QPaintEvent*) {
@@ -261,6 +287,8 @@ void RobotView::paintEvent(QPaintEvent*) {
     return;
   }
   draw((QSizeF(size()) * ratio).toSize());
+  constexpr std::chrono::milliseconds rest(150);
+  if (!parts_->gl.is_smooth() && !parts_->smooth.is_done() && !parts_->still.isActive()) parts_->still.start(rest);
   if (parts_->picture.isNull()) {
     painter.fillRect(rect(), colors().panel);
     draw_sentence(painter, rect(), parts_->empty_text);

@@ -93,8 +93,8 @@ class RobotView : public QWidget {
   std::optional<QPointF> to_screen(const Vector3& in_root) const;
   /// The end of an observation's arrow as drawn; nothing where it has none.
   std::optional<Vector3> arrow_tip(ObservationId id) const;
-  QImage picture(
-      double scale = 0);  // as shown, labels included; px of the picture for each of the widget's, 0: its own
+  /// As shown when nothing moves: with smooth edges and labels; px of the picture for each of the widget's, 0: its own.
+  QImage picture(double scale = 0);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -125,6 +125,8 @@ class RobotView : public QWidget {
   void finish_reading();
   void change();  // the scene: the next painting draws it anew
   void draw(const QSize& size);
+  void smooth();     // a step nearer to a picture with smooth edges
+  void smooth_on();  // the same, while nothing moves, until it is there
   void show_menu(const QPoint& position);
   void pick(const QPointF& position, bool take);
   void paint_labels(QPainter& painter);

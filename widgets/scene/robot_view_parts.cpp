@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/robot_view_parts.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkCellPicker.h>
 #include <vtkLightKit.h>
@@ -64,20 +65,36 @@ void RobotView::Parts::make_ready() {
   if (arrows_changed || rings_changed) make_arrows();
   hide_ghost_within_robot();
   orbit.apply(*renderer->GetActiveCamera());
-  renderer->ResetCameraClippingRange();
+  set_clipping_range();
+}
+
+void RobotView::Parts::set_clipping_range() {
+  vtkBoundingBox all(renderer->ComputeVisiblePropBounds());
+  all.AddBounds(after->ComputeVisiblePropBounds());
+  double bounds[6];
+  all.GetBounds(bounds);
+  renderer->ResetCameraClippingRange(bounds);
+}
+
+QImage RobotView::Parts::moved_picture(const QPointF& px) {
+  vtkCamera& camera = *renderer->GetActiveCamera();
+  camera.SetWindowCenter(2 * px.x() / picture.width(), 2 * px.y() / picture.height());
+  QImage moved = gl.picture(picture.size());
+  camera.SetWindowCenter(0, 0);
+  return moved;
 }
 
 void RobotView::Parts::make_robot() {
   remove_from(*renderer, links);
-  remove_from(*renderer, ghost);
+  remove_from(*after, ghost);
   remove_from(*renderer, shadow);
   std::vector<QString> notes = std::move(links.notes);
   links = std::exchange(read_links, {});
-  ghost = make_ghost_actors(links, colors().candidate);
+  ghost = make_ghost(links, *renderer);
   shadow = make_shadow_actors(links, shadow_color());
   links.notes = std::move(notes);
   add_to(*renderer, links);
-  add_to(*renderer, ghost);
+  add_to(*after, ghost);
   add_to(*renderer, shadow);
   robot_changed = false;
   posture_changed = ghost_changed = theme_changed = true;
@@ -86,7 +103,7 @@ void RobotView::Parts::make_robot() {
 void RobotView::Parts::set_colors() {
   const QColor ground = colors().panel;
   renderer->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
-  for (const LinkActor& part : ghost.parts) set_color(*part.actor, colors().candidate, 0.32);
+  set_color(ghost, colors().candidate);
   for (const LinkActor& part : shadow.parts) set_color(*part.actor, shadow_color());
   const int selected_index = find_joint(robot, selected_joint.toStdString());
   const int tinted = selected_index < 0 ? -1 : robot.joints[static_cast<std::size_t>(selected_index)].child_link;
@@ -100,9 +117,8 @@ void RobotView::Parts::place_robot() {
   set_visible(links, !posture.empty());
   place_links(links, posture);
   const bool has_ghost = bent.has_value() && !posture.empty();
-  set_visible(ghost, has_ghost);
   ghost_posture = has_ghost ? magnified(posture, *bent, ghost_times) : std::vector<Rigid>();
-  place_links(ghost, ghost_posture);
+  place(ghost, ghost_posture);
   if (posture_changed) {
     double lowest = 0;
     for (const LinkActor& part : links.parts)
@@ -144,7 +160,9 @@ void RobotView::Parts::hide_ghost_within_robot() {
     }
     return false;
   };
-  for (const LinkActor& part : ghost.parts) part.actor->SetVisibility(moves(part));
+  for (std::size_t part = 0; part < ghost.outline.parts.size(); ++part)
+    set_visible(ghost, part, moves(ghost.outline.parts[part]));
+  after->SetDraw(!ghost_posture.empty());
 }
 
 void RobotView::Parts::make_arrows() {

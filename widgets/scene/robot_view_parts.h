@@ -10,11 +10,13 @@
 #include <array>
 #include <future>
 
+#include "widgets/scene/ghost.h"
 #include "widgets/scene/gl_window.h"
 #include "widgets/scene/marks.h"
 #include "widgets/scene/orbit.h"
 #include "widgets/scene/robot_actors.h"
 #include "widgets/scene/robot_view.h"
+#include "widgets/scene/smooth_picture.h"
 #include "widgets/scene/view_cube.h"
 
 class QToolButton;
@@ -23,9 +25,12 @@ namespace handsight::widgets {
 
 struct RobotView::Parts {
   vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderer> after;  // draws the ghost over the scene, by the same eye and depths
   GlWindow gl;
   QImage picture;        // the scene as it was drawn last, device px
   bool is_stale = true;  // the scene or the eye changed since
+  SmoothPicture smooth;  // of a scene that stands still
+  QTimer still;
   Orbit orbit;
   QWidget* buttons = nullptr;
 
@@ -46,7 +51,8 @@ struct RobotView::Parts {
   QString selected_joint, empty_text;
 
   RobotActors read_links;  // not yet in the scene
-  RobotActors links, ghost, shadow;
+  RobotActors links, shadow;
+  Ghost ghost;
   std::vector<Rigid> ghost_posture;  // as it is drawn, magnified
   double arrow_scale = 0;            // m for each px with which the arrows were made
   ActorGroup floor, camera_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
@@ -69,7 +75,11 @@ struct RobotView::Parts {
     return orbit;
   }
   void make_ready();
+  /// The scene as it was made ready, seen from an eye whose picture is moved by part of a pixel.
+  QImage moved_picture(const QPointF& px);
   void make_robot();
+  /// Near and far enough for the robot and its ghost.
+  void set_clipping_range();
   void place_robot();
   void make_marks();
   void make_arrows();

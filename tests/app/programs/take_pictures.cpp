@@ -42,6 +42,19 @@ struct Photographer {
   }
 };
 
+/// The 3D view alone, as large as a page.
+void take_the_robot(Desk& desk) {
+  for (auto* view : desk.window.findChildren<widgets::RobotView*>()) {
+    if (!view->isVisible()) continue;
+    const QSize before = view->size();
+    view->resize(1000, 640);
+    view->look(widgets::StandardView::all);
+    view->picture(2).save(folder_of_pictures + "/robot" + suffix + ".png");
+    view->resize(before);
+    view->look(widgets::StandardView::all);
+  }
+}
+
 TEST(Pictures, OfEveryWorkspace) {
   Desk desk;
   desk.window.resize(window_size());
@@ -73,6 +86,7 @@ TEST(Pictures, OfEveryWorkspace) {
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
   desk.click(strip, strip->cell_rect(0).center().toPoint());  // one of those with images
   photo.take("calibrate");
+  take_the_robot(desk);
   desk.press_button("watch");
   photo.take_now("calibrate_watch");
   desk.press_button("watch");

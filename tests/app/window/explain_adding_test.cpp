@@ -36,6 +36,12 @@ TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
   ASSERT_TRUE(desk.wait([&] { return stairs->state().versions.size() == 2; }));  // drawn a moment after it is known
   EXPECT_NEAR(*stairs->state().versions[0].held_out, before, 1e-12);
   EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2) << "the fit was watched";
+  numbers->setFocus();
+  desk.key(Qt::Key_Left);
+  EXPECT_TRUE(desk.wait([&] { return numbers->numbers().current == 0; })) << "the header's stairs are chosen like Explain's";
+  EXPECT_NEAR(*numbers->numbers().now, before, 1e-12);
+  desk.key(Qt::Key_Right);
+  EXPECT_TRUE(desk.wait([&] { return std::abs(*numbers->numbers().now - after) < 1e-12; }));
 
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(explain.is_settled());

@@ -14,6 +14,7 @@
 #include "findings/pattern_plots.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
+#include "start/session_places.h"
 #include "widgets/lists/blame_bar.h"
 
 namespace handsight::test {
@@ -108,6 +109,17 @@ TEST_F(FindingsIn, ScatterIsNotContradictedByThePlotsBesideIt) {
   EXPECT_TRUE(beside.contains("1.4 mrad to which the joints repeat")) << beside.toStdString();
   EXPECT_TRUE(app::as_if_alone({"shift along x of the base", "time"}, scatter).isEmpty());
   EXPECT_TRUE(app::as_if_alone({"error of axis_5", "time"}, {}).isEmpty()) << "the joints repeat";
+}
+
+TEST_F(FindingsIn, TheStartPageSaysHowASessionStoodThatWasClosedAtOnce) {
+  open("hidden_3");
+  ASSERT_TRUE(desk.wait([&] { return desk.document().model() && desk.document().model()->fit; }, 30000));
+  desk.document().close();
+  const auto* row = desk.find<QAbstractButton>("recent_0");
+  EXPECT_TRUE(desk.wait([&] { return row->isVisible(); }, 5000));
+  EXPECT_TRUE(row->accessibleDescription().simplified().contains("3.4 px, noise 0.20 px"))
+      << row->accessibleDescription().toStdString() << "\n"
+      << app::recent_sessions().front().state.toStdString();
 }
 
 TEST_F(FindingsIn, ATrackersSessionShowsNoPlaceForImages) {
