@@ -2,7 +2,6 @@
 #include "diagnosis/exchange.h"
 
 #include <algorithm>
-#include <mutex>
 
 #include "base/threads.h"
 #include "diagnosis/candidate_report.h"
@@ -34,11 +33,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
                     o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
   set_quick(by, o);
-  std::mutex telling;
-  o.on_iteration = [&](int, double, const Unknowns&) {
-    const std::lock_guard<std::mutex> one_at_a_time(telling);
-    return goes_on();
-  };
+  o.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };
   const CleanFit without{model.model.session, fit(model.model.session, o), {}};
   if (without.fit.solution.stopped) return std::nullopt;
   for (std::size_t t = 0; t < o.estimated.size(); ++t) o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
