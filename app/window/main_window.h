@@ -28,6 +28,7 @@ namespace handsight::app {
 
 class Appearance;
 class CentreFill;
+class ComparePage;
 class Header;
 class Rail;
 class StartPage;
@@ -45,10 +46,15 @@ class MainWindow : public QMainWindow {
   Workbench& bench() { return bench_; }
   const Actions& registry() const { return actions_; }
   void show_workspace(Place place);
+  /// Opens another session of the same robot, or a calibration, beside the one that is open. Empty: the user is asked.
+  void compare_with(const QString& path);
   /// Takes the choices of theme and motion into its menu.
   void offer(Appearance& appearance);
-  /// The one in front.
-  Place workspace() const;
+  /// The one in front; while sessions are compared the one before.
+  Place workspace() const { return place_; }
+  bool is_comparing() const;
+  /// Is another page in front than that of a workspace?
+  bool is_beside_work() const;
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -57,6 +63,8 @@ class MainWindow : public QMainWindow {
 
  private:
   Workspace& page_of(Place place) const { return *workspaces_.at(static_cast<std::size_t>(place)); }
+  Workspace& page_in_front() const;
+  void bring_to_front(Workspace& page);
   void make_pages();
   void make_workspaces(QWidget* parent);
   void make_actions();
@@ -92,6 +100,8 @@ class MainWindow : public QMainWindow {
   Header* header_;
   Rail* rail_;
   QStackedWidget* centre_;
+  ComparePage* compare_;
+  Place place_ = Place::label;
   CentreFill* fill_;
   QSplitter* splitter_;
   widgets::ModelPanel* panel_;

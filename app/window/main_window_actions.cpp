@@ -38,6 +38,13 @@ void MainWindow::add_session_actions() {
                 .run = [this] { save(); },
                 .is_possible = is_open,
                 .section = of_session});
+  actions_.add({.id = "compare",
+                .group = everywhere,
+                .text = tr("Com&pare with another session…"),
+                .tip = tr("compare with another session of this robot, or with a calibration"),
+                .run = [this] { compare_with({}); },
+                .is_possible = is_open,
+                .section = of_session});
   actions_.add(
       {.id = "fit",
        .group = everywhere,

@@ -4273,6 +4273,214 @@
         <source>Space</source>
         <translation>Leertaste</translation>
     </message>
+    <message>
+        <source>Com&amp;pare with another session…</source>
+        <translation>Mit einer anderen Sitzung &amp;vergleichen…</translation>
+    </message>
+    <message>
+        <source>compare with another session of this robot, or with a calibration</source>
+        <translation>mit einer anderen Sitzung dieses Roboters oder einer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>Tauschen</translation>
+    </message>
+    <message>
+        <source>The earlier one is the later one, and the other way round</source>
+        <translation>Die frühere ist die spätere und umgekehrt</translation>
+    </message>
+    <message>
+        <source>Compare again</source>
+        <translation>Neu vergleichen</translation>
+    </message>
+    <message>
+        <source>With the open session as it is now</source>
+        <translation>Mit der offenen Sitzung, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>Another one…</source>
+        <translation>Eine andere…</translation>
+    </message>
+    <message>
+        <source>Another session of the same robot, or a calibration</source>
+        <translation>Eine andere Sitzung desselben Roboters oder eine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Back to the workspaces; both sessions are as they were</source>
+        <translation>Zurück zu den Arbeitsbereichen; beide Sitzungen sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>What may have changed</source>
+        <translation>Was sich geändert haben kann</translation>
+    </message>
+    <message>
+        <source>ln Bayes</source>
+        <translation>ln Bayes</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>in σ</source>
+        <translation>in σ</translation>
+    </message>
+    <message>
+        <source>Numbers of both</source>
+        <translation>Zahlen von beiden</translation>
+    </message>
+    <message>
+        <source>Choose a second session of this robot, or a calibration that was exported for it: what has changed is told here, and both are shown by the same plots.</source>
+        <translation>Eine zweite Sitzung dieses Roboters wählen oder eine Kalibrierung, die für ihn exportiert wurde: hier steht dann, was sich geändert hat, und dieselben Bilder zeigen beide.</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residuen</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Konvergenz</translation>
+    </message>
+    <message>
+        <source>the lenses</source>
+        <translation>die Objektive</translation>
+    </message>
+    <message>
+        <source>TCP→Body %1</source>
+        <translation>TCP→Body %1</translation>
+    </message>
+    <message>
+        <source>sensor on its mount, %1</source>
+        <translation>Sensor auf seiner Halterung, %1</translation>
+    </message>
+    <message>
+        <source>The hand is %1 mm from where it was in the mean over these poses, at most %2 mm.</source>
+        <translation>Die Hand ist im Mittel über diese Posen %1 mm von da, wo sie war, höchstens %2 mm.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 → %2 %3</source>
+        <translation>%1 → %2 %3</translation>
+    </message>
+    <message>
+        <source>Compare with another session or a calibration</source>
+        <translation>Mit einer anderen Sitzung oder einer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Sessions and calibrations (*.xml)</source>
+        <translation>Sitzungen und Kalibrierungen (*.xml)</translation>
+    </message>
+    <message>
+        <source>Comparing with %1</source>
+        <translation>Vergleich mit %1</translation>
+    </message>
+    <message>
+        <source>Being compared …</source>
+        <translation>Wird verglichen …</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was compared.</source>
+        <translation>Abgebrochen. Nichts wurde verglichen.</translation>
+    </message>
+    <message>
+        <source>A calibration is always the earlier one</source>
+        <translation>Eine Kalibrierung ist immer die frühere</translation>
+    </message>
+    <message>
+        <source>Compared with %1</source>
+        <translation>Verglichen mit %1</translation>
+    </message>
+    <message>
+        <source>Compare with another session</source>
+        <translation>Mit einer anderen Sitzung vergleichen</translation>
+    </message>
+    <message>
+        <source>Before: %1. After: %2.</source>
+        <translation>Vorher: %1. Nachher: %2.</translation>
+    </message>
+    <message>
+        <source>The open session has changed since.</source>
+        <translation>Die offene Sitzung hat sich seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>By evidence</source>
+        <translation>Nach Evidenz</translation>
+    </message>
+    <message>
+        <source>What counts is above %1.</source>
+        <translation>Was zählt, liegt über %1.</translation>
+    </message>
+    <message>
+        <source>Above %1: no chance.</source>
+        <translation>Über %1: kein Zufall.</translation>
+    </message>
+    <message>
+        <source>No residuals of this one.</source>
+        <translation>Von dieser gibt es keine Residuen.</translation>
+    </message>
+    <message>
+        <source>%1, as the calibration has it</source>
+        <translation>%1, wie die Kalibrierung es sagt</translation>
+    </message>
+    <message>
+        <source>%1, fitted anew</source>
+        <translation>%1, neu angepasst</translation>
+    </message>
+    <message>
+        <source>before: %1</source>
+        <translation>vorher: %1</translation>
+    </message>
+    <message>
+        <source>after: %1</source>
+        <translation>nachher: %1</translation>
+    </message>
+    <message>
+        <source>TCP→Body, position: %1</source>
+        <translation>TCP→Body, Position: %1</translation>
+    </message>
+    <message>
+        <source>TCP→Body, rotation: %1</source>
+        <translation>TCP→Body, Drehung: %1</translation>
+    </message>
+    <message>
+        <source>A calibration tells its result alone: it is where the other one's curves are counted from.</source>
+        <translation>Eine Kalibrierung sagt nur ihr Ergebnis: von ihm aus zählen die Kurven der anderen.</translation>
+    </message>
+    <message>
+        <source>It is not known how this estimate came about.</source>
+        <translation>Wie diese Schätzung zustande kam, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>A calibration has no residuals of its own.</source>
+        <translation>Eine Kalibrierung hat keine eigenen Residuen.</translation>
+    </message>
+    <message>
+        <source>The residuals follow nothing here, or there is no fit.</source>
+        <translation>Die Residuen folgen hier nichts, oder es gibt keine Anpassung.</translation>
+    </message>
+    <message>
+        <source>%1 from the first</source>
+        <translation>%1 ab der ersten</translation>
+    </message>
+    <message>
+        <source>Slips in the model of the open session are left out: they came at observations of its own.</source>
+        <translation>Sprünge im Modell der offenen Sitzung bleiben weg: sie kamen bei deren eigenen Beobachtungen.</translation>
+    </message>
+    <message>
+        <source>Numbers that the model holds are estimated here, in both.</source>
+        <translation>Zahlen, die das Modell festhält, werden hier in beiden geschätzt.</translation>
+    </message>
+    <message>
+        <source>This is the session that is open; choose another one of the same robot, or a calibration.</source>
+        <translation>Das ist die Sitzung, die offen ist; eine andere desselben Roboters wählen oder eine Kalibrierung.</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -5389,6 +5597,94 @@
         <source>shift across, w,</source>
         <translation>Verschiebung quer, w,</translation>
     </message>
+    <message>
+        <source>Nothing has changed that these poses show: cameras, hand and arm are as they were.</source>
+        <translation>Nichts hat sich geändert, was diese Posen zeigen: Kameras, Hand und Arm sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>arm and hand are as they were</source>
+        <translation>Arm und Hand sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>arm and cameras are as they were</source>
+        <translation>Arm und Kameras sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>cameras and markers are as they were</source>
+        <translation>Kameras und Marker sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>and more than one thing has changed: %1 too, or something that is not in the list</source>
+        <translation>und mehr als eines hat sich geändert: auch %1, oder etwas, das nicht in der Liste steht</translation>
+    </message>
+    <message>
+        <source>or it is %1, which these poses do not tell apart</source>
+        <translation>oder es ist %1, was sich mit diesen Posen nicht unterscheiden lässt</translation>
+    </message>
+    <message>
+        <source>The %1 turned by %2 and moved by %3 on its mount</source>
+        <translation>%1: auf der Halterung um %2 gedreht und um %3 verschoben</translation>
+    </message>
+    <message>
+        <source>The cameras turned against each other by %1 and moved by %2</source>
+        <translation>Die Kameras haben sich gegeneinander um %1 gedreht und um %2 verschoben</translation>
+    </message>
+    <message>
+        <source>The marker body slipped on the hand by %1 and turned by %2</source>
+        <translation>Der Markerkörper ist an der Hand um %1 verrutscht und hat sich um %2 gedreht</translation>
+    </message>
+    <message>
+        <source>Of the markers %1 alone slipped, by %2</source>
+        <translation>Von den Markern ist nur %1 verrutscht, um %2</translation>
+    </message>
+    <message>
+        <source>Joint %1 lost its zero: it stands %2 further than it reads</source>
+        <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 weiter, als es anzeigt</translation>
+    </message>
+    <message>
+        <source>The hand carries %1 kg more than it did</source>
+        <translation>Die Hand trägt %1 kg mehr als vorher</translation>
+    </message>
+    <message>
+        <source>Joint %1 gives way by %2 more than it did</source>
+        <translation>Gelenk %1 gibt um %2 mehr nach als vorher</translation>
+    </message>
+    <message>
+        <source>The cameras' lenses are not what they were (%1)</source>
+        <translation>Die Objektive der Kameras sind nicht mehr, was sie waren (%1)</translation>
+    </message>
+    <message>
+        <source>focal lengths or centres</source>
+        <translation>Brennweiten oder Mitten</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 Grad</translation>
+    </message>
+    <message>
+        <source>%1 single wrong points of the %2 session are left out.</source>
+        <translation>%1 einzelne falsche Punkte der %2 Sitzung bleiben weg.</translation>
+    </message>
+    <message>
+        <source>Of the %1 session: %2</source>
+        <translation>Von der %1 Sitzung: %2</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>ersten</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>zweiten</translation>
+    </message>
+    <message>
+        <source>The sessions name other calibrations of the cameras; each is measured by its own.</source>
+        <translation>Die Sitzungen nennen verschiedene Kalibrierungen der Kameras; jede wird mit ihrer eigenen gemessen.</translation>
+    </message>
+    <message>
+        <source>The model misses what both sessions measured. What the catalogue has and smooth curves of the joints' angles, the same in both, were fitted beside the change; a change that looks like them is not seen.</source>
+        <translation>Das Modell verfehlt, was beide Sitzungen gemessen haben. Was der Katalog hat und glatte Kurven der Gelenkwinkel, in beiden gleich, wurden neben der Änderung angepasst; eine Änderung, die ihnen gleicht, wird nicht gesehen.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -6448,6 +6744,66 @@
     <message>
         <source>is nested more deeply than any calibration is.</source>
         <translation>ist tiefer verschachtelt als jede Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>The two cannot be compared: %1; name two sessions of one robot, sensor and marker body.</source>
+        <translation>Die beiden lassen sich nicht vergleichen: %1; zwei Sitzungen mit demselben Roboter, Sensor und Markerkörper nennen.</translation>
+    </message>
+    <message>
+        <source>one has cameras, the other a tracker</source>
+        <translation>die eine hat Kameras, die andere einen Tracker</translation>
+    </message>
+    <message>
+        <source>their cameras have other names</source>
+        <translation>ihre Kameras heißen anders</translation>
+    </message>
+    <message>
+        <source>one has %1 markers, the other %2</source>
+        <translation>die eine hat %1 Marker, die andere %2</translation>
+    </message>
+    <message>
+        <source>TCP or mount are other links</source>
+        <translation>TCP oder Halterung sind andere Glieder</translation>
+    </message>
+    <message>
+        <source>their joints are others, or in another order</source>
+        <translation>ihre Gelenke sind andere oder anders geordnet</translation>
+    </message>
+    <message>
+        <source>their robots are others</source>
+        <translation>ihre Roboter sind andere</translation>
+    </message>
+    <message>
+        <source>The two cannot be compared: the fit of the %1 session finds no answer; run `handsight-cli fit` on it, exclude the observations that it says stand out, and compare again.</source>
+        <translation>Die beiden lassen sich nicht vergleichen: die Anpassung der %1 Sitzung findet keine Antwort; `handsight-cli fit` auf sie anwenden, die Beobachtungen ausschließen, die danach herausragen, und neu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The session's TCP, mount or joints are not those of the calibration; name a session of the same robot.</source>
+        <translation>TCP, Halterung oder Gelenke der Sitzung sind nicht die der Kalibrierung; eine Sitzung desselben Roboters nennen.</translation>
+    </message>
+    <message>
+        <source>The session has %1 markers, the calibration %2; name a session with the same marker body.</source>
+        <translation>Die Sitzung hat %1 Marker, die Kalibrierung %2; eine Sitzung mit demselben Markerkörper nennen.</translation>
+    </message>
+    <message>
+        <source>Neither the calibration nor the session says where the sensor sits: a few poses cannot tell it.</source>
+        <translation>Weder die Kalibrierung noch die Sitzung sagt, wo der Sensor sitzt: aus wenigen Posen lässt es sich nicht finden.</translation>
+    </message>
+    <message>
+        <source>The session has no observation with markers that can be used; label some poses.</source>
+        <translation>Die Sitzung hat keine Beobachtung mit Markern, die sich verwenden lässt; einige Posen beschriften.</translation>
+    </message>
+    <message>
+        <source>%1: has no &lt;robot&gt; with the tcp link or no &lt;joints&gt; with their order; predict from its session.</source>
+        <translation>%1: hat kein &lt;robot&gt; mit dem Glied tcp oder keine &lt;joints&gt; mit ihrer Reihenfolge; die Sitzung selbst verwenden.</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>ersten</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>zweiten</translation>
     </message>
 </context>
 <context>

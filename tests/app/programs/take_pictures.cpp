@@ -147,6 +147,60 @@ TEST(Pictures, OfTheWizard) {
   wizard->reject();
 }
 
+/// Two halves of a sample: in the second a joint stands 4 mrad further than it reads.
+std::pair<std::filesystem::path, std::filesystem::path> two_sessions(const std::filesystem::path& folder) {
+  const auto half = [&](const char* name, bool first) {
+    std::filesystem::create_directories(folder / name);
+    const auto copy = copy_of_sample(folder / name, "hidden_2");
+    Session s = read_session(copy);
+    const auto middle = s.observations.begin() + static_cast<std::ptrdiff_t>(s.observations.size() / 2);
+    first ? s.observations.erase(middle, s.observations.end()) : s.observations.erase(s.observations.begin(), middle);
+    s.title = name;
+    s.source.reset();
+    for (Observation& o : s.observations) o.position[2] -= first ? 0 : 0.004;
+    save_session(s);
+    return copy;
+  };
+  return {half("march", true), half("april", false)};
+}
+
+TEST(Pictures, OfTheComparison) {
+  const TemporaryFolder folder;
+  Desk desk;
+  desk.window.resize(window_size());
+  Photographer photo{desk};
+  const auto [before, after] = two_sessions(folder.path);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(after.string())));
+  ASSERT_TRUE(desk.settle());
+  const auto compare = [&](const std::filesystem::path& other) {
+    desk.window.compare_with(QString::fromStdString(other.string()));
+    return desk.wait([&] { return !desk.window.bench().explaining.is_busy(); }, 120000);
+  };
+  ASSERT_TRUE(compare(before));
+  auto* tabs = desk.find<QTabWidget>("compare_tabs");
+  const char* names[] = {"compare", "compare_convergence", "compare_patterns"};
+  for (int i = 0; i < 3; ++i) {
+    desk.click(tabs->tabBar(), tabs->tabBar()->tabRect(i).center());
+    photo.take(names[i]);
+  }
+  ASSERT_TRUE(compare(folder.path / "nowhere.xml"));
+  photo.take("compare_refused");
+  desk.document().close();
+  // A recheck against what the first session was calibrated to.
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(before.string())));
+  ASSERT_TRUE(desk.settle());
+  desk.key(Qt::Key_5, Qt::ControlModifier);
+  ASSERT_TRUE(ExportPage{desk}.save_as(folder.path / "calibration.xml"));
+  desk.document().close();
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(after.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(compare(folder.path / "calibration.xml"));
+  for (int i = 0; i < 2; ++i) {
+    desk.click(tabs->tabBar(), tabs->tabBar()->tabRect(i).center());
+    photo.take(i == 0 ? "compare_calibration" : "compare_calibration_convergence");
+  }
+}
+
 /// Of the sample sessions without images, for the start page (resources/pictures).
 TEST(Thumbnails, OfTheRobots) {
   for (const char* name : {"thesis_simulation", "hidden_1", "hidden_2", "hidden_3", "hidden_4", "hidden_5", "hidden_6",
