@@ -15,6 +15,7 @@
 #include "bench/observation_views.h"
 #include "bench/preferences.h"
 #include "compare/compare_page.h"
+#include "merge/merge_page.h"
 #include "start/start_page.h"
 #include "widgets/base/read_out_line.h"
 #include "widgets/base/unit_switch.h"
@@ -110,6 +111,10 @@ void MainWindow::make_workspaces(QWidget* parent) {
   compare_ = new ComparePage(bench_, parent);
   centre_->addWidget(compare_);
   connect(compare_, &ComparePage::close_requested, this, [this] { show_workspace(place_); });
+  merge_ = new MergePage(bench_, parent);
+  centre_->addWidget(merge_);
+  connect(merge_, &MergePage::done, this, [this] { show_workspace(place_); });
+  connect(&bench_.document, &Document::collided, this, &MainWindow::show_collisions);
   fill_ = new CentreFill(centre_);
 }
 
@@ -134,6 +139,12 @@ Workspace& MainWindow::page_in_front() const { return *static_cast<Workspace*>(c
 bool MainWindow::is_comparing() const { return &page_in_front() == compare_; }
 
 bool MainWindow::is_beside_work() const { return &page_in_front() != &page_of(place_); }
+
+void MainWindow::show_collisions() {
+  if (bench_.document.collisions().empty()) return;
+  rail_->set_none();
+  bring_to_front(*merge_);
+}
 
 void MainWindow::compare_with(const QString& path) {
   if (!bench_.document.is_open()) return;

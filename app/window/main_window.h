@@ -30,6 +30,7 @@ class Appearance;
 class CentreFill;
 class ComparePage;
 class Header;
+class MergePage;
 class Rail;
 class StartPage;
 
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
   void connect_strip();
   void connect_read_out();
   void connect_units();
+  void show_collisions();
   void choose_session();
   void run_wizard();
   void save();
@@ -101,6 +103,7 @@ class MainWindow : public QMainWindow {
   Rail* rail_;
   QStackedWidget* centre_;
   ComparePage* compare_;
+  MergePage* merge_;
   Place place_ = Place::label;
   CentreFill* fill_;
   QSplitter* splitter_;

@@ -45,6 +45,14 @@ void MainWindow::add_session_actions() {
                 .run = [this] { compare_with({}); },
                 .is_possible = is_open,
                 .section = of_session});
+  const auto collides = [this] { return !bench_.document.collisions().empty(); };
+  actions_.add({.id = "collisions",
+                .group = everywhere,
+                .text = tr("What another program &wrote…"),
+                .run = [this] { show_collisions(); },
+                .is_possible = collides,
+                .is_offered = collides,
+                .section = of_session});
   actions_.add(
       {.id = "fit",
        .group = everywhere,

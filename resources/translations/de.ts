@@ -388,10 +388,6 @@
         <source>%1: held out %2, fitted %3</source>
         <translation>%1: ungesehen %2, angepasst %3</translation>
     </message>
-    <message>
-        <source>%1; another program had changed it meanwhile, and what it wrote is kept in %2.</source>
-        <translation>%1; ein anderes Programm hatte die Datei inzwischen geändert, sein Stand liegt in %2.</translation>
-    </message>
     <message numerus="yes">
         <source>%n action(s)</source>
         <translation>
@@ -4480,6 +4476,166 @@
     <message>
         <source>This is the session that is open; choose another one of the same robot, or a calibration.</source>
         <translation>Das ist die Sitzung, die offen ist; eine andere desselben Roboters wählen oder eine Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>; another program had changed it meanwhile, and what it wrote is kept in %1</source>
+        <translation>; ein anderes Programm hatte sie inzwischen geändert, und was es schrieb, steht in %1</translation>
+    </message>
+    <message>
+        <source>; what the other program wrote is kept in %1</source>
+        <translation>; was das andere Programm schrieb, steht in %1</translation>
+    </message>
+    <message>
+        <source>; what another program wrote meanwhile is in it too</source>
+        <translation>; was ein anderes Programm inzwischen schrieb, ist auch darin</translation>
+    </message>
+    <message>
+        <source>took over %1 from another program</source>
+        <translation>%1 von einem anderen Programm übernommen</translation>
+    </message>
+    <message>
+        <source>what was done here before another program changed the session</source>
+        <translation>was hier getan wurde, bevor ein anderes Programm die Sitzung änderte</translation>
+    </message>
+    <message>
+        <source>unfinished labels</source>
+        <translation>unfertige Beschriftung</translation>
+    </message>
+    <message>
+        <source>session.xml was changed by another program. Your unsaved actions are on top of it, but for what both have changed; all of them are kept in %1.</source>
+        <translation>session.xml wurde von einem anderen Programm geändert. Die nicht gespeicherten Aktionen liegen darüber, bis auf das, was beide geändert haben; alle stehen in %1.</translation>
+    </message>
+    <message>
+        <source>session.xml was changed by another program. Your unsaved actions are on top of it, as one action.</source>
+        <translation>session.xml wurde von einem anderen Programm geändert. Die nicht gespeicherten Aktionen liegen darüber, als eine Aktion.</translation>
+    </message>
+    <message>
+        <source>session.xml was changed by another program. Your unsaved actions are on top of it as far as they fit it; all of them are kept in %1.</source>
+        <translation>session.xml wurde von einem anderen Programm geändert. Die nicht gespeicherten Aktionen liegen darüber, soweit sie dazu passen; alle stehen in %1.</translation>
+    </message>
+    <message>
+        <source>kept what was done here against another program</source>
+        <translation>behalten, was hier getan wurde, gegen ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>What another program &amp;wrote…</source>
+        <translation>&amp;Was ein anderes Programm schrieb…</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>found by the program</source>
+        <translation>vom Programm gefunden</translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation>eingelesen</translation>
+    </message>
+    <message>
+        <source>no markers</source>
+        <translation>keine Marker</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation>nicht entschieden</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>markers, up to %1 mm apart</source>
+        <translation>Marker, bis %1 mm auseinander</translation>
+    </message>
+    <message>
+        <source>markers, up to %1 px apart</source>
+        <translation>Marker, bis %1 px auseinander</translation>
+    </message>
+    <message>
+        <source>whether it counts</source>
+        <translation>ob sie zählt</translation>
+    </message>
+    <message>
+        <source>whether it is there</source>
+        <translation>ob es sie gibt</translation>
+    </message>
+    <message>
+        <source>cameras, markers or joints</source>
+        <translation>Kameras, Marker oder Gelenke</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>the session as it is here; the file is kept beside it</source>
+        <translation>die Sitzung, wie sie hier ist; die Datei bleibt daneben erhalten</translation>
+    </message>
+    <message>
+        <source>the session as it was written; what was done here is kept beside the journal</source>
+        <translation>die Sitzung, wie sie geschrieben wurde; was hier getan wurde, bleibt neben dem Journal erhalten</translation>
+    </message>
+    <message>
+        <source>Another program has written this session since it was read</source>
+        <translation>Ein anderes Programm hat diese Sitzung geschrieben, seit sie gelesen wurde</translation>
+    </message>
+    <message>
+        <source>What both have changed</source>
+        <translation>Was beide geändert haben</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>done here</source>
+        <translation>hier getan</translation>
+    </message>
+    <message>
+        <source>written there</source>
+        <translation>dort geschrieben</translation>
+    </message>
+    <message>
+        <source>All as done here</source>
+        <translation>Alles wie hier</translation>
+    </message>
+    <message>
+        <source>All as written there</source>
+        <translation>Alles wie dort</translation>
+    </message>
+    <message>
+        <source>Put together</source>
+        <translation>Zusammenführen</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Nothing is written; saving asks again</source>
+        <translation>Nichts wird geschrieben; beim Speichern wird wieder gefragt</translation>
+    </message>
+    <message>
+        <source>It now has other cameras, markers or joints, so that nothing of here can be put into it. Which of the two is to be the session? The other one is kept.</source>
+        <translation>Sie hat nun andere Kameras, Marker oder Gelenke, sodass sich nichts von hier hineinbringen lässt. Welche von beiden soll die Sitzung sein? Die andere bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>What only one side has changed is put together by itself. Here both have changed the same: click on what is to count.</source>
+        <translation>Was nur eine Seite geändert hat, wird von selbst zusammengeführt. Hier haben beide dasselbe geändert: anklicken, was zählen soll.</translation>
     </message>
 </context>
 <context>

@@ -201,6 +201,25 @@ TEST(Pictures, OfTheComparison) {
   }
 }
 
+TEST(Pictures, OfWhatAnotherProgramWrote) {
+  const TemporaryFolder folder;
+  Desk desk;
+  desk.window.resize(window_size());
+  Photographer photo{desk};
+  const auto session = copy_of_sample(folder.path, "hidden_2");
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  desk.window.bench().exclude({1, 2, 5});
+  Session there = read_session(session);
+  for (const std::size_t i : {1U, 2U, 5U, 9U}) {
+    there.observations[i].decision = i == 2 ? Decision::rejected : Decision::excluded;
+    there.observations[i].reason = i == 2 ? "corner 2 is 9 mm from where it must be (limit 5)" : "blurred";
+  }
+  replace_session(there);
+  desk.key(Qt::Key_S, Qt::ControlModifier);
+  photo.take("merge");
+}
+
 /// Of the sample sessions without images, for the start page (resources/pictures).
 TEST(Thumbnails, OfTheRobots) {
   for (const char* name : {"thesis_simulation", "hidden_1", "hidden_2", "hidden_3", "hidden_4", "hidden_5", "hidden_6",
