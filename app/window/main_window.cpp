@@ -34,6 +34,7 @@ namespace handsight::app {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle(tr("Handsight"));
+  setAcceptDrops(true);
   menu_ = new QMenu(this);
   menu_->setObjectName("menu");
   make_pages();

@@ -29,6 +29,7 @@ namespace handsight::app {
 class Appearance;
 class CentreFill;
 class ComparePage;
+class FilesWizard;
 class Header;
 class MergePage;
 class Rail;
@@ -49,6 +50,8 @@ class MainWindow : public QMainWindow {
   void show_workspace(Place place);
   /// Opens another session of the same robot, or a calibration, beside the one that is open. Empty: the user is asked.
   void compare_with(const QString& path);
+  /// The wizard of files, with these to begin with.
+  FilesWizard* bring_files(const std::vector<std::filesystem::path>& files);
   /// Takes the choices of theme and motion into its menu.
   void offer(Appearance& appearance);
   /// The one in front; while sessions are compared the one before.
@@ -59,6 +62,8 @@ class MainWindow : public QMainWindow {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 

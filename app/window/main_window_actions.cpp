@@ -31,6 +31,12 @@ void MainWindow::add_session_actions() {
                 .keys = {QKeySequence::New},
                 .run = [this] { run_wizard(); },
                 .section = of_session});
+  actions_.add({.id = "new_from_files",
+                .group = everywhere,
+                .text = tr("New session from a &bag or other files…"),
+                .tip = tr("a new session from a ROS 2 bag, Kalibr, camera_info, easy_handeye or tables"),
+                .run = [this] { bring_files({}); },
+                .section = of_session});
   actions_.add({.id = "save",
                 .group = everywhere,
                 .text = tr("&Save"),

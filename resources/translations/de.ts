@@ -4637,6 +4637,162 @@
         <source>What only one side has changed is put together by itself. Here both have changed the same: click on what is to count.</source>
         <translation>Was nur eine Seite geändert hat, wird von selbst zusammengeführt. Hier haben beide dasselbe geändert: anklicken, was zählen soll.</translation>
     </message>
+    <message>
+        <source>From a bag or other files…</source>
+        <translation>Aus einem Bag oder anderen Dateien…</translation>
+    </message>
+    <message>
+        <source>A ROS 2 bag, samples of easy_handeye, tables of points: each is known by its content</source>
+        <translation>Ein ROS-2-Bag, Proben von easy_handeye, Tabellen von Punkten: jede wird an ihrem Inhalt erkannt</translation>
+    </message>
+    <message>
+        <source>of OpenCV, Kalibr or ROS; several by ;</source>
+        <translation>von OpenCV, Kalibr oder ROS; mehrere mit ;</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yml *.yaml *.xml *.json)</source>
+        <translation>Kalibrierungen (*.yml *.yaml *.xml *.json)</translation>
+    </message>
+    <message>
+        <source>Nothing is there yet.</source>
+        <translation>Noch ist nichts da.</translation>
+    </message>
+    <message>
+        <source>One of them is nothing that a session is made from: remove it, or bring another one.</source>
+        <translation>Aus einer davon wird keine Sitzung: entfernen oder eine andere nehmen.</translation>
+    </message>
+    <message>
+        <source>The bag publishes no robot_description: add the robot's URDF.</source>
+        <translation>Das Bag enthält keine robot_description: die URDF des Roboters hinzufügen.</translation>
+    </message>
+    <message>
+        <source>There is no robot among them: add its URDF, or a table of its flange's poses.</source>
+        <translation>Es ist kein Roboter dabei: seine URDF hinzufügen oder eine Tabelle der Posen seines Flansches.</translation>
+    </message>
+    <message>
+        <source>What a sensor measured is missing: images, points, or poses of a target.</source>
+        <translation>Es fehlt, was ein Sensor gemessen hat: Bilder, Punkte oder Posen eines Ziels.</translation>
+    </message>
+    <message>
+        <source>The joint readings are missing: add a table of them, a column for each joint.</source>
+        <translation>Die Gelenkwinkel fehlen: eine Tabelle davon hinzufügen, eine Spalte je Gelenk.</translation>
+    </message>
+    <message>
+        <source>The cameras' calibration is missing: add camera_info of ROS, a camchain of Kalibr, or OpenCV's.</source>
+        <translation>Die Kalibrierung der Kameras fehlt: camera_info von ROS, eine camchain von Kalibr oder die von OpenCV hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The numbers of the target are of none.</source>
+        <translation>Die Zahlen des Ziels ergeben keines.</translation>
+    </message>
+    <message>
+        <source>The new session needs a folder.</source>
+        <translation>Die neue Sitzung braucht einen Ordner.</translation>
+    </message>
+    <message>
+        <source>The session is being made …</source>
+        <translation>Die Sitzung wird angelegt …</translation>
+    </message>
+    <message>
+        <source>Making a session</source>
+        <translation>Eine Sitzung wird angelegt</translation>
+    </message>
+    <message>
+        <source>Made: %1 in %2.</source>
+        <translation>Angelegt: %1 in %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was left out.</source>
+        <translation>Nichts wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>New session from files</source>
+        <translation>Neue Sitzung aus Dateien</translation>
+    </message>
+    <message>
+        <source>Drop here what there is, or add it: a ROS 2 bag, images, camera_info or a camchain of Kalibr, samples of easy_handeye, tables of joints, poses or points, the robot's URDF. Each is known by its content.</source>
+        <translation>Hierher ziehen, was da ist, oder hinzufügen: ein ROS-2-Bag, Bilder, camera_info oder eine camchain von Kalibr, Proben von easy_handeye, Tabellen von Gelenken, Posen oder Punkten, die URDF des Roboters. Jede wird an ihrem Inhalt erkannt.</translation>
+    </message>
+    <message>
+        <source>Files of the new session</source>
+        <translation>Dateien der neuen Sitzung</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Dateien hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add a folder…</source>
+        <translation>Ordner hinzufügen…</translation>
+    </message>
+    <message>
+        <source>What was understood</source>
+        <translation>Was verstanden wurde</translation>
+    </message>
+    <message>
+        <source>Link of the hand (TCP)</source>
+        <translation>Glied der Hand (TCP)</translation>
+    </message>
+    <message>
+        <source>Link that carries the sensor</source>
+        <translation>Glied, das den Sensor trägt</translation>
+    </message>
+    <message>
+        <source>What the images show</source>
+        <translation>Was die Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>Markers without numbers (two cameras)</source>
+        <translation>Marker ohne Nummern (zwei Kameras)</translation>
+    </message>
+    <message>
+        <source>The camera stands; the flange carries the target</source>
+        <translation>Die Kamera steht; der Flansch trägt das Ziel</translation>
+    </message>
+    <message>
+        <source>Joint angles are in degrees</source>
+        <translation>Gelenkwinkel in Grad</translation>
+    </message>
+    <message>
+        <source>Target's frame in /tf</source>
+        <translation>Koordinatensystem des Ziels in /tf</translation>
+    </message>
+    <message>
+        <source>where the bag has no images of it; empty: the one that sounds like a target</source>
+        <translation>wo das Bag keine Bilder davon hat; leer: das, das nach einem Ziel klingt</translation>
+    </message>
+    <message>
+        <source>The robot must stand for</source>
+        <translation>Der Roboter muss stehen für</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>The clocks of robot and sensor may differ: find by how much</source>
+        <translation>Die Uhren von Roboter und Sensor können abweichen: finden, um wie viel</translation>
+    </message>
+    <message>
+        <source>New folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>A folder of images, or a bag</source>
+        <translation>Ein Ordner mit Bildern oder ein Bag</translation>
+    </message>
+    <message>
+        <source>New session from a &amp;bag or other files…</source>
+        <translation>Neue Sitzung aus einem &amp;Bag oder anderen Dateien…</translation>
+    </message>
+    <message>
+        <source>a new session from a ROS 2 bag, Kalibr, camera_info, easy_handeye or tables</source>
+        <translation>eine neue Sitzung aus einem ROS-2-Bag, Kalibr, camera_info, easy_handeye oder Tabellen</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>

@@ -18,6 +18,7 @@
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/scene/robot_view.h"
 #include "window/language.h"
+#include "wizard/files_wizard.h"
 
 namespace handsight::test {
 namespace {
@@ -218,6 +219,22 @@ TEST(Pictures, OfWhatAnotherProgramWrote) {
   replace_session(there);
   desk.key(Qt::Key_S, Qt::ControlModifier);
   photo.take("merge");
+}
+
+TEST(Pictures, OfTheWizardOfFiles) {
+  Desk desk;
+  desk.window.resize(window_size());
+  const auto samples = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions";
+  auto* wizard = desk.window.bring_files({});
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(wizard));
+  const auto take = [&](const char* name) {
+    QTest::qWait(250);
+    wizard->grab().save(folder_of_pictures + "/" + name + suffix + ".png");
+  };
+  take("files_empty");
+  wizard->add({samples / "robots/six_axis.urdf", samples / "first_steps/images", samples / "README.md"});
+  take("files");
+  wizard->reject();
 }
 
 /// Of the sample sessions without images, for the start page (resources/pictures).
