@@ -12,8 +12,8 @@
 #include "calibrate/objective_page.h"
 #include "calibrate/one_marker_page.h"
 #include "calibrate/own_pose_page.h"
-#include "calibrate/recall.h"
 #include "calibrate/transport.h"
+#include "findings/recall.h"
 #include "widgets/images/image_view.h"
 #include "widgets/lists/decision_list.h"
 #include "widgets/plots/convergence_plot.h"
@@ -22,27 +22,6 @@
 
 namespace handsight::app {
 namespace {
-
-constexpr double degrees = 57.29577951308232;
-
-/// x y z, then roll pitch yaw.
-Vector6 six(const Rigid& motion) {
-  Vector6 v;
-  v << motion.translation, rpy_from_rotation(motion.rotation);
-  return v;
-}
-
-widgets::ConvergencePoint point_of(const PlayedStep& played) {
-  widgets::ConvergencePoint p{.count = static_cast<int>(played.step.kept), .observation = played.step.id};
-  p.tcp_from_body = six(played.step.tcp_from_body);
-  p.sigma = played.step.sigma;
-  if (played.step.tcp_from_tcp_est) p.tcp_from_tcp_est = six(*played.step.tcp_from_tcp_est);
-  // Every observation adds about as much: of one alone the variance is that of all times their number. Where the
-  // variance is that of scatter, what is shown is more than noise as it is.
-  if (!played.step.covariance_is_scatter)
-    p.deviation_sigma = (p.count * played.step.covariance.diagonal()).cwiseMax(0).cwiseSqrt();
-  return p;
-}
 
 /// With the error against `row`: the present model's where there is one, else that of the moment of the decision.
 widgets::DecisionEntry entry_of(const PlayedStep& played, const InspectionRow* row, const DisplayUnits& units) {
@@ -176,7 +155,7 @@ void CalibrateWorkspace::show_played() {
   std::vector<widgets::ConvergencePoint> points;
   std::vector<widgets::DecisionEntry> entries;
   for (const PlayedStep& played : news) {
-    if (played.step.has_estimate && played.step.accepted) points.push_back(point_of(played));
+    if (played.step.has_estimate && played.step.accepted) points.push_back(convergence_point(played.step));
     entries.push_back(entry_of(played, nullptr, bench_.units));
   }
   refresh_decision_title(false);
@@ -301,10 +280,7 @@ void CalibrateWorkspace::recall() {
       },
       [this](const std::vector<OnlineStep>& steps) {
         if (player_.position() > 0 || player_.is_playing()) return;
-        std::vector<widgets::ConvergencePoint> points;
-        for (const OnlineStep& step : steps)
-          if (step.has_estimate && step.accepted) points.push_back(point_of({.step = step}));
-        board_->set_points(points);
+        board_->set_points(convergence_of(steps));
       },
       [](const QString&) {});
 }

@@ -67,7 +67,9 @@ void Document::open(const std::filesystem::path& path) {
   const JournalContents contents = journal_->take_contents();
   replay(contents);
   emit opened();
-  if (!contents.notice.empty()) {
+  if (!contents.from_before.empty()) {
+    put_on_top(contents);
+  } else if (!contents.notice.empty()) {
     emit noticed(QString::fromStdString(contents.notice));
   } else if (!stack_.isClean()) {
     const int unsaved = std::abs(stack_.index() - std::max(0, stack_.cleanIndex()));
@@ -97,6 +99,7 @@ void Document::close() {
   readings_.clear();
   drafts_.clear();
   index_of_.clear();
+  collisions_.clear();
   state_ = ++last_state_;
   emit closed();
 }
@@ -127,11 +130,25 @@ Session& Document::own_session() {
   return *session_;
 }
 
+/// One that another program wrote between those that were there; models know observations by their place.
+void Document::insert_in_time(const Observation& o, std::vector<Observation>& observations) {
+  observations.insert(std::upper_bound(observations.begin(), observations.end(), o.time,
+                                       [](double time, const Observation& other) { return time < other.time; }),
+                      o);
+  number_observations();
+  shown_.reset();
+}
+
 void Document::add_observations(const std::vector<Observation>& added) {
   if (added.empty()) return;
   std::vector<Observation>& observations = own_session().observations;
   for (const Observation& o : added)
     if (index_of(o.id) < 0) {
+      const bool is_last = observations.empty() || observations.back().time <= o.time;
+      if (!is_last) {
+        insert_in_time(o, observations);
+        continue;
+      }
       observations.push_back(o);
       index_of_[o.id] = static_cast<int>(observations.size()) - 1;
     }
@@ -249,39 +266,6 @@ void Document::undo_all() {
     undo();
     if (stack_.index() == before) return;
   }
-}
-
-void Document::save() {
-  if (!journal_) return;
-  const std::string text = session_text(*session_);
-  const std::string digest = digest_of(text);
-  const std::string aside = set_aside_what_another_wrote();
-  // Marked before the file is replaced: a kill between the two finds the old content, and replays.
-  // Where the state folder's disk is full the session itself is saved all the same.
-  const bool is_marked = write_down({JournalEntry::Kind::saved, {}, digest});
-  replace_file(session_->file, text);
-  own_session().source = std::make_shared<const std::string>(text);
-  digest_ = digest;
-  stack_.setClean();
-  const QString saved = tr("Saved in %1").arg(QString::fromStdString(session_->file.string()));
-  emit noticed(aside.empty() ? saved
-                             : tr("%1; another program had changed it meanwhile, and what it wrote is kept in %2.")
-                                   .arg(saved, QString::fromStdString(aside)));
-  if (!is_marked) emit noticed(tr("Saved, but the journal cannot be written: a kill would bring the actions back."));
-}
-
-/// Where session.xml is no longer what was read or last written: copies it beside, and says where to.
-std::string Document::set_aside_what_another_wrote() const {
-  std::error_code error;
-  if (!std::filesystem::exists(session_->file, error)) return {};
-  const std::string theirs = read_file(session_->file);
-  const std::string digest = digest_of(theirs);
-  if (digest == digest_) return {};
-  std::filesystem::path aside = session_->file;
-  aside.replace_filename(session_->file.stem().string() + "." + digest.substr(0, 8) +
-                         session_->file.extension().string());
-  replace_file(aside, theirs);
-  return aside.string();
 }
 
 /// What no model depends on: readings of the robot, unfinished labels.

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "document/edit.h"
+#include "document/foreign.h"
 #include "document/journal.h"
 #include "document/model_version.h"
 #include "session/session.h"
@@ -49,8 +50,17 @@ class Document : public QObject {
   /// Back to before the first action, one by one.
   void undo_all();
   const QUndoStack& undo_stack() const { return stack_; }
-  /// Replaces session.xml. InputError where it cannot be written.
+  /// Replaces session.xml. What another program wrote since it was read is put together with what was done here, as an
+  /// action that can be undone; where the two collide nothing is written and `collided` asks. InputError where it
+  /// cannot be written.
   void save();
+  /// Where another program wrote what collides with what was done here, by order of observations; empty: nowhere.
+  const std::vector<Collision>& collisions() const { return collisions_; }
+  /// Decides them, one by one, for what was done here or there; then saves where it was a save that met them. False
+  /// where there are others by now.
+  bool decide_collisions(const std::vector<bool>& mine);
+  /// Leaves them undecided: nothing is written, the next save asks again.
+  void put_off_collisions();
   bool is_saved() const { return stack_.isClean(); }
 
   /// The present state of session and settings, and how often second looks came in; undone, it is the same again. A
@@ -109,6 +119,8 @@ class Document : public QObject {
   void draft_changed(std::int64_t id);
   void model_changed();
   void saved_changed(bool is_saved);
+  /// collisions() came or went.
+  void collided();
   /// A sentence for the read-out line.
   void noticed(const QString& sentence);
 
@@ -117,11 +129,19 @@ class Document : public QObject {
   void apply(const Edit& edit, bool forward, std::int64_t becomes);
   void apply_notes(const Edit& edit, bool forward);
   void tell_notes(const Edit& edit);
-  std::string set_aside_what_another_wrote() const;
+  std::optional<std::string> what_another_wrote() const;
+  std::string set_aside(const std::string& theirs) const;
+  void write_session(const QString& more, bool is_theirs_known);
+  bool save_with(const std::string& theirs, const std::vector<Collision>& decided, const std::vector<bool>& mine);
+  bool take_over(const Merge& merge, Session theirs, const std::string& digest);
+  bool begin_anew(Session theirs, const Session& merged, const std::string& digest);
+  void put_on_top(const JournalContents& contents);
+  void set_collisions(std::vector<Collision> collisions, bool at_save);
   static constexpr std::int64_t most_looks = 1 << 20;
   static std::int64_t state_in(std::int64_t revision) { return revision / most_looks; }
   Session& own_session();
   void add_observations(const std::vector<Observation>& added);
+  void insert_in_time(const Observation& observation, std::vector<Observation>& observations);
   void remove_observations(const std::vector<Observation>& removed);
   void number_observations();
   void replay(const JournalContents& contents);
@@ -142,6 +162,8 @@ class Document : public QObject {
   std::map<int, ModelVersionPointer> versions_;  // by index of the undo stack
   ModelVersionPointer shown_;
   SecondLooks second_looks_;
+  std::vector<Collision> collisions_;
+  bool collided_at_save_ = false;  // else at opening: theirs is open already
   std::int64_t state_ = 0, last_state_ = 0, looks_ = 0;
   std::int64_t last_join_ = 0;
   std::size_t most_kept_ = 200000;

@@ -164,6 +164,8 @@ void Journal::recover(const std::string& digest, const Session* session) {
   if (!matches) {
     const fs::path aside = set_aside(text, "session.xml was changed by another program");
     contents_ = {};
+    if (is_whole) contents_.from_before = read.entries;
+    contents_.kept_in = aside;
     contents_.notice =
         fmt::format("session.xml was changed by another program; {} unsaved actions from before that are kept in {}.",
                     read.entries.size() + read.not_understood, shown_path(aside));
@@ -187,6 +189,12 @@ JournalContents Journal::take_contents() { return std::exchange(contents_, {}); 
 void Journal::append(const JournalEntry& entry) { write_line(line_of(entry)); }
 
 void Journal::clear(const std::string& digest) { start(digest); }
+
+fs::path Journal::clear_and_keep(const std::string& digest) {
+  const fs::path kept = set_aside(read_file(file_), "session.xml was changed by another program");
+  start(digest);
+  return kept;
+}
 
 void Journal::start(const std::string& digest) {
   if (::ftruncate(open_.descriptor, 0) != 0)

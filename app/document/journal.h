@@ -26,6 +26,9 @@ struct JournalContents {
   std::vector<JournalEntry> entries;
   std::size_t in_file = 0;  // entries that session.xml already holds: those up to the last `saved` with its digest
   std::string notice;       // a sentence for the user; empty: nothing to say
+  /// Of a journal made for another content of the file: its entries, and the copy in which they are kept.
+  std::vector<JournalEntry> from_before;
+  std::filesystem::path kept_in;
 };
 
 /// $XDG_STATE_HOME/handsight, else ~/.local/state/handsight.
@@ -54,6 +57,8 @@ class Journal {
 
   /// Starts anew for this content of the session file: nothing is left to recover.
   void clear(const std::string& digest);
+  /// The same, with what stands in it now kept beside it; where.
+  std::filesystem::path clear_and_keep(const std::string& digest);
 
   const std::filesystem::path& file() const { return file_; }
 

@@ -60,6 +60,13 @@ ShownSeries shown_series(const ResidualSeries& series, const Eigen::VectorXd& va
   return {own.scale * values, own.scale * root_mean_square(series.sigmas), own.unit};
 }
 
+/// Null where there is none or the observation shows no markers.
+const InspectionRow* row_at(const PlottedSession& of, int index) {
+  if (!of.inspection || static_cast<std::size_t>(index) >= of.inspection->rows.size()) return nullptr;
+  const InspectionRow& row = of.inspection->rows[static_cast<std::size_t>(index)];
+  return row.markers.empty() ? nullptr : &row;
+}
+
 std::vector<widgets::TrendPoint> shown_trend(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   std::vector<widgets::TrendPoint> line;
   for (const TrendPoint& p : trend_of(x, y)) line.push_back({p.x, p.y, p.low, p.high});
@@ -89,12 +96,19 @@ std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
 
 std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
                                                  const Workbench& bench, const std::vector<Eigen::VectorXd>* values) {
+  return pattern_plot(
+      key, residuals,
+      PlottedSession{bench.document.session(), values ? nullptr : bench.inspection(), bench.units.unit()}, values);
+}
+
+std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
+                                                 const PlottedSession& of, const std::vector<Eigen::VectorXd>* values) {
   const ResidualViews& v = residuals.views;
   const auto found = find(key, v);
   if (!found) return std::nullopt;
   const ResidualSeries& series = v.series[found->series];
   const Variable& variable = v.variables[found->variable];
-  const ShownSeries shown = shown_series(series, values ? (*values)[found->series] : series.values, bench.units.unit());
+  const ShownSeries shown = shown_series(series, values ? (*values)[found->series] : series.values, of.unit);
   const Eigen::VectorXd& y = shown.values;
   widgets::PatternPlot plot;
   plot.id = QString::fromStdString(key.residual + " / " + key.variable);
@@ -102,13 +116,12 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
   plot.against = translated(variable.name);
   plot.x_unit = QString::fromStdString(variable.unit);
   plot.y_unit = shown.unit;
-  const Session& session = bench.document.session();
   constexpr double weak = 2.5;
   const double usual = median(series.sigmas);
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     const ProblemObservation& o = v.problem.observations[static_cast<std::size_t>(i)];
-    const std::int64_t id = id_at(session, o.index);
-    const InspectionRow* row = values ? nullptr : bench.row(id);
+    const std::int64_t id = id_at(of.session, o.index);
+    const InspectionRow* row = row_at(of, o.index);
     plot.points.push_back({.observation = id,
                            .x = variable.values[i],
                            .y = y[i],

@@ -13,6 +13,13 @@ struct PlotKey {
   auto operator<=>(const PlotKey&) const = default;
 };
 
+/// Whose residuals are plotted, and in which unit.
+struct PlottedSession {
+  const Session& session;
+  const Inspection* inspection = nullptr;  // for the points' colours; null: none
+  widgets::SizeUnit unit = widgets::SizeUnit::pixel;
+};
+
 /// Up to nine, most structured first, each against another variable.
 std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals);
 
@@ -21,6 +28,10 @@ std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals);
 /// body, mrad of a joint), in which it is told; in sigma each point is over its own.
 std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
                                                  const Workbench& bench,
+                                                 const std::vector<Eigen::VectorXd>* values = nullptr);
+
+std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
+                                                 const PlottedSession& of,
                                                  const std::vector<Eigen::VectorXd>* values = nullptr);
 
 /// Where all joints scatter, the whole error told as one joint's alone is more than that joint scatters: what to say

@@ -14,6 +14,8 @@
 #include "bench/model_effects.h"
 #include "bench/observation_views.h"
 #include "bench/preferences.h"
+#include "compare/compare_page.h"
+#include "merge/merge_page.h"
 #include "start/start_page.h"
 #include "widgets/base/read_out_line.h"
 #include "widgets/base/unit_switch.h"
@@ -32,6 +34,7 @@ namespace handsight::app {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle(tr("Handsight"));
+  setAcceptDrops(true);
   menu_ = new QMenu(this);
   menu_->setObjectName("menu");
   make_pages();
@@ -106,6 +109,13 @@ void MainWindow::make_workspaces(QWidget* parent) {
     centre_->addWidget(workspaces_.back());
     connect(workspaces_.back(), &Workspace::status_changed, this, &MainWindow::refresh_rail);
   }
+  compare_ = new ComparePage(bench_, parent);
+  centre_->addWidget(compare_);
+  connect(compare_, &ComparePage::close_requested, this, [this] { show_workspace(place_); });
+  merge_ = new MergePage(bench_, parent);
+  centre_->addWidget(merge_);
+  connect(merge_, &MergePage::done, this, [this] { show_workspace(place_); });
+  connect(&bench_.document, &Document::collided, this, &MainWindow::show_collisions);
   fill_ = new CentreFill(centre_);
 }
 
@@ -113,19 +123,40 @@ void MainWindow::offer(Appearance& appearance) { appearance.add_to(*menu_, after
 
 void MainWindow::show_workspace(Place place) {
   if (!bench_.document.is_open()) return;
-  fill_->put_back();
+  place_ = place;
   rail_->set_current(place);
-  centre_->setCurrentWidget(&page_of(place));
-  fit_panel_to_workspace();
-  page_of(place).activate();
+  bring_to_front(page_of(place));
 }
 
-Place MainWindow::workspace() const {
-  return workspace_kinds()[static_cast<std::size_t>(centre_->currentIndex())].place;
+void MainWindow::bring_to_front(Workspace& page) {
+  fill_->put_back();
+  centre_->setCurrentWidget(&page);
+  fit_panel_to_workspace();
+  page.activate();
+}
+
+Workspace& MainWindow::page_in_front() const { return *static_cast<Workspace*>(centre_->currentWidget()); }
+
+bool MainWindow::is_comparing() const { return &page_in_front() == compare_; }
+
+bool MainWindow::is_beside_work() const { return &page_in_front() != &page_of(place_); }
+
+void MainWindow::show_collisions() {
+  if (bench_.document.collisions().empty()) return;
+  rail_->set_none();
+  bring_to_front(*merge_);
+}
+
+void MainWindow::compare_with(const QString& path) {
+  if (!bench_.document.is_open()) return;
+  rail_->set_none();
+  bring_to_front(*compare_);
+  if (!path.isEmpty()) return compare_->compare_with(path.toStdString());
+  if (!compare_->has_other()) compare_->choose();
 }
 
 void MainWindow::fit_panel_to_workspace() {
-  const auto wanted = page_of(workspace()).panel();
+  const auto wanted = page_in_front().panel();
   panel_->setVisible(wanted != Workspace::Panel::absent);
   constexpr int wide_enough = 1400;  // px: the panel beside plots that can still be read
   panel_->set_folded(wanted == Workspace::Panel::folded || panel_choice_.value_or(width() < wide_enough));
@@ -178,7 +209,7 @@ void MainWindow::step(int by) {
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (!bench_.document.is_open()) return QMainWindow::keyPressEvent(event);
-  if (page_of(workspace()).key(event)) return;
+  if (page_in_front().key(event)) return;
   if (event->modifiers() != Qt::NoModifier && event->modifiers() != Qt::KeypadModifier)
     return QMainWindow::keyPressEvent(event);
   switch (event->key()) {
@@ -187,7 +218,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Right:
       return step(1);
     case Qt::Key_Escape:
-      return fill_->put_back() ? void() : bench_.selection.up();
+      return fill_->put_back() ? void() : is_beside_work() ? show_workspace(place_) : bench_.selection.up();
     case Qt::Key_M:
       return actions_.run("fold_model");
     default:

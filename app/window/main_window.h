@@ -28,7 +28,10 @@ namespace handsight::app {
 
 class Appearance;
 class CentreFill;
+class ComparePage;
+class FilesWizard;
 class Header;
+class MergePage;
 class Rail;
 class StartPage;
 
@@ -45,18 +48,29 @@ class MainWindow : public QMainWindow {
   Workbench& bench() { return bench_; }
   const Actions& registry() const { return actions_; }
   void show_workspace(Place place);
+  /// Opens another session of the same robot, or a calibration, beside the one that is open. Empty: the user is asked.
+  void compare_with(const QString& path);
+  /// The wizard of files, with these to begin with.
+  FilesWizard* bring_files(const std::vector<std::filesystem::path>& files);
   /// Takes the choices of theme and motion into its menu.
   void offer(Appearance& appearance);
-  /// The one in front.
-  Place workspace() const;
+  /// The one in front; while sessions are compared the one before.
+  Place workspace() const { return place_; }
+  bool is_comparing() const;
+  /// Is another page in front than that of a workspace?
+  bool is_beside_work() const;
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   Workspace& page_of(Place place) const { return *workspaces_.at(static_cast<std::size_t>(place)); }
+  Workspace& page_in_front() const;
+  void bring_to_front(Workspace& page);
   void make_pages();
   void make_workspaces(QWidget* parent);
   void make_actions();
@@ -66,6 +80,7 @@ class MainWindow : public QMainWindow {
   void connect_strip();
   void connect_read_out();
   void connect_units();
+  void show_collisions();
   void choose_session();
   void run_wizard();
   void save();
@@ -92,6 +107,9 @@ class MainWindow : public QMainWindow {
   Header* header_;
   Rail* rail_;
   QStackedWidget* centre_;
+  ComparePage* compare_;
+  MergePage* merge_;
+  Place place_ = Place::label;
   CentreFill* fill_;
   QSplitter* splitter_;
   widgets::ModelPanel* panel_;

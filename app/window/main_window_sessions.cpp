@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions: opened, saved, closed, and where the window begins with one.
+#include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QMimeData>
 #include <QStackedWidget>
+#include <QUrl>
 #include <algorithm>
 
 #include "base/error.h"
@@ -11,6 +14,7 @@
 #include "widgets/lists/model_panel.h"
 #include "widgets/lists/observation_strip.h"
 #include "window/main_window.h"
+#include "wizard/files_wizard.h"
 #include "wizard/session_wizard.h"
 #include "words/core_words.h"
 
@@ -86,7 +90,34 @@ void MainWindow::choose_session() {
 }
 
 void MainWindow::run_wizard() {
-  SessionWizard::run(*this, [this](const QString& path) { open(path); });
+  SessionWizard::run(
+      *this, [this](const QString& path) { open(path); }, [this] { bring_files({}); });
+}
+
+FilesWizard* MainWindow::bring_files(const std::vector<std::filesystem::path>& files) {
+  return FilesWizard::run(*this, bench_.background, files, [this](const QString& path) { open(path); });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+/// A session is opened; of anything else one may be made.
+void MainWindow::dropEvent(QDropEvent* event) {
+  std::vector<std::filesystem::path> files;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
+  event->acceptProposedAction();
+  if (files.empty()) return;
+  std::error_code error;
+  const std::filesystem::path& first = files.front();
+  const bool is_session =
+      files.size() == 1 && (first.filename() == "session.xml" || std::filesystem::exists(first / "session.xml", error));
+  if (is_session) {
+    open(QString::fromStdString(first.string()));
+  } else {
+    bring_files(files);
+  }
 }
 
 void MainWindow::save() {

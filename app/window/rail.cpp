@@ -133,4 +133,12 @@ void Rail::set_status(Place place, const WorkStatus& status) { buttons_.at(place
 
 void Rail::set_current(Place place) { buttons_.at(place)->setChecked(true); }
 
+void Rail::set_none() {
+  for (const auto& [place, button] : buttons_) {
+    button->setAutoExclusive(false);  // while one of them must be checked, none can be unchecked
+    button->setChecked(false);
+    button->setAutoExclusive(true);
+  }
+}
+
 }  // namespace handsight::app

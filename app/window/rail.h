@@ -21,6 +21,8 @@ class Rail : public QWidget {
   explicit Rail(std::span<const WorkspaceKind> kinds, QWidget* parent = nullptr);
   void set_status(Place place, const WorkStatus& status);
   void set_current(Place place);
+  /// Another page than a workspace is in front.
+  void set_none();
 
  signals:
   void chosen(handsight::app::Place place);

@@ -30,8 +30,8 @@ std::optional<Vector3> three_numbers(const QLineEdit* edit) {
 
 }  // namespace
 
-void SessionWizard::run(QWidget& window, std::function<void(const QString& path)> open) {
-  auto* wizard = new SessionWizard(window, std::move(open));
+void SessionWizard::run(QWidget& window, std::function<void(const QString& path)> open, std::function<void()> bring) {
+  auto* wizard = new SessionWizard(window, std::move(open), std::move(bring));
   wizard->setAttribute(Qt::WA_DeleteOnClose);
   wizard->open();
 }

@@ -31,10 +31,11 @@ class SessionWizard : public QDialog {
 
  public:
   /// Over `window`; the session that it makes is handed to `open`.
-  static void run(QWidget& window, std::function<void(const QString& path)> open);
+  /// `bring`: asked for where there is a bag or other files instead.
+  static void run(QWidget& window, std::function<void(const QString& path)> open, std::function<void()> bring);
 
  private:
-  SessionWizard(QWidget& window, std::function<void(const QString& path)> open);
+  SessionWizard(QWidget& window, std::function<void(const QString& path)> open, std::function<void()> bring);
   /// A line with a name, a path, a button to choose it, and a sentence below.
   struct Part {
     QLabel* caption = nullptr;
@@ -92,6 +93,7 @@ class SessionWizard : public QDialog {
   static void say(const Part& part, const QString& sentence, bool is_refusal);
 
   std::function<void(const QString& path)> open_made_;
+  std::function<void()> bring_;
   QGridLayout* grid_;
   widgets::PictureChoice *camera_place_, *target_place_, *known_;
   TargetForm* form_;

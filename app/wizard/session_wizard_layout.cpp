@@ -20,8 +20,9 @@
 
 namespace handsight::app {
 
-SessionWizard::SessionWizard(QWidget& window, std::function<void(const QString& path)> open)
-    : QDialog(&window), open_made_(std::move(open)) {
+SessionWizard::SessionWizard(QWidget& window, std::function<void(const QString& path)> open,
+                             std::function<void()> bring)
+    : QDialog(&window), open_made_(std::move(open)), bring_(std::move(bring)) {
   setObjectName("wizard");
   setWindowTitle(tr("New session"));
   const QSize screen = window.screen()->availableSize();
@@ -51,6 +52,14 @@ SessionWizard::SessionWizard(QWidget& window, std::function<void(const QString& 
   make_ = buttons->addButton(tr("Make the session"), QDialogButtonBox::ActionRole);
   make_->setObjectName("wizard_make");
   make_->setDefault(true);
+  QPushButton* other = buttons->addButton(tr("From a bag or other files…"), QDialogButtonBox::ResetRole);
+  other->setObjectName("wizard_bring");
+  other->setToolTip(tr("A ROS 2 bag, samples of easy_handeye, tables of points: each is known by its content"));
+  other->setAutoDefault(false);
+  connect(other, &QPushButton::clicked, this, [this] {
+    reject();
+    bring_();
+  });
   buttons->addButton(QDialogButtonBox::Cancel)->setIcon({});
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(make_, &QPushButton::clicked, this, &SessionWizard::make);
@@ -94,8 +103,8 @@ void SessionWizard::add_files() {
   left_ = add_part("wizard_left", tr("Left images"), tr("folder"), Choice::folder);
   right_ = add_part("wizard_right", tr("Right images"), tr("folder; may be the same"), Choice::folder);
   more_ = add_part("wizard_more", tr("More cameras"), tr("folders; several by ;"), Choice::folder);
-  calibration_ = add_part("wizard_calibration", tr("Stereo calibration"), tr("OpenCV's YAML or XML; several by ;"),
-                          Choice::files, tr("OpenCV (*.yml *.yaml *.xml *.json)"));
+  calibration_ = add_part("wizard_calibration", tr("Stereo calibration"), tr("of OpenCV, Kalibr or ROS; several by ;"),
+                          Choice::files, tr("Calibrations (*.yml *.yaml *.xml *.json)"));
   poses_ = add_part("wizard_poses", tr("Poses of the target"), tr("CSV or YAML: x y z qx qy qz qw"), Choice::file,
                     tr("Tables (*.csv *.txt *.yaml *.yml *.samples)"));
   add_markers_row();

@@ -150,7 +150,7 @@ void SessionWizard::read_calibration() {
   say(calibration_, {}, false);
   if (!calibration_.path->text().isEmpty()) try {
       std::vector<std::string> notes;
-      rig_ = read_rig_calibration(paths_of(calibration_.path), &notes);
+      rig_ = rig_of_files(paths_of(calibration_.path), notes);
       const QString sentence =
           rig_.count() == 1 ? tr("One camera of %1 px focal length.").arg(rig_.at(0).camera.fx, 0, 'f', 0)
           : rig_.count() == 2

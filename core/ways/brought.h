@@ -57,4 +57,11 @@ struct Brought {
 /// Reads all files; `robot` null: none was named. InputError where one is wrong, or two say the same.
 Brought bring(const std::vector<std::filesystem::path>& files, const Robot* robot, bool degrees);
 
+/// The cameras of a calibration: OpenCV's (one or several files), Kalibr's camchain, or camera_info of one or two
+/// cameras of ROS. InputError where they make no rig.
+Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes);
+
+/// The same of what was brought.
+Rig rig_of_brought(const Brought& brought);
+
 }  // namespace handsight

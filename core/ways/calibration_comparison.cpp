@@ -120,11 +120,24 @@ std::vector<NumberChange> numbers_of(const CalibratedRobot& before, const Calibr
 
 }  // namespace
 
-Comparison compare(const CalibratedRobot& before, const Session& after) {
+std::vector<CalibrationResidual> residuals_of(const CalibratedRobot& before, const Session& after) {
+  const Session session = as_calibrated(before, after);
+  const ComparedSides sides = sides_of(before, session, chain_of(session));
+  const Problem& problem = sides.after.problem;
+  std::vector<CalibrationResidual> all;
+  for (const CornerResidual& c : corner_residuals(problem, sides.start))
+    all.push_back({problem.observations[static_cast<std::size_t>(c.place)].index, c});
+  return all;
+}
+
+Comparison compare(const CalibratedRobot& before, const Session& after, const ComparisonProgress& progress) {
   const Session session = as_calibrated(before, after);
   const Chain chain = chain_of(session);
   Comparison c;
-  judge(sides_of(before, session, chain), c);
+  ComparedSides sides = sides_of(before, session, chain);
+  sides.progress = progress;
+  keep_going(progress, 0.2);
+  judge(sides, c);
   measure_hand(chain, used_positions(session), before.model.effects, before.model.tcp_from_body, c);
   return c;
 }

@@ -96,6 +96,7 @@ class Comparer {
   Refitted fitted(std::vector<EffectTerm> terms) {
     Refitted r{state_, std::move(terms), {}, {}, 0};
     for (int i = 0; i < (is_wide() ? most_iterations_wide : most_iterations); ++i) {
+      keep_going(sides_.progress);
       const ChangeRows rows = rows_with(r.terms, r.state);
       if (r.change.size() != sizes_.size()) r.change = change_of(r.terms);
       ScatteredNormal n = scattered(rows, sides_.scatter);

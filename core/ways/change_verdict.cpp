@@ -32,6 +32,7 @@ RankedChanges ranked(const ComparedSides& sides, Comparison& c) {
   if (sides.known) return found;
   for (const Width width : {Width::catalogue, Width::catalogue_and_curves}) {
     if (found.left.p > in_doubt) break;
+    keep_going(sides.progress, width == Width::catalogue ? 0.78 : 0.86);
     found = ranked_changes(widened(sides, width), {});
   }
   return found;
@@ -51,6 +52,7 @@ void judge(const ComparedSides& sides, Comparison& c) {
   const Change& best = c.changes.front();
   for (std::size_t i = 1; i < c.changes.size(); ++i)
     if (c.changes[i].ln_bayes_factor > best.ln_bayes_factor - ln_20) c.cannot_be_told_from.push_back(c.changes[i].id);
+  keep_going(sides.progress, 0.94);
   const RankedChanges second = ranked_changes(first.sides, best.terms);
   const bool several = !second.changes.empty() && ln_odds(second.changes.front()) >= c.threshold + ln_20;
   c.verdict = several ? ComparisonVerdict::several : ComparisonVerdict::changed;

@@ -78,13 +78,18 @@ std::vector<NumberChange> numbers_of(const Session& session, const Fit& a, const
 
 }  // namespace
 
-Comparison compare(const Session& first, const Session& second, const std::vector<EffectTerm>& effects) {
+Comparison compare(const Session& first, const Session& second, const std::vector<EffectTerm>& effects,
+                   const ComparisonProgress& progress) {
   require_alike(first, second);
   Session a = first, b = second;
   share_mount(a, b);
   FitOptions options;
   options.estimated = effects;
-  const CleanFit clean_a = clean_model(a, options), clean_b = clean_model(b, options);
+  if (progress) options.on_iteration = [&](int, double, const Unknowns&) { return progress(0); };
+  const CleanFit clean_a = clean_model(a, options);
+  keep_going(progress, 0.35);
+  const CleanFit clean_b = clean_model(b, options);
+  keep_going(progress, 0.7);
   require_answer(clean_a, "first");
   require_answer(clean_b, "second");
   Comparison c;
@@ -102,6 +107,7 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   sides.before = side_of(clean_a.fit);
   sides.after = side_of(clean_b.fit);
   sides.start = estimate(clean_a.fit);
+  sides.progress = progress;
   c.numbers = numbers_of(a, clean_a.fit, clean_b.fit);
   judge(sides, c);
   if (!c.model_fits)

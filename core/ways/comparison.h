@@ -2,10 +2,12 @@
 // Two sessions of one robot, weeks apart, or a calibration and a session: what one change explains the difference.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "diagnosis/residual_views.h"
 #include "ways/calibrated_robot.h"
 
 namespace handsight {
@@ -47,12 +49,27 @@ struct Comparison {
   std::vector<std::string> notes;
 };
 
+/// Hears how much is done (0 to 1; a share smaller than before means: still at work). Where it answers no the
+/// comparison ends as soon as it can, with an InputError that says so.
+using ComparisonProgress = std::function<bool(double share)>;
+
 /// Two sessions of one robot with the same markers. `effects`: in the model of both, estimated. InputError where they
 /// are not of one robot, device and number of markers.
-Comparison compare(const Session& before, const Session& after, const std::vector<EffectTerm>& effects = {});
+Comparison compare(const Session& before, const Session& after, const std::vector<EffectTerm>& effects = {},
+                   const ComparisonProgress& progress = {});
 
 /// A few poses of a session against a calibration: whether camera, hand and arm are as they were.
-Comparison compare(const CalibratedRobot& before, const Session& after);
+Comparison compare(const CalibratedRobot& before, const Session& after, const ComparisonProgress& progress = {});
+
+/// A corner of a session where it was measured, less where a calibration has it.
+struct CalibrationResidual {
+  int observation = 0;  // into Session::observations
+  CornerResidual corner;
+};
+
+/// Every corner of the session that is used, against the calibration as it stands: nothing is fitted. InputError as
+/// `compare`.
+std::vector<CalibrationResidual> residuals_of(const CalibratedRobot& before, const Session& after);
 
 /// Two calibrations: their numbers, and the hand over poses drawn from the joints' limits.
 Comparison compare(const CalibratedRobot& before, const CalibratedRobot& after);

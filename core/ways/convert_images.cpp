@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "session/stereo_calibration.h"
 #include "vision/image_header.h"
 #include "ways/convert_ways.h"
 
@@ -27,19 +28,13 @@ void match_images(const std::vector<InstantImages>& instants, std::size_t lines,
       instants.front().number, instants.back().number));
 }
 
-Rig rig_of_brought(const Brought& b) {
-  if (b.rig) return *b.rig;
-  if (b.cameras.size() == 1) return rig_of(b.cameras[0]);
-  if (b.cameras.size() == 2) {
-    const bool swapped = says(b.cameras[0].name + b.cameras[0].file, {"right"});
-    return rig_of(rig_of(b.cameras[swapped ? 1 : 0], b.cameras[swapped ? 0 : 1]));
+bool is_of_kalibr_or_ros(const std::filesystem::path& file) {
+  try {
+    const FileKind kind = file_kind(file, nullptr);
+    return kind == FileKind::camchain || kind == FileKind::camera_info;
+  } catch (const InputError&) {
+    return false;  // the reader of OpenCV's says what is wrong with it
   }
-  throw InputError(
-      b.cameras.empty()
-          ? "There are images, and no calibration of the cameras; name OpenCV's, Kalibr's or those of ROS, or make one "
-            "with `handsight-cli cameras`."
-          : "Files of ROS do not say how more than two cameras lie to each other; name Kalibr's camchain, or make a "
-            "calibration with `handsight-cli cameras`.");
 }
 
 /// The folder of each camera: by its name, of two by left and right, else as they were given.
@@ -61,6 +56,28 @@ std::vector<std::filesystem::path> folders_by_camera(const Rig& rig, std::vector
 }
 
 }  // namespace
+
+Rig rig_of_brought(const Brought& b) {
+  if (b.rig) return *b.rig;
+  if (b.cameras.size() == 1) return rig_of(b.cameras[0]);
+  if (b.cameras.size() == 2) {
+    const bool swapped = says(b.cameras[0].name + b.cameras[0].file, {"right"});
+    return rig_of(rig_of(b.cameras[swapped ? 1 : 0], b.cameras[swapped ? 0 : 1]));
+  }
+  throw InputError(
+      b.cameras.empty()
+          ? "There are images, and no calibration of the cameras; name OpenCV's, Kalibr's or those of ROS, or make one "
+            "with `handsight-cli cameras`."
+          : "Files of ROS do not say how more than two cameras lie to each other; name Kalibr's camchain, or make a "
+            "calibration with `handsight-cli cameras`.");
+}
+
+Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes) {
+  if (std::none_of(files.begin(), files.end(), is_of_kalibr_or_ros)) return read_rig_calibration(files, &notes);
+  const Brought b = bring(files, nullptr, false);
+  notes.insert(notes.end(), b.notes.begin(), b.notes.end());
+  return rig_of_brought(b);
+}
 
 void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<std::string>& notes) {
   for (int c = 0; c < rig.count(); ++c)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/error.h"
 #include "diagnosis/candidates.h"
 
 namespace handsight {
@@ -109,6 +110,10 @@ ComparedSides widened(const ComparedSides& sides, Width width) {
   if (width == Width::catalogue_and_curves) wide.curves = shared_curves(sides.before->problem, sides.after.problem);
   wide.curve_scales = Eigen::VectorXd::Ones(column_count(wide.curves));
   return wide;
+}
+
+void keep_going(const std::function<bool(double share)>& progress, double share) {
+  if (progress && !progress(share)) throw InputError("The comparison was stopped.");
 }
 
 Eigen::Index shared_columns(const ComparedSides& sides) {

@@ -3,6 +3,7 @@
 // are learnt from what both sides measured. Internal to comparison.cpp.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "ways/change_rows.h"
@@ -27,7 +28,11 @@ struct ComparedSides {
   Eigen::Index told_effects = -1;   // effect columns of the model itself; those after it are lacking. -1: all
   std::vector<SharedCurve> curves;  // none: only effects are lacking
   Eigen::VectorXd effect_scales, curve_scales;  // sizes by the plausible ones; empty: 1
+  std::function<bool(double share)> progress;   // ComparisonProgress; empty: nobody listens
 };
+
+/// Tells how far a comparison is; InputError where it is to stop.
+void keep_going(const std::function<bool(double share)>& progress, double share = 0);
 
 /// How much wider than its own model a comparison is.
 enum class Width { told, catalogue, catalogue_and_curves };

@@ -396,10 +396,6 @@
         <source>%1: held out %2, fitted %3</source>
         <translation>%1: ungesehen %2, angepasst %3</translation>
     </message>
-    <message>
-        <source>%1; another program had changed it meanwhile, and what it wrote is kept in %2.</source>
-        <translation>%1; ein anderes Programm hatte die Datei inzwischen geändert, sein Stand liegt in %2.</translation>
-    </message>
     <message numerus="yes">
         <source>%n action(s)</source>
         <translation>
@@ -4281,6 +4277,530 @@
         <source>Space</source>
         <translation>Leertaste</translation>
     </message>
+    <message>
+        <source>Com&amp;pare with another session…</source>
+        <translation>Mit einer anderen Sitzung &amp;vergleichen…</translation>
+    </message>
+    <message>
+        <source>compare with another session of this robot, or with a calibration</source>
+        <translation>mit einer anderen Sitzung dieses Roboters oder einer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>Tauschen</translation>
+    </message>
+    <message>
+        <source>The earlier one is the later one, and the other way round</source>
+        <translation>Die frühere ist die spätere und umgekehrt</translation>
+    </message>
+    <message>
+        <source>Compare again</source>
+        <translation>Neu vergleichen</translation>
+    </message>
+    <message>
+        <source>With the open session as it is now</source>
+        <translation>Mit der offenen Sitzung, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>Another one…</source>
+        <translation>Eine andere…</translation>
+    </message>
+    <message>
+        <source>Another session of the same robot, or a calibration</source>
+        <translation>Eine andere Sitzung desselben Roboters oder eine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Back to the workspaces; both sessions are as they were</source>
+        <translation>Zurück zu den Arbeitsbereichen; beide Sitzungen sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>What may have changed</source>
+        <translation>Was sich geändert haben kann</translation>
+    </message>
+    <message>
+        <source>ln Bayes</source>
+        <translation>ln Bayes</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>in σ</source>
+        <translation>in σ</translation>
+    </message>
+    <message>
+        <source>Numbers of both</source>
+        <translation>Zahlen von beiden</translation>
+    </message>
+    <message>
+        <source>Choose a second session of this robot, or a calibration that was exported for it: what has changed is told here, and both are shown by the same plots.</source>
+        <translation>Eine zweite Sitzung dieses Roboters wählen oder eine Kalibrierung, die für ihn exportiert wurde: hier steht dann, was sich geändert hat, und dieselben Bilder zeigen beide.</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residuen</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Konvergenz</translation>
+    </message>
+    <message>
+        <source>the lenses</source>
+        <translation>die Objektive</translation>
+    </message>
+    <message>
+        <source>TCP→Body %1</source>
+        <translation>TCP→Body %1</translation>
+    </message>
+    <message>
+        <source>sensor on its mount, %1</source>
+        <translation>Sensor auf seiner Halterung, %1</translation>
+    </message>
+    <message>
+        <source>The hand is %1 mm from where it was in the mean over these poses, at most %2 mm.</source>
+        <translation>Die Hand ist im Mittel über diese Posen %1 mm von da, wo sie war, höchstens %2 mm.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 → %2 %3</source>
+        <translation>%1 → %2 %3</translation>
+    </message>
+    <message>
+        <source>Compare with another session or a calibration</source>
+        <translation>Mit einer anderen Sitzung oder einer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Sessions and calibrations (*.xml)</source>
+        <translation>Sitzungen und Kalibrierungen (*.xml)</translation>
+    </message>
+    <message>
+        <source>Comparing with %1</source>
+        <translation>Vergleich mit %1</translation>
+    </message>
+    <message>
+        <source>Being compared …</source>
+        <translation>Wird verglichen …</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was compared.</source>
+        <translation>Abgebrochen. Nichts wurde verglichen.</translation>
+    </message>
+    <message>
+        <source>A calibration is always the earlier one</source>
+        <translation>Eine Kalibrierung ist immer die frühere</translation>
+    </message>
+    <message>
+        <source>Compared with %1</source>
+        <translation>Verglichen mit %1</translation>
+    </message>
+    <message>
+        <source>Compare with another session</source>
+        <translation>Mit einer anderen Sitzung vergleichen</translation>
+    </message>
+    <message>
+        <source>Before: %1. After: %2.</source>
+        <translation>Vorher: %1. Nachher: %2.</translation>
+    </message>
+    <message>
+        <source>The open session has changed since.</source>
+        <translation>Die offene Sitzung hat sich seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>By evidence</source>
+        <translation>Nach Evidenz</translation>
+    </message>
+    <message>
+        <source>What counts is above %1.</source>
+        <translation>Was zählt, liegt über %1.</translation>
+    </message>
+    <message>
+        <source>Above %1: no chance.</source>
+        <translation>Über %1: kein Zufall.</translation>
+    </message>
+    <message>
+        <source>No residuals of this one.</source>
+        <translation>Von dieser gibt es keine Residuen.</translation>
+    </message>
+    <message>
+        <source>%1, as the calibration has it</source>
+        <translation>%1, wie die Kalibrierung es sagt</translation>
+    </message>
+    <message>
+        <source>%1, fitted anew</source>
+        <translation>%1, neu angepasst</translation>
+    </message>
+    <message>
+        <source>before: %1</source>
+        <translation>vorher: %1</translation>
+    </message>
+    <message>
+        <source>after: %1</source>
+        <translation>nachher: %1</translation>
+    </message>
+    <message>
+        <source>TCP→Body, position: %1</source>
+        <translation>TCP→Body, Position: %1</translation>
+    </message>
+    <message>
+        <source>TCP→Body, rotation: %1</source>
+        <translation>TCP→Body, Drehung: %1</translation>
+    </message>
+    <message>
+        <source>A calibration tells its result alone: it is where the other one's curves are counted from.</source>
+        <translation>Eine Kalibrierung sagt nur ihr Ergebnis: von ihm aus zählen die Kurven der anderen.</translation>
+    </message>
+    <message>
+        <source>It is not known how this estimate came about.</source>
+        <translation>Wie diese Schätzung zustande kam, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>A calibration has no residuals of its own.</source>
+        <translation>Eine Kalibrierung hat keine eigenen Residuen.</translation>
+    </message>
+    <message>
+        <source>The residuals follow nothing here, or there is no fit.</source>
+        <translation>Die Residuen folgen hier nichts, oder es gibt keine Anpassung.</translation>
+    </message>
+    <message>
+        <source>%1 from the first</source>
+        <translation>%1 ab der ersten</translation>
+    </message>
+    <message>
+        <source>Slips in the model of the open session are left out: they came at observations of its own.</source>
+        <translation>Sprünge im Modell der offenen Sitzung bleiben weg: sie kamen bei deren eigenen Beobachtungen.</translation>
+    </message>
+    <message>
+        <source>Numbers that the model holds are estimated here, in both.</source>
+        <translation>Zahlen, die das Modell festhält, werden hier in beiden geschätzt.</translation>
+    </message>
+    <message>
+        <source>This is the session that is open; choose another one of the same robot, or a calibration.</source>
+        <translation>Das ist die Sitzung, die offen ist; eine andere desselben Roboters wählen oder eine Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>; another program had changed it meanwhile, and what it wrote is kept in %1</source>
+        <translation>; ein anderes Programm hatte sie inzwischen geändert, und was es schrieb, steht in %1</translation>
+    </message>
+    <message>
+        <source>; what the other program wrote is kept in %1</source>
+        <translation>; was das andere Programm schrieb, steht in %1</translation>
+    </message>
+    <message>
+        <source>; what another program wrote meanwhile is in it too</source>
+        <translation>; was ein anderes Programm inzwischen schrieb, ist auch darin</translation>
+    </message>
+    <message>
+        <source>took over %1 from another program</source>
+        <translation>%1 von einem anderen Programm übernommen</translation>
+    </message>
+    <message>
+        <source>what was done here before another program changed the session</source>
+        <translation>was hier getan wurde, bevor ein anderes Programm die Sitzung änderte</translation>
+    </message>
+    <message>
+        <source>unfinished labels</source>
+        <translation>unfertige Beschriftung</translation>
+    </message>
+    <message>
+        <source>session.xml was changed by another program. Your unsaved actions are on top of it, but for what both have changed; all of them are kept in %1.</source>
+        <translation>session.xml wurde von einem anderen Programm geändert. Die nicht gespeicherten Aktionen liegen darüber, bis auf das, was beide geändert haben; alle stehen in %1.</translation>
+    </message>
+    <message>
+        <source>session.xml was changed by another program. Your unsaved actions are on top of it, as one action.</source>
+        <translation>session.xml wurde von einem anderen Programm geändert. Die nicht gespeicherten Aktionen liegen darüber, als eine Aktion.</translation>
+    </message>
+    <message>
+        <source>session.xml was changed by another program. Your unsaved actions are on top of it as far as they fit it; all of them are kept in %1.</source>
+        <translation>session.xml wurde von einem anderen Programm geändert. Die nicht gespeicherten Aktionen liegen darüber, soweit sie dazu passen; alle stehen in %1.</translation>
+    </message>
+    <message>
+        <source>kept what was done here against another program</source>
+        <translation>behalten, was hier getan wurde, gegen ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>What another program &amp;wrote…</source>
+        <translation>&amp;Was ein anderes Programm schrieb…</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>found by the program</source>
+        <translation>vom Programm gefunden</translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation>eingelesen</translation>
+    </message>
+    <message>
+        <source>no markers</source>
+        <translation>keine Marker</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation>nicht entschieden</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>markers, up to %1 mm apart</source>
+        <translation>Marker, bis %1 mm auseinander</translation>
+    </message>
+    <message>
+        <source>markers, up to %1 px apart</source>
+        <translation>Marker, bis %1 px auseinander</translation>
+    </message>
+    <message>
+        <source>whether it counts</source>
+        <translation>ob sie zählt</translation>
+    </message>
+    <message>
+        <source>whether it is there</source>
+        <translation>ob es sie gibt</translation>
+    </message>
+    <message>
+        <source>cameras, markers or joints</source>
+        <translation>Kameras, Marker oder Gelenke</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>the session as it is here; the file is kept beside it</source>
+        <translation>die Sitzung, wie sie hier ist; die Datei bleibt daneben erhalten</translation>
+    </message>
+    <message>
+        <source>the session as it was written; what was done here is kept beside the journal</source>
+        <translation>die Sitzung, wie sie geschrieben wurde; was hier getan wurde, bleibt neben dem Journal erhalten</translation>
+    </message>
+    <message>
+        <source>Another program has written this session since it was read</source>
+        <translation>Ein anderes Programm hat diese Sitzung geschrieben, seit sie gelesen wurde</translation>
+    </message>
+    <message>
+        <source>What both have changed</source>
+        <translation>Was beide geändert haben</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>done here</source>
+        <translation>hier getan</translation>
+    </message>
+    <message>
+        <source>written there</source>
+        <translation>dort geschrieben</translation>
+    </message>
+    <message>
+        <source>All as done here</source>
+        <translation>Alles wie hier</translation>
+    </message>
+    <message>
+        <source>All as written there</source>
+        <translation>Alles wie dort</translation>
+    </message>
+    <message>
+        <source>Put together</source>
+        <translation>Zusammenführen</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Nothing is written; saving asks again</source>
+        <translation>Nichts wird geschrieben; beim Speichern wird wieder gefragt</translation>
+    </message>
+    <message>
+        <source>It now has other cameras, markers or joints, so that nothing of here can be put into it. Which of the two is to be the session? The other one is kept.</source>
+        <translation>Sie hat nun andere Kameras, Marker oder Gelenke, sodass sich nichts von hier hineinbringen lässt. Welche von beiden soll die Sitzung sein? Die andere bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>What only one side has changed is put together by itself. Here both have changed the same: click on what is to count.</source>
+        <translation>Was nur eine Seite geändert hat, wird von selbst zusammengeführt. Hier haben beide dasselbe geändert: anklicken, was zählen soll.</translation>
+    </message>
+    <message>
+        <source>From a bag or other files…</source>
+        <translation>Aus einem Bag oder anderen Dateien…</translation>
+    </message>
+    <message>
+        <source>A ROS 2 bag, samples of easy_handeye, tables of points: each is known by its content</source>
+        <translation>Ein ROS-2-Bag, Proben von easy_handeye, Tabellen von Punkten: jede wird an ihrem Inhalt erkannt</translation>
+    </message>
+    <message>
+        <source>of OpenCV, Kalibr or ROS; several by ;</source>
+        <translation>von OpenCV, Kalibr oder ROS; mehrere mit ;</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yml *.yaml *.xml *.json)</source>
+        <translation>Kalibrierungen (*.yml *.yaml *.xml *.json)</translation>
+    </message>
+    <message>
+        <source>Nothing is there yet.</source>
+        <translation>Noch ist nichts da.</translation>
+    </message>
+    <message>
+        <source>One of them is nothing that a session is made from: remove it, or bring another one.</source>
+        <translation>Aus einer davon wird keine Sitzung: entfernen oder eine andere nehmen.</translation>
+    </message>
+    <message>
+        <source>The bag publishes no robot_description: add the robot's URDF.</source>
+        <translation>Das Bag enthält keine robot_description: die URDF des Roboters hinzufügen.</translation>
+    </message>
+    <message>
+        <source>There is no robot among them: add its URDF, or a table of its flange's poses.</source>
+        <translation>Es ist kein Roboter dabei: seine URDF hinzufügen oder eine Tabelle der Posen seines Flansches.</translation>
+    </message>
+    <message>
+        <source>What a sensor measured is missing: images, points, or poses of a target.</source>
+        <translation>Es fehlt, was ein Sensor gemessen hat: Bilder, Punkte oder Posen eines Ziels.</translation>
+    </message>
+    <message>
+        <source>The joint readings are missing: add a table of them, a column for each joint.</source>
+        <translation>Die Gelenkwinkel fehlen: eine Tabelle davon hinzufügen, eine Spalte je Gelenk.</translation>
+    </message>
+    <message>
+        <source>The cameras' calibration is missing: add camera_info of ROS, a camchain of Kalibr, or OpenCV's.</source>
+        <translation>Die Kalibrierung der Kameras fehlt: camera_info von ROS, eine camchain von Kalibr oder die von OpenCV hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The numbers of the target are of none.</source>
+        <translation>Die Zahlen des Ziels ergeben keines.</translation>
+    </message>
+    <message>
+        <source>The new session needs a folder.</source>
+        <translation>Die neue Sitzung braucht einen Ordner.</translation>
+    </message>
+    <message>
+        <source>The session is being made …</source>
+        <translation>Die Sitzung wird angelegt …</translation>
+    </message>
+    <message>
+        <source>Making a session</source>
+        <translation>Eine Sitzung wird angelegt</translation>
+    </message>
+    <message>
+        <source>Made: %1 in %2.</source>
+        <translation>Angelegt: %1 in %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was left out.</source>
+        <translation>Nichts wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>New session from files</source>
+        <translation>Neue Sitzung aus Dateien</translation>
+    </message>
+    <message>
+        <source>Drop here what there is, or add it: a ROS 2 bag, images, camera_info or a camchain of Kalibr, samples of easy_handeye, tables of joints, poses or points, the robot's URDF. Each is known by its content.</source>
+        <translation>Hierher ziehen, was da ist, oder hinzufügen: ein ROS-2-Bag, Bilder, camera_info oder eine camchain von Kalibr, Proben von easy_handeye, Tabellen von Gelenken, Posen oder Punkten, die URDF des Roboters. Jede wird an ihrem Inhalt erkannt.</translation>
+    </message>
+    <message>
+        <source>Files of the new session</source>
+        <translation>Dateien der neuen Sitzung</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Dateien hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add a folder…</source>
+        <translation>Ordner hinzufügen…</translation>
+    </message>
+    <message>
+        <source>What was understood</source>
+        <translation>Was verstanden wurde</translation>
+    </message>
+    <message>
+        <source>Link of the hand (TCP)</source>
+        <translation>Glied der Hand (TCP)</translation>
+    </message>
+    <message>
+        <source>Link that carries the sensor</source>
+        <translation>Glied, das den Sensor trägt</translation>
+    </message>
+    <message>
+        <source>What the images show</source>
+        <translation>Was die Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>Markers without numbers (two cameras)</source>
+        <translation>Marker ohne Nummern (zwei Kameras)</translation>
+    </message>
+    <message>
+        <source>The camera stands; the flange carries the target</source>
+        <translation>Die Kamera steht; der Flansch trägt das Ziel</translation>
+    </message>
+    <message>
+        <source>Joint angles are in degrees</source>
+        <translation>Gelenkwinkel in Grad</translation>
+    </message>
+    <message>
+        <source>Target's frame in /tf</source>
+        <translation>Koordinatensystem des Ziels in /tf</translation>
+    </message>
+    <message>
+        <source>where the bag has no images of it; empty: the one that sounds like a target</source>
+        <translation>wo das Bag keine Bilder davon hat; leer: das, das nach einem Ziel klingt</translation>
+    </message>
+    <message>
+        <source>The robot must stand for</source>
+        <translation>Der Roboter muss stehen für</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>The clocks of robot and sensor may differ: find by how much</source>
+        <translation>Die Uhren von Roboter und Sensor können abweichen: finden, um wie viel</translation>
+    </message>
+    <message>
+        <source>New folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>A folder of images, or a bag</source>
+        <translation>Ein Ordner mit Bildern oder ein Bag</translation>
+    </message>
+    <message>
+        <source>New session from a &amp;bag or other files…</source>
+        <translation>Neue Sitzung aus einem &amp;Bag oder anderen Dateien…</translation>
+    </message>
+    <message>
+        <source>a new session from a ROS 2 bag, Kalibr, camera_info, easy_handeye or tables</source>
+        <translation>eine neue Sitzung aus einem ROS-2-Bag, Kalibr, camera_info, easy_handeye oder Tabellen</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -5397,6 +5917,94 @@
         <source>shift across, w,</source>
         <translation>Verschiebung quer, w,</translation>
     </message>
+    <message>
+        <source>Nothing has changed that these poses show: cameras, hand and arm are as they were.</source>
+        <translation>Nichts hat sich geändert, was diese Posen zeigen: Kameras, Hand und Arm sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>arm and hand are as they were</source>
+        <translation>Arm und Hand sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>arm and cameras are as they were</source>
+        <translation>Arm und Kameras sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>cameras and markers are as they were</source>
+        <translation>Kameras und Marker sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>and more than one thing has changed: %1 too, or something that is not in the list</source>
+        <translation>und mehr als eines hat sich geändert: auch %1, oder etwas, das nicht in der Liste steht</translation>
+    </message>
+    <message>
+        <source>or it is %1, which these poses do not tell apart</source>
+        <translation>oder es ist %1, was sich mit diesen Posen nicht unterscheiden lässt</translation>
+    </message>
+    <message>
+        <source>The %1 turned by %2 and moved by %3 on its mount</source>
+        <translation>%1: auf der Halterung um %2 gedreht und um %3 verschoben</translation>
+    </message>
+    <message>
+        <source>The cameras turned against each other by %1 and moved by %2</source>
+        <translation>Die Kameras haben sich gegeneinander um %1 gedreht und um %2 verschoben</translation>
+    </message>
+    <message>
+        <source>The marker body slipped on the hand by %1 and turned by %2</source>
+        <translation>Der Markerkörper ist an der Hand um %1 verrutscht und hat sich um %2 gedreht</translation>
+    </message>
+    <message>
+        <source>Of the markers %1 alone slipped, by %2</source>
+        <translation>Von den Markern ist nur %1 verrutscht, um %2</translation>
+    </message>
+    <message>
+        <source>Joint %1 lost its zero: it stands %2 further than it reads</source>
+        <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 weiter, als es anzeigt</translation>
+    </message>
+    <message>
+        <source>The hand carries %1 kg more than it did</source>
+        <translation>Die Hand trägt %1 kg mehr als vorher</translation>
+    </message>
+    <message>
+        <source>Joint %1 gives way by %2 more than it did</source>
+        <translation>Gelenk %1 gibt um %2 mehr nach als vorher</translation>
+    </message>
+    <message>
+        <source>The cameras' lenses are not what they were (%1)</source>
+        <translation>Die Objektive der Kameras sind nicht mehr, was sie waren (%1)</translation>
+    </message>
+    <message>
+        <source>focal lengths or centres</source>
+        <translation>Brennweiten oder Mitten</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 Grad</translation>
+    </message>
+    <message>
+        <source>%1 single wrong points of the %2 session are left out.</source>
+        <translation>%1 einzelne falsche Punkte der %2 Sitzung bleiben weg.</translation>
+    </message>
+    <message>
+        <source>Of the %1 session: %2</source>
+        <translation>Von der %1 Sitzung: %2</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>ersten</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>zweiten</translation>
+    </message>
+    <message>
+        <source>The sessions name other calibrations of the cameras; each is measured by its own.</source>
+        <translation>Die Sitzungen nennen verschiedene Kalibrierungen der Kameras; jede wird mit ihrer eigenen gemessen.</translation>
+    </message>
+    <message>
+        <source>The model misses what both sessions measured. What the catalogue has and smooth curves of the joints' angles, the same in both, were fitted beside the change; a change that looks like them is not seen.</source>
+        <translation>Das Modell verfehlt, was beide Sitzungen gemessen haben. Was der Katalog hat und glatte Kurven der Gelenkwinkel, in beiden gleich, wurden neben der Änderung angepasst; eine Änderung, die ihnen gleicht, wird nicht gesehen.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -6456,6 +7064,66 @@
     <message>
         <source>is nested more deeply than any calibration is.</source>
         <translation>ist tiefer verschachtelt als jede Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>The two cannot be compared: %1; name two sessions of one robot, sensor and marker body.</source>
+        <translation>Die beiden lassen sich nicht vergleichen: %1; zwei Sitzungen mit demselben Roboter, Sensor und Markerkörper nennen.</translation>
+    </message>
+    <message>
+        <source>one has cameras, the other a tracker</source>
+        <translation>die eine hat Kameras, die andere einen Tracker</translation>
+    </message>
+    <message>
+        <source>their cameras have other names</source>
+        <translation>ihre Kameras heißen anders</translation>
+    </message>
+    <message>
+        <source>one has %1 markers, the other %2</source>
+        <translation>die eine hat %1 Marker, die andere %2</translation>
+    </message>
+    <message>
+        <source>TCP or mount are other links</source>
+        <translation>TCP oder Halterung sind andere Glieder</translation>
+    </message>
+    <message>
+        <source>their joints are others, or in another order</source>
+        <translation>ihre Gelenke sind andere oder anders geordnet</translation>
+    </message>
+    <message>
+        <source>their robots are others</source>
+        <translation>ihre Roboter sind andere</translation>
+    </message>
+    <message>
+        <source>The two cannot be compared: the fit of the %1 session finds no answer; run `handsight-cli fit` on it, exclude the observations that it says stand out, and compare again.</source>
+        <translation>Die beiden lassen sich nicht vergleichen: die Anpassung der %1 Sitzung findet keine Antwort; `handsight-cli fit` auf sie anwenden, die Beobachtungen ausschließen, die danach herausragen, und neu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The session's TCP, mount or joints are not those of the calibration; name a session of the same robot.</source>
+        <translation>TCP, Halterung oder Gelenke der Sitzung sind nicht die der Kalibrierung; eine Sitzung desselben Roboters nennen.</translation>
+    </message>
+    <message>
+        <source>The session has %1 markers, the calibration %2; name a session with the same marker body.</source>
+        <translation>Die Sitzung hat %1 Marker, die Kalibrierung %2; eine Sitzung mit demselben Markerkörper nennen.</translation>
+    </message>
+    <message>
+        <source>Neither the calibration nor the session says where the sensor sits: a few poses cannot tell it.</source>
+        <translation>Weder die Kalibrierung noch die Sitzung sagt, wo der Sensor sitzt: aus wenigen Posen lässt es sich nicht finden.</translation>
+    </message>
+    <message>
+        <source>The session has no observation with markers that can be used; label some poses.</source>
+        <translation>Die Sitzung hat keine Beobachtung mit Markern, die sich verwenden lässt; einige Posen beschriften.</translation>
+    </message>
+    <message>
+        <source>%1: has no &lt;robot&gt; with the tcp link or no &lt;joints&gt; with their order; predict from its session.</source>
+        <translation>%1: hat kein &lt;robot&gt; mit dem Glied tcp oder keine &lt;joints&gt; mit ihrer Reihenfolge; die Sitzung selbst verwenden.</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>ersten</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>zweiten</translation>
     </message>
 </context>
 <context>

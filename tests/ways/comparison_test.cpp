@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "estimation/fit_report.h"
 #include "fixtures/random_robot.h"
 #include "simulation/simulated_session.h"
 #include "ways/change_evidence.h"
@@ -69,6 +72,38 @@ TEST(Comparison, ARightModelIsNotMadeWider) {
   const Comparison c = compare(before, after);
   EXPECT_EQ(c.verdict, ComparisonVerdict::unchanged) << c.sentence;
   EXPECT_TRUE(c.model_fits);
+}
+
+TEST(Comparison, TellsHowFarItIsAndStopsWhereItIsTold) {
+  const auto [before, after] = two_sessions(35, {}, {});
+  std::vector<double> shares;
+  compare(before, after, {}, [&](double share) {
+    shares.push_back(share);
+    return true;
+  });
+  EXPECT_GT(shares.size(), 10u);
+  EXPECT_GE(*std::max_element(shares.begin(), shares.end()), 0.7);
+  for (const std::size_t calls : {std::size_t{1}, shares.size() / 2, shares.size() - 1}) {
+    std::size_t asked = 0;
+    EXPECT_THROW(compare(before, after, {}, [&](double) { return ++asked < calls; }), InputError) << calls;
+    EXPECT_LE(asked, calls + 3) << "it goes on for long";
+  }
+}
+
+TEST(Comparison, ResidualsAgainstACalibrationShowWhatChanged) {
+  const auto [before, after] = two_sessions(35, {}, {"camera_mount:rx=0.004"});
+  const FitOptions options;
+  const Fit f = fit(before, options);
+  const CalibratedRobot robot = calibrated_robot(before, f, report(before, f, options), options, "test");
+  const auto rms = [](const std::vector<CalibrationResidual>& all) {
+    double squares = 0;
+    for (const CalibrationResidual& r : all) squares += r.corner.residual.squaredNorm();
+    return std::sqrt(squares / (2.0 * static_cast<double>(all.size())));
+  };
+  const auto own = residuals_of(robot, before), changed = residuals_of(robot, after);
+  EXPECT_NEAR(rms(own), f.residual_rms, 0.02 * f.residual_rms) << "the fit itself, evaluated anew";
+  EXPECT_GT(rms(changed), 5 * rms(own));
+  EXPECT_EQ(changed.back().observation, static_cast<int>(after.observations.size()) - 1);
 }
 
 TEST(Comparison, ASessionWithoutAnAnswerIsRefusedByName) {

@@ -90,6 +90,23 @@ TEST(PatternPage, AxesAreLockedUntilFitted) {
   EXPECT_NE(page.on_screen(0, 10, 3), before);
 }
 
+TEST(PatternPage, WithACompanionBothHaveTheAxesThatHoldBoth) {
+  PatternPage page, other;
+  page.set_companion(&other);
+  other.set_companion(&page);
+  std::vector<PatternPlot> plots = test::nine_patterns(40), larger = plots;
+  for (ScatterPoint& point : larger[0].points) point.x += 3, point.y *= 20;
+  larger[1].id = "another one";
+  for (ScatterPoint& point : larger[1].points) point.y *= 20;
+  page.set_plots(plots);
+  other.set_plots(larger);
+  for (PatternPage* p : {&page, &other}) p->fit();
+  test::show(page, {600, 300});
+  test::show(other, {600, 300});
+  EXPECT_EQ(page.on_screen(0, 10, 3), other.on_screen(0, 10, 3));
+  EXPECT_NE(page.on_screen(1, 10, 3), other.on_screen(1, 10, 3)) << "not the same plot";
+}
+
 TEST(PatternPage, PlotsMayGoWhileOneIsBrushed) {
   PatternPage page;
   page.set_plots(test::nine_patterns(40));

@@ -87,6 +87,33 @@ TEST(ConvergencePlot, SettlesWhereItStaysWithinTwoSigma) {
   EXPECT_EQ(plot.settled_at(2), 1);
 }
 
+std::vector<ConvergencePlot::Sample> samples_about(double x, int count) {
+  std::vector<ConvergencePlot::Sample> samples;
+  for (int i = 1; i <= count; ++i) samples.push_back({i, i, {x + 0.01 / i, x, x}, {0.001, 0.001, 0.001}});
+  return samples;
+}
+
+TEST(ConvergencePlot, PlotsThatShareTheirAxesShowAllOfEachOther) {
+  ConvergencePlot a("position", "mm", {"x", "y", "z"}), b("position", "mm", {"x", "y", "z"}),
+      c("rotation", "deg", {"rx", "ry", "rz"});
+  ConvergencePlot::share_axes({{&a, &b}, {&c}});
+  a.set_origin(std::array<double, 3>{0, 0, 0});
+  b.set_origin(std::array<double, 3>{0, 0, 0});
+  a.set_samples(samples_about(0, 10));
+  b.set_samples(samples_about(0.05, 40));  // 5 cm off
+  c.set_samples(samples_about(0, 5));
+  a.fit();
+  EXPECT_EQ(a.plot()->yAxis->range(), b.plot()->yAxis->range());
+  EXPECT_TRUE(a.plot()->yAxis->range().contains(50)) << "counted from the common origin, not from each one's last";
+  EXPECT_TRUE(a.plot()->yAxis->range().contains(0));
+  for (const ConvergencePlot* plot : {&a, &b, &c}) EXPECT_DOUBLE_EQ(plot->plot()->xAxis->range().upper, 40);
+  EXPECT_LT(c.plot()->yAxis->range().upper, 5) << "another row has a y axis of its own";
+  b.plot()->yAxis->setRange(10, 20);
+  EXPECT_EQ(a.plot()->yAxis->range(), QCPRange(10, 20));
+  b.plot()->xAxis->setRange(3, 9);
+  EXPECT_EQ(c.plot()->xAxis->range(), QCPRange(3, 9));
+}
+
 TEST(ConvergencePlot, ClickSelectsTheObservationOfThatCount) {
   ConvergencePlot plot("position", "mm", {"x", "y", "z"});
   std::vector<ConvergencePlot::Sample> samples;

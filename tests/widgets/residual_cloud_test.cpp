@@ -90,5 +90,24 @@ TEST(ResidualCloud, ClickSelectsAndTheRightPaneMovesToItsNewState) {
   EXPECT_EQ(read_out.back()[0].toString(), QString("obs 9, marker 0, right: −6.00, 3.00 px"));
 }
 
+TEST(ResidualCloud, OfTwoSessionsAnIdOfTheOneIsNothingInTheOther) {
+  ResidualCloud pair;
+  pair.set_noise(0.2);
+  pair.set_apart(true);
+  pair.set_camera_names({"left"});
+  pair.set_before({{7, 1, 0, 8, 0}}, "before");
+  test::show(pair, {500, 280});
+  pair.set_after({{7, 1, 0, -8, 0}}, "after");
+  const QImage plain = pair.grab().toImage();
+  QSignalSpy selected(&pair, &ResidualCloud::observation_selected), hovered(&pair, &ResidualCloud::observation_hovered);
+  test::click(&pair, pair.on_screen(1, -8, 0));
+  test::hover(&pair, pair.on_screen(1, -8, 0));
+  EXPECT_EQ(selected.size(), 0);
+  EXPECT_EQ(hovered.size(), 0);
+  const QImage ringed = pair.grab().toImage();
+  EXPECT_EQ(plain.copy(pair.pane(0).toRect()), ringed.copy(pair.pane(0).toRect())) << "not ringed in the other pane";
+  EXPECT_NE(plain.copy(pair.pane(1).toRect()), ringed.copy(pair.pane(1).toRect()));
+}
+
 }  // namespace
 }  // namespace handsight::widgets

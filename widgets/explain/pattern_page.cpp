@@ -130,7 +130,17 @@ void PatternPage::set_empty_text(const QString& sentence) {
 }
 
 void PatternPage::fit() {
-  for (std::size_t i = 0; i < plots_.size(); ++i) ranges_[i] = range_of(plots_[i]);
+  for (std::size_t i = 0; i < plots_.size(); ++i) {
+    Range& r = ranges_[i];
+    r = range_of(plots_[i]);
+    if (!companion_) continue;
+    for (const PatternPlot& other : companion_->plots_) {
+      if (other.id != plots_[i].id) continue;
+      const Range also = range_of(other);
+      r = {std::min(r.left, also.left), std::max(r.right, also.right), std::min(r.low, also.low),
+           std::max(r.high, also.high)};
+    }
+  }
   update();
 }
 

@@ -36,6 +36,8 @@ class PatternPage : public QWidget {
   static constexpr int kPlots = 9;
   /// Three rows of three, or the strongest three alone where there is little height.
   void set_rows(int rows);
+  /// `fit` gives a plot the axes that also hold the other page's plot of the same id. Null: none. It must live as long.
+  void set_companion(const PatternPage* other) { companion_ = other; }
   int rows() const { return rows_; }
   explicit PatternPage(QWidget* parent = nullptr);
   void set_plots(std::vector<PatternPlot> plots);     // at most nine, as read; axes are fitted
@@ -91,6 +93,7 @@ class PatternPage : public QWidget {
   std::vector<PatternPlot> plots_;
   std::array<Range, kPlots> ranges_{};
   int rows_ = 3;
+  const PatternPage* companion_ = nullptr;
   int count() const { return std::min(static_cast<int>(plots_.size()), 3 * rows_); }
   std::vector<ObservationId> highlighted_;
   QString progress_, empty_text_;

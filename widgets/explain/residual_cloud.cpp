@@ -28,7 +28,8 @@ double largest(const std::vector<CloudPoint>& points) {
 
 }  // namespace
 
-ResidualCloud::ResidualCloud(QWidget* parent) : QWidget(parent), empty_text_(tr("No residuals yet.")) {
+ResidualCloud::ResidualCloud(QWidget* parent)
+    : QWidget(parent), empty_text_(tr("No residuals yet.")), after_empty_text_(tr("Try a card, or add it.")) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Residuals of all corners, before and after"));
@@ -74,7 +75,7 @@ void ResidualCloud::set_after(std::vector<CloudPoint> points, const QString& tit
   moving_.clear();
   after_ = {std::move(points), title};
   hold(after_.points);
-  const bool can_move = moving_from_.size() == after_.points.size() && !after_.points.empty();
+  const bool can_move = !is_apart_ && moving_from_.size() == after_.points.size() && !after_.points.empty();
   if (can_move && !motion_is_reduced() && isVisible()) {
     moving_ = moving_from_;
     animation_.start();
@@ -193,7 +194,7 @@ const std::vector<CloudPoint>& ResidualCloud::shown(int index) const {
   return moving_.empty() ? after_.points : moving_;
 }
 
-const CloudPoint* ResidualCloud::point_at(const QPointF& position) const {
+const CloudPoint* ResidualCloud::point_at(const QPointF& position, int* pane_of_it) const {
   const CloudPoint* best = nullptr;
   double nearest = kReachPixels;
   for (int i = 0; i < 2; ++i) {
@@ -201,7 +202,10 @@ const CloudPoint* ResidualCloud::point_at(const QPointF& position) const {
     for (const CloudPoint& point : shown(i)) {
       const QPointF away = on_screen(i, point.du, point.dv) - position;
       const double distance = std::hypot(away.x(), away.y());
-      if (distance < nearest) nearest = distance, best = &point;
+      if (distance >= nearest) continue;
+      nearest = distance;
+      best = &point;
+      if (pane_of_it) *pane_of_it = i;
     }
   }
   return best;
@@ -209,11 +213,12 @@ const CloudPoint* ResidualCloud::point_at(const QPointF& position) const {
 
 void ResidualCloud::mousePressEvent(QMouseEvent* event) {
   const CloudPoint* point = point_at(event->position());
-  if (event->button() == Qt::LeftButton && point) emit observation_selected(point->observation);
+  if (event->button() == Qt::LeftButton && point && !is_apart_) emit observation_selected(point->observation);
 }
 
 void ResidualCloud::mouseMoveEvent(QMouseEvent* event) {
-  const CloudPoint* point = point_at(event->position());
+  int pane_of_it = hovered_pane_;
+  const CloudPoint* point = point_at(event->position(), &pane_of_it);
   const ObservationId id = point ? point->observation : kNoObservation;
   if (point)
     emit read_out(tr("obs %1, marker %2, %3: %4, %5 %6")
@@ -221,17 +226,18 @@ void ResidualCloud::mouseMoveEvent(QMouseEvent* event) {
                            fixed_text(point->du, 2), fixed_text(point->dv, 2), unit_name(unit_)));
   else if (hovered_ >= 0)
     emit read_out({});
-  if (id == hovered_) return;
+  if (id == hovered_ && pane_of_it == hovered_pane_) return;
   hovered_ = id;
+  hovered_pane_ = pane_of_it;
   update();
-  emit observation_hovered(id);
+  if (!is_apart_) emit observation_hovered(id);
 }
 
 void ResidualCloud::leaveEvent(QEvent*) {
   if (hovered_ < 0) return;
   hovered_ = kNoObservation;
   update();
-  emit observation_hovered(kNoObservation);
+  if (!is_apart_) emit observation_hovered(kNoObservation);
   emit read_out({});
 }
 

@@ -49,6 +49,10 @@ class ResidualCloud : public QWidget {
   void set_linear(bool linear);
   void set_blinking(bool blinking);  // before and after alternate in both panes
   void set_empty_text(const QString& sentence);
+  void set_after_empty_text(const QString& sentence) { after_empty_text_ = sentence; }
+  /// The panes show observations of two sessions: an id in one is nothing in the other, a click selects nothing, and no
+  /// dot moves from the one to the other.
+  void set_apart(bool apart) { is_apart_ = apart; }
   void fit();
   double reach() const { return reach_; }  // size at the rim
   QRectF pane(int index) const;            // 0 before, 1 after: the square with the points
@@ -78,7 +82,7 @@ class ResidualCloud : public QWidget {
   void hold(const std::vector<CloudPoint>& points);
   double radius(double size) const;  // of a residual -> 0 (middle) to 1 (rim)
   const std::vector<CloudPoint>& shown(int pane) const;
-  const CloudPoint* point_at(const QPointF& position) const;
+  const CloudPoint* point_at(const QPointF& position, int* pane = nullptr) const;
   void paint_pane(QPainter& painter, int index) const;
   void paint_ground(QPainter& painter, int pane) const;
   void paint_ring_names(QPainter& painter, const QRectF& area) const;
@@ -104,7 +108,9 @@ class ResidualCloud : public QWidget {
   double reach_ = 0;
   bool is_linear_ = false, is_predicted_ = false, is_swapped_ = false;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
-  QString empty_text_;
+  QString empty_text_, after_empty_text_;
+  bool is_apart_ = false;
+  int hovered_pane_ = 0;
   QVariantAnimation animation_;
   QTimer blink_;
 };

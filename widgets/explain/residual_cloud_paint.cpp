@@ -89,8 +89,10 @@ void ResidualCloud::paint_marked(QPainter& painter, int index) const {
   if (selected_ < 0 && hovered_ < 0 && highlighted_.empty()) return;
   const Colors& c = colors();
   painter.setBrush(Qt::NoBrush);
+  const bool hovers_here = !is_apart_ || index == hovered_pane_;
   for (const CloudPoint& point : shown(index)) {
-    const bool is_selected = point.observation == selected_, is_hovered = point.observation == hovered_;
+    const bool is_selected = point.observation == selected_;
+    const bool is_hovered = hovers_here && point.observation == hovered_;
     const bool is_high = std::binary_search(highlighted_.begin(), highlighted_.end(), point.observation);
     if (!is_selected && !is_hovered && !is_high) continue;
     painter.setPen(is_selected ? QPen(c.accent, 1.5) : QPen(is_hovered ? c.ink2 : c.ink1, is_hovered ? 1.5 : 1));
@@ -113,7 +115,7 @@ void ResidualCloud::paint_pane(QPainter& painter, int index) const {
   if (shown(index).empty()) {
     painter.setPen(c.ink2);
     painter.drawText(area.adjusted(kWideGap, 0, -kWideGap, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                     is_after ? tr("Try a card, or add it.") : empty_text_);
+                     is_after ? after_empty_text_ : empty_text_);
     return;
   }
   paint_ring_names(painter, area);

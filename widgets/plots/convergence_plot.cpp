@@ -6,6 +6,7 @@
 #include <QObject>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
@@ -135,7 +136,8 @@ int ConvergencePlot::settled_at(int curve) const {
 void ConvergencePlot::name_y_axis() {
   constexpr int long_enough = 170;
   const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
-  plot_->yAxis->setLabel(has_bands && height() >= long_enough ? QObject::tr("%1 from last").arg(unit_) : unit_);
+  const QString name = origin_ ? QObject::tr("%1 from the first").arg(unit_) : QObject::tr("%1 from last").arg(unit_);
+  plot_->yAxis->setLabel((has_bands || origin_) && height() >= long_enough ? name : unit_);
 }
 
 void ConvergencePlot::resizeEvent(QResizeEvent* event) {
@@ -151,7 +153,7 @@ void ConvergencePlot::fill() {
   name_y_axis();
   for (std::size_t i = 0; i < 3; ++i) {
     // Where a band says how well a value is known, what matters is the way to the last one.
-    const double origin = has_bands ? samples_.back().value[i] : 0;
+    const double origin = origin_ ? (*origin_)[i] : has_bands ? samples_.back().value[i] : 0;
     QVector<double> x, y, low, high;
     for (const Sample& sample : samples_) {
       x += sample.count;
@@ -194,9 +196,36 @@ void ConvergencePlot::mark_settled() {
   }
 }
 
-void ConvergencePlot::fit() {
-  follows_ = true;
-  if (samples_.empty()) return replot();
+void ConvergencePlot::set_origin(const std::optional<std::array<double, 3>>& origin) {
+  origin_ = origin;
+  fill();
+  fit();
+}
+
+void ConvergencePlot::share_axes(const std::vector<std::vector<ConvergencePlot*>>& rows) {
+  std::vector<ConvergencePlot*> all;
+  for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
+  for (const auto& row : rows)
+    for (ConvergencePlot* plot : row) {
+      plot->row_ = row;
+      plot->all_ = all;
+      const auto follow = [plot](std::vector<ConvergencePlot*> others, QCPAxis* QCustomPlot::*axis) {
+        connect(plot->plot_->*axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), plot,
+                [plot, others = std::move(others), axis](const QCPRange& range) {
+                  for (ConvergencePlot* other : others) {
+                    if (other == plot || (other->plot_->*axis)->range() == range) continue;
+                    (other->plot_->*axis)->setRange(range);
+                    other->replot();
+                  }
+                });
+      };
+      follow(all, &QCustomPlot::xAxis);
+      follow(row, &QCustomPlot::yAxis);
+    }
+}
+
+std::optional<ConvergencePlot::Reach> ConvergencePlot::reach() const {
+  if (samples_.empty()) return std::nullopt;
   const double factor = factor_;
   double low = 1e300, high = -1e300;
   for (std::size_t k = 0; k < samples_.size(); ++k) {
@@ -215,9 +244,26 @@ void ConvergencePlot::fit() {
   low -= short_by / 2;
   high += short_by / 2;
   const double margin = std::max(0.08 * (high - low), 1e-4);
-  plot_->yAxis->setRange(low - margin, high + margin);
   const double first = samples_.front().count, last = samples_.back().count;
-  plot_->xAxis->setRange(std::min(first, 1.0), std::max(last, first + 4));
+  return Reach{std::min(first, 1.0), std::max(last, first + 4), low - margin, high + margin};
+}
+
+void ConvergencePlot::fit() {
+  follows_ = true;
+  std::optional<Reach> wanted = reach();
+  const auto widen = [&wanted](const std::optional<Reach>& other, bool in_row) {
+    if (!other) return;
+    if (!wanted) wanted = other;
+    wanted->left = std::min(wanted->left, other->left);
+    wanted->right = std::max(wanted->right, other->right);
+    if (in_row) wanted->low = std::min(wanted->low, other->low);
+    if (in_row) wanted->high = std::max(wanted->high, other->high);
+  };
+  for (const ConvergencePlot* other : row_) widen(other->reach(), true);
+  for (const ConvergencePlot* other : all_) widen(other->reach(), false);
+  if (!wanted) return replot();
+  plot_->yAxis->setRange(wanted->low, wanted->high);
+  plot_->xAxis->setRange(wanted->left, wanted->right);
   replot();
 }
 

@@ -41,6 +41,10 @@ class ConvergencePlot : public PlotWidget {
   void append(const std::vector<Sample>& samples);
   void set_selected(ObservationId id);  // a line at its count
   void set_show_settled(bool shown);
+  /// What the values are counted from, in m or rad; absent: from the last one where there are bands, else from 0.
+  void set_origin(const std::optional<std::array<double, 3>>& origin);
+  /// Plots that have one x axis and, in each row, one y axis from now on; the fit of one is that of its row.
+  static void share_axes(const std::vector<std::vector<ConvergencePlot*>>& rows);
   /// The y axis spans six sigma of the last values at least, so that noise alone never fills the plot.
   void fit() override;
   /// Where a curve has settled: a count, or 0 while it has not.
@@ -59,6 +63,10 @@ class ConvergencePlot : public PlotWidget {
   bool is_empty() const override { return samples_.empty(); }
 
  private:
+  struct Reach {
+    double left = 0, right = 1, low = 0, high = 1;
+  };
+  std::optional<Reach> reach() const;  // that shows everything; absent without samples
   void fill();
   void name_y_axis();
   void place_selected();
@@ -70,6 +78,8 @@ class ConvergencePlot : public PlotWidget {
   double factor_;            // from m or rad
   std::array<QString, 3> names_;
   std::vector<Sample> samples_;
+  std::optional<std::array<double, 3>> origin_;
+  std::vector<ConvergencePlot*> row_, all_;  // that share the y and the x axis, this one among them; empty: none
   ObservationId selected_ = kNoObservation;
   bool shows_settled_ = true, follows_ = true;
   std::shared_ptr<Curves> curves_;

@@ -106,46 +106,6 @@ TEST_F(JournalTest, ALineThatWasCutOffLosesOnlyItself) {
   }
 }
 
-TEST_F(JournalTest, ASessionChangedByAnotherProgramSetsTheActionsAside) {
-  {
-    Document document;
-    document.open(session);
-    document.perform(exclude(document, 1, "one"));
-  }
-  std::string text = read_file(session / "session.xml");
-  replace_file(session / "session.xml", text + "<!-- another program -->\n");
-  Document document;
-  QString notice;
-  QObject::connect(&document, &Document::noticed, [&](const QString& sentence) { notice = sentence; });
-  document.open(session);
-  EXPECT_EQ(document.undo_stack().count(), 0);
-  EXPECT_TRUE(notice.contains("1 unsaved action")) << notice.toStdString();
-  EXPECT_TRUE(notice.contains(".aside"));
-}
-
-TEST_F(JournalTest, WhatAnotherProgramWroteMeanwhileIsKeptWhenOneSaves) {
-  Document document;
-  QString notice;
-  QObject::connect(&document, &Document::noticed, [&](const QString& sentence) { notice = sentence; });
-  document.open(session);
-  document.perform(exclude(document, 1, "one"));
-  const std::string theirs = read_file(session / "session.xml") + "<!-- another program -->\n";
-  replace_file(session / "session.xml", theirs);
-  document.save();
-  EXPECT_EQ(read_session(session).observations[1].reason, "one");
-  EXPECT_TRUE(notice.contains("another program")) << notice.toStdString();
-  int kept = 0;
-  for (const auto& file : std::filesystem::directory_iterator(session))
-    if (file.path().extension() == ".xml" && read_file(file.path()) == theirs) {
-      ++kept;
-      EXPECT_TRUE(notice.contains(QString::fromStdString(file.path().filename())));
-    }
-  EXPECT_EQ(kept, 1);
-  document.perform(exclude(document, 2, "two"));
-  document.save();
-  EXPECT_FALSE(notice.contains("another program")) << "only once: " << notice.toStdString();
-}
-
 TEST_F(JournalTest, LinesThatAreNotUnderstoodAreSetAsideAndSaid) {
   {
     Document document;

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/compare_texts.h"
+
+#include <QObject>
+#include <algorithm>
+#include <cmath>
+
+#include "document/effect_words.h"
+#include "widgets/base/number_text.h"
+#include "words/core_words.h"
+
+namespace handsight::app {
+namespace {
+
+/// "lens" is no effect but two of them.
+QString title_of(const std::string& id, const std::vector<std::string>& where) {
+  return id == "lens" ? QObject::tr("the lenses") : effect_of(id, where);
+}
+
+/// Lengths in mm, angles in degrees: what people compare with a ruler.
+ShownUnit compared_unit(const std::string& unit) {
+  if (unit == "m") return {1e3, "mm"};
+  if (unit == "rad") return {57.29577951308232, QObject::tr("deg")};
+  return shown_unit(unit);
+}
+
+/// "tcp_from_body x", "joint_offset of a2: offset".
+QString number_name(const std::string& name) {
+  const auto starts = [&](const char* text) { return name.rfind(text, 0) == 0; };
+  const QString axis = QString::fromStdString(name.substr(name.rfind(' ') + 1));
+  if (starts("tcp_from_body ")) return QObject::tr("TCP→Body %1").arg(axis);
+  if (starts("mount_from_sensor ")) return QObject::tr("sensor on its mount, %1").arg(axis);
+  const std::size_t colon = name.find(": ");
+  if (colon == std::string::npos) return QString::fromStdString(name);
+  const std::string head = name.substr(0, colon);
+  const std::size_t of = head.find(" of ");
+  const std::vector<std::string> where =
+      of == std::string::npos ? std::vector<std::string>{} : std::vector<std::string>{head.substr(of + 4)};
+  return QObject::tr("%1: %2").arg(effect_of(head.substr(0, of), where), number_title(name.substr(colon + 2)));
+}
+
+}  // namespace
+
+QString comparison_sentence(const Comparison& c) {
+  const std::size_t cut = c.sentence.find("; ");
+  if (cut == std::string::npos) return translated(c.sentence);
+  std::string rest = c.sentence.substr(cut + 2);
+  if (rest.ends_with('.')) rest.pop_back();
+  QString told = translated(rest);
+  for (const Change& change : c.changes) told.replace(QString::fromStdString(change.id), title_of(change.id, {}));
+  return translated(c.sentence.substr(0, cut)) + "; " + told + ".";
+}
+
+QString hand_sentence(const Comparison& c) {
+  if (!c.hand_mean_m) return {};
+  return QObject::tr("The hand is %1 mm from where it was in the mean over these poses, at most %2 mm.")
+      .arg(widgets::short_text(1e3 * *c.hand_mean_m), widgets::short_text(1e3 * c.hand_max_m.value_or(0)));
+}
+
+QString change_title(const Change& c) { return title_of(c.id, c.where); }
+
+QStringList change_numbers(const Change& c) {
+  QStringList lines;
+  Eigen::Index s = 0;
+  for (const EffectTerm& t : c.terms) {
+    const Effect& effect = effect_of(t);
+    for (std::size_t p = 0; p < t.values.size(); ++p) {
+      if (effect.parameters[p].is_choice) continue;
+      const ShownUnit unit = compared_unit(c.units[static_cast<std::size_t>(s)]);
+      lines << QObject::tr("%1: %2 %3")
+                   .arg(number_title(effect.parameters[p].name),
+                        widgets::with_sigma_text(unit.scale * t.values[p], unit.scale * c.sigma[s]), unit.unit);
+      ++s;
+    }
+  }
+  return lines;
+}
+
+std::vector<NumberLine> number_lines(const Comparison& c) {
+  std::vector<NumberLine> lines;
+  for (const NumberChange& n : c.numbers) {
+    const ShownUnit unit = compared_unit(n.unit);
+    lines.push_back({number_name(n.name),
+                     widgets::with_sigma_text(unit.scale * (n.after - n.before), unit.scale * n.sigma), unit.unit,
+                     n.in_sigmas(),
+                     QObject::tr("%1 → %2 %3")
+                         .arg(widgets::short_text(unit.scale * n.before, 4),
+                              widgets::short_text(unit.scale * n.after, 4), unit.unit)});
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const NumberLine& a, const NumberLine& b) { return std::abs(a.sigmas) > std::abs(b.sigmas); });
+  return lines;
+}
+
+}  // namespace handsight::app

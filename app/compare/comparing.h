@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two sessions of one robot, or a calibration and a session, compared and made ready to be shown. For a job: no
+// widgets.
+#pragma once
+
+#include <QStringList>
+
+#include "document/diagnosing.h"
+#include "jobs/jobs.h"
+#include "ways/comparison.h"
+#include "widgets/plots/convergence_plot.h"
+
+namespace handsight::app {
+
+/// One of the two.
+struct ComparedSide {
+  QString name;                                        // the session's title, else its folder's or file's name
+  std::filesystem::path file;                          // session.xml, or the calibration
+  std::shared_ptr<const Session> session;              // null: a calibration
+  ModelVersionPointer version;                         // its own fit by the model of the open session; null: as above
+  std::shared_ptr<const ModelResiduals> residuals;     // of that fit; null where nothing could be fitted
+  std::vector<widgets::ConvergencePoint> convergence;  // of TCP->Body, observation by observation
+
+  bool is_calibration() const { return session == nullptr; }
+};
+
+struct ComparedPair {
+  ComparedSide before, after;
+  Comparison comparison;
+  std::vector<CalibrationResidual> as_calibrated;  // of `after`, where `before` is a calibration
+  Rigid tcp_from_body;                             // of `before`
+  QStringList notes;                               // of the window, beside those of the comparison
+};
+
+/// What is to be compared with what.
+struct ComparisonTask {
+  std::shared_ptr<const Session> session;  // the open one, as it stands
+  ModelSettings settings;                  // its model; estimated in both
+  ModelVersionPointer version;             // its fit; null where it is not there
+  std::filesystem::path other;             // a session's folder or file, or an exported calibration
+  bool other_is_later = false;             // a calibration never is
+};
+
+/// The title of a session, else the name of its folder.
+QString name_of(const Session& session);
+
+/// Reads the other one, finds its target where it has one, fits both and compares. InputError where the two cannot be
+/// compared: what does not fit and what to do.
+ComparedPair compare_pair(const ComparisonTask& task, JobControl& control);
+
+}  // namespace handsight::app

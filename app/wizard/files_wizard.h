@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A new session from files as other programs write them: ROS 2 bags, camera_info, Kalibr's camchain, easy_handeye's
+// samples, tables of joints, poses or points, folders of images, a URDF. Each is known by its content; what has to be
+// known beside them is asked; the session is made as `handsight-cli convert` makes it.
+#pragma once
+
+#include <QDialog>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "jobs/jobs.h"
+#include "ways/convert.h"
+#include "ways/field_urdf.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace handsight::app {
+
+class TargetForm;
+
+class FilesWizard : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Over `window`, with these files to begin with; the session that it makes is handed to `open`.
+  static FilesWizard* run(QWidget& window, Jobs& jobs, std::vector<std::filesystem::path> files,
+                          std::function<void(const QString& path)> open);
+
+  void add(const std::vector<std::filesystem::path>& files);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void reject() override;
+
+ private:
+  FilesWizard(QWidget& window, Jobs& jobs, std::function<void(const QString& path)> open);
+  /// One of the files, as it was recognised.
+  struct Named {
+    std::filesystem::path path;
+    std::optional<FileKind> kind;
+    QString refusal;  // where it is nothing that a session is made from
+  };
+
+  void make_layout();
+  void add_questions();
+  void connect_all();
+  void choose_files();
+  void choose_folder();
+  void remove_chosen();
+  void read();
+  void read_robot();
+  void offer_links();
+  void refresh();
+  void show_questions();
+  bool has(FileKind kind) const;
+  bool shows_images() const;
+  QString what_is_missing() const;
+  ConvertOptions options() const;
+  void make();
+  void show_made(const Conversion& made);
+  void open_made();
+
+  Jobs& jobs_;
+  std::function<void(const QString& path)> open_made_;
+  std::vector<Named> files_;
+  std::optional<FieldUrdf> robot_;
+  std::vector<std::string> offered_;  // links that the combo boxes hold
+  QString made_;                      // session.xml, once it is made
+  bool is_busy_ = false, names_folder_ = false;
+  QListWidget* list_;
+  QPushButton *remove_, *make_, *cancel_;
+  QFormLayout* questions_;
+  QComboBox *tcp_, *mount_, *shown_;
+  QCheckBox *degrees_, *eye_on_base_, *find_lag_;
+  QDoubleSpinBox* still_;
+  QLineEdit *frame_, *title_, *out_;
+  QSpinBox* markers_;
+  TargetForm* target_;
+  QLabel* said_;
+  QPlainTextEdit* report_;
+  QProgressBar* progress_;
+};
+
+}  // namespace handsight::app
