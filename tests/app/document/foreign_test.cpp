@@ -171,6 +171,7 @@ TEST_F(TwoWriters, NewObservationsOfBothSidesAreThereInTheOrderOfTime) {
   Observation mine = all.back();
   mine.id = first_free;
   mine.time += 20;
+  mine.decision = Decision::excluded;
   mine.reason = "here";
   Edit edit{.sentence = "took a picture"};
   edit.added.push_back(mine);
@@ -179,6 +180,7 @@ TEST_F(TwoWriters, NewObservationsOfBothSidesAreThereInTheOrderOfTime) {
     Observation theirs = s.observations.back();
     theirs.id = first_free;  // the same number, another observation
     theirs.time += 10;
+    theirs.decision = Decision::excluded;
     theirs.reason = "there";
     s.observations.push_back(theirs);
   });

@@ -159,7 +159,7 @@ TEST(Pictures, OfTheWizard) {
   answer("known_6");
   scroll->verticalScrollBar()->setValue(0);
   take("wizard_on_hand");
-  wizard->reject();
+  static_cast<QDialog*>(wizard)->reject();
 }
 
 /// Two halves of a sample: in the second a joint stands 4 mrad further than it reads.
@@ -248,7 +248,7 @@ TEST(Pictures, OfTheWizardOfFiles) {
   take("files_empty");
   wizard->add({samples / "robots/six_axis.urdf", samples / "first_steps/images", samples / "README.md"});
   take("files");
-  wizard->reject();
+  static_cast<QDialog*>(wizard)->reject();
 }
 
 /// Of the sample sessions without images, for the start page (resources/pictures).
