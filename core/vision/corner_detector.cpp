@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/threads.h"
 #include "vision/corner_accuracy.h"
 #include "vision/corner_level.h"
 #include "vision/corner_mosaic.h"
@@ -97,18 +98,35 @@ Variances variances_of(double noise, const std::vector<OddSystem>& systems) {
   return {*middle, std::max(noise * noise, *middle)};
 }
 
+using OddSystems = std::vector<std::optional<OddSystem>>;
+
+// What system_of(found) tells of each; of a large image on several threads.
+template <class SystemOf>
+OddSystems odd_systems(const Image& image, const std::vector<Found*>& corners, const SystemOf& system_of) {
+  constexpr std::size_t kPart = 64;
+  OddSystems systems(corners.size());
+  const std::size_t parts = (corners.size() + kPart - 1) / kPart;
+  each_part(static_cast<int>(parts), is_worth_threads(image), [&](int part) {
+    const std::size_t begin = static_cast<std::size_t>(part) * kPart;
+    for (std::size_t i = begin; i < std::min(begin + kPart, corners.size()); ++i) systems[i] = system_of(*corners[i]);
+  });
+  return systems;
+}
+
 // The last step where colours were interpolated: all corners of the image tell its noise together.
 void take_smoothed_steps(const Level& level, const Habits& habits, const Variances& variances,
                          const std::vector<Found*>& here) {
+  const Image& image = level.sight.image;
+  const OddSystems all = odd_systems(image, here, [&](const Found& found) {
+    return has_shadow(found.fit.model) ? odd_system(image, found.fit) : smoothed_odd_system(image, found.fit);
+  });
   std::vector<OddSystem> systems;
   std::vector<Found*> owners;
   double ratios = 0;
-  for (Found* const found : here) {
-    auto system = has_shadow(found->fit.model) ? odd_system(level.sight.image, found->fit, true)
-                                               : smoothed_odd_system(level.sight.image, found->fit);
-    if (!system) continue;
-    ratios += system->variance_ratio;
-    systems.push_back(*system), owners.push_back(found);
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    if (!all[i]) continue;
+    ratios += all[i]->variance_ratio;
+    systems.push_back(*all[i]), owners.push_back(here[i]);
   }
   const double ratio = ratios / static_cast<double>(std::max<std::size_t>(systems.size(), 1));
   for (std::size_t i = 0; i < systems.size(); ++i) {
@@ -124,21 +142,26 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
   for (Placed& placed : corners)
     if (placed.level == number) here.push_back(&placed.found);
   std::vector<OddSystem> systems;
-  const auto add = [&](Found& found, bool with_neighbours) {
-    const auto system = odd_system(level.sight.image, found.fit, with_neighbours);
+  const auto add = [&](Found& found, const std::optional<OddSystem>& system) {
     if (system) systems.push_back(*system), owners.push_back(&found);
     return system.has_value();
   };
+  const Image& image = level.sight.image;
   const std::size_t every = here.size() / kNoiseCorners + 1;
-  for (std::size_t i = 0; i < here.size(); i += every) add(*here[i], true);
+  for (std::size_t i = 0; i < here.size(); i += every) add(*here[i], odd_system(image, here[i]->fit));
   const Habits of_some = habits_of(systems);
   const Variances variances = variances_of(level.sight.noise, systems);
   if (of_some.is_mosaic) return take_smoothed_steps(level, of_some, variances, here);
   const bool all = are_bent(of_some) || are_glared(of_some) ||
                    std::any_of(systems.begin(), systems.end(), [](const OddSystem& s) { return is_plain(s); });
   const auto is_looked_at = [&](std::size_t i) { return all || i % every == 0 || has_shadow(here[i]->fit.model); };
+  std::vector<Found*> others;
   for (std::size_t i = 0; i < here.size(); ++i)
-    if (is_looked_at(i) && i % every != 0 && add(*here[i], false)) scale_variance(systems.back(), of_some.variance);
+    if (is_looked_at(i) && i % every != 0) others.push_back(here[i]);
+  const OddSystems of_others =
+      odd_systems(image, others, [&](const Found& found) { return odd_system(image, found.fit, false); });
+  for (std::size_t i = 0; i < others.size(); ++i)
+    if (add(*others[i], of_others[i])) scale_variance(systems.back(), of_some.variance);
   const Habits habits = habits_of(systems);
   double change = 0;
   int changed = 0;
@@ -192,7 +215,8 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
   for (int n = 0; n < kLevels; ++n) {
     const Image& here = n > 0 ? images[n] : image;
     if (n > 0 && std::min(here.width, here.height) < kLeastSize) break;
-    levels.push_back({{here, options, n > 0 ? image_noise(here, kCoarsePlaces) : image_noise(here)}, {}, {}, {}, {}});
+    const double noise = n > 0 ? image_noise(here, kCoarsePlaces) : image_noise(here);
+    levels.push_back({{here, options, noise, n > 0}, {}, {}, {}, {}});
     Level& level = levels.back();
     if (n == 0) {
       find_corners(level, images[1]);

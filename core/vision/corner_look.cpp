@@ -66,8 +66,16 @@ bool has_possible_levels(const CornerFit& fit) {
   return black > -kMostBeyond * contrast && white < 255 + kMostBeyond * contrast;
 }
 
+// px, sigma of the largest window, as wide as asked for at most, that does not leave the image.
+constexpr int kLeastWindow = 3;  // px
+double sigma_with_room(const Sight& sight, const Eigen::Vector2d& position) {
+  const int u = static_cast<int>(position.x()), v = static_cast<int>(position.y());
+  const int room = std::min({u, v, sight.image.width - 2 - u, sight.image.height - 2 - v}) - 1;
+  return std::min(sight.options.sigma, std::max(room, kLeastWindow) / 3.0);
+}
+
 // What the fit says is kept where the point of best symmetry, in the light that the fit found, agrees.
-std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
+std::optional<Found> checked(const Sight& sight, const CornerFit& fit, double sigma) {
   if (2 * std::abs(fit.model.half_contrast) < sight.options.min_contrast) return std::nullopt;
   if (fit.covariance.trace() > 2 * kMostSigma * kMostSigma || !has_possible_levels(fit)) return std::nullopt;
   Found found;
@@ -77,7 +85,7 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
   found.suspect = {{},  fit.model.position, fit.model.edges, fit.model.half_contrast, own,
                    own, fit.model.blur,     fit.model.level};
   // The strength is that of the symmetry, and what the model calls a corner must be a point of symmetry too.
-  const auto symmetric = symmetry_point(sight.image, fit.model.position, sight.options.sigma, kMostApart, 0,
+  const auto symmetric = symmetry_point(sight.image, fit.model.position, sigma, kMostApart, 0,
                                         has_shadow(fit.model) ? &fit.model : nullptr);
   if (!symmetric) return std::nullopt;
   const double asymmetry = std::sqrt(std::max(symmetric->noise * symmetric->noise - sight.noise * sight.noise, 0.0));
@@ -91,6 +99,10 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
   corner.contrast = 2 * std::abs(fit.model.half_contrast);
   corner.edges = {in_half_turn(fit.model.edges[0]), in_half_turn(fit.model.edges[1])};
   return found;
+}
+
+std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
+  return checked(sight, fit, sight.options.sigma);
 }
 
 std::optional<Found> corner_in_light(const Sight& sight, const Eigen::Vector2d& start, const CrossStructure& cross) {
@@ -196,7 +208,8 @@ std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& st
 
 std::optional<Found> small_look(const Sight& sight, const CornerModel& expected) {
   const auto fit = fit_small_corner(sight.image, expected.position, structure_of(expected), sight.noise);
-  return fit && is_same(fit->model, expected) ? checked(sight, *fit) : std::nullopt;
+  if (!fit || !is_same(fit->model, expected)) return std::nullopt;
+  return checked(sight, *fit, sight.is_coarser ? sigma_with_room(sight, fit->model.position) : sight.options.sigma);
 }
 
 std::optional<Found> shaded_look(const Sight& sight, const CornerModel& expected) {

@@ -11,11 +11,12 @@
 
 namespace handsight {
 
-/// What is looked at. `noise`: grey levels, sigma of a pixel.
+/// What is looked at. `noise`: grey levels, sigma of a pixel. `is_coarser`: at less than the whole resolution.
 struct Sight {
   const Image& image;
   const DetectorOptions& options;
   double noise;
+  bool is_coarser = false;
 };
 
 struct Found {
@@ -64,7 +65,9 @@ using SuitsBoard = std::function<bool(const CrossStructure&, const Eigen::Vector
 std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
                                    const SuitsBoard& suits);
 
-/// Where a corner is expected and the next ones may be nearer than 4 px: a fit on a disc of 3 px, without circles.
+/// Where a corner is expected and the next ones may be nearer than 4 px: a fit on a disc of 3 px, without circles. In a
+/// coarser image, whose border is nearer, the window of its symmetry becomes as small as it must not to leave the
+/// image.
 std::optional<Found> small_look(const Sight& sight, const CornerModel& expected);
 
 /// Where a corner and a shadow's edge beside it are expected.

@@ -37,6 +37,20 @@ bool is_in_scope(const TrueCorner& truth) {
   return truth.bound <= kInScope && truth.smallest_cell >= 4 && truth.visible >= kVisible;
 }
 
+// By how far off the shadow's edge is. Of what is darkest in it less contrast is left than the detector is asked for.
+bool is_shaded(const TrueCorner& c, double nearest, double farthest) {
+  return c.shadow_distance > nearest && c.shadow_distance <= farthest && c.contrast >= DetectorOptions{}.min_contrast;
+}
+struct Shadows {
+  const char* name;
+  Filter filter;
+};
+constexpr Shadows kShadows[]{
+    {"shadow's edge 4-12 px off", [](const TrueCorner& c) { return is_shaded(c, 4, 12); }},
+    {"shadow's edge 1.5-4 px off", [](const TrueCorner& c) { return is_shaded(c, 1.5, 4); }},
+    {"shadow's edge under 1.5 px", [](const TrueCorner& c) { return is_shaded(c, -1, 1.5); }},
+};
+
 void add(const Picture& picture, const std::vector<Corner>& corners, Filter filter, bool with_opencv, Score& score) {
   std::vector<bool> used(corners.size(), false);
   for (const TrueCorner& truth : picture.corners) {
@@ -113,11 +127,7 @@ void sets(unsigned seed) {
   set("glare", 30, {.contrast = {40, 120}, .glare = {50, 150}});
   set("white clipped", 20, {.contrast = {80, 200}, .exposure = {1.3, 2.2}});
   const Conditions shadow{.shade = {0.25, 0.7}};
-  set("shadow's edge 4-12 px off", 40, shadow,
-      [](const TrueCorner& c) { return c.shadow_distance > 4 && c.shadow_distance < 12; });
-  set("shadow's edge 1.5-4 px off", 40, shadow,
-      [](const TrueCorner& c) { return c.shadow_distance > 1.5 && c.shadow_distance <= 4; });
-  set("shadow's edge under 1.5 px", 40, shadow, [](const TrueCorner& c) { return c.shadow_distance <= 1.5; });
+  for (const Shadows& near : kShadows) set(near.name, 40, shadow, near.filter);
   set("sharp, blur 0.2-0.4", 20, {.blur = {0.2, 0.4}});
   set("blur 2-3.5", 20, {.cell = {16, 34}, .blur = {2, 3.5}});
   set("blur 3.5-8", 12, {.width = 640, .height = 480, .cell = {34, 60}, .tilt = {0, 0.7}, .blur = {3.5, 8}});
@@ -164,11 +174,7 @@ void oracle(unsigned seed) {
   ask("tilt 60-70 deg", 30, seed, {.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}});
   ask("gamma, tilt 50-65 deg", 20, seed, {.cell = {14, 30}, .tilt = {0.87, 1.13}, .gamma = {1.8, 2.4}});
   const Conditions shadow{.shade = {0.25, 0.7}};
-  ask("shadow's edge 4-12 px off", 40, seed, shadow,
-      [](const TrueCorner& c) { return c.shadow_distance > 4 && c.shadow_distance < 12; });
-  ask("shadow's edge 1.5-4 px off", 40, seed, shadow,
-      [](const TrueCorner& c) { return c.shadow_distance > 1.5 && c.shadow_distance <= 4; });
-  ask("shadow's edge under 1.5 px", 40, seed, shadow, [](const TrueCorner& c) { return c.shadow_distance <= 1.5; });
+  for (const Shadows& near : kShadows) ask(near.name, 40, seed, shadow, near.filter);
   ask("blur 2-3.5", 20, seed, {.cell = {16, 34}, .blur = {2, 3.5}});
   ask("blur 3.5-8", 12, seed, {.width = 640, .height = 480, .cell = {34, 60}, .tilt = {0, 0.7}, .blur = {3.5, 8}});
   ask("cells of 4 px", 8, seed, {.cell = {4, 4}, .tilt = {0, 0.5}, .blur = {0.5, 1}});

@@ -45,6 +45,7 @@ struct TrueCorner {
   double bound = 0;                // px an axis, of Cramer and Rao's; 0: not worked out
   double shadow_distance = 1e9;    // px, to the shadow's edge
   double visible = 1;              // of the contrast, what clipping leaves
+  double contrast = 0;             // grey levels, what light and clipping leave
   Eigen::Vector2d in_cells{0, 0};  // on the board
 };
 
@@ -326,7 +327,8 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
       const double lit = light_at(light, corner.position - taken.view.corner);
       const double added = glare * std::exp(-0.5 * (corner.position - shine).squaredNorm() / (spot * spot));
       const auto seen = [&](double paper) { return std::min(exposure * (paper * lit + added), 255.0); };
-      corner.visible = (seen(light.white) - seen(light.black)) / (exposure * lit * picture.contrast);
+      corner.contrast = seen(light.white) - seen(light.black);
+      corner.visible = corner.contrast / (exposure * lit * picture.contrast);
       if (light.shade != 1) {
         const Eigen::Vector2d off = corner.position - taken.view.corner;
         corner.shadow_distance = std::abs(light.shade_distance - off.x() * std::cos(light.shade_angle) -

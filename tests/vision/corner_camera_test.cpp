@@ -89,6 +89,15 @@ TEST(CornersOfACamera, BlurThatTheWholeImageCannotFit) {
   EXPECT_LT(outcome.normalised, 4);
 }
 
+// A quarter of the resolution brings the border within reach of the window: there a board still foretells its corners.
+TEST(CornersOfACamera, BlurredNearTheBorder) {
+  const Outcome outcome =
+      outcome_of({.width = 640, .height = 480, .cell = {34, 42}, .tilt = {0, 0.4}, .blur = {6.5, 8}}, 5, 14);
+  EXPECT_GT(outcome.in_scope, 400);
+  EXPECT_GE(outcome.recall(), 0.998);
+  EXPECT_LT(outcome.normalised, 3);
+}
+
 TEST(CornersOfACamera, LightThatIsAdded) {
   const Outcome outcome = outcome_of({.contrast = {40, 120}, .glare = {50, 150}}, 5, 4);
   EXPECT_GE(outcome.recall(), 0.98);
