@@ -27,9 +27,9 @@ struct DetectorOptions {
   int max_corners = 2000;      // the strongest are kept
 };
 
-/// All X-corners of the image, strongest first. Corners nearer to the border than the window are left out; of what is so
-/// blurred that it is found in the halved or quartered image those nearer than twice or four times that, but for what a
-/// board foretells.
+/// All X-corners of the image, strongest first. Corners nearer to the border than the window are left out; of what is
+/// so blurred that it is found in the halved or quartered image those nearer than twice or four times that, but for
+/// what a board foretells.
 std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& options = {});
 
 /// Gauss-Newton to the point of best symmetry from `start` (px), then the fit; nothing where it leads farther than
