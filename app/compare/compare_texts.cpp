@@ -43,12 +43,13 @@ QString number_name(const std::string& name) {
 
 QString comparison_sentence(const Comparison& c) {
   const std::size_t cut = c.sentence.find("; ");
-  if (cut == std::string::npos) return translated(c.sentence);
+  const auto plain = [](QString text) { return text.replace("+-", QString(QChar(0x00B1))); };
+  if (cut == std::string::npos) return plain(translated(c.sentence));
   std::string rest = c.sentence.substr(cut + 2);
   if (rest.ends_with('.')) rest.pop_back();
   QString told = translated(rest);
   for (const Change& change : c.changes) told.replace(QString::fromStdString(change.id), title_of(change.id, {}));
-  return translated(c.sentence.substr(0, cut)) + "; " + told + ".";
+  return plain(translated(c.sentence.substr(0, cut)) + "; " + told + ".");
 }
 
 QString hand_sentence(const Comparison& c) {

@@ -44,6 +44,8 @@ Session searched(Session session) {
   return session;
 }
 
+QString folder_name(const Session& s) { return QString::fromStdString(s.file.parent_path().filename().string()); }
+
 ComparedSide side_of(std::shared_ptr<const Session> session) {
   ComparedSide side;
   side.name = name_of(*session);
@@ -105,6 +107,8 @@ ComparedPair with_session(const ComparisonTask& task, JobControl& control) {
             .toStdString());
   ComparedSide opened = side_of(std::make_shared<Session>(searched(*task.session)));
   ComparedSide chosen = side_of(std::make_shared<Session>(searched(std::move(other))));
+  if (opened.name == chosen.name)  // weeks apart, under one title
+    for (ComparedSide* side : {&opened, &chosen}) side->name = folder_name(*side->session);
   control.report(0.05);
   ComparedPair pair;
   const ModelSettings shared = shared_settings(task.settings, pair.notes);
@@ -123,7 +127,7 @@ ComparedPair with_session(const ComparisonTask& task, JobControl& control) {
 }  // namespace
 
 QString name_of(const Session& s) {
-  return QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
+  return s.title.empty() ? folder_name(s) : QString::fromStdString(s.title);
 }
 
 ComparedPair compare_pair(const ComparisonTask& task, JobControl& control) {

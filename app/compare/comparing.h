@@ -14,7 +14,7 @@ namespace handsight::app {
 
 /// One of the two.
 struct ComparedSide {
-  QString name;                                        // the session's title, else its folder's or file's name
+  QString name;  // the session's title; its folder's or file's name where it has none, or both have the same
   std::filesystem::path file;                          // session.xml, or the calibration
   std::shared_ptr<const Session> session;              // null: a calibration
   ModelVersionPointer version;                         // its own fit by the model of the open session; null: as above

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/combinations.h"
 #include "effects/own_effect.h"
 
 namespace handsight {
@@ -184,8 +185,6 @@ EffectDefinition definition_of(const Form& f, const std::string& id, const Robot
   return d;
 }
 
-double ln_binomial(double n, double k) { return std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1); }
-
 }  // namespace
 
 std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledge& noise, const Problem& problem,
@@ -215,7 +214,7 @@ std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledg
     search.settle_directions(f);
     if (f.directions.size() < static_cast<std::size_t>(f.site->sizes.size())) search.settle_setting(f);
     const double ways =
-        ln_binomial(static_cast<double>(f.site->sizes.size()), static_cast<double>(f.directions.size()));
+        ln_choose(static_cast<double>(f.site->sizes.size()), static_cast<double>(f.directions.size()));
     if (f.ln_factor - ways <= best_value) continue;
     best_value = f.ln_factor - ways;
     best = &f;

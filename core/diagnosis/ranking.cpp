@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/combinations.h"
 #include "base/threads.h"
 #include "diagnosis/scatter_levels.h"
 
@@ -14,11 +15,6 @@ namespace {
 
 constexpr double least_visible = 1e-2;  // chi-squared of a plausible size below which a unit is left out of choices
 constexpr std::size_t most_in_pairs = 6;
-
-double ln_choose(std::size_t n, std::size_t k) {
-  return std::lgamma(static_cast<double>(n) + 1) - std::lgamma(static_cast<double>(k) + 1) -
-         std::lgamma(static_cast<double>(n - k) + 1);
-}
 
 std::vector<Eigen::Index> columns_of(const CandidateEffect& c, const std::vector<std::size_t>& units) {
   std::vector<Eigen::Index> columns;
@@ -46,7 +42,7 @@ class EffectRanker {
     if (seen.size() < 3) return;
     const double before = r.ln_best, shift = before - factor_of(r.units);  // the scatter's own share
     r.ln_best = factor_of(r.units);
-    double best = r.ln_best - ln_choose(seen.size(), r.units.size());
+    double best = r.ln_best - ln_choose(static_cast<double>(seen.size()), static_cast<double>(r.units.size()));
     extend(seen, seen.size(), best, r);
     r.ln_best += shift;
     std::sort(r.units.begin(), r.units.end());
@@ -155,7 +151,7 @@ class EffectRanker {
   }
 
   void take(const std::vector<std::size_t>& units, double factor, std::size_t n, double& best, RankedEffect& r) const {
-    const double value = factor - ln_choose(n, units.size());
+    const double value = factor - ln_choose(static_cast<double>(n), static_cast<double>(units.size()));
     if (value <= best) return;
     best = value;
     r.units = units;

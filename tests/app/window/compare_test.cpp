@@ -46,7 +46,6 @@ class Compare : public testing::Test {
     auto& all = s.observations;
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     first_half ? all.erase(middle, all.end()) : all.erase(all.begin(), middle);
-    s.title = name;
     replace_file(s.file, session_text(s));
     return out;
   }
@@ -83,8 +82,9 @@ TEST_F(Compare, AJointThatLostItsZeroIsNamedAndBothAreShownOnTheSameAxes) {
   compare_with(before);
   EXPECT_TRUE(said().contains(QString("Joint %1 lost its zero").arg(QString::fromStdString(joint))))
       << said().toStdString();
-  EXPECT_TRUE(said().contains(QRegularExpression("0\\.2\\d* \\+- 0\\.0\\d+ degrees"))) << said().toStdString();
-  EXPECT_TRUE(desk.find<QLabel>("compare_names")->text().contains("Before: march. After: april."));
+  EXPECT_TRUE(said().contains(QRegularExpression("0\\.2\\d* ± 0\\.0\\d+ degrees"))) << said().toStdString();
+  EXPECT_TRUE(desk.find<QLabel>("compare_names")->text().contains("Before: march. After: april."))
+      << desk.find<QLabel>("compare_names")->text().toStdString();
   auto* changes = desk.find<QTableWidget>("compare_changes");
   ASSERT_GT(changes->rowCount(), 1);
   EXPECT_EQ(changes->item(0, 0)->text(), QString("joint offset of %1").arg(QString::fromStdString(joint)));
@@ -115,9 +115,10 @@ TEST_F(Compare, AJointThatLostItsZeroIsNamedAndBothAreShownOnTheSameAxes) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(first->plots()[i].id, second->plots()[i].id);
     const int place = static_cast<int>(i);
-    EXPECT_EQ(first->on_screen(place, 0.1, 0.2) - first->plot_rect(place).topLeft(),
-              second->on_screen(place, 0.1, 0.2) - second->plot_rect(place).topLeft())
-        << "the same axes";
+    // One page may be a pixel higher than the other.
+    const QPointF apart = (first->on_screen(place, 0.1, 0.2) - first->plot_rect(place).topLeft()) -
+                          (second->on_screen(place, 0.1, 0.2) - second->plot_rect(place).topLeft());
+    EXPECT_LT(apart.manhattanLength(), 2) << "the same axes";
   }
   EXPECT_EQ(desk.document().undo_stack().count(), actions);
   EXPECT_EQ(read_file(before / "session.xml"), before_text);
@@ -226,7 +227,10 @@ TEST_F(Compare, OnALaptopNothingIsCut) {
     for (const char* name :
          {"compare_close", "compare_swap", "compare_said", "compare_tabs", "compare_changes", "compare_numbers"}) {
       auto* widget = desk.find<QWidget>(name);
-      EXPECT_EQ(widget->visibleRegion().boundingRect(), widget->rect()) << name << " in tab " << tab;
+      EXPECT_TRUE(widget->isVisible()) << name;
+      for (QWidget* outer = widget->parentWidget(); outer; outer = outer->parentWidget())
+        EXPECT_TRUE(outer->rect().contains(QRect(widget->mapTo(outer, QPoint()), widget->size())))
+            << name << " in tab " << tab << " reaches out of " << outer->metaObject()->className();
     }
   }
 }
