@@ -2,12 +2,9 @@
 #include "diagnosis/diagnosis.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
-#include <mutex>
 
-#include "base/threads.h"
 #include "diagnosis/candidate_report.h"
 #include "diagnosis/clean_model.h"
 #include "diagnosis/curves.h"
@@ -62,11 +59,9 @@ class Work {
   }
 
  private:
-  /// Safe in any thread; what it tells only rises.
   bool goes_on(double done) {
-    const std::lock_guard<std::mutex> one_at_a_time(telling_);
-    done_ = std::max<double>(done_, done);
-    if (!stopped_ && options_.on_progress && !options_.on_progress(done_)) stopped_ = true;
+    done_ = done;
+    if (!stopped_ && options_.on_progress && !options_.on_progress(done)) stopped_ = true;
     return !stopped_;
   }
 
@@ -157,35 +152,19 @@ class Work {
                          [&](const RankedEffect& r) { return r.candidate->effect->id == id; });
   }
 
-  /// The named effects that are worth a full fit, the likeliest first.
-  std::vector<DiagnosisCandidate*> the_best() {
-    std::vector<DiagnosisCandidate*> best;
+  /// The best named effects in full: their evidence at the minimum in place of the linear one.
+  void refit_the_best() {
+    int done = 0;
     const double top = d_.candidates.front().ln_bayes_factor;
     const double margin = std::max(10.0, 0.1 * std::max(top, 0.0));
     for (DiagnosisCandidate& c : d_.candidates) {
       if (c.unnamed) continue;
-      const int done = static_cast<int>(best.size());
       const bool close = c.ln_bayes_factor > top - margin && done < 2 * options_.refitted;
       if (c.ln_bayes_factor < 1 || (done >= options_.refitted && !close)) break;
       if (done > 0 && !close && c.ln_bayes_factor < d_.threshold) break;
-      best.push_back(&c);
+      refit_candidate(c);
+      if (!goes_on(0.6 + 0.3 * ++done / (2.0 * options_.refitted))) return;
     }
-    return best;
-  }
-
-  /// Their evidence at the minimum in place of the linear one; side by side, as none depends on another.
-  void refit_the_best() {
-    const std::vector<DiagnosisCandidate*> best = the_best();
-    std::vector<FullFit> fits(best.size());
-    std::atomic<int> done{0};
-    each_part(static_cast<int>(best.size()), true, [&](int i) {
-      const auto at = static_cast<std::size_t>(i);
-      if (stopped_) return;
-      fits[at] = fitted_in_full(*best[at]);
-      goes_on(0.6 + 0.3 * ++done / (2.0 * options_.refitted));
-    });
-    if (stopped_) return;
-    for (std::size_t i = 0; i < best.size(); ++i) take(fits[i], *best[i]);
     refit_the_curve();
     sort_candidates();
   }
@@ -213,62 +192,45 @@ class Work {
   }
 
   void refit_curve(const FoundCurve& curve, DiagnosisCandidate& c) {
-    FullFit full = refitted({curve.term});
-    if (stopped_ || !full.refit.fit.converged()) return;
+    const Refit r = refitted({curve.term});
+    if (stopped_ || !r.fit.converged()) return;
     const auto same = std::find_if(ranking_.localisers.begin(), ranking_.localisers.end(),
                                    [&](const auto& l) { return l.localiser.variable->name == curve.variable; });
     if (same != ranking_.localisers.end()) c.unnamed = *same;
-    take_refit(full.refit, curve.ln_ways - ln_odds_of_unnamed, d_, weighing_, session_, c);
+    take_refit(r, curve.ln_ways - ln_odds_of_unnamed, d_, weighing_, session_, c);
     c.where = {curve.where};
-    c.path = std::move(full.path);
-    if (options_.with_held_out) c.held_out = held_out_of(full.refit);
+    c.path = std::move(path_);
+    if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
   }
 
-  /// A candidate's terms fitted with everything else, and the way there.
-  struct FullFit {
-    Refit refit;
-    std::vector<FitIteration> path;
-    ErrorSummary held_out;  // where it is asked for
-  };
-
-  FullFit fitted_in_full(const DiagnosisCandidate& c) {
-    FullFit full = refitted(with_settled_orders(d_.model, c.terms, weighing_));
-    if (!full.refit.fit.converged()) return full;
-    drop_idle_places(full);
-    if (options_.with_held_out && !stopped_) full.held_out = held_out_of(full.refit);
-    return full;
-  }
-
-  ErrorSummary held_out_of(const Refit& r) const { return report(d_.model.session, r.fit, r.options).held_out; }
-
-  void take(FullFit& full, DiagnosisCandidate& c) {
-    if (!full.refit.fit.converged()) {
-      c.terms = with_settled_orders(d_.model, c.terms, weighing_);
-      c.where = places_of(c.terms, session_);
-      return;
-    }
-    take_refit(full.refit, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, weighing_, session_, c);
-    c.path = std::move(full.path);
-    if (options_.with_held_out) c.held_out = full.held_out;
-    fits_[c.id] = std::move(full.refit);
+  void refit_candidate(DiagnosisCandidate& c) {
+    c.terms = with_settled_orders(d_.model, c.terms, weighing_);
+    c.where = places_of(c.terms, session_);
+    Refit r = refitted(c.terms);
+    if (!r.fit.converged()) return;
+    drop_idle_places(r);
+    if (stopped_) return;
+    take_refit(r, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, weighing_, session_, c);
+    c.path = std::move(path_);
+    if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
+    fits_[c.id] = std::move(r);
   }
 
   /// With a stop request asked for at every iteration.
-  FullFit refitted(const std::vector<EffectTerm>& terms) {
-    FullFit full;
+  Refit refitted(const std::vector<EffectTerm>& terms) {
     FitOptions options = d_.model_options;
-    options.on_iteration = [&](int, double cost, const Unknowns& unknowns) {
-      full.path.push_back({cost, unknowns});
+    path_.clear();
+    options.on_iteration = [this](int, double cost, const Unknowns& unknowns) {
+      path_.push_back({cost, unknowns});
       return goes_on(done_);
     };
-    full.refit = refit_with(d_.model, options, terms, weighing_);
-    full.refit.options.on_iteration = nullptr;
-    return full;
+    Refit r = refit_with(d_.model, options, terms, weighing_);
+    r.options.on_iteration = nullptr;
+    return r;
   }
 
   /// Places that the linear search took in, and that show nothing once all is fitted.
-  void drop_idle_places(FullFit& full) {
-    const Refit& r = full.refit;
+  void drop_idle_places(Refit& r) {
     std::vector<EffectTerm> kept;
     for (std::size_t t = r.fit.effects.size() - r.added; t < r.fit.effects.size(); ++t) {
       const FittedEffect& e = r.fit.effects[t];
@@ -281,9 +243,13 @@ class Work {
       if (z2 > 6 + 2 * numbers) kept.push_back(e.term);
     }
     if (kept.empty() || kept.size() == r.added) return;
-    FullFit fewer = refitted(kept);
-    if (fewer.refit.fit.converged() && fewer.refit.ln_bayes_factor > r.ln_bayes_factor - ln_of_idle)
-      full = std::move(fewer);
+    const std::vector<FitIteration> path = path_;
+    Refit fewer = refitted(kept);
+    if (fewer.fit.converged() && fewer.ln_bayes_factor > r.ln_bayes_factor - ln_of_idle) {
+      r = std::move(fewer);
+    } else {
+      path_ = path;
+    }
   }
 
   /// Which effects are nearly the same term on these poses, or too near in evidence.
@@ -317,9 +283,9 @@ class Work {
   Ranking ranking_;
   std::optional<WhitenedModel> plain_;
   std::map<std::string, Refit> fits_;
-  std::mutex telling_;
-  std::atomic<double> done_{0};
-  std::atomic<bool> stopped_{false};
+  std::vector<FitIteration> path_;  // of the last refit
+  double done_ = 0;
+  bool stopped_ = false;
 };
 
 }  // namespace

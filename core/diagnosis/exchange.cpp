@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "base/threads.h"
 #include "diagnosis/candidate_report.h"
 #include "diagnosis/curves.h"
 #include "diagnosis/refitting.h"
@@ -45,31 +44,25 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   const auto own = std::find_if(ranking.effects.begin(), ranking.effects.end(),
                                 [&](const RankedEffect& r) { return r.candidate->effect->id == present.front().id; });
   if (own == ranking.effects.end() && !unnamed) return std::nullopt;
-  std::vector<const RankedEffect*> others;
+  std::optional<Refit> now;
+  std::optional<Exchange> best;
+  double best_evidence = 0;
   for (std::size_t i = 0; i < std::min(most, ranking.effects.size()); ++i) {
     const RankedEffect& r = ranking.effects[i];
     if (!unnamed && &r == &*own) continue;
-    if (r.ln_bayes_factor < (unnamed ? model.threshold : nearly * own->ln_bayes_factor)) break;
-    others.push_back(&r);
-  }
-  if (others.empty() || !goes_on()) return std::nullopt;
-  std::vector<Refit> fits(others.size() + 1);  // the first one of what is there now
-  each_part(static_cast<int>(fits.size()), true, [&](int i) {
-    const auto at = static_cast<std::size_t>(i);
-    fits[at] = refit_with(
-        without, o, at == 0 ? present : with_settled_orders(without, terms_with_values(*others[at - 1]), by), by);
-  });
-  std::optional<Exchange> best;
-  double best_evidence = unnamed ? fits[0].ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves
-                                 : evidence_of(fits[0], *own) + clearly;
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    const Refit& other = fits[i + 1];
-    if (!other.fit.converged() || evidence_of(other, *others[i]) <= best_evidence) continue;
-    best_evidence = evidence_of(other, *others[i]);
+    const double least = unnamed ? model.threshold : nearly * own->ln_bayes_factor;
+    if (r.ln_bayes_factor < least || !goes_on()) break;
+    if (!now) {
+      now = refit_with(without, o, present, by);
+      best_evidence =
+          unnamed ? now->ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves : evidence_of(*now, *own) + clearly;
+    }
+    const Refit other = refit_with(without, o, with_settled_orders(without, terms_with_values(r), by), by);
+    if (!other.fit.converged() || evidence_of(other, r) <= best_evidence) continue;
+    best_evidence = evidence_of(other, r);
     const std::vector<EffectTerm> terms = terms_of(other.fit);
-    best = Exchange{others[i]->candidate->effect->id,
-                    {terms.end() - static_cast<std::ptrdiff_t>(other.added), terms.end()},
-                    other.options};
+    best = Exchange{
+        r.candidate->effect->id, {terms.end() - static_cast<std::ptrdiff_t>(other.added), terms.end()}, other.options};
     best->options.on_iteration = nullptr;
   }
   return goes_on() ? best : std::nullopt;

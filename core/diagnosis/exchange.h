@@ -14,8 +14,7 @@ struct Exchange {
 };
 
 /// Looks for one in the place of the estimated terms from `first` to `last`: ranked without them, and by the evidence
-/// of the full fits clearly above what they reach. `goes_on` is asked at every iteration, in any thread; false gives
-/// nothing.
+/// of the full fits clearly above what they reach. `goes_on` is asked at every iteration; false gives nothing.
 std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, std::size_t last,
                                     const std::function<bool()>& goes_on);
 

@@ -2,10 +2,8 @@
 #include "diagnosis/upkeep.h"
 
 #include <algorithm>
-#include <mutex>
 #include <set>
 
-#include "base/threads.h"
 #include "diagnosis/curves.h"
 #include "diagnosis/exchange.h"
 #include "diagnosis/refitting.h"
@@ -60,9 +58,7 @@ class Upkeep {
  private:
   const std::vector<EffectTerm>& terms() const { return change_.model->model_options.estimated; }
 
-  /// Safe in any thread.
   bool goes_on() {
-    const std::lock_guard<std::mutex> one_at_a_time(telling_);
     if (options_.on_progress && !options_.on_progress(0.97)) change_.stopped = true;
     return !change_.stopped;
   }
@@ -173,49 +169,23 @@ class Upkeep {
     return without;
   }
 
-  /// The groups from `first` on whose names may be exchanged, `most` of them; a name that was added last stays.
-  std::vector<std::pair<std::size_t, std::size_t>> exchangeable(std::size_t first, bool with_last, int most) const {
-    std::vector<std::pair<std::size_t, std::size_t>> groups;
-    while (first < terms().size() && static_cast<int>(groups.size()) < most) {
+  /// Names and curves that stood in for another name are exchanged; a name that was added last stays.
+  void exchange_names(bool with_last) {
+    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
       const std::size_t last = end_of_group(terms(), first);
-      if (last == terms().size() && !with_last && !is_curve(terms()[first])) break;
-      groups.emplace_back(first, last);
+      if (last == terms().size() && !with_last && !is_curve(terms()[first])) return;
+      const std::string removed = terms()[first].id;
+      const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
+      // A name that has gone does not come back for the one that came: they would take turns for ever.
+      if (exchange && !change_.stopped && !gone_.contains(exchange->id) &&
+          take(diagnosed_from(session_, options_, exchange->options.estimated, exchange->options.start), removed)) {
+        ImprovementStep& step = change_.steps.back();
+        step.exchanged.push_back(exchange->id);
+        gone_.insert(removed);
+        continue;  // the next group has moved here; the new name stands last
+      }
       first = last;
     }
-    return groups;
-  }
-
-  /// Names and curves that stood in for another name are exchanged. As many groups as there are threads are looked at
-  /// side by side; once one is exchanged those after it are looked at again.
-  void exchange_names(bool with_last) {
-    constexpr int all_groups = 1 << 20;
-    std::size_t first = options_.estimated.size();
-    while (!change_.stopped) {
-      const auto groups = exchangeable(first, with_last, threads_for(all_groups));
-      if (groups.empty()) return;
-      std::vector<std::optional<Exchange>> found(groups.size());
-      each_part(static_cast<int>(groups.size()), true, [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
-        found[at] = better_name(*change_.model, groups[at].first, groups[at].second, [&] { return goes_on(); });
-      });
-      for (std::size_t i = 0; i < groups.size() && !change_.stopped; ++i) {
-        first = groups[i].second;
-        if (!exchanged(groups[i].first, found[i])) continue;
-        first = groups[i].first;  // the next group has moved here; the new name stands last
-        break;
-      }
-    }
-  }
-
-  bool exchanged(std::size_t first, const std::optional<Exchange>& exchange) {
-    const std::string removed = terms()[first].id;
-    // A name that has gone does not come back for the one that came: they would take turns for ever.
-    if (!exchange || gone_.contains(exchange->id) ||
-        !take(diagnosed_from(session_, options_, exchange->options.estimated, exchange->options.start), removed))
-      return false;
-    change_.steps.back().exchanged.push_back(exchange->id);
-    gone_.insert(removed);
-    return true;
   }
 
   /// With other terms beside it, a curve may have another form, and a slip another moment.
@@ -274,7 +244,6 @@ class Upkeep {
   double most_;
   ModelChange& change_;
   std::set<std::string> gone_;  // names that were exchanged for others
-  std::mutex telling_;
 };
 
 }  // namespace
