@@ -108,6 +108,11 @@ class Builder {
     Eigen::MatrixXd candidates;  // external rows by the candidates
   };
 
+  const Joint& joint_of(Eigen::Index place) const {
+    const Chain& chain = p_.source->chain;
+    return chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(place)])];
+  }
+
   Parted parted(const ProblemObservation& o) const {
     const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u_.mount_from_sensor);
     Rows rows = rows_at(o, sensor_from_tcp);
@@ -128,10 +133,9 @@ class Builder {
     part.sensor_from_tcp = sensor_from_tcp;
     const Rigid sensor_from_root = inverse(o.root_from_mount * u_.mount_from_sensor * o.sensor_motion);
     part.joint_motions = adjoint(sensor_from_root) * o.motion.tcp_by_value;
-    for (std::size_t j = 0; j < p_.source->chain.joints.size(); ++j)
-      if (p_.source->chain.robot.joints[static_cast<std::size_t>(p_.source->chain.joints[j])].kind ==
-          JointKind::prismatic)
-        part.joint_motions.col(static_cast<Eigen::Index>(j)) *= metres_per_radian;
+    // A problem without effects has no motions by joints.
+    for (Eigen::Index j = 0; j < part.joint_motions.cols(); ++j)
+      if (joint_of(j).kind == JointKind::prismatic) part.joint_motions.col(j) *= metres_per_radian;
     part.by_joints = part.by_body * part.joint_motions / noise_;
 
     parted.candidates = part.by_body * motion.rightCols(p_.effect_count() - base_effects_);

@@ -167,6 +167,23 @@ double imitated_share(const WhitenedModel& w, const RankedEffect& a, const Ranke
   return shared.dot(information.ldlt().solve(shared)) / signal;
 }
 
+namespace {
+
+EffectTerm likeliest_choice(const CleanFit& model, const Candidates& choices, EffectTerm term, const Weighing& by) {
+  const LinearModel linear = linear_model(choices.problem, estimate(model.fit), choices.base_effects, by.noise);
+  const WhitenedModel w = whiten(linear, {}, by.knowledge);
+  double best = -1e300;
+  for (const CandidateUnit& unit : choices.effects.front().units) {
+    const double factor = ln_bayes_factor(score(w, unit.first, unit.count), w, by.knowledge);
+    if (factor <= best) continue;
+    best = factor;
+    term.values = unit.term.values;
+  }
+  return term;
+}
+
+}  // namespace
+
 std::vector<EffectTerm> best_choices(const Session& session, const std::vector<EffectTerm>& terms) {
   std::vector<EffectTerm> settled = terms;
   std::optional<CleanFit> model;
@@ -179,16 +196,9 @@ std::vector<EffectTerm> best_choices(const Session& session, const std::vector<E
     const Fit& f = model->fit;
     const Weighing by = weighing(f);
     const Candidates choices = choices_at_place(f.problem, term);
-    const LinearModel linear = linear_model(choices.problem, estimate(f), choices.base_effects, by.noise);
-    const WhitenedModel w = whiten(linear, {}, by.knowledge);
-    double best = -1e300;
-    for (const CandidateUnit& unit : choices.effects.front().units) {
-      const double factor = ln_bayes_factor(score(w, unit.first, unit.count), w, by.knowledge);
-      if (factor <= best) continue;
-      best = factor;
-      term.values = unit.term.values;
-    }
-    term = with_settled_orders(*model, {term}, by).front();
+    const bool has_choice = !choices.effects.empty() && !choices.effects.front().units.empty();
+    if (has_choice) term = likeliest_choice(*model, choices, term, by);
+    if (has_choice) term = with_settled_orders(*model, {term}, by).front();
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) term.values[p] = 0;
   }

@@ -2,6 +2,8 @@
 // The moments and forms that effects named by the user are given.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "diagnosis/refitting.h"
 #include "simulated_stand.h"
 
@@ -27,6 +29,21 @@ TEST(BestChoices, EveryMarkersOwnMomentIsFoundHoweverManyThereAre) {
   EXPECT_EQ(settled[7].joint, slip.joint);
   EXPECT_EQ(moment_of(settled[7]), 13);
   for (const EffectTerm& t : settled) EXPECT_GT(moment_of(t), 0) << "marker " << t.joint;
+}
+
+/// Without an observation after it there is no moment at which a marker could have slipped.
+TEST(BestChoices, OfTooFewObservationsOfARobotThatSlidesIsNone) {
+  Session like = like_stand();
+  const int first = chain_of(like).joints.front();
+  like.robot.joints[static_cast<std::size_t>(first)].kind = JointKind::prismatic;
+  Session session = simulated({}, 3, 24, like);
+  for (const std::size_t left : {2U, 1U}) {
+    session.observations.resize(left);
+    const std::vector<EffectTerm> asked = effect_terms("marker_slip", chain_of(session));
+    const std::vector<EffectTerm> settled = best_choices(session, asked);
+    ASSERT_EQ(settled.size(), asked.size());
+    for (const EffectTerm& t : settled) EXPECT_TRUE(std::isfinite(moment_of(t)));
+  }
 }
 
 }  // namespace
