@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/numbers.h"
-#include "effects/own_effect.h"
+#include "diagnosis/place_formulas.h"
 
 namespace handsight {
 namespace {
@@ -30,7 +30,8 @@ double shortened_number(double x) { return parse_number(short_number(x)).value_o
 
 /// "(tau_arm_2/12.3)": a torque in units of what is usual on these poses, an angle as it is.
 std::string scaled_name(const ShapeVariable& v, double unit) {
-  return unit == 1 ? v.name : "(" + v.name + "/" + short_number(unit) + ")";
+  const std::string& name = v.variable->formula;
+  return unit == 1 ? name : "(" + name + "/" + short_number(unit) + ")";
 }
 
 double usual_size(const Variable& v) {
@@ -56,17 +57,21 @@ void set_wave(const ShapeVariable& v, CurveShape& s) {
   s.values.col(0) = phase.sin();
   s.values.col(1) = phase.cos();
   for (const char* function : {"sin", "cos"})
-    s.formulas.push_back(fmt::format("{}({}*{})", function, short_number(factor), v.name));
+    s.formulas.push_back(fmt::format("{}({}*{})", function, short_number(factor), v.variable->formula));
   s.text = over_time ? fmt::format("a wave of {:.3g} periods over the session", s.setting)
                      : fmt::format("sine and cosine of {:.3g} times it", factor);
 }
 
 void set_bend(const ShapeVariable& v, CurveShape& s) {
   const Eigen::VectorXd& x = v.variable->values;
-  const Eigen::ArrayXd u = (x.array() - x.mean()) / std::max((x.maxCoeff() - x.minCoeff()) / 2, 1e-12);
+  const double middle = written_number(x.mean());
+  const double reach = written_number(std::max((x.maxCoeff() - x.minCoeff()) / 2, 1e-12));
+  const Eigen::ArrayXd u = (x.array() - middle) / reach;
   s.values.resize(x.size(), 2);
   s.values.col(0) = u;
   s.values.col(1) = u * u;
+  const std::string name = centred_text(v.variable->formula, middle, reach);
+  s.formulas = {name, name + "^2"};
   s.text = "a curve of it";
 }
 
@@ -76,22 +81,6 @@ double quantile(Eigen::VectorXd x, double share) {
 }
 
 }  // namespace
-
-std::string formula_variable(const Variable& v, const Robot& robot) {
-  const auto of_joint = [&](const char* prefix) {
-    return prefix + formula_name(robot.joints[static_cast<std::size_t>(v.joint)].name);
-  };
-  switch (v.kind) {
-    case VariableKind::angle:
-      return of_joint("q_");
-    case VariableKind::torque:
-      return of_joint("tau_");
-    case VariableKind::time:
-      return "time";
-    default:
-      return "";
-  }
-}
 
 CurveShape shape_of(const ShapeVariable& v, ShapeFamily family, double setting) {
   CurveShape s{family, shortened_number(setting)};
@@ -119,27 +108,29 @@ CurveShape shape_of(const ShapeVariable& v, ShapeFamily family, double setting) 
       s.text = s.setting > 2 ? "a steep saturation of it" : "a saturation of it";
       break;
     case ShapeFamily::step:
-      set_one(s, (v.variable->values.array() > s.setting).cast<double>(), "(" + v.name + " > " + k + " ? 1 : 0)");
+      set_one(s, (v.variable->values.array() > s.setting).cast<double>(),
+              "(" + v.variable->formula + " > " + k + " ? 1 : 0)");
       s.text = fmt::format("a step at {}{}", k, v.variable->unit.empty() ? "" : " " + v.variable->unit);
       break;
     case ShapeFamily::decay:
-      set_one(s, (-share_of_session(v.variable->values) / s.setting).exp(), "exp(-" + v.name + "/" + k + ")");
+      set_one(s, (-share_of_session(v.variable->values) / s.setting).exp(),
+              "exp(-" + v.variable->formula + "/" + k + ")");
       s.text = fmt::format("dying away within {} of the session", k);
       break;
     case ShapeFamily::product:
-      set_one(s, v.variable->values.array() * v.other->values.array(), v.name + "*" + v.other_name);
+      set_one(s, v.variable->values.array() * v.other->values.array(), v.variable->formula + "*" + v.other->formula);
       s.text = "its product with the " + v.other->name;
       break;
     case ShapeFamily::bend:
       set_bend(v, s);
       break;
   }
-  if (v.name.empty()) s.formulas.clear();
+  if (v.variable->formula.empty()) s.formulas.clear();
   return s;
 }
 
-std::vector<CurveShape> shapes_of(const Variable& variable, const Robot& robot, const std::vector<Variable>& angles) {
-  const ShapeVariable v{&variable, nullptr, formula_variable(variable, robot), ""};
+std::vector<CurveShape> shapes_of(const Variable& variable, const std::vector<Variable>& angles) {
+  const ShapeVariable v{&variable};
   std::vector<CurveShape> shapes;
   const auto add = [&](ShapeFamily family, double setting, bool at_joint, bool at_rigid) {
     shapes.push_back(shape_of(v, family, setting));
@@ -153,10 +144,8 @@ std::vector<CurveShape> shapes_of(const Variable& variable, const Robot& robot, 
       add(ShapeFamily::signed_square, 0, true, true);
       for (const double share : quantiles) add(ShapeFamily::step, quantile(variable.values, share), true, true);
       for (const Variable& other : angles)
-        if (other.kind == VariableKind::angle && other.joint > variable.joint) {
-          shapes.push_back(
-              shape_of({&variable, &other, v.name, formula_variable(other, robot)}, ShapeFamily::product, 0));
-        }
+        if (other.kind == VariableKind::angle && other.joint > variable.joint)
+          shapes.push_back(shape_of({&variable, &other}, ShapeFamily::product, 0));
       break;
     case VariableKind::torque:
       add(ShapeFamily::signed_square, 0, true, false);

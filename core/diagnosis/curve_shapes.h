@@ -35,18 +35,13 @@ struct CurveShape {
 struct ShapeVariable {
   const Variable* variable = nullptr;
   const Variable* other = nullptr;  // of a product
-  std::string name;                 // in formulas: q_arm_3, tau_arm_2, time
-  std::string other_name;
 };
 
 /// The shape of a family with this setting.
 CurveShape shape_of(const ShapeVariable& v, ShapeFamily family, double setting);
 
 /// All shapes of one variable that are tried. `angles` are the variables that products may take.
-std::vector<CurveShape> shapes_of(const Variable& v, const Robot& robot, const std::vector<Variable>& angles);
-
-/// The variable as formulas name it; empty where they cannot.
-std::string formula_variable(const Variable& v, const Robot& robot);
+std::vector<CurveShape> shapes_of(const Variable& v, const std::vector<Variable>& angles);
 
 /// Settings between this one's neighbours in the list that is tried: where a finer search looks. Equal: nothing to do.
 std::pair<double, double> setting_range(const CurveShape& shape);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/combinations.h"
+#include "diagnosis/place_formulas.h"
 #include "effects/own_effect.h"
 
 namespace handsight {
@@ -110,25 +111,21 @@ class Search {
   const NoiseKnowledge& noise_;
 };
 
-const Variable* angle_of(const std::vector<Variable>& variables, const std::string& name, const Robot& robot) {
-  for (const Variable& v : variables)
-    if (formula_variable(v, robot) == name) return &v;
-  return nullptr;
+/// Which of the variables a product with `v` is with: its formula ends with that variable's.
+const Variable* other_factor(const CurveShape& product, const Variable& v, const std::vector<Variable>& variables) {
+  const std::string other = product.formulas.front().substr(v.formula.size() + 1);
+  return &*std::find_if(variables.begin(), variables.end(), [&](const Variable& x) { return x.formula == other; });
 }
 
 /// Every form of a variable that a formula can write, at every site, with its evidence.
-void add_forms(const Search& search, const std::vector<CurveSite>& sites, const Variable& v, const Robot& robot,
+void add_forms(const Search& search, const std::vector<CurveSite>& sites, const Variable& v,
                const std::vector<Variable>& variables, std::vector<Form>& forms) {
-  std::vector<CurveShape> shapes = shapes_of(v, robot, variables);
-  if (v.kind == VariableKind::angle)
-    shapes.push_back(shape_of({&v, nullptr, formula_variable(v, robot), ""}, ShapeFamily::line, 0));
+  std::vector<CurveShape> shapes = shapes_of(v, variables);
+  if (v.kind == VariableKind::angle) shapes.push_back(shape_of({&v}, ShapeFamily::line, 0));
   for (const CurveShape& shape : shapes) {
     if (shape.formulas.empty()) continue;
-    ShapeVariable of{&v, nullptr, formula_variable(v, robot), ""};
-    if (shape.family == ShapeFamily::product) {
-      of.other_name = shape.formulas.front().substr(of.name.size() + 1);
-      of.other = angle_of(variables, of.other_name, robot);
-    }
+    ShapeVariable of{&v};
+    if (shape.family == ShapeFamily::product) of.other = other_factor(shape, v, variables);
     for (const CurveSite& site : sites) {
       const bool at_joint = site.kind == LocaliserSite::joint, own = site.joint == v.joint;
       if (!at_joint && (!shape.at_rigid || shape.family == ShapeFamily::line)) continue;
@@ -148,7 +145,9 @@ std::string axis_name(const Form& f, Eigen::Index direction) {
 
 std::string parameter_name(const Form& f, Eigen::Index function, Eigen::Index direction) {
   const std::string axis = axis_name(f, direction);
-  const std::string name = f.shape.family == ShapeFamily::wave ? (function == 0 ? "sine" : "cosine") : "size";
+  const std::string name = f.shape.family == ShapeFamily::wave   ? (function == 0 ? "sine" : "cosine")
+                           : f.shape.family == ShapeFamily::bend ? (function == 0 ? "slope" : "bow")
+                                                                 : "size";
   return axis.empty() ? name : axis + "_" + name;
 }
 
@@ -194,16 +193,17 @@ std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledg
   const std::vector<CurveSite> sites = curve_sites(w, problem);
   const Search search(w, noise);
   std::vector<Form> forms;
-  std::size_t looked_at = 0;
+  std::vector<Variable> followed;  // as formulas give them
+  followed.reserve(most_variables);
   for (const RankedLocaliser& l : localisers) {
-    if (l.ln_bayes_factor < localisers.front().ln_bayes_factor - near_best || looked_at == most_variables) break;
-    if (formula_variable(*l.localiser.variable, robot).empty()) continue;
-    ++looked_at;
-    add_forms(search, sites, *l.localiser.variable, robot, variables, forms);
+    if (l.ln_bayes_factor < localisers.front().ln_bayes_factor - near_best || followed.size() == most_variables) break;
+    if (l.localiser.variable->formula.empty()) continue;
+    followed.push_back(as_written(*l.localiser.variable));
+    add_forms(search, sites, followed.back(), variables, forms);
   }
   if (forms.empty()) return std::nullopt;
   std::stable_sort(forms.begin(), forms.end(), [](const Form& a, const Form& b) { return a.ln_factor > b.ln_factor; });
-  const double ln_forms = std::log(static_cast<double>(forms.size()) / static_cast<double>(looked_at));
+  const double ln_forms = std::log(static_cast<double>(forms.size()) / static_cast<double>(followed.size()));
   const double least = forms.front().ln_factor - std::max(near_best, 0.15 * std::abs(forms.front().ln_factor));
   if (forms.size() > most_refined) forms.resize(most_refined);
   Form* best = nullptr;
@@ -213,8 +213,7 @@ std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledg
     search.settle_setting(f);
     search.settle_directions(f);
     if (f.directions.size() < static_cast<std::size_t>(f.site->sizes.size())) search.settle_setting(f);
-    const double ways =
-        ln_choose(static_cast<double>(f.site->sizes.size()), static_cast<double>(f.directions.size()));
+    const double ways = ln_choose(static_cast<double>(f.site->sizes.size()), static_cast<double>(f.directions.size()));
     if (f.ln_factor - ways <= best_value) continue;
     best_value = f.ln_factor - ways;
     best = &f;
@@ -255,7 +254,10 @@ std::string sites_text(const EffectDefinition& d) {
 std::string formula_text(const EffectDefinition& d) {
   std::string text;
   for (const DefinedMove& m : d.moves) text += (text.empty() ? "" : "; ") + m.site + ": " + m.formula;
-  return text;
+  const std::string place = centred_part(text);
+  if (place.empty()) return text;
+  for (std::size_t at; (at = text.find(place)) != std::string::npos;) text.replace(at, place.size(), "u");
+  return text + "; u = " + place.substr(1, place.size() - 2);
 }
 
 }  // namespace handsight

@@ -30,7 +30,8 @@ inline bool is_curve(const EffectTerm& term) { return term.own && term.own->is_u
 /// "angle", or "hand_x, hand_z": the sites that it moves.
 std::string sites_text(const EffectDefinition& definition);
 
-/// "sine*sin(3.3*q)" and the like, one formula a site: "hand_x: x_sine*sin(3.3*q_arm_4) + ...".
+/// "sine*sin(3.3*q)" and the like, one formula a site: "hand_x: x_sine*sin(3.3*q_arm_4) + ...". A place is told once,
+/// as u: "hand_z: z_slope*u + z_bow*u^2; u = (... - 1.31)/0.42".
 std::string formula_text(const EffectDefinition& definition);
 
 }  // namespace handsight

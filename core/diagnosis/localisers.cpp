@@ -29,15 +29,14 @@ bool acts_there(const Variable& v, const CurveShape& shape, const CurveSite& sit
 
 /// Nothing where the variable acts nowhere.
 std::optional<Localiser> localise_by(const Variable& v, const WhitenedModel& w, const NoiseKnowledge& noise,
-                                     const Robot& robot, const std::vector<CurveSite>& sites,
-                                     const std::vector<Variable>& variables) {
+                                     const std::vector<CurveSite>& sites, const std::vector<Variable>& variables) {
   Localiser localiser{std::make_shared<Variable>(v), 0, {}};
   std::vector<double> factors;
-  for (const CurveShape& shape : shapes_of(v, robot, variables))
+  for (const CurveShape& shape : shapes_of(v, variables))
     for (const CurveSite& site : sites)
       if (acts_there(v, shape, site)) consider(w, noise, site, shape, localiser, factors);
   if (v.kind == VariableKind::angle) {  // a coupling: another joint's deviation in proportion to this one's angle
-    const CurveShape line = shape_of({&v, nullptr, formula_variable(v, robot), ""}, ShapeFamily::line, 0);
+    const CurveShape line = shape_of({&v}, ShapeFamily::line, 0);
     for (const CurveSite& site : sites)
       if (site.kind == LocaliserSite::joint && site.joint != v.joint)
         consider(w, noise, site, line, localiser, factors);
@@ -52,11 +51,10 @@ std::optional<Localiser> localise_by(const Variable& v, const WhitenedModel& w, 
 std::vector<Localiser> localise(const WhitenedModel& w, const NoiseKnowledge& noise, const Problem& problem,
                                 const std::vector<Variable>& variables) {
   const std::vector<CurveSite> sites = curve_sites(w, problem);
-  const Robot& robot = problem.source->chain.robot;
   std::vector<std::optional<Localiser>> found(variables.size());
   each_part(static_cast<int>(variables.size()), true, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    found[at] = localise_by(variables[at], w, noise, robot, sites, variables);
+    found[at] = localise_by(variables[at], w, noise, sites, variables);
   });
   std::vector<Localiser> localisers;
   for (std::optional<Localiser>& one : found)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <regex>
 
+#include "diagnosis/place_formulas.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
 
@@ -142,6 +143,22 @@ bool in_proportion(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return b.squaredNorm() > 0 && together * together > (1 - 1e-12) * a.squaredNorm() * b.squaredNorm();
 }
 
+/// "distance from the sensor" of a curve's title, where that is what it follows.
+std::optional<Followed> place_of(const Problem& p, const Effect& effect, const std::string& variable) {
+  if (effect.is_unnamed())
+    if (const auto place = followed_place(p, *effect.definition)) {
+      const std::string name = effect.title.substr(std::min(effect.title.size(), std::string("Curve of the ").size()));
+      return Followed{name, name.starts_with("image") ? "px" : "m", place->values};
+    }
+  for (int axis = 0; axis < 3; ++axis)
+    if (variable == std::string("tcp_") + "xyz"[axis])
+      return Followed{fmt::format("place of the TCP along {} of the sensor's link", "xyz"[axis]), "m",
+                      per_observation(p, [&](const auto&, const Circumstances& c) {
+                        return (c.tcp ? *c.tcp : nominal_tcp(p.source->chain, c.sensor))[axis];
+                      })};
+  return std::nullopt;
+}
+
 /// The first variable that the formulas of an effect by formula name.
 std::optional<Followed> named_in_formula(const Problem& p, const Effect& effect, int place) {
   if (!effect.definition) return std::nullopt;
@@ -156,6 +173,7 @@ std::optional<Followed> named_in_formula(const Problem& p, const Effect& effect,
       if (place >= 0 && name == "approach") return approach_of(p, place);
       if (name == "time" || name == "seconds") return time_or_order(p);
       if (name == "order") return order(p);
+      if (name.starts_with("tcp_")) return place_of(p, effect, name);
       for (std::size_t j = 0; j < robot.joints.size(); ++j) {
         if (!robot.joints[j].moves()) continue;
         if (name == "q_" + formula_name(robot.joints[j].name)) return angle_of(p, static_cast<int>(j));

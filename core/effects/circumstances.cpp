@@ -65,6 +65,12 @@ Eigen::VectorXd nominal_torques(const Chain& chain, const Eigen::VectorXd& senso
   return Eigen::Map<const Eigen::VectorXd>(posture.torque.data(), static_cast<Eigen::Index>(posture.torque.size()));
 }
 
+Vector3 nominal_tcp(const Chain& chain, const Eigen::VectorXd& sensor) {
+  const Posture posture = solve_posture(chain.robot, sensor, chain.gravity);
+  return inverse(posture.root_from_link[static_cast<std::size_t>(chain.mount_link)]) *
+         posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)].translation;
+}
+
 std::vector<double> times_of(const Session& session) {
   std::vector<double> times;
   for (const Observation& o : session.observations) times.push_back(o.time);

@@ -16,9 +16,11 @@ struct Circumstances {
   Eigen::VectorXd
       approach;            // per joint: the sign of its last motion, of `velocity`, else against the observation before
   Eigen::VectorXd torque;  // N m (N), per joint: of gravity, the nominal robot's; empty: not worked out
-  double elapsed = 0;      // s since the first observation
-  double duration = 0;     // s from the first observation to the last
-  int order = 0;           // observations counted from 0 in order of time; not the id
+  std::optional<Vector3>
+      tcp;              // m: the TCP in the frame of the sensor's link, the nominal robot's; absent: not worked out
+  double elapsed = 0;   // s since the first observation
+  double duration = 0;  // s from the first observation to the last
+  int order = 0;        // observations counted from 0 in order of time; not the id
 };
 
 /// For every observation of the session, in the session's order; `chain` must outlive them. Order, approach and time
@@ -30,6 +32,9 @@ Circumstances circumstances_at(const Chain& chain, const Eigen::VectorXd& positi
 
 /// Gravity torques of the nominal robot, per joint of the robot, at these sensor values (its springs included).
 Eigen::VectorXd nominal_torques(const Chain& chain, const Eigen::VectorXd& sensor);
+
+/// The TCP's place in the frame of the link that carries the sensor, of the nominal robot (its springs included), m.
+Vector3 nominal_tcp(const Chain& chain, const Eigen::VectorXd& sensor);
 
 /// A pose outside any session with what is known of how the robot comes there.
 struct DrivenPose {

@@ -56,6 +56,7 @@ struct Effect {
   std::shared_ptr<const EffectDefinition> definition;  // of an effect by formula; null: of the catalogue
   std::vector<std::string> cameras = {};  // of camera scope: by camera of the rig, its name; empty where it has none
   bool reads_torque = false;              // its formula reads gravity torques (Circumstances::torque)
+  bool reads_place = false;               // its formula reads where the TCP is (Circumstances::tcp)
 
   /// A curve that the program has found: it is told by its formula, not by a name.
   bool is_unnamed() const { return definition && definition->unnamed; }

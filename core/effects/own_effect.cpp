@@ -89,8 +89,8 @@ void add_to(Place p, int place, double amount, const Circumstances& c, Sites& si
   }
 }
 
-/// What a formula may name, in the order of its numbers: parameters, the own joint's four, the session's three, then
-/// q_NAME and tau_NAME of every joint that moves.
+/// What a formula may name, in the order of its numbers: parameters, the own joint's four, the session's three, the
+/// TCP's place, then q_NAME and tau_NAME of every joint that moves.
 struct Names {
   std::vector<std::string> all;
   std::size_t parameters = 0;
@@ -98,14 +98,16 @@ struct Names {
 
   std::size_t own() const { return parameters; }
   std::size_t session() const { return parameters + 4; }
-  std::size_t joint(std::size_t i) const { return parameters + 7 + 2 * i; }
+  std::size_t tcp() const { return parameters + 7; }
+  std::size_t joint(std::size_t i) const { return parameters + 10 + 2 * i; }
 };
 
 Names names_of(const EffectDefinition& d, const Robot& robot) {
   Names names;
   for (const DefinedParameter& p : d.parameters) names.all.push_back(p.name);
   names.parameters = names.all.size();
-  for (const char* name : {"q", "tau", "velocity", "approach", "time", "seconds", "order"}) names.all.push_back(name);
+  for (const char* name : {"q", "tau", "velocity", "approach", "time", "seconds", "order", "tcp_x", "tcp_y", "tcp_z"})
+    names.all.push_back(name);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     if (!robot.joints[j].moves()) continue;
     names.joints.push_back(static_cast<int>(j));
@@ -123,7 +125,7 @@ struct CompiledMove {
 struct Compiled {
   Names names;
   std::vector<CompiledMove> moves;
-  bool reads_torque = false;
+  bool reads_torque = false, reads_place = false;
 };
 
 std::string where(const EffectDefinition& d, int line) {
@@ -146,6 +148,10 @@ std::vector<double> numbers_at(const Compiled& own, const Circumstances& c, int 
   set(own.names.session(), c.duration > 0 ? c.elapsed / c.duration : 0);
   set(own.names.session() + 1, c.elapsed);
   set(own.names.session() + 2, c.order);
+  if (own.reads_place) {
+    const Vector3 tcp = c.tcp ? *c.tcp : nominal_tcp(*c.chain, c.sensor);
+    for (std::size_t i = 0; i < 3; ++i) set(own.names.tcp() + i, tcp[static_cast<Eigen::Index>(i)]);
+  }
   for (std::size_t i = 0; i < own.names.joints.size(); ++i) {
     set(own.names.joint(i), c.sensor[own.names.joints[i]]);
     if (own.reads_torque) set(own.names.joint(i) + 1, torque[own.names.joints[i]]);
@@ -229,7 +235,7 @@ CompiledMove compile(const EffectDefinition& d, const DefinedMove& m, const Name
 bool is_torque(const std::string& name) { return name == "tau" || name.starts_with("tau_"); }
 
 Compiled compile(const EffectDefinition& d, const Robot& robot, const Rig& rig) {
-  Compiled own{names_of(d, robot), {}, false};
+  Compiled own{names_of(d, robot), {}};
   const Names& names = own.names;
   for (std::size_t p = 0; p < names.parameters; ++p)
     if (std::count(names.all.begin(), names.all.end(), names.all[p]) > 1)
@@ -241,6 +247,7 @@ Compiled compile(const EffectDefinition& d, const Robot& robot, const Rig& rig) 
     for (const std::size_t u : own.moves.back().formula.used()) {
       used[u] = 1;
       own.reads_torque = own.reads_torque || (u >= names.parameters && is_torque(names.all[u]));
+      own.reads_place = own.reads_place || (u >= names.tcp() && u < names.joint(0));
     }
   }
   for (std::size_t p = 0; p < names.parameters; ++p)
@@ -291,6 +298,7 @@ std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot&
   for (const DefinedParameter& p : d.parameters) effect->parameters.push_back({p.name, p.unit, p.sigma});
   effect->definition = std::make_shared<const EffectDefinition>(d);
   effect->reads_torque = own->reads_torque;
+  effect->reads_place = own->reads_place;
   effect->move = [own](const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
     move(*own, c, place, values, sites);
   };

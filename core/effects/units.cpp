@@ -12,6 +12,7 @@ bool moves_position(const Effect& effect, std::size_t parameter, int place, cons
   somewhere.chain = &chain;
   const auto count = static_cast<Eigen::Index>(robot.joints.size());
   somewhere.sensor = somewhere.velocity = somewhere.approach = somewhere.torque = Eigen::VectorXd::Ones(count);
+  somewhere.tcp = Vector3::Ones();
   somewhere.elapsed = somewhere.duration = 1;
   std::vector<double> values(effect.parameters.size(), 0.0);
   values[parameter] = 1;

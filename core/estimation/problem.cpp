@@ -9,9 +9,10 @@
 namespace handsight {
 namespace {
 
-bool reads_torques(const std::vector<EffectTerm>& terms, const OwnEffects& own) {
-  return std::any_of(terms.begin(), terms.end(), [](const EffectTerm& t) { return t.own && t.own->reads_torque; }) ||
-         std::any_of(own.begin(), own.end(), [](const auto& effect) { return effect->reads_torque; });
+/// Do formulas of these terms, or of effects that may become terms, read what `flag` stands for?
+bool reads(bool Effect::*flag, const std::vector<EffectTerm>& terms, const OwnEffects& own) {
+  return std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& t) { return t.own && (*t.own).*flag; }) ||
+         std::any_of(own.begin(), own.end(), [&](const auto& effect) { return (*effect).*flag; });
 }
 
 /// A marker has a place as soon as a point of its piece is seen: the shape says where it then is.
@@ -56,8 +57,12 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   source->chain = chain;
   source->circumstances = circumstances_of(session, source->chain);
   source->own_effects = own_effects_of(session, source->chain);
-  if (reads_torques(problem.terms, source->own_effects))
-    for (Circumstances& c : source->circumstances) c.torque = nominal_torques(source->chain, c.sensor);
+  const bool torques = reads(&Effect::reads_torque, problem.terms, source->own_effects);
+  const bool places = reads(&Effect::reads_place, problem.terms, source->own_effects);
+  for (Circumstances& c : source->circumstances) {
+    if (torques) c.torque = nominal_torques(source->chain, c.sensor);
+    if (places) c.tcp = nominal_tcp(source->chain, c.sensor);
+  }
   problem.source = source;
 
   const double usual = usual_sigma(session);

@@ -24,6 +24,7 @@ Circumstances at(const Circumstances& commanded, const Eigen::VectorXd& position
   Circumstances c = commanded;
   c.sensor = joint_values(c.chain->robot, c.chain->joints, position);
   c.torque.resize(0);
+  c.tcp.reset();
   return c;
 }
 

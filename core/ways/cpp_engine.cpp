@@ -254,6 +254,15 @@ const char* const cpp_engine = R"cpp(
     return is_zero(whole.hand, 6) ? hand : chained(hand, small_motion(whole.hand));
   }
 
+  /// In the frame of the link that carries the sensor.
+  inline void place_of_tcp(const Posture& p, double tcp[3]) {
+    const Motion hand = hand_of(p, WholeChange{});
+    const Motion mount = mount_joint >= 0 ? chained(p.frame[mount_joint], child_from_mount) : child_from_mount;
+    double way[3];
+    for (int i = 0; i < 3; ++i) way[i] = hand.shift[i] - mount.shift[i];
+    rotate_back(mount.turn, way, tcp);
+  }
+
   inline bool predict(const double* position, const Drive& drive, Motion& hand, Motion& body) {
     double reading[count], before[count], velocity[count] = {}, approach[count] = {}, torque[count] = {};
     all_readings(position, reading, true);
@@ -261,13 +270,16 @@ const char* const cpp_engine = R"cpp(
     if (drive.from) all_readings(drive.from, before, true);
     for (int j = 0; j < count; ++j)
       approach[j] = velocity[j] != 0 ? sign_of(velocity[j]) : drive.from ? sign_of(reading[j] - before[j]) : 0.0;
-    if (reads_torque) {
+    double tcp[3] = {};
+    if (reads_torque || reads_place) {
       Posture nominal;
-      solve(reading, Change{}, nominal_is_elastic, true, nominal);
+      solve(reading, Change{}, nominal_is_elastic, reads_torque, nominal);
       std::copy(nominal.torque, nominal.torque + count, torque);
+      if (reads_place) place_of_tcp(nominal, tcp);
     }
     Change change;
-    add_effects(reading, torque, velocity, approach, drive.share, drive.seconds, drive.order, change.joint, change.whole);
+    add_effects(reading, torque, tcp, velocity, approach, drive.share, drive.seconds, drive.order, change.joint,
+                change.whole);
     Posture posture;
     solve(reading, change, is_elastic, false, posture);
     hand = hand_of(posture, change.whole);

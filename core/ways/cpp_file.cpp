@@ -59,21 +59,21 @@ std::string tables(const HandProgram& p) {
   for (const int j : p.value_order) order += (order.empty() ? "" : ", ") + std::to_string(j);
   const auto truth = [](bool b) { return b ? "true" : "false"; };
   return fmt::format(
-      "\nconstexpr int count = {};\nconstexpr int tcp_joint = {};\nconstexpr bool nominal_is_elastic = {}, is_elastic "
-      "= "
-      "{}, reads_torque = {};\nconstexpr int value_order[count] = {{{}}};\n"
+      "\nconstexpr int count = {};\nconstexpr int tcp_joint = {}, mount_joint = {};\nconstexpr bool nominal_is_elastic "
+      "= {}, is_elastic = {}, reads_torque = {}, reads_place = {};\nconstexpr int value_order[count] = {{{}}};\n"
       "const double gravity[3] = {}, root_moment[3] = {}, center_in_tcp[3] = {};\n"
-      "const Motion child_from_tcp = {};\nconst Motion tcp_from_body = {};\n\n"
+      "const Motion child_from_tcp = {};\nconst Motion child_from_mount = {};\nconst Motion tcp_from_body = {};\n\n"
       "const Joint joints[count] = {{\n{}}};\n\nconst Mimic mimics[] = {{\n{}}};\n",
-      p.joints.size(), p.tcp, truth(p.nominal_is_elastic), truth(p.is_elastic), truth(p.reads_torque), order,
-      listed(p.gravity), listed(p.root_moment), listed(p.center_in_tcp), listed(p.child_from_tcp),
-      listed(p.tcp_from_body), joint_rows(p), mimic_rows(p));
+      p.joints.size(), p.tcp, p.mount, truth(p.nominal_is_elastic), truth(p.is_elastic), truth(p.reads_torque),
+      truth(p.reads_place), order, listed(p.gravity), listed(p.root_moment), listed(p.center_in_tcp),
+      listed(p.child_from_tcp), listed(p.child_from_mount), listed(p.tcp_from_body), joint_rows(p), mimic_rows(p));
 }
 
 std::string effects(const HandProgram& p) {
   std::string text =
       "\n/// What the effects add, each as it was found.\ninline void add_effects([[maybe_unused]] const double* q, "
-      "[[maybe_unused]] const double* torque,\n                        [[maybe_unused]] const double* velocity, "
+      "[[maybe_unused]] const double* torque,\n                        [[maybe_unused]] const double* tcp, "
+      "[[maybe_unused]] const double* velocity, "
       "[[maybe_unused]] const double* approach,\n                        [[maybe_unused]] double share, "
       "[[maybe_unused]] double seconds, [[maybe_unused]] double order,\n                        [[maybe_unused]] "
       "JointChange* joint, [[maybe_unused]] WholeChange& whole) {\n";

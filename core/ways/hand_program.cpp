@@ -31,11 +31,14 @@ std::vector<Carried> carriers(const Robot& robot) {
   return all;
 }
 
-/// The joints that the hand depends on: those that carry it, with springs all that loads them, and what these follow.
-std::vector<char> needed_joints(const CalibratedRobot& robot, bool has_loads) {
+/// The joints that the hand depends on: those that carry it, with springs all that loads them, where formulas read its
+/// place those that carry the sensor, and what these follow.
+std::vector<char> needed_joints(const CalibratedRobot& robot, bool has_loads, bool reads_place) {
   const Robot& r = robot.chain.robot;
   std::vector<char> needed(r.joints.size(), 0);
   for (const int j : joints_to(r, robot.chain.tcp_link)) needed[static_cast<std::size_t>(j)] = 1;
+  if (reads_place)
+    for (const int j : joints_to(r, robot.chain.mount_link)) needed[static_cast<std::size_t>(j)] = 1;
   for (const int j : joints_read_by_name(robot)) needed[static_cast<std::size_t>(j)] = 1;
   if (has_loads) {
     std::vector<char> carries(r.joints.size(), 0);
@@ -119,9 +122,18 @@ std::vector<int> set_joints(const CalibratedRobot& robot, const std::vector<char
     const int at = by < 0 ? 0 : place[static_cast<std::size_t>(by)];
     if (at >= 0) add_mass(program.joints[static_cast<std::size_t>(at)], r.links[l], carried[l].from_link);
   }
-  const auto tcp = static_cast<std::size_t>(robot.chain.tcp_link);
-  program.tcp = tcp == 0 ? -1 : carried[tcp].joint < 0 ? 0 : place[static_cast<std::size_t>(carried[tcp].joint)];
+  const auto carrier = [&](std::size_t link) {
+    const int by = carried[link].joint;
+    return link == 0 ? -1 : by < 0 ? 0 : place[static_cast<std::size_t>(by)];
+  };
+  const auto tcp = static_cast<std::size_t>(robot.chain.tcp_link),
+             mount = static_cast<std::size_t>(robot.chain.mount_link);
+  program.tcp = carrier(tcp);
   program.child_from_tcp = carried[tcp].from_link;
+  if (program.reads_place) {
+    program.mount = carrier(mount);
+    program.child_from_mount = carried[mount].from_link;
+  }
   program.center_in_tcp = r.links[tcp].center_of_mass;
   program.root_moment = r.links[0].mass * r.links[0].center_of_mass;
   return place;
@@ -139,11 +151,15 @@ HandProgram hand_program(const CalibratedRobot& robot) {
   const Robot& r = robot.chain.robot;
   program.nominal_is_elastic =
       std::any_of(r.joints.begin(), r.joints.end(), [](const Joint& j) { return j.moves() && j.stiffness > 0; });
-  program.reads_torque = std::any_of(robot.model.effects.begin(), robot.model.effects.end(),
-                                     [](const EffectTerm& t) { return effect_of(t).reads_torque; });
+  const auto reads = [&](bool Effect::*flag) {
+    return std::any_of(robot.model.effects.begin(), robot.model.effects.end(),
+                       [&](const EffectTerm& t) { return effect_of(t).*flag; });
+  };
+  program.reads_torque = reads(&Effect::reads_torque);
+  program.reads_place = reads(&Effect::reads_place);
   program.is_elastic = program.nominal_is_elastic || bends(robot);
   const std::vector<int> place =
-      set_joints(robot, needed_joints(robot, program.is_elastic || program.reads_torque), program);
+      set_joints(robot, needed_joints(robot, program.is_elastic || program.reads_torque, program.reads_place), program);
   program.value_order = followed_first(program.joints);
   add_moves(robot, place, program);
   return program;

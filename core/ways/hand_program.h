@@ -46,9 +46,11 @@ struct HandProgram {
   Vector3 gravity = Vector3::Zero();
   int tcp = -1;  // the joint that carries the TCP link; -1: the root link itself
   Rigid child_from_tcp;
+  int mount = -1;  // the same of the link that carries the sensor; of use where formulas read the TCP's place
+  Rigid child_from_mount;
   Vector3 center_in_tcp = Vector3::Zero();  // m, of the TCP link's declared mass: where a payload hangs
   Rigid tcp_from_body;
-  bool nominal_is_elastic = false, is_elastic = false, reads_torque = false;
+  bool nominal_is_elastic = false, is_elastic = false, reads_torque = false, reads_place = false;
 };
 
 /// InputError where an effect of the model cannot be written down.

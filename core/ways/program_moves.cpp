@@ -129,6 +129,7 @@ class Writer {
   Expression variable(const std::string& name, int own_joint) const {
     if (name == "time") return name_expression("share");
     if (name == "seconds" || name == "order") return name_expression(name);
+    if (name.starts_with("tcp_")) return name_expression(fmt::format("tcp[{}]", axis_of(name)));
     const auto named = joint_read(name, robot_.chain.robot);
     const int at = place_of(named ? named->joint : own_joint);
     check(at >= 0, "the formula of {} reads {}, which is no part of the program", of_, name);

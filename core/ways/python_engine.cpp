@@ -221,6 +221,13 @@ def _unchanged():
     return [_JointChange() for _ in _JOINTS], _WholeChange()
 
 
+def _place_of_tcp(posture):
+    """In the frame of the link that carries the sensor."""
+    hand = posture.hand()
+    mount = _CHILD_FROM_MOUNT if _MOUNT_JOINT < 0 else _chained(posture.frame[_MOUNT_JOINT], _CHILD_FROM_MOUNT)
+    return _rotated_back(mount[0], [hand[1][i] - mount[1][i] for i in range(3)])
+
+
 def _predicted(position, drive):
     reading = _readings(position)
     count = len(_JOINTS)
@@ -229,10 +236,13 @@ def _predicted(position, drive):
         velocity = _readings(drive["velocity"], False)
     before = _readings(drive["before"]) if drive.get("before") is not None else reading
     approach = [sign_of(v) if v != 0 else sign_of(q - b) for v, q, b in zip(velocity, reading, before)]
-    if _READS_TORQUE:
-        torque = _Posture(reading, *_unchanged(), _NOMINAL_IS_ELASTIC, True).torque
+    tcp = None
+    if _READS_TORQUE or _READS_PLACE:
+        nominal = _Posture(reading, *_unchanged(), _NOMINAL_IS_ELASTIC, _READS_TORQUE)
+        torque = nominal.torque if _READS_TORQUE else torque
+        tcp = _place_of_tcp(nominal) if _READS_PLACE else None
     joint, whole = _unchanged()
-    _add_effects(reading, torque, velocity, approach, drive.get("share", 1.0), drive.get("seconds", 1.0),
+    _add_effects(reading, torque, tcp, velocity, approach, drive.get("share", 1.0), drive.get("seconds", 1.0),
                  drive.get("order", 1073741824), joint, whole)
     posture = _Posture(reading, joint, whole, _IS_ELASTIC, False)
     if not posture.converged:

@@ -48,15 +48,17 @@ std::string tables(const HandProgram& p) {
   return fmt::format(
       "\nJOINT_NAMES = [{}]  # the order of a position\n\n_JOINTS = [\n{}]\n_VALUE_ORDER = [{}]\n_TCP_JOINT = "
       "{}\n_CHILD_FROM_TCP = {}\n_CENTER_IN_TCP = {}\n_TCP_FROM_BODY = {}\n_GRAVITY = {}\n_ROOT_MOMENT = "
-      "{}\n_NOMINAL_IS_ELASTIC, _IS_ELASTIC, _READS_TORQUE = {}, {}, {}\n",
+      "{}\n_MOUNT_JOINT = {}\n_CHILD_FROM_MOUNT = {}\n_NOMINAL_IS_ELASTIC, _IS_ELASTIC, _READS_TORQUE, _READS_PLACE = "
+      "{}, "
+      "{}, {}, {}\n",
       names, rows, order, p.tcp, listed(p.child_from_tcp), listed(p.center_in_tcp), listed(p.tcp_from_body),
-      listed(p.gravity), listed(p.root_moment), truth(p.nominal_is_elastic), truth(p.is_elastic),
-      truth(p.reads_torque));
+      listed(p.gravity), listed(p.root_moment), p.mount, listed(p.child_from_mount), truth(p.nominal_is_elastic),
+      truth(p.is_elastic), truth(p.reads_torque), truth(p.reads_place));
 }
 
 std::string effects(const HandProgram& p) {
   std::string text =
-      "\n\ndef _add_effects(q, torque, velocity, approach, share, seconds, order, joint, whole):\n"
+      "\n\ndef _add_effects(q, torque, tcp, velocity, approach, share, seconds, order, joint, whole):\n"
       "    \"\"\"What the effects add, each as it was found.\"\"\"\n";
   std::string of;
   for (const ProgramMove& m : p.moves) {

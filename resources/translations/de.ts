@@ -365,6 +365,10 @@
         <translation>%1 mit %2</translation>
     </message>
     <message>
+        <source>a curve of the %1</source>
+        <translation>einer Kurve über: %1</translation>
+    </message>
+    <message>
         <source>%1 × the noise</source>
         <translation>%1 × Rauschen</translation>
     </message>
@@ -5472,6 +5476,14 @@
     <message>
         <source>direction in which %1 last moved</source>
         <translation>letzte Bewegungsrichtung von %1</translation>
+    </message>
+    <message>
+        <source>place of the TCP along %1 of the sensor's link</source>
+        <translation>Ort des TCP längs %1 des Gliedes mit dem Sensor</translation>
+    </message>
+    <message>
+        <source>place of the hand</source>
+        <translation>Ort der Hand</translation>
     </message>
     <message>
         <source>distance from the sensor</source>

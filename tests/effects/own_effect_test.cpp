@@ -45,6 +45,10 @@ constexpr const char* samples = R"xml(<handsight_effects version="1">
     <moves site="hand_rz" by="turn*q_a2*q_a3"/>
     <moves site="mount_y" by="x*(seconds > 30 ? 1 : 0)"/>
   </effect>
+  <effect id="far_away" title="Far away" scope="session">
+    <parameter name="z" unit="m" sigma="1e-3"/>
+    <moves site="hand_z" by="z*(tcp_x^2 + tcp_y^2 + (tcp_z - 0.5)^2)"/>
+  </effect>
   <effect id="gum" title="Gum under a marker" scope="marker">
     <parameter name="height" unit="m" sigma="1e-3"/>
     <moves site="z" by="height*time"/>
@@ -76,8 +80,8 @@ EffectTerm sample_term(const Session& session, const std::string& id, int place,
 std::vector<EffectTerm> all_samples(const Session& session, double size) {
   return {sample_term(session, "belt_wave", 1, size), sample_term(session, "soft_when_loaded", 1, size),
           sample_term(session, "bearing", 2, size),   sample_term(session, "spring", 2, size),
-          sample_term(session, "cable", -1, size),    sample_term(session, "gum", 1, size),
-          sample_term(session, "zoom", -1, size)};
+          sample_term(session, "cable", -1, size),    sample_term(session, "far_away", -1, size),
+          sample_term(session, "gum", 1, size),       sample_term(session, "zoom", -1, size)};
 }
 
 SimulationOptions sixty(std::vector<EffectTerm> effects) {

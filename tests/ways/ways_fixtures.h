@@ -39,7 +39,14 @@ inline std::vector<EffectDefinition> own_definitions(const Robot& robot) {
                  {"gravity_rx", "3*a*min(order,2)", 3},
                  {"body_z", "a*tan(0.3*tau_" + first + "/100)*pi", 4},
                  {"mount_x", "a*time", 5}};
-  return {wave, shift};
+  EffectDefinition place;
+  place.id = "curve_2";
+  place.scope = "session";
+  place.unnamed = true;
+  place.parameters = {{"slope", "m", 1e-3}, {"bow", "m", 1e-3}};
+  place.moves = {
+      {"hand_y", "slope*(0.3 + tcp_x - 0.5*tcp_z)/max(0.1, 1 + tcp_y) + bow*sqrt(tcp_x^2 + tcp_y^2 + tcp_z^2)", 1}};
+  return {wave, shift, place};
 }
 
 /// Terms of every effect of the catalogue and of some by formula, sizes drawn from what is plausible.
