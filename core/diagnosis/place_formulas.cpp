@@ -14,18 +14,6 @@ namespace {
 
 constexpr std::array names{"tcp_x", "tcp_y", "tcp_z"};
 
-/// The nominal TCP in the frame of the sensor's link, an observation a column.
-Eigen::Matrix3Xd places(const Problem& problem) {
-  const ProblemSource& source = *problem.source;
-  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(problem.observations.size()));
-  for (Eigen::Index i = 0; i < all.cols(); ++i) {
-    const auto index = static_cast<std::size_t>(problem.observations[static_cast<std::size_t>(i)].index);
-    const Circumstances& c = source.circumstances[index];
-    all.col(i) = c.tcp ? *c.tcp : nominal_tcp(source.chain, c.sensor);
-  }
-  return all;
-}
-
 std::string short_text(double x) { return fmt::format("{:.4g}", x); }
 
 /// "(tcp_x - 0.9986*tcp_z + 0.412)" of constant + factors . tcp; four digits, which the formula is then exact with.
@@ -59,27 +47,38 @@ PlaceFormula evaluated(std::string text, const Eigen::Matrix3Xd& at) {
 
 }  // namespace
 
-PlaceFormula distance_formula(const Problem& problem, const Rigid& mount_from_sensor) {
-  if (problem.rig) return evaluated(coordinate_text(inverse(mount_from_sensor), 2), places(problem));
+Eigen::Matrix3Xd tcp_places(const Problem& problem) {
+  const ProblemSource& source = *problem.source;
+  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(problem.observations.size()));
+  for (Eigen::Index i = 0; i < all.cols(); ++i) {
+    const auto index = static_cast<std::size_t>(problem.observations[static_cast<std::size_t>(i)].index);
+    const Circumstances& c = source.circumstances[index];
+    all.col(i) = c.tcp ? *c.tcp : nominal_tcp(source.chain, c.sensor);
+  }
+  return all;
+}
+
+PlaceFormula distance_formula(const Problem& problem, const Eigen::Matrix3Xd& places, const Rigid& mount_from_sensor) {
+  if (problem.rig) return evaluated(coordinate_text(inverse(mount_from_sensor), 2), places);
   std::string text;
   for (Eigen::Index i = 0; i < 3; ++i)
     text += fmt::format("{}{}^2", i ? " + " : "sqrt(", sum_text(-mount_from_sensor.translation[i], Vector3::Unit(i)));
-  return evaluated(text + ")", places(problem));
+  return evaluated(text + ")", places);
 }
 
-PlaceFormula image_formula(const Problem& problem, const Rigid& mount_from_sensor, int axis) {
-  const Eigen::Matrix3Xd at = places(problem);
+PlaceFormula image_formula(const Problem& problem, const Eigen::Matrix3Xd& places, const Rigid& mount_from_sensor,
+                           int axis) {
   const Rigid sensor_from_mount = inverse(mount_from_sensor);
   const Camera& camera = problem.rig->at(0).camera;
   double nearest = 1e300;
-  for (Eigen::Index i = 0; i < at.cols(); ++i)
-    nearest = std::min(nearest, (sensor_from_mount * Vector3(at.col(i))).z());
+  for (Eigen::Index i = 0; i < places.cols(); ++i)
+    nearest = std::min(nearest, (sensor_from_mount * Vector3(places.col(i))).z());
   const double focal = axis == 0 ? camera.fx : camera.fy, centre = axis == 0 ? camera.cx : camera.cy;
   const std::string seen = coordinate_text(sensor_from_mount, axis, focal),
                     depth = coordinate_text(sensor_from_mount, 2);
   return evaluated(
       fmt::format("({}/max({}, {}) + {})", seen, short_text(std::max(nearest / 2, 1e-3)), depth, short_text(centre)),
-      at);
+      places);
 }
 
 std::string centred_text(const std::string& place, double middle, double reach) {
@@ -106,7 +105,7 @@ std::optional<PlaceFormula> followed_place(const Problem& problem, const EffectD
   const std::size_t plus = part.rfind(" + ", reach), minus = part.rfind(" - ", reach);
   const std::size_t end = plus == std::string::npos ? minus : minus == std::string::npos ? plus : std::max(plus, minus);
   if (end == std::string::npos || end < 3) return std::nullopt;
-  return evaluated(part.substr(2, end - 2), places(problem));
+  return evaluated(part.substr(2, end - 2), tcp_places(problem));
 }
 
 double written_number(double x) { return parse_number(short_text(x)).value_or(x); }

@@ -17,12 +17,16 @@ struct PlaceFormula {
   Eigen::VectorXd values;
 };
 
-/// Along the first camera's axis, or from the tracker's origin, m: "(0.412 - 0.9986*tcp_x + ...)".
-PlaceFormula distance_formula(const Problem& problem, const Rigid& mount_from_sensor);
+/// The nominal TCP in the frame of the sensor's link, m, an observation a column.
+Eigen::Matrix3Xd tcp_places(const Problem& problem);
+
+/// Along the first camera's axis, or from the tracker's origin, m: "(tcp_x - 0.9986*tcp_z + 0.412)".
+PlaceFormula distance_formula(const Problem& problem, const Eigen::Matrix3Xd& places, const Rigid& mount_from_sensor);
 
 /// Where the first camera's image has the TCP without its lens's distortion, px; axis 0: the column, 1: the row. Places
 /// nearer than half of the nearest are taken for as near as that, so that it is finite everywhere.
-PlaceFormula image_formula(const Problem& problem, const Rigid& mount_from_sensor, int axis);
+PlaceFormula image_formula(const Problem& problem, const Eigen::Matrix3Xd& places, const Rigid& mount_from_sensor,
+                           int axis);
 
 /// A place from the middle of those of a session, in units of how far they reach: "((0.2 + 0.98*tcp_z - 1.31)/0.42)".
 std::string centred_text(const std::string& place, double middle, double reach);

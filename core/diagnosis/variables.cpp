@@ -68,20 +68,21 @@ std::vector<Variable> variables_of(const Problem& problem, const Unknowns& u) {
   add(
       VariableKind::order, -1, "order of the observations", "number", 0.5, problem,
       [&](const auto& o) { return static_cast<double>(at(o).order); }, list);
+  const Eigen::Matrix3Xd places = tcp_places(problem);
   if (problem.rig) {
     add(
         VariableKind::image_u, -1, "image column", "px", 1, problem,
         [&](const auto& o) { return project(problem.rig->at(0).camera, middle(problem, u, o)).x(); }, list);
-    write_as(VariableKind::image_u, image_formula(problem, u.mount_from_sensor, 0), list);
+    write_as(VariableKind::image_u, image_formula(problem, places, u.mount_from_sensor, 0), list);
     add(
         VariableKind::image_v, -1, "image row", "px", 1, problem,
         [&](const auto& o) { return project(problem.rig->at(0).camera, middle(problem, u, o)).y(); }, list);
-    write_as(VariableKind::image_v, image_formula(problem, u.mount_from_sensor, 1), list);
+    write_as(VariableKind::image_v, image_formula(problem, places, u.mount_from_sensor, 1), list);
   }
   add(
       VariableKind::depth, -1, "distance from the sensor", "m", 1e-3, problem,
       [&](const auto& o) { return problem.rig ? middle(problem, u, o).z() : middle(problem, u, o).norm(); }, list);
-  write_as(VariableKind::depth, distance_formula(problem, u.mount_from_sensor), list);
+  write_as(VariableKind::depth, distance_formula(problem, places, u.mount_from_sensor), list);
   return list;
 }
 

@@ -29,8 +29,9 @@ TEST(PlaceFormulas, AreTheCamerasDistanceAndImage) {
   const Problem problem = make_problem(session, chain_of(session), {}, {});
   const Rigid mount = session.mount.mount_from_sensor;
   const Eigen::Matrix3Xd seen = seen_places(problem, mount);
-  const PlaceFormula distance = distance_formula(problem, mount);
-  const PlaceFormula column = image_formula(problem, mount, 0), row = image_formula(problem, mount, 1);
+  const PlaceFormula distance = distance_formula(problem, tcp_places(problem), mount);
+  const PlaceFormula column = image_formula(problem, tcp_places(problem), mount, 0),
+                     row = image_formula(problem, tcp_places(problem), mount, 1);
   for (Eigen::Index i = 0; i < seen.cols(); ++i) {
     const Vector2 pixel = project(session.rig->at(0).camera, Vector3(seen.col(i)));
     EXPECT_NEAR(distance.values[i], seen(2, i), 5e-4);
@@ -44,7 +45,8 @@ TEST(PlaceFormulas, AreReadBackFromTheCurvesThatFollowThem) {
   const Session session = simulated({}, 11, 30);
   const Problem problem = make_problem(session, chain_of(session), {}, {});
   const Rigid mount = session.mount.mount_from_sensor;
-  for (const PlaceFormula& place : {distance_formula(problem, mount), image_formula(problem, mount, 0)}) {
+  for (const PlaceFormula& place :
+       {distance_formula(problem, tcp_places(problem), mount), image_formula(problem, tcp_places(problem), mount, 0)}) {
     const std::string u = centred_text(place.text, -0.4, 2);
     EffectDefinition curve;
     curve.moves = {{"hand_x", "x_slope*" + u + " + x_bow*" + u + "^2", 0}};
@@ -62,7 +64,7 @@ TEST(PlaceFormulas, AreTheWayFromATrackersOrigin) {
   const Session session = simulated({}, 12, 30, fixture::tracker_session(3));
   const Problem problem = make_problem(session, chain_of(session), {}, {});
   const Rigid mount = session.mount.mount_from_sensor;
-  const PlaceFormula distance = distance_formula(problem, mount);
+  const PlaceFormula distance = distance_formula(problem, tcp_places(problem), mount);
   const Eigen::Matrix3Xd seen = seen_places(problem, mount);
   for (Eigen::Index i = 0; i < seen.cols(); ++i) EXPECT_NEAR(distance.values[i], seen.col(i).norm(), 1e-3);
 }
@@ -71,7 +73,7 @@ TEST(PlaceFormulas, AreTheWayFromATrackersOrigin) {
 EffectTerm hidden_bow(const Session& like) {
   const Session poses = simulated({}, 31, 60, like);
   const Problem problem = make_problem(poses, chain_of(poses), {}, {});
-  const PlaceFormula distance = distance_formula(problem, poses.mount.mount_from_sensor);
+  const PlaceFormula distance = distance_formula(problem, tcp_places(problem), poses.mount.mount_from_sensor);
   EffectDefinition d;
   d.id = "hidden_bow";
   d.scope = "session";
