@@ -101,8 +101,7 @@ class Work {
     variables_ = variables_of(candidates_.problem, estimate(f));
     ranking_ = rank(model_, weighing_.knowledge, candidates_, variables_);
     d_.scatter = ranking_.scatter;
-    d_.threshold = options_.threshold ? *options_.threshold
-                                      : simulated_threshold(model_, candidates_, d_.scatter, weighing_.knowledge);
+    set_threshold();
     if (const auto lack = lack_of_fit(f)) {
       d_.lack_of_fit_p = lack->p;
       d_.excess = lack->excess();
@@ -115,6 +114,21 @@ class Work {
     add_impossible_effects();
     for (const RankedLocaliser& l : ranking_.localisers) d_.candidates.push_back(candidate_of(l, session_));
     sort_candidates();
+  }
+
+  /// A robot that has some effects has more: once names alone have brought the model here, scatter is no reason to ask
+  /// more of the next name. It still is of what has none.
+  void set_threshold() {
+    if (options_.threshold) {
+      d_.threshold = *options_.threshold;
+      return;
+    }
+    d_.threshold = simulated_threshold(model_, candidates_, d_.scatter, weighing_.knowledge);
+    const std::vector<EffectTerm>& terms = d_.model_options.estimated;
+    if (!d_.scatter.is_any() || terms.empty() || std::any_of(terms.begin(), terms.end(), is_curve)) return;
+    d_.threshold -= more_with_scatter;
+    odds_of_unnamed_ -= more_with_scatter;
+    for (RankedLocaliser& l : ranking_.localisers) l.ln_bayes_factor -= more_with_scatter;
   }
 
   /// What only another number of cameras could have is not spoken of.
@@ -197,7 +211,7 @@ class Work {
     const auto same = std::find_if(ranking_.localisers.begin(), ranking_.localisers.end(),
                                    [&](const auto& l) { return l.localiser.variable->name == curve.variable; });
     if (same != ranking_.localisers.end()) c.unnamed = *same;
-    take_refit(r, curve.ln_ways - ln_odds_of_unnamed, d_, weighing_, session_, c);
+    take_refit(r, curve.ln_ways - odds_of_unnamed_, d_, weighing_, session_, c);
     c.where = {curve.where};
     c.path = std::move(path_);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
@@ -284,6 +298,7 @@ class Work {
   std::optional<WhitenedModel> plain_;
   std::map<std::string, Refit> fits_;
   std::vector<FitIteration> path_;  // of the last refit
+  double odds_of_unnamed_ = ln_odds_of_unnamed;
   double done_ = 0;
   bool stopped_ = false;
 };

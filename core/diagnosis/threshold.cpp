@@ -12,7 +12,7 @@ namespace {
 
 constexpr int draws = 400;
 constexpr double false_alarms = 0.005;
-constexpr double least = 4, more_with_scatter = 2.5;
+constexpr double least = 4;
 constexpr auto& scales = plausible_scales;
 
 /// One choice of places: under noise alone its score has independent normal components with these variances.

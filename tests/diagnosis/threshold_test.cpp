@@ -5,7 +5,9 @@
 
 #include <random>
 
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/ranking.h"
+#include "effects/own_effect.h"
 #include "estimation/fit.h"
 #include "simulated_stand.h"
 
@@ -46,7 +48,45 @@ TEST(Threshold, IsReachedByNoiseAloneInOneSessionOfTwoHundred) {
 
 TEST(Threshold, AsksForMoreWhereRepeatabilityIsEstimatedToo) {
   const NoiseAlone n;
-  EXPECT_GT(simulated_threshold(n.model, n.candidates, {1e-4, 0}, {}), simulated_threshold(n.model, n.candidates, {}, {}));
+  EXPECT_GT(simulated_threshold(n.model, n.candidates, {1e-4, 0}, {}),
+            simulated_threshold(n.model, n.candidates, {}, {}));
+}
+
+/// A hidden offset, and joints that do not repeat better than 0.2 mrad.
+Session restless() {
+  Session session = simulated({{"joint_offset", 2, {0.02}}}, 17, 80);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (Observation& o : session.observations)
+    for (double& q : o.position) q += 2e-4 * normal(random);
+  return session;
+}
+
+EffectTerm small_curve(const Session& session) {
+  EffectDefinition d;
+  d.id = "curve_1";
+  d.unnamed = true;
+  d.scope = "session";
+  d.parameters = {{"size", "m", 1e-3}};
+  d.moves = {{"hand_x", "size*sin(3*q_a2)", 0}};
+  const auto effect = own_effect(d, session.robot);
+  return term_of(*effect, -1, effect);
+}
+
+TEST(Threshold, OfTheNextNameIsEasedByNamesThatHaveComeInAndNotByCurves) {
+  const Session session = restless();
+  DiagnosisOptions o;
+  o.with_held_out = false;
+  const EffectTerm offset{"joint_offset", 2, {0}};
+  o.estimated = {offset};
+  const Diagnosis named = diagnose(session, o);
+  o.estimated = {offset, small_curve(session)};
+  const Diagnosis with_curve = diagnose(session, o);
+  ASSERT_TRUE(named.scatter.is_any());
+  ASSERT_TRUE(with_curve.scatter.is_any());
+  EXPECT_GE(named.threshold, 4);
+  EXPECT_LT(named.threshold, 6.5);
+  EXPECT_GE(with_curve.threshold, 6.5);
 }
 
 }  // namespace
