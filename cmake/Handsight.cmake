@@ -35,7 +35,8 @@ endif()
 # use Eigen (handsight_headers), and once with GoogleTest beside them (handsight_test_headers). A source still includes what it uses.
 option(HANDSIGHT_PRECOMPILED "Precompile the headers of Eigen, the standard library and GoogleTest" ON)
 set(handsight_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional> <random> <set> <span>
-  <string> <string_view> <vector> <fmt/format.h> <Eigen/Dense>)
+  <string> <string_view> <vector> <fmt/format.h> <Eigen/Dense>
+  "${CMAKE_CURRENT_LIST_DIR}/../core/geometry/compiled_once.h")  # what uses them must link handsight_geometry
 
 # handsight_precompile(NAME HEADERS ... LINK LIBRARY ...): a set of precompiled headers that targets share.
 function(handsight_precompile name)
@@ -51,6 +52,13 @@ function(handsight_use_headers target name)
   if(HANDSIGHT_PRECOMPILED)
     target_precompile_headers(${target} REUSE_FROM ${name})
   endif()
+endfunction()
+
+# handsight_join(TARGET COUNT): compiles COUNT sources at a time as one, where what headers bring costs more than the sources.
+# Not the engine's: the compiler's time grows with the square of what a source instantiates of Eigen.
+option(HANDSIGHT_UNITY "Compile several sources of the window, the command line and the tests at a time" ON)
+function(handsight_join target count)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HANDSIGHT_UNITY} UNITY_BUILD_BATCH_SIZE ${count})
 endfunction()
 
 # handsight_library(NAME [folders and libraries that it uses ...]): the folder's .cpp files as target handsight_NAME.

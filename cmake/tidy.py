@@ -65,12 +65,21 @@ def write(entries):
     fresh.replace(record)
 
 
+def compiled(entry):
+    """The sources of an entry of compile_commands.json: one, or those that are compiled together (HANDSIGHT_UNITY)."""
+    joined = Path(entry["file"])
+    if joined.parent.name != "Unity" or not joined.is_file():
+        return [entry["file"]]
+    return re.findall(r'^#include "([^"]+)"', joined.read_text(), re.M)
+
+
 def commands(build, folder):
     """The compiler's commands as clang understands them, without precompiled headers."""
     strange = r"-Winvalid-pch|-include \S+|--param=\S+|-Wno-(restrict|stringop-overflow|use-after-free)"
-    base = json.loads((build / "compile_commands.json").read_text())
-    for entry in base:
+    base = []
+    for entry in json.loads((build / "compile_commands.json").read_text()):
         entry["command"] = re.sub(strange, "", re.sub(r"^.*?ccache ", "", entry["command"]))
+        base += [entry | {"file": path, "command": entry["command"].replace(entry["file"], path)} for path in compiled(entry)]
     (Path(folder) / "compile_commands.json").write_text(json.dumps(base))
 
 

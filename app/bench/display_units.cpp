@@ -17,10 +17,6 @@ QString word_of(SizeUnit unit) {
   return unit == SizeUnit::pixel ? QStringLiteral("px") : unit == SizeUnit::millimetre ? "mm" : "sigma";
 }
 
-std::optional<double> scaled(std::optional<double> value, double scale) {
-  return value ? std::optional(scale * *value) : std::nullopt;
-}
-
 std::optional<double> over(std::optional<double> value, std::optional<double> noise) {
   return value && noise && *noise > 0 ? std::optional(*value / *noise) : std::nullopt;
 }

@@ -11,6 +11,10 @@
 
 namespace handsight::app {
 
+inline std::optional<double> scaled(std::optional<double> value, double scale) {
+  return value ? std::optional(scale * *value) : std::nullopt;
+}
+
 /// A residual in every unit in which it has an honest value.
 struct ResidualSize {
   std::optional<double> pixel;       // rms of an image coordinate; of one corner how far off it is

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/degrees.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
@@ -12,8 +13,6 @@
 
 namespace handsight::app {
 namespace {
-
-constexpr double degrees = 57.29577951308232;
 
 /// x y z in mm, then roll pitch yaw in degrees.
 std::vector<widgets::ModelParameter> six_parameters(const Rigid& motion, const Vector6& sigma) {

@@ -10,13 +10,13 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "base/degrees.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 
 namespace handsight::app {
 namespace {
 
-constexpr double degrees = 57.29577951308232;
 constexpr Objective objectives[] = {Objective::image, Objective::camera, Objective::angle_axis};
 
 QString objective_name(Objective o) {

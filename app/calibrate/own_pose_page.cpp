@@ -10,6 +10,7 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include "base/degrees.h"
 #include "base/numbers.h"
 #include "bench/observation_views.h"
 #include "model/chain.h"
@@ -18,11 +19,6 @@
 #include "widgets/base/theme.h"
 
 namespace handsight::app {
-namespace {
-
-constexpr double degrees = 57.29577951308232;
-
-}  // namespace
 
 OwnPosePage::OwnPosePage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
   typed_ = new QLineEdit(this);

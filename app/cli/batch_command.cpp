@@ -20,7 +20,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct BatchArguments {
   std::vector<std::string> sessions;
   std::string csv = "-";
   int jobs = 1;
@@ -38,7 +38,7 @@ std::string field(const std::string& text) {
   return out + "\"";
 }
 
-std::string number(const std::optional<double>& x) { return x ? fmt::format("{:.9g}", *x) : ""; }
+std::string number_text(const std::optional<double>& x) { return x ? fmt::format("{:.9g}", *x) : ""; }
 
 std::string failure(const std::string& session, const std::string& why) {
   return fmt::format("{},failed,,,,,,,,,,,,{}\n", field(session), field(why));
@@ -52,9 +52,9 @@ std::string diagnosis_line(const std::string& path, const Diagnosis& d, const Se
   std::string where;
   for (const std::string& w : best ? best->where : std::vector<std::string>()) where += (where.empty() ? "" : " ") + w;
   return fmt::format("{},done,{},{},{},{},{},{},{},{},{},{},{},{}\n", field(path), r.observations, r.used,
-                     number(d.noise), number(in_pixels ? r.fitted.rms_pixel : r.fitted.rms_m),
-                     number(in_pixels ? r.held_out.rms_pixel : r.held_out.rms_m), in_pixels ? "px" : "m",
-                     number(d.model.fit.chi2_per_dof), verdict_text(d.verdict),
+                     number_text(d.noise), number_text(in_pixels ? r.fitted.rms_pixel : r.fitted.rms_m),
+                     number_text(in_pixels ? r.held_out.rms_pixel : r.held_out.rms_m), in_pixels ? "px" : "m",
+                     number_text(d.model.fit.chi2_per_dof), verdict_text(d.verdict),
                      best ? (best->unnamed ? "unnamed" : field(best->id)) : "", field(where),
                      best ? fmt::format("{:.4g}", best->ln_bayes_factor) : "", field(d.reason));
 }
@@ -91,7 +91,7 @@ struct Job {
 
 class Runner {
  public:
-  explicit Runner(const Options& o) : o_(o), lines_(o.sessions.size()) {}
+  explicit Runner(const BatchArguments& o) : o_(o), lines_(o.sessions.size()) {}
 
   std::vector<std::string> run() {
     Progress progress("sessions", o_.sessions.size());
@@ -149,13 +149,13 @@ class Runner {
     ++done_;
   }
 
-  const Options& o_;
+  const BatchArguments& o_;
   std::vector<std::string> lines_;  // in the order of the sessions, whoever ends first
   std::map<int, Job> jobs_;         // by the end of their pipe
   std::size_t next_ = 0, done_ = 0;
 };
 
-int run(const Options& o) {
+int run(const BatchArguments& o) {
   require_output(o.csv, "--csv");
   std::cout.flush();
   std::string table = header;
@@ -177,7 +177,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_batch(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BatchArguments>();
   CLI::App* command =
       app.add_subcommand("batch", "Fits and diagnoses many sessions, a line each; a failure is a line too");
   command->add_option("SESSION", options->sessions, "Sessions: folders or session.xml files")->required();

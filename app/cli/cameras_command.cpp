@@ -13,7 +13,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct CamerasArguments {
   std::vector<std::string> images;
   TargetOptions target;
   std::string out, model = "best";
@@ -130,7 +130,7 @@ void print_camera(const Output& out, const CameraCalibration& c, std::size_t i, 
                          : ""));
 }
 
-void print(const Options& o, const CameraCalibration& c, const DetectedImages& detected) {
+void print(const CamerasArguments& o, const CameraCalibration& c, const DetectedImages& detected) {
   const Output& out = o.output;
   for (const ReadImage& image : detected.images)
     if (!image.reason.empty()) out.line(fmt::format("not used: {}: {}", image.file.filename().string(), image.reason));
@@ -144,7 +144,7 @@ void print(const Options& o, const CameraCalibration& c, const DetectedImages& d
   for (const std::string& warning : c.warnings) out.line("! " + warning);
 }
 
-int run(const Options& o) {
+int run(const CamerasArguments& o) {
   const Target target = target_from(o.target);
   const GroupedImages grouped = group_images(std::vector<std::filesystem::path>(o.images.begin(), o.images.end()));
   std::size_t count = 0;
@@ -172,7 +172,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_cameras(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CamerasArguments>();
   CLI::App* command = app.add_subcommand("cameras", "Lenses and placement of cameras from images of a board");
   command
       ->add_option("IMAGES", options->images,

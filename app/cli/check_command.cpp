@@ -7,12 +7,12 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string session;
   Output output;
 };
 
-int run(const Options& o) {
+int run(const CheckArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   const SessionCheck check = check_session(session);
   for (const std::string& line : check.contents) o.output.line(line);
@@ -30,7 +30,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_check(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckArguments>();
   CLI::App* command =
       app.add_subcommand("check", "Reads everything, images too, and says what is there and what would not work");
   add_session_option(*command, options->session);

@@ -14,7 +14,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct CompareArguments {
   std::string before, after, robot;
   std::vector<std::string> effects;
   Output output;
@@ -46,7 +46,7 @@ Json change_json(const Change& c) {
           {"parameters", parameters}};
 }
 
-void tell(const Options& o, const Comparison& c) {
+void tell(const CompareArguments& o, const Comparison& c) {
   for (const std::string& note : c.notes) Output::note(note);
   o.output.line(c.sentence);
   if (!c.changes.empty()) {
@@ -97,7 +97,7 @@ CalibratedRobot calibration_of(const std::string& path, const std::string& robot
   return calibrated_robot(read_calibration(path), read_urdf(robot), robot, path);
 }
 
-Comparison compared(const Options& o) {
+Comparison compared(const CompareArguments& o) {
   const bool first = is_calibration_file(o.before), second = is_calibration_file(o.after);
   if (first && second) return compare(calibration_of(o.before, o.robot), calibration_of(o.after, o.robot));
   if (second)
@@ -115,7 +115,7 @@ Comparison compared(const Options& o) {
   return compare(o.robot.empty() ? robot : calibration_of(o.before, o.robot), after);
 }
 
-int run(const Options& o) {
+int run(const CompareArguments& o) {
   for (const std::string& input : {o.before, o.after, o.robot}) note_input(input);
   o.output.require_places();
   const Comparison c = compared(o);
@@ -127,7 +127,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_compare(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand(
       "compare", "What has changed between two sessions of one robot, or since a calibration, by evidence");
   command->add_option("BEFORE", options->before, "A session or a calibration XML")->required();

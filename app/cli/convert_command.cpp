@@ -10,7 +10,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct ConvertArguments {
   std::vector<std::string> files;
   std::string out, robot;
   ConvertOptions convert;
@@ -24,7 +24,7 @@ std::string sensor_text(const Session& s) {
   return fmt::format("{} {}", s.rig->count(), s.rig->count() == 1 ? "camera" : "cameras");
 }
 
-int run(const Options& o) {
+int run(const ConvertArguments& o) {
   ConvertOptions options = o.convert;
   options.out = o.out;
   options.robot = o.robot;
@@ -56,7 +56,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_convert(CLI::App& app) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ConvertArguments>();
   CLI::App* command =
       app.add_subcommand("convert", "Makes a session of what you have: each file is known by its content");
   command

@@ -11,7 +11,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct CorrectArguments {
   SourceOptions source;
   PoseOptions poses;
   std::string target;
@@ -47,7 +47,7 @@ std::string why_not(const Correction& c, const CalibratedRobot& source) {
   return "at the limit of" + names;
 }
 
-void tell_gain(const Options& o, const CalibratedRobot& source, Json& json) {
+void tell_gain(const CorrectArguments& o, const CalibratedRobot& source, Json& json) {
   if (source.positions.empty())
     throw InputError(
         "--gain needs the poses that were measured; name the session in place of the calibration, with --effects for "
@@ -61,7 +61,7 @@ void tell_gain(const Options& o, const CalibratedRobot& source, Json& json) {
     json.push_back({{"error_before_m", number(g.before[i])}, {"error_after_m", number(g.after[i])}});
 }
 
-int run(const Options& o) {
+int run(const CorrectArguments& o) {
   note_input(o.poses.file);
   const CalibratedRobot source = predict_source(o.source);
   o.output.require_places();
@@ -91,7 +91,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_correct(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CorrectArguments>();
   CLI::App* command =
       app.add_subcommand("correct", "The joint angles to command so that the hand arrives where it was meant to be");
   add_source_options(*command, options->source);

@@ -10,7 +10,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct DetectArguments {
   std::string left, right, session;
   Output output;
 };
@@ -37,7 +37,7 @@ void print_corners(const Output& out, const char* name, const std::vector<Corner
                          std::sqrt(corners[i].covariance(1, 1)), corners[i].contrast, corners[i].strength));
 }
 
-int run(const Options& o) {
+int run(const DetectArguments& o) {
   note_input(o.left);
   note_input(o.right);
   const Session session = open_session(o.session, o.output);
@@ -66,7 +66,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_detect(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DetectArguments>();
   CLI::App* command = app.add_subcommand("detect", "X-corners of both images and their epipolar pairs");
   command->add_option("LEFT", options->left, "Left image")->required();
   command->add_option("RIGHT", options->right, "Right image")->required();

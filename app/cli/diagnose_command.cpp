@@ -7,13 +7,13 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct DiagnoseArguments {
   std::string session, proof_file;
   std::vector<std::string> effects;
   Output output;
 };
 
-int run(const Options& o) {
+int run(const DiagnoseArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   require_output(o.proof_file, "--proof");
   DiagnosisOptions options;
@@ -43,7 +43,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_diagnose(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiagnoseArguments>();
   CLI::App* command =
       app.add_subcommand("diagnose", "Compares the model with the measurements and ranks what is missing");
   add_session_option(*command, options->session);

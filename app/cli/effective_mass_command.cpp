@@ -9,14 +9,14 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct EffectiveMassArguments {
   std::string session;
   OneMarkerOptions one_marker;
   std::vector<double> marker_in_tcp;
   Output output;
 };
 
-int run(const Options& o) {
+int run(const EffectiveMassArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   OneMarkerOptions options = o.one_marker;
   if (!o.marker_in_tcp.empty())
@@ -56,7 +56,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_effective_mass(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EffectiveMassArguments>();
   CLI::App* command =
       app.add_subcommand("effective-mass", "One marker: the mass that pulls the TCP toward it, per observation");
   add_session_option(*command, options->session);

@@ -23,7 +23,7 @@ const char* at(EffectScope scope) {
   return "";
 }
 
-struct Options {
+struct EffectsArguments {
   std::string session;
   Output output;
 };
@@ -60,7 +60,7 @@ void print_effect(const Output& output, const Effect& effect) {
   output.line(fmt::format("  From {}, line {}", effect.definition->file, effect.definition->line));
 }
 
-int run(const Options& o) {
+int run(const EffectsArguments& o) {
   o.output.require_places();
   Json list = Json::array();
   OwnEffects own;
@@ -81,7 +81,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_effects(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EffectsArguments>();
   CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, and a session's own");
   command->add_option("--session", options->session, "A session folder: its own effects are told too");
   add_json_option(*command, options->output);

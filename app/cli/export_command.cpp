@@ -12,12 +12,12 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct ExportArguments {
   SourceOptions source;
   std::string kind, file;
 };
 
-int run(const Options& o) {
+int run(const ExportArguments& o) {
   const CalibratedRobot robot = predict_source(o.source);
   require_output(o.file, "--out");
   for (const std::string& note : robot.notes) Output::note(note);
@@ -35,7 +35,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_export(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportArguments>();
   CLI::App* command =
       app.add_subcommand("export", "Takes a calibration to the robot: URDF, YAML, ROS 2, OpenCV, C++, Python, CSV");
   add_source_options(*command, options->source);

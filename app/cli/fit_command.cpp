@@ -12,7 +12,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct FitArguments {
   std::string session, objective = "image", loss = "none";
   std::vector<std::string> effects;
   bool fix_markers = false, without_wrong_points = false;
@@ -20,7 +20,7 @@ struct Options {
   Output output;
 };
 
-int run(const Options& o) {
+int run(const FitArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   FitOptions options;
   options.objective = o.objective == "camera"       ? Objective::camera
@@ -57,7 +57,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_fit(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FitArguments>();
   CLI::App* command = app.add_subcommand("fit", "Estimates tcp_from_body from the labelled markers");
   add_session_option(*command, options->session);
   command->add_option("--objective", options->objective, "image (px), camera (3D points) or angle-axis (body poses)")

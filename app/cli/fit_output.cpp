@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/degrees.h"
 #include "effects/units.h"
 #include "estimation/sure_fit.h"
 #include "json_values.h"
 
 namespace handsight::cli {
 namespace {
-
-constexpr double degrees = 57.29577951308232;
 
 std::string with_sigma(const char* name, double value, double sigma, const char* unit) {
   value += 0.0;  // no minus before a zero

@@ -7,14 +7,14 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct ImproveArguments {
   std::string session;
   std::vector<std::string> effects;
   bool names_only = false;
   Output output;
 };
 
-int run(const Options& o) {
+int run(const ImproveArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   ImprovementOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
@@ -38,7 +38,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_improve(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ImproveArguments>();
   CLI::App* command = app.add_subcommand(
       "improve", "Diagnoses, adds what is missing, refits, until the model is adequate or nothing helps");
   add_session_option(*command, options->session);

@@ -14,7 +14,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct InspectArguments {
   std::string session;
   std::vector<std::string> effects;
   int count = 10;
@@ -51,7 +51,7 @@ SecondLooks look_again(const Session& session, const Fit& fit) {
   return looks;
 }
 
-Inspected inspected(const Session& session, const Options& o) {
+Inspected inspected(const Session& session, const InspectArguments& o) {
   FitOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
   Inspected result{.session = session, .clean = clean_model(session, options)};
@@ -207,7 +207,7 @@ Json inspection_json(const Inspected& in) {
           {"fresh_poses", fresh}};
 }
 
-int run(const Options& o) {
+int run(const InspectArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   if (o.second_look && (!session.rig || !is_pair(*session.rig)))
     throw InputError("--second-look looks at the images of two cameras; this session has none of that kind.");
@@ -220,7 +220,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_inspect(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InspectArguments>();
   CLI::App* command = app.add_subcommand(
       "inspect", "Every observation against the model: how far off, whose fault, what would make it right");
   add_session_option(*command, options->session);

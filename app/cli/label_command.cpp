@@ -14,7 +14,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct LabelArguments {
   std::string session;
   std::int64_t observation = 0;
   std::vector<std::string> left;
@@ -42,7 +42,7 @@ Observation& observation_with(Session& session, std::int64_t id) {
 }
 
 /// Which markers the points are: as many as can be seen, three at least where the session has three.
-std::vector<int> marker_numbers(const Options& options, int marker_count) {
+std::vector<int> marker_numbers(const LabelArguments& options, int marker_count) {
   std::vector<int> all = options.markers;
   if (all.empty())
     for (std::size_t m = 0; m < options.left.size(); ++m) all.push_back(static_cast<int>(m));
@@ -59,7 +59,7 @@ std::vector<int> marker_numbers(const Options& options, int marker_count) {
   return all;
 }
 
-int run(const Options& options) {
+int run(const LabelArguments& options) {
   Session session = open_session(options.session, options.output);
   if (session.target || session.pose_sensor)
     throw InputError(fmt::format(
@@ -117,7 +117,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command add_label(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LabelArguments>();
   CLI::App* command =
       app.add_subcommand("label", "Labels the first observation: snaps to corners, finds the right image's");
   add_session_option(*command, options->session);

@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "base/degrees.h"
 #include "command.h"
 #include "estimation/online.h"
 #include "json_values.h"
@@ -22,15 +23,13 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct OnlineArguments {
   std::string session;
   bool save = false, watch = false;
   double watch_for = 0;  // s; 0: until interrupted
   double body_gate_mm = 30;
   Output output;
 };
-
-constexpr double degrees = 57.29577951308232;
 
 Json step_json(const OnlineStep& step) {
   Json line{{"id", step.id},
@@ -101,7 +100,7 @@ void save(const Session& session, std::size_t unreadable, std::size_t with_image
 /// The steps as they come: shown, written and kept in the session. A step may come again, decided after all.
 class Steps {
  public:
-  Steps(Session& session, const Options& options) : session_(session), options_(options) {}
+  Steps(Session& session, const OnlineArguments& options) : session_(session), options_(options) {}
 
   void take(const OnlineStep& step) {
     options_.output.line(step_line(step, session_.target || session_.pose_sensor ? "points" : "markers"));
@@ -143,7 +142,7 @@ class Steps {
 
  private:
   Session& session_;
-  const Options& options_;
+  const OnlineArguments& options_;
   std::vector<std::int64_t> taken_;  // ids, ascending: a watch may last for days
   OnlineStep last_;
   std::string json_lines_, first_refusal_;
@@ -186,7 +185,7 @@ OnlineStep decided(OnlineCalibration& online, const Session& session, const Obse
 std::atomic<bool> is_interrupted = false;
 
 /// Takes what arrives in the session's folder until it is interrupted, or the time is over; how many came.
-std::size_t watch(Session& session, const Options& options, OnlineCalibration& online, Steps& steps,
+std::size_t watch(Session& session, const OnlineArguments& options, OnlineCalibration& online, Steps& steps,
                   const std::optional<TargetFinder>& finder) {
   Arrivals arrivals(session);
   std::size_t arrived = 0;
@@ -222,7 +221,7 @@ std::size_t watch(Session& session, const Options& options, OnlineCalibration& o
   return arrived;
 }
 
-int run(const Options& options) {
+int run(const OnlineArguments& options) {
   Session session = open_session(options.session, options.output);
   const bool is_labelled = std::any_of(session.observations.begin(), session.observations.end(),
                                        [](const Observation& o) { return !o.sightings.empty(); });
@@ -262,7 +261,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command add_online(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<OnlineArguments>();
   CLI::App* command =
       app.add_subcommand("online", "Online calibration: observation by observation, each taken or rejected");
   add_session_option(*command, options->session);

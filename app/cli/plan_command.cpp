@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "base/degrees.h"
 #include "base/numbers.h"
 #include "command.h"
 #include "diagnosis/planning.h"
@@ -11,7 +12,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct PlanArguments {
   std::string session, between, csv_file;
   std::vector<std::string> effects;
   int count = 10;
@@ -42,9 +43,8 @@ RivalEffects rivals(const std::string& text, const Session& session) {
   return r;
 }
 
-void print(const Options& o, const Session& session, const Plan& p) {
+void print(const PlanArguments& o, const Session& session, const Plan& p) {
   const bool between = p.ln_bayes_factor_before.has_value();
-  constexpr double degrees = 57.29577951308232;
   const auto sigma = [&](const Vector6& s) {
     const std::string rotation =
         p.rotation_is_observed ? fmt::format("{:.4f}", degrees * s.tail<3>().norm()) : std::string("-");
@@ -111,7 +111,7 @@ void write_csv(const std::string& file, const Session& session, const Plan& p) {
   write_output(file, text, "--csv");
 }
 
-int run(const Options& o) {
+int run(const PlanArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   require_output(o.csv_file, "--csv");
   PlanOptions options;
@@ -131,7 +131,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_plan(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanArguments>();
   CLI::App* command = app.add_subcommand("plan", "Next poses: for precision, or to tell two effects apart");
   add_session_option(*command, options->session);
   command->add_option("--count", options->count, "How many poses, 1 to 100")->capture_default_str();

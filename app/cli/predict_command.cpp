@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "base/degrees.h"
 #include "command.h"
 #include "driven_poses.h"
 #include "outputs.h"
@@ -9,13 +10,13 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct PredictArguments {
   SourceOptions source;
   PoseOptions poses;
   Output output;
 };
 
-int run(const Options& o) {
+int run(const PredictArguments& o) {
   note_input(o.poses.file);
   const CalibratedRobot source = predict_source(o.source);
   o.output.require_places();
@@ -29,7 +30,6 @@ int run(const Options& o) {
     const TcpPrediction p = predict_tcp(pose, source.model);
     const Vector3 t = p.root_from_tcp_est.translation;
     const Vector6 s = p.sigma();
-    constexpr double degrees = 57.29577951308232;
     const bool turns = source.model.rotation_is_observed;
     const std::string rotation =
         turns ? fmt::format("{:>7.4f} {:>7.4f} {:>7.4f}", degrees * s[3], degrees * s[4], degrees * s[5])
@@ -46,7 +46,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_predict(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PredictArguments>();
   CLI::App* command = app.add_subcommand("predict", "Where the TCP really is in poses that were not measured");
   add_source_options(*command, options->source);
   add_pose_options(*command, options->poses);

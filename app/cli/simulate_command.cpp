@@ -13,7 +13,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct SimulateArguments {
   std::string robot, like, out, images = "none";
   std::vector<std::string> effects, curves, disturbances;
   TargetOptions target;
@@ -40,7 +40,7 @@ int images_wanted(const std::string& text, int observations) {
 
 std::string effects_text(std::size_t count) { return fmt::format("{} effect{}", count, count == 1 ? "" : "s"); }
 
-int run(const Options& o) {
+int run(const SimulateArguments& o) {
   note_input(o.robot);
   Session like = open_session(o.like, o.output);
   SimulationOptions options = o.simulation;
@@ -93,7 +93,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_simulate(CLI::App& app) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<SimulateArguments>();
   CLI::App* command = app.add_subcommand("simulate", "Makes a session with known truth");
   command->add_option("--robot", o->robot, "URDF of the robot; the session's own where it is left out");
   command->add_option("--like", o->like, "The session that gives cameras or tracker, mount, joints and markers")

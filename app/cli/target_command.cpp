@@ -12,7 +12,7 @@
 namespace handsight::cli {
 namespace {
 
-struct Options {
+struct TargetArguments {
   TargetOptions target;
   std::string out;
   double dots_per_inch = 300;
@@ -24,7 +24,7 @@ std::string ending_of(const std::string& file) {
   return ending;
 }
 
-std::string file_of(const Sheet& sheet, const Options& o) {
+std::string file_of(const Sheet& sheet, const TargetArguments& o) {
   const std::string ending = ending_of(o.out);
   if (ending == ".pdf") return pdf_text(sheet);
   if (ending == ".svg") return svg_text(sheet);
@@ -32,7 +32,7 @@ std::string file_of(const Sheet& sheet, const Options& o) {
   throw InputError(fmt::format("--out {}: expected a name that ends in .pdf, .svg or .png.", in_quotes(o.out)));
 }
 
-int run(const Options& o) {
+int run(const TargetArguments& o) {
   const Target target = target_from(o.target);
   require_output(o.out, "--out");
   const Sheet sheet = sheet_of(target);
@@ -51,7 +51,7 @@ int run(const Options& o) {
 }  // namespace
 
 Command add_target(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TargetArguments>();
   CLI::App* command = app.add_subcommand("target", "A board or tags to print: PDF, SVG or PNG, true to scale");
   add_target_options(*command, options->target, false);
   command->add_option("--out", options->out, "The file: .pdf, .svg or .png")->required();

@@ -38,7 +38,7 @@ QTableWidget* plain_table(const QStringList& heads, const char* name, QWidget* p
   return table;
 }
 
-QLabel* heading(const char* name, QWidget* parent) {
+QLabel* title_label(const char* name, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName(name);
   label->setFont(widgets::text_font(TextRole::title));
@@ -79,10 +79,10 @@ QWidget* ComparePage::make_lists() {
   auto* column = new QVBoxLayout(lists);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  changes_title_ = heading("compare_changes_title", lists);
+  changes_title_ = title_label("compare_changes_title", lists);
   changes_ = plain_table({tr("What may have changed"), tr("ln Bayes")}, "compare_changes", lists);
   changes_->setAccessibleName(tr("What may have changed"));
-  numbers_title_ = heading("compare_numbers_title", lists);
+  numbers_title_ = title_label("compare_numbers_title", lists);
   numbers_ = plain_table({tr("Number"), tr("change"), tr("unit"), tr("in σ")}, "compare_numbers", lists);
   numbers_->setAccessibleName(tr("Numbers of both"));
   column->addWidget(changes_title_);

@@ -13,7 +13,7 @@ namespace handsight::app {
 namespace {
 
 /// "lens" is no effect but two of them.
-QString title_of(const std::string& id, const std::vector<std::string>& where) {
+QString change_heading(const std::string& id, const std::vector<std::string>& where) {
   return id == "lens" ? QObject::tr("the lenses") : effect_of(id, where);
 }
 
@@ -48,7 +48,7 @@ QString comparison_sentence(const Comparison& c) {
   std::string rest = c.sentence.substr(cut + 2);
   if (rest.ends_with('.')) rest.pop_back();
   QString told = translated(rest);
-  for (const Change& change : c.changes) told.replace(QString::fromStdString(change.id), title_of(change.id, {}));
+  for (const Change& change : c.changes) told.replace(QString::fromStdString(change.id), change_heading(change.id, {}));
   return plain(translated(c.sentence.substr(0, cut)) + "; " + told + ".");
 }
 
@@ -58,7 +58,7 @@ QString hand_sentence(const Comparison& c) {
       .arg(widgets::short_text(1e3 * *c.hand_mean_m), widgets::short_text(1e3 * c.hand_max_m.value_or(0)));
 }
 
-QString change_title(const Change& c) { return title_of(c.id, c.where); }
+QString change_title(const Change& c) { return change_heading(c.id, c.where); }
 
 QStringList change_numbers(const Change& c) {
   QStringList lines;

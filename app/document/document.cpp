@@ -57,13 +57,7 @@ void Document::open(const std::filesystem::path& path) {
   auto journal = std::make_unique<Journal>(session.file, digest, &session);
   close();
   journal_ = std::move(journal);
-  session_ = std::make_shared<Session>(std::move(session));
-  settings_ = {};
-  readings_.clear();
-  drafts_.clear();
-  digest_ = digest;
-  number_observations();
-  state_ = ++last_state_;
+  put_in(std::move(session), digest);
   const JournalContents contents = journal_->take_contents();
   replay(contents);
   emit opened();
@@ -91,17 +85,24 @@ void Document::close() {
     }
   }
   journal_.reset();
+  put_in({}, {});
+  emit closed();
+}
+
+/// What is open is this session as it was read; nothing has been done to it.
+void Document::put_in(Session session, const std::string& digest) {
   stack_.clear();
   versions_.clear();
   shown_.reset();
   second_looks_.clear();
-  session_ = std::make_shared<Session>();
+  collisions_.clear();
+  session_ = std::make_shared<Session>(std::move(session));
+  settings_ = {};
   readings_.clear();
   drafts_.clear();
-  index_of_.clear();
-  collisions_.clear();
+  digest_ = digest;
+  number_observations();
   state_ = ++last_state_;
-  emit closed();
 }
 
 std::int64_t id_at(const Session& session, int index) {

@@ -136,6 +136,10 @@ class Document : public QObject {
   bool take_over(const Merge& merge, Session theirs, const std::string& digest);
   bool begin_anew(Session theirs, const Session& merged, const std::string& digest);
   void put_on_top(const JournalContents& contents);
+  bool perform_before_another(Edit own, const ModelSettings& settings);
+  bool perform_notes(const std::map<std::string, RobotReading>& readings,
+                     const std::map<std::int64_t, LabelDraft>& drafts);
+  void put_in(Session session, const std::string& digest);
   void set_collisions(std::vector<Collision> collisions, bool at_save);
   static constexpr std::int64_t most_looks = 1 << 20;
   static std::int64_t state_in(std::int64_t revision) { return revision / most_looks; }

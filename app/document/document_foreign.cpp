@@ -174,32 +174,39 @@ bool Document::take_over(const Merge& merge, Session theirs, const std::string& 
 bool Document::begin_anew(Session theirs, const Session& merged, const std::string& digest) {
   std::optional<Edit> own = edit_between(theirs, merged);
   check(own.has_value(), "what was done here cannot be told as an action on what another program wrote");
+  emit closing();
   const ModelSettings settings = settings_;
   const auto readings = readings_;
   const auto drafts = drafts_;
   const std::filesystem::path kept = journal_->clear_and_keep(digest);
-  stack_.clear();
-  versions_.clear();
-  shown_.reset();
-  second_looks_.clear();
+  std::unique_ptr<Journal> journal = std::move(journal_);
+  put_in({}, {});
   emit closed();
-  session_ = std::make_shared<Session>(std::move(theirs));
-  settings_ = {};
-  readings_.clear();
-  drafts_.clear();
-  digest_ = digest;
-  number_observations();
-  state_ = ++last_state_;
+  journal_ = std::move(journal);
+  put_in(std::move(theirs), digest);
   emit opened();
   emit saved_changed(is_saved());
-  own->sentence = tr("what was done here before another program changed the session");
-  if (!(settings == settings_)) own->settings = SettingsEdit{settings_, settings};
-  bool is_whole = perform(std::move(*own));
-  for (const auto& [effect, reading] : readings) is_whole = perform(edit_of_reading(effect, reading)) && is_whole;
-  for (const auto& [id, draft] : drafts)
-    if (find(id)) is_whole = perform(edit_of_draft(tr("unfinished labels"), id, draft)) && is_whole;
+  const bool is_done = perform_before_another(std::move(*own), settings);
+  const bool is_whole = perform_notes(readings, drafts) && is_done;
   std::error_code error;
   if (is_whole) std::filesystem::remove(kept, error);
+  return is_done;
+}
+
+/// What was done here, as one action on what another program wrote. False where it cannot be written down.
+bool Document::perform_before_another(Edit own, const ModelSettings& settings) {
+  own.sentence = tr("what was done here before another program changed the session");
+  if (!(settings == settings_)) own.settings = SettingsEdit{settings_, settings};
+  return perform(std::move(own));
+}
+
+/// False where not all of it fits what is open, or can be written down.
+bool Document::perform_notes(const std::map<std::string, RobotReading>& readings,
+                             const std::map<std::int64_t, LabelDraft>& drafts) {
+  bool is_whole = true;
+  for (const auto& [effect, reading] : readings) is_whole = perform(edit_of_reading(effect, reading)) && is_whole;
+  for (const auto& [id, draft] : drafts)
+    is_whole = find(id) && perform(edit_of_draft(tr("unfinished labels"), id, draft)) && is_whole;
   return is_whole;
 }
 
@@ -209,13 +216,8 @@ void Document::put_on_top(const JournalContents& contents) {
   const bool fits = merge.collisions.empty() || merge.collisions.front().what != Collision::What::session;
   auto edit = fits ? edit_between(*session_, merge.session) : std::nullopt;
   if (!edit) return emit noticed(QString::fromStdString(contents.notice));
-  edit->sentence = tr("what was done here before another program changed the session");
-  if (!(unsaved.settings == settings_)) edit->settings = SettingsEdit{settings_, unsaved.settings};
-  bool is_whole = merge.lost == 0 && perform(std::move(*edit));
-  for (const auto& [effect, reading] : unsaved.readings)
-    is_whole = perform(edit_of_reading(effect, reading)) && is_whole;
-  for (const auto& [id, draft] : unsaved.drafts)
-    is_whole = find(id) && perform(edit_of_draft(tr("unfinished labels"), id, draft)) && is_whole;
+  bool is_whole = perform_before_another(std::move(*edit), unsaved.settings) && merge.lost == 0;
+  is_whole = perform_notes(unsaved.readings, unsaved.drafts) && is_whole;
   const QString kept = QString::fromStdString(contents.kept_in.string());
   if (!merge.collisions.empty()) {
     emit noticed(tr("session.xml was changed by another program. Your unsaved actions are on top of it, but for what "

@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "base/degrees.h"
 #include "base/files.h"
 #include "base/numbers.h"
 #include "document/effect_words.h"
@@ -21,7 +22,6 @@ namespace handsight::app {
 namespace {
 
 constexpr int poses_planned = 6;
-constexpr double degrees = 57.29577951308232;
 
 /// A header of joint names, one pose a line, as `handsight-cli predict` reads it.
 std::string poses_csv(const Session& session, const Plan& plan) {

@@ -11,20 +11,12 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "bench/heading.h"
 #include "export/correction_box.h"
 #include "export/export_workspace.h"
-#include "widgets/base/theme.h"
 
 namespace handsight::app {
 namespace {
-
-using widgets::TextRole;
-
-QLabel* heading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setFont(widgets::text_font(TextRole::title));
-  return label;
-}
 
 QTableWidget* plain_table(int columns, QWidget* parent) {
   auto* table = new QTableWidget(0, columns, parent);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "base/degrees.h"
 #include "base/numbers.h"
 #include "bench/model_effects.h"
 #include "document/curve_words.h"
@@ -15,8 +16,6 @@
 
 namespace handsight::app {
 namespace {
-
-constexpr double degrees = 57.29577951308232;
 
 QString number(double value) {
   return std::isfinite(value) ? QString::fromStdString(format_number(value)) : QObject::tr("unknown");

@@ -58,7 +58,7 @@ std::vector<ModelVersionPointer> fitted_versions(const Document& document) {
   return fitted;
 }
 
-QString name_of(const ModelVersion& version) {
+QString version_name(const ModelVersion& version) {
   return version.cause.isEmpty() ? QObject::tr("as opened") : version.cause;
 }
 
@@ -71,7 +71,7 @@ void add_staircase(const Workbench& bench, const std::vector<ModelVersionPointer
   state.unit = widgets::unit_name(unit);
   for (const ModelVersionPointer& v : versions) {
     const VersionSizes sizes = sizes_of(*v, noise);
-    state.versions.push_back({name_of(*v), sizes.fitted.in(unit), sizes.held_out.in(unit)});
+    state.versions.push_back({version_name(*v), sizes.fitted.in(unit), sizes.held_out.in(unit)});
   }
   state.noise = sizes_of(*versions.back(), noise).noise.in(unit);
   widgets::Staircase stairs;
@@ -97,8 +97,8 @@ void add_cloud(Workbench& bench, const std::vector<ModelVersionPointer>& version
   cloud.set_unit(in_pixels ? SizeUnit::pixel : SizeUnit::millimetre);
   if (last->fit->noise) cloud.set_noise((in_pixels ? 1 : 1e3) * *last->fit->noise);
   const bool is_one = first == last || before.empty();
-  cloud.set_before(is_one ? after : std::move(before), name_of(is_one ? *last : *first));
-  if (!is_one) cloud.set_after(std::move(after), name_of(*last));
+  cloud.set_before(is_one ? after : std::move(before), version_name(is_one ? *last : *first));
+  if (!is_one) cloud.set_after(std::move(after), version_name(*last));
   cloud.fit();
   lay_out(cloud, 640, 330);
   const QString caption = is_one ? QObject::tr("The residual of every corner; the rings are one and three sigma")

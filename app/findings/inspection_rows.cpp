@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 
+#include "base/degrees.h"
+#include "bench/display_units.h"
 #include "bench/observation_views.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
@@ -10,10 +12,6 @@
 
 namespace handsight::app {
 namespace {
-
-std::optional<double> scaled(std::optional<double> value, double scale) {
-  return value ? std::optional(scale * *value) : std::nullopt;
-}
 
 /// The reason that is shown: the decision's own, else whose fault it is where the observation is odd.
 QString reason_of(const Observation& o, const InspectionRow* row) {
@@ -37,7 +35,7 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
     if (row) {
       if (pixels) r.rms_pixel = row->rms;
       r.rms_mm = scaled(row->rms_m, 1e3);
-      r.angle_deg = scaled(row->angle, 57.29577951308232);
+      r.angle_deg = scaled(row->angle, degrees);
       r.rms_over_sigma = row->ratio;
       r.coordinates = row->coordinates;
       if (row->worst_marker >= 0) {

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "bench/heading.h"
 #include "start/session_places.h"
 #include "widgets/base/cells.h"
 #include "widgets/base/icons.h"
@@ -123,12 +124,6 @@ class PlaceButton : public QAbstractButton {
   QPixmap thumbnail_, in_the_dark_;
   std::vector<double> ratios_;
 };
-
-QLabel* heading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setFont(widgets::text_font(TextRole::title));
-  return label;
-}
 
 }  // namespace
 

@@ -16,7 +16,7 @@
 namespace handsight::app {
 namespace {
 
-constexpr std::size_t most_shown = 12;
+constexpr std::size_t most_found = 12;
 constexpr int hint_role = Qt::UserRole, kind_role = Qt::UserRole + 1;
 
 class EntryDelegate : public QStyledItemDelegate {
@@ -109,7 +109,7 @@ FindBox::FindBox(QWidget* window, std::vector<FindEntry> entries) : QWidget(wind
 }
 
 void FindBox::refresh() {
-  shown_ = found(entries_, words_->text(), most_shown);
+  shown_ = found(entries_, words_->text(), most_found);
   list_->clear();
   for (const FindEntry* e : shown_) {
     auto* item = new QListWidgetItem(e->text, list_);

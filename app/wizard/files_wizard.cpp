@@ -33,7 +33,7 @@ namespace {
 
 enum Shown { markers, chessboard, charuco, aprilgrid, tags };
 
-QString name_of(const std::filesystem::path& path) {
+QString shown_name(const std::filesystem::path& path) {
   return QString::fromStdString((path.filename().empty() ? path.parent_path() : path).filename().string());
 }
 
@@ -141,7 +141,7 @@ void FilesWizard::read() {
     } catch (const std::exception& error) {
       n.refusal = translated_error(error);
     }
-    auto* item = new QListWidgetItem(n.kind ? tr("%1: %2").arg(name_of(n.path), translated(kind_text(*n.kind)))
+    auto* item = new QListWidgetItem(n.kind ? tr("%1: %2").arg(shown_name(n.path), translated(kind_text(*n.kind)))
                                             : QString::fromUtf8("✗ ") + n.refusal);
     item->setToolTip(QString::fromStdString(n.path.string()));
     if (!n.kind) item->setForeground(widgets::colors().bad);

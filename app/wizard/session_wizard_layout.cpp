@@ -13,6 +13,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "bench/heading.h"
 #include "widgets/base/theme.h"
 #include "widgets/scene/robot_view.h"
 #include "wizard/session_wizard.h"
@@ -87,8 +88,7 @@ void SessionWizard::connect_all() {
 }
 
 QLabel* SessionWizard::add_heading(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setFont(widgets::text_font(widgets::TextRole::title));
+  QLabel* label = heading(text);
   grid_->addWidget(label, grid_->rowCount(), 0, 1, 3);
   return label;
 }

@@ -8,8 +8,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "bench/heading.h"
 #include "widgets/base/picture_choice.h"
-#include "widgets/base/theme.h"
 #include "widgets/scene/robot_view.h"
 #include "wizard/session_wizard.h"
 #include "wizard/target_form.h"
@@ -17,16 +17,6 @@
 #include "words/counted.h"
 
 namespace handsight::app {
-
-namespace {
-
-QLabel* question(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setFont(widgets::text_font(widgets::TextRole::title));
-  return label;
-}
-
-}  // namespace
 
 QWidget* SessionWizard::make_questions() {
   auto* page = new QWidget;
@@ -54,13 +44,13 @@ QWidget* SessionWizard::make_questions() {
        {"known_printed", tr("Printed from here"), tr("A good board for a start, as a PDF to print.")},
        {"known_poses", tr("Poses from another program"), tr("A table of where the target is, in place of images.")}},
       4);
-  column->addWidget(question(tr("Where is the camera?")));
+  column->addWidget(heading(tr("Where is the camera?")));
   column->addWidget(camera_place_);
   column->addSpacing(6);
-  column->addWidget(question(tr("Where is the target?")));
+  column->addWidget(heading(tr("Where is the target?")));
   column->addWidget(target_place_);
   column->addSpacing(6);
-  column->addWidget(question(tr("What do you know of it?")));
+  column->addWidget(heading(tr("What do you know of it?")));
   column->addWidget(known_);
   form_ = new TargetForm;
   column->addWidget(form_);

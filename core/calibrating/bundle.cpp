@@ -208,7 +208,8 @@ std::optional<Eigen::MatrixXd> camera_covariance(const Information& info) {
   }
   // Each number in its own unit, as large as the points alone tell it.
   const Eigen::VectorXd scale = info.matrix.diagonal().head(cameras).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * left * scale.asDiagonal());
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * left * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
   if (solver.info() != Eigen::Success || !(solver.eigenvalues()(0) > 1e-13)) return std::nullopt;
   const Eigen::MatrixXd inverse =
       solver.eigenvectors() * solver.eigenvalues().cwiseInverse().asDiagonal() * solver.eigenvectors().transpose();

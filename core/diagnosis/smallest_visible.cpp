@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The smallest wrong corner that an observation could have shown: Baarda's minimal detectable bias.
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
@@ -9,6 +8,7 @@
 
 #include "diagnosis/blame.h"
 #include "diagnosis/body_rows.h"
+#include "geometry/orthonormal_columns.h"
 
 namespace handsight {
 namespace {
@@ -34,8 +34,7 @@ std::optional<double> smallest_visible(const Problem& problem, const ProblemObse
   const BodyRows rows = body_rows(problem, o, u);
   const Eigen::Index count = rows.error.size();
   if (count <= 6) return std::nullopt;
-  const Eigen::MatrixXd q =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(rows.by_body).householderQ() * Eigen::MatrixXd::Identity(count, 6);
+  const Eigen::MatrixXd q = orthonormal_columns(rows.by_body);
   double largest = 0;
   Eigen::Index row = 0;
   for (const Sighting& s : o.sightings) {

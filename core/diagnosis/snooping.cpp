@@ -2,7 +2,6 @@
 #include "diagnosis/snooping.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "diagnosis/weighing.h"
 #include "estimation/fit_noise.h"
 #include "estimation/problem_part.h"
+#include "geometry/orthonormal_columns.h"
 
 namespace handsight {
 namespace {
@@ -41,11 +41,11 @@ std::optional<Parted> parted(const Problem& problem, const ProblemObservation& o
   Parted p;
   p.rows = count;
   p.error = rows.error;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows.by_body);
-  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(count, 6);
+  const Eigen::MatrixXd q = orthonormal_columns(rows.by_body);
   const Rigid sensor_from_root = inverse(o.root_from_mount * u.mount_from_sensor * o.sensor_motion);
   const Eigen::MatrixXd by_joints = q.transpose() * rows.by_body * (adjoint(sensor_from_root) * o.motion.tcp_by_value);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(by_joints * by_joints.transpose());
+  const Eigen::MatrixXd shown = by_joints * by_joints.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(shown);
   p.joint_variance = eigen.eigenvalues().cwiseMax(0);
   p.motions = q * eigen.eigenvectors();
   p.external_error = p.motions.transpose() * p.error;

@@ -125,7 +125,7 @@ std::optional<BodyShape> average_shape(const Problem& problem) {
     const Eigen::Matrix3Xd centered = points.colwise() - centroid;
     covariance += centered * centered.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(covariance / count);
+  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(Matrix3(covariance / count));
   const Matrix3 v = signed_components(eigen.eigenvectors());
   BodyShape shape;
   shape.variances = eigen.eigenvalues().reverse();

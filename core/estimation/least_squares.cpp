@@ -58,7 +58,8 @@ Eigen::VectorXd damped_step(const Eigen::MatrixXd& h, const Eigen::VectorXd& gra
 
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) {
   const Eigen::VectorXd scale = inverse_scale(symmetric);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * symmetric * scale.asDiagonal());
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
   const Eigen::VectorXd& values = eigen.eigenvalues();
   const double threshold = 1e-12 * std::max(values.size() ? values.maxCoeff() : 0.0, 0.0);
   const Eigen::VectorXd inverse = values.unaryExpr([&](double v) { return v > threshold ? 1 / v : 0.0; });

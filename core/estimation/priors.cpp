@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/priors.h"
 
-#include <Eigen/QR>
 #include <cmath>
+
+#include "geometry/orthonormal_columns.h"
 
 namespace handsight {
 
@@ -36,8 +37,7 @@ void add_piece(const KnownShape& shape, double weight, const std::vector<Vector3
   Eigen::VectorXd off(3 * count);
   for (Eigen::Index m = 0; m < count; ++m) off.segment<3>(3 * m) = here.col(m) - laid * Vector3(known.col(m));
   // A body of three markers and more has six motions that no shape knows of.
-  const Eigen::MatrixXd q =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(motions).householderQ() * Eigen::MatrixXd::Identity(3 * count, 6);
+  const Eigen::MatrixXd q = orthonormal_columns(motions);
   auto information = prior.information.block(3 * first, 3 * first, 3 * count, 3 * count);
   information.noalias() -= weight * q * q.transpose();
   information.diagonal().array() += weight;

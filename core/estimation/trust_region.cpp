@@ -227,8 +227,8 @@ class CameraImagesCost : public ceres::CostFunction {
     const CameraKnowledge& known = *place.problem.camera_images;
     const Eigen::VectorXd scale = known.information.diagonal().cwiseSqrt();
     const Eigen::VectorXd unscale = scale.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(unscale.asDiagonal() * known.information *
-                                                                unscale.asDiagonal());
+    const Eigen::MatrixXd scaled = unscale.asDiagonal() * known.information * unscale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
     const Eigen::VectorXd roots = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
     root_ = roots.asDiagonal() * solver.eigenvectors().transpose() * scale.asDiagonal();
     const Eigen::VectorXd inverse = roots.unaryExpr([](double r) { return r > 1e-9 ? 1 / r : 0.0; });

@@ -215,6 +215,27 @@ TEST_F(TwoWriters, WhereMoreThanLabelsDiffersTheirsIsBegunAnewWithWhatWasDoneHer
   EXPECT_EQ(document.session().observations.size(), s.observations.size());
 }
 
+TEST_F(TwoWriters, WhoeverListensHearsOfItAsOfAnySessionThatGoesAndComes) {
+  document.open(session);
+  exclude(1, "here");
+  const std::size_t before = document.session().observations.size();
+  QStringList heard;
+  const QObject listener;  // goes before the document does
+  const auto tell = [&](const char* what) {
+    heard << QString("%1: %2, %3").arg(what).arg(document.is_open()).arg(document.session().observations.size());
+  };
+  QObject::connect(&document, &Document::closing, &listener, [&] { tell("closing"); });
+  QObject::connect(&document, &Document::closed, &listener, [&] { tell("closed"); });
+  QObject::connect(&document, &Document::opened, &listener, [&] { tell("opened"); });
+  there([&](Session& s) { s.observations.erase(s.observations.begin() + 4); });
+  document.save();
+  EXPECT_EQ(heard, (QStringList{QString("closing: 1, %1").arg(before), "closed: 0, 0",
+                                QString("opened: 1, %1").arg(before - 1)}))
+      << heard.join("; ").toStdString();
+  EXPECT_TRUE(document.is_open());
+  EXPECT_TRUE(document.is_saved());
+}
+
 TEST_F(TwoWriters, AnObservationThatIsGoneThereAndChangedHereIsAsked) {
   document.open(session);
   exclude(4, "here");

@@ -5,43 +5,22 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QDialog>
-#include <QScrollBar>
 #include <QTabWidget>
 
-#include "app/window/pages.h"
+#include "app/programs/pictures/photographer.h"
 #include "bench/observation_views.h"
 #include "explain/missing_pane.h"
-#include "session/session_xml.h"
 #include "temporary_folder.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/scene/robot_view.h"
 #include "window/language.h"
-#include "wizard/files_wizard.h"
 
 namespace handsight::test {
-namespace {
 
 QString folder_of_pictures, suffix;
 
-/// HANDSIGHT_WINDOW=1366x728, else 1440 x 900.
-QSize window_size() {
-  const QStringList wanted = qEnvironmentVariable("HANDSIGHT_WINDOW", "1440x900").split('x');
-  return {wanted.value(0).toInt(), wanted.value(1).toInt()};
-}
-
-struct Photographer {
-  Desk& desk;
-  void take(const char* name) {
-    desk.settle();
-    take_now(name);
-  }
-  void take_now(const std::string& name) {
-    QTest::qWait(250);
-    desk.window.grab().save(folder_of_pictures + "/" + QString::fromStdString(name) + suffix + ".png");
-  }
-};
+namespace {
 
 /// The 3D view alone, as large as a page.
 void take_the_robot(Desk& desk) {
@@ -121,134 +100,6 @@ TEST(Pictures, OfEveryWorkspace) {
   desk.key(Qt::Key_K, Qt::ControlModifier);
   for (const char c : {'a', 'r', 'm'}) QTest::keyClick(desk.window.windowHandle(), c);
   photo.take("find");
-}
-
-/// Its fields are below each other: those that are filled in are scrolled to.
-TEST(Pictures, OfTheWizard) {
-  Desk desk;
-  desk.press_button("start_new");
-  auto* wizard = desk.window.findChild<QDialog*>("wizard");
-  ASSERT_NE(wizard, nullptr);
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(wizard));
-  auto* scroll = desk.find<QScrollArea>("wizard_scroll");
-  const auto take = [&](const char* name) {
-    QTest::qWait(250);
-    wizard->grab().save(folder_of_pictures + "/" + name + suffix + ".png");
-  };
-  const auto fill = [&](const char* name, const QString& with) {
-    auto* field = desk.find<QLineEdit>(name);
-    scroll->ensureWidgetVisible(field);
-    QTest::qWait(10);
-    desk.type_into(field, with);
-  };
-  take("wizard_empty");
-  const auto samples = QString(HANDSIGHT_SOURCE_DIR) + "/sample_sessions";
-  fill("wizard_robot", samples + "/robots/six_axis.urdf");
-  const auto answer = [&](const char* tile) {
-    scroll->ensureWidgetVisible(desk.find<QAbstractButton>(tile));
-    desk.press_button(tile);
-  };
-  answer("camera_place_0");
-  answer("known_2");
-  desk.find<QComboBox>("wizard_tcp")->setCurrentText("hand");
-  take("wizard");
-  fill("wizard_angles", samples + "/nowhere.csv");
-  scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
-  take("wizard_files");
-  answer("camera_place_2");
-  answer("known_6");
-  scroll->verticalScrollBar()->setValue(0);
-  take("wizard_on_hand");
-  static_cast<QDialog*>(wizard)->reject();
-}
-
-/// Two halves of a sample: in the second a joint stands 4 mrad further than it reads.
-std::pair<std::filesystem::path, std::filesystem::path> two_sessions(const std::filesystem::path& folder) {
-  const auto half = [&](const char* name, bool first) {
-    std::filesystem::create_directories(folder / name);
-    const auto copy = copy_of_sample(folder / name, "hidden_2");
-    Session s = read_session(copy);
-    const auto middle = s.observations.begin() + static_cast<std::ptrdiff_t>(s.observations.size() / 2);
-    first ? s.observations.erase(middle, s.observations.end()) : s.observations.erase(s.observations.begin(), middle);
-    s.title = name;
-    s.source.reset();
-    for (Observation& o : s.observations) o.position[2] -= first ? 0 : 0.004;
-    save_session(s);
-    return copy;
-  };
-  return {half("march", true), half("april", false)};
-}
-
-TEST(Pictures, OfTheComparison) {
-  const TemporaryFolder folder;
-  Desk desk;
-  desk.window.resize(window_size());
-  Photographer photo{desk};
-  const auto [before, after] = two_sessions(folder.path);
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(after.string())));
-  ASSERT_TRUE(desk.settle());
-  const auto compare = [&](const std::filesystem::path& other) {
-    desk.window.compare_with(QString::fromStdString(other.string()));
-    return desk.wait([&] { return !desk.window.bench().explaining.is_busy(); }, 120000);
-  };
-  ASSERT_TRUE(compare(before));
-  auto* tabs = desk.find<QTabWidget>("compare_tabs");
-  const char* names[] = {"compare", "compare_convergence", "compare_patterns"};
-  for (int i = 0; i < 3; ++i) {
-    desk.click(tabs->tabBar(), tabs->tabBar()->tabRect(i).center());
-    photo.take(names[i]);
-  }
-  ASSERT_TRUE(compare(folder.path / "nowhere.xml"));
-  photo.take("compare_refused");
-  desk.document().close();
-  // A recheck against what the first session was calibrated to.
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(before.string())));
-  ASSERT_TRUE(desk.settle());
-  desk.key(Qt::Key_5, Qt::ControlModifier);
-  ASSERT_TRUE(ExportPage{desk}.save_as(folder.path / "calibration.xml"));
-  desk.document().close();
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(after.string())));
-  ASSERT_TRUE(desk.settle());
-  ASSERT_TRUE(compare(folder.path / "calibration.xml"));
-  for (int i = 0; i < 2; ++i) {
-    desk.click(tabs->tabBar(), tabs->tabBar()->tabRect(i).center());
-    photo.take(i == 0 ? "compare_calibration" : "compare_calibration_convergence");
-  }
-}
-
-TEST(Pictures, OfWhatAnotherProgramWrote) {
-  const TemporaryFolder folder;
-  Desk desk;
-  desk.window.resize(window_size());
-  Photographer photo{desk};
-  const auto session = copy_of_sample(folder.path, "hidden_2");
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
-  ASSERT_TRUE(desk.settle());
-  desk.window.bench().exclude({1, 2, 5});
-  Session there = read_session(session);
-  for (const std::size_t i : {1U, 2U, 5U, 9U}) {
-    there.observations[i].decision = i == 2 ? Decision::rejected : Decision::excluded;
-    there.observations[i].reason = i == 2 ? "corner 2 is 9 mm from where it must be (limit 5)" : "blurred";
-  }
-  replace_session(there);
-  desk.key(Qt::Key_S, Qt::ControlModifier);
-  photo.take("merge");
-}
-
-TEST(Pictures, OfTheWizardOfFiles) {
-  Desk desk;
-  desk.window.resize(window_size());
-  const auto samples = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions";
-  auto* wizard = desk.window.bring_files({});
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(wizard));
-  const auto take = [&](const char* name) {
-    QTest::qWait(250);
-    wizard->grab().save(folder_of_pictures + "/" + name + suffix + ".png");
-  };
-  take("files_empty");
-  wizard->add({samples / "robots/six_axis.urdf", samples / "first_steps/images", samples / "README.md"});
-  take("files");
-  static_cast<QDialog*>(wizard)->reject();
 }
 
 /// Of the sample sessions without images, for the start page (resources/pictures).
