@@ -148,13 +148,16 @@ std::string robot_description_of(const fs::path& bag) {
   return text;
 }
 
-BagContents read_bag_contents(const fs::path& bag, const Robot& robot) {
+BagContents read_bag_contents(const fs::path& bag, const Robot& robot, const std::function<void()>& at_each) {
   BagContents contents;
   JointTaker joints(robot);
   for (const BagTopic& topic : bag_topics(bag)) {
     const std::string what = fmt::format("{}, topic {}", shown_path(bag.filename()), topic.name);
     const auto each = [&](const auto& take) {
-      read_bag(bag, topic.name, [&](std::int64_t time, std::string_view bytes) { take(time, bytes); });
+      read_bag(bag, topic.name, [&](std::int64_t time, std::string_view bytes) {
+        if (at_each) at_each();
+        take(time, bytes);
+      });
     };
     if (is_type(topic, "JointState")) {
       each([&](std::int64_t time, std::string_view bytes) {
@@ -192,13 +195,14 @@ BagContents read_bag_contents(const fs::path& bag, const Robot& robot) {
 
 std::vector<std::string> write_bag_images(const fs::path& bag, const BagImages& images,
                                           const std::vector<std::size_t>& wanted, const fs::path& folder,
-                                          const std::string& side) {
+                                          const std::string& side, const std::function<void()>& at_each) {
   std::vector<std::string> names(wanted.size());
   std::map<std::size_t, std::size_t> place_of;
   for (std::size_t i = 0; i < wanted.size(); ++i) place_of[wanted[i]] = i;
   std::size_t number = 0;
   const std::string what = fmt::format("{}, topic {}", shown_path(bag.filename()), images.topic);
-  read_bag(bag, images.topic, [&](std::int64_t, std::string_view bytes) {
+  const auto write = [&](std::int64_t, std::string_view bytes) {
+    if (at_each) at_each();
     const auto found = place_of.find(number++);
     if (found == place_of.end()) return;
     std::string content, ending;
@@ -216,7 +220,15 @@ std::vector<std::string> write_bag_images(const fs::path& bag, const BagImages& 
     }
     names[found->second] = fmt::format("{:04}_{}{}", found->second, side, ending);
     replace_file(folder / names[found->second], content);
-  });
+  };
+  try {
+    read_bag(bag, images.topic, write);
+  } catch (...) {
+    std::error_code error;
+    for (const std::string& name : names)
+      if (!name.empty()) fs::remove(folder / name, error);
+    throw;
+  }
   return names;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,14 +40,15 @@ struct BagContents {
 /// The robot's URDF as published, empty where it was not.
 std::string robot_description_of(const std::filesystem::path& bag);
 
-/// InputError where a message is damaged.
-BagContents read_bag_contents(const std::filesystem::path& bag, const Robot& robot);
+/// InputError where a message is damaged. `at_each` is called at every message; what it throws ends the reading.
+BagContents read_bag_contents(const std::filesystem::path& bag, const Robot& robot,
+                              const std::function<void()>& at_each = {});
 
 /// Writes those images of a topic whose places in BagImages::times are wanted, named by `name_of` in `folder` with the
 /// ending of their kind; returns the file names in the order wanted. InputError where an encoding is none that sessions
-/// hold.
+/// hold. `at_each` as above; where it ends in an exception none of them stays.
 std::vector<std::string> write_bag_images(const std::filesystem::path& bag, const BagImages& images,
                                           const std::vector<std::size_t>& wanted, const std::filesystem::path& folder,
-                                          const std::string& side);
+                                          const std::string& side, const std::function<void()>& at_each = {});
 
 }  // namespace handsight

@@ -65,6 +65,10 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, con
 
 }  // namespace
 
+void ask_whether_to_go_on(const ConvertOptions& o) {
+  if (o.goes_on && !o.goes_on()) throw ConversionStopped();
+}
+
 Conversion convert(const std::vector<fs::path>& given, const ConvertOptions& o) {
   if (fs::exists(o.out / "session.xml"))
     throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(o.out)));
@@ -75,6 +79,7 @@ Conversion convert(const std::vector<fs::path>& given, const ConvertOptions& o) 
   const Brought b = bring(files, robot ? &robot->robot : nullptr, o.degrees);
   c.took.insert(c.took.end(), b.took.begin(), b.took.end());
   c.notes.insert(c.notes.end(), b.notes.begin(), b.notes.end());
+  ask_whether_to_go_on(o);
   c = assemble(robot, b, o, std::move(c));
   for (const std::string& doubt : session_doubts(c.session)) c.notes.push_back(doubt);
   return c;

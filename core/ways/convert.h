@@ -2,6 +2,9 @@
 // A session from what a user has. One sensor measures in each: images of cameras, points, or poses of a target.
 #pragma once
 
+#include <exception>
+#include <functional>
+
 #include "session/session.h"
 #include "ways/brought.h"
 
@@ -19,6 +22,12 @@ struct ConvertOptions {
   std::string target_frame;      // of a bag's /tf: the target that a detector publishes
   bool estimate_lag = false;
   PairingOptions pairing;
+  std::function<bool()> goes_on;  // asked from time to time before session.xml is written: is it still wanted?
+};
+
+/// Where ConvertOptions::goes_on said no: nothing that was written stays.
+struct ConversionStopped : std::exception {
+  const char* what() const noexcept override { return "The conversion was stopped."; }
 };
 
 struct Conversion {
@@ -27,7 +36,8 @@ struct Conversion {
   std::vector<std::string> notes;  // what was understood, what is missing, what was left out
 };
 
-/// Makes the session's folder. InputError where the files do not make a session: what is missing and what to do.
+/// Makes the session's folder. InputError where the files do not make a session: what is missing and what to do;
+/// ConversionStopped.
 Conversion convert(const std::vector<std::filesystem::path>& files, const ConvertOptions& options);
 
 }  // namespace handsight

@@ -109,6 +109,32 @@ Together taken_together(const std::vector<const BagImages*>& topics) {
   return t;
 }
 
+/// The images of all topics for these events, written into `folder`; none of them stays where that ends in an
+/// exception.
+std::vector<InstantImages> write_images(const std::filesystem::path& file, const BagRig& found,
+                                        const Together& together, const std::vector<std::size_t>& events,
+                                        const std::filesystem::path& folder, const ConvertOptions& o) {
+  std::vector<InstantImages> images(events.size());
+  try {
+    for (std::size_t camera = 0; camera < found.topics.size(); ++camera) {
+      const auto written = write_bag_images(file, *found.topics[camera], chosen(together.places[camera], events),
+                                            folder, found.rig.cameras[camera].name, [&] { ask_whether_to_go_on(o); });
+      for (std::size_t i = 0; i < written.size(); ++i) {
+        images[i].number = static_cast<std::int64_t>(i);
+        images[i].files.push_back(folder / written[i]);
+      }
+    }
+  } catch (...) {
+    std::error_code error;
+    for (const InstantImages& instant : images)
+      for (const auto& written : instant.files) std::filesystem::remove(written, error);
+    std::filesystem::remove(folder, error);  // where nothing else is in it
+    std::filesystem::remove(o.out, error);
+    throw;
+  }
+  return images;
+}
+
 Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const BagRig& found,
                            const std::filesystem::path& file, const ConvertOptions& o, Conversion c) {
   SessionParts parts;
@@ -120,15 +146,7 @@ Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const
                                   all - together.times.size(), all));
   const Paired p = pair_events(bag.joints, together.times, together.times.size(), {}, o, c.notes);
   std::filesystem::create_directories(o.out / "images");
-  std::vector<InstantImages> images(p.events.size());
-  for (std::size_t camera = 0; camera < found.topics.size(); ++camera) {
-    const auto written = write_bag_images(file, *found.topics[camera], chosen(together.places[camera], p.events),
-                                          o.out / "images", found.rig.cameras[camera].name);
-    for (std::size_t i = 0; i < written.size(); ++i) {
-      images[i].number = static_cast<std::int64_t>(i);
-      images[i].files.push_back(o.out / "images" / written[i]);
-    }
-  }
+  const std::vector<InstantImages> images = write_images(file, found, together, p.events, o.out / "images", o);
   parts.joints = {bag.joints.names, {}, p.positions};
   parts.times = chosen(together.times, p.events);
   Rig rig = found.rig;
@@ -141,7 +159,7 @@ Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const
 
 Conversion from_bag(const std::optional<FieldUrdf>& robot, const Brought& b, const ConvertOptions& o, Conversion c) {
   if (!robot) throw InputError("The bag publishes no robot_description; name the robot's URDF with --robot.");
-  BagContents bag = read_bag_contents(b.bag, robot->robot);
+  BagContents bag = read_bag_contents(b.bag, robot->robot, [&] { ask_whether_to_go_on(o); });
   c.notes.insert(c.notes.end(), bag.notes.begin(), bag.notes.end());
   if (b.joints) bag.joints = *b.joints;
   if (bag.joints.positions.empty())

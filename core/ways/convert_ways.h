@@ -9,6 +9,9 @@
 
 namespace handsight {
 
+/// Throws ConversionStopped where it is no longer wanted.
+void ask_whether_to_go_on(const ConvertOptions& options);
+
 /// Is one of these words in the name, in capitals or not?
 bool says(const std::string& name, std::initializer_list<const char*> words);
 

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "robot/urdf.h"
 #include "session/session_xml.h"
+#include "ways/convert_ways.h"
 
 namespace handsight {
 namespace {
@@ -75,6 +76,7 @@ Session write_measured_session(const SessionParts& parts, const ConvertOptions& 
     else
       add_points(parts.points[i], s, observation);
   }
+  ask_whether_to_go_on(o);
   make_folder(o.out);
   if (!is_flange) replace_file(o.out / "robot.urdf", parts.urdf_text);
   replace_file(s.file, session_text(s));

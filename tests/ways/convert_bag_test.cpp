@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions from bags of ROS 2.
+#include <limits>
+
 #include "ways/bag_fixture.h"
 #include "ways/convert_fixture.h"
 
@@ -61,7 +63,8 @@ std::string camera_info(const Camera& c, const Matrix3& r, double p3) {
   return w.number(std::uint32_t{0}).number(std::uint32_t{0}).bytes();
 }
 
-TEST_F(Convert, BagsWithImagesOfTwoCameras) {
+/// Four images of the left camera and three of the right; the robot stands before each.
+void write_stereo_bag(const std::filesystem::path& folder) {
   Camera camera;
   camera.width = 8;
   camera.height = 6;
@@ -69,36 +72,38 @@ TEST_F(Convert, BagsWithImagesOfTwoCameras) {
   camera.cx = 4;
   camera.cy = 3;
   camera.k1 = -0.1;
-  {
-    fixture::BagWriter bag(folder.path / "bag");
-    const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState"),
-              left = bag.topic("/stereo/left/image_raw", "sensor_msgs/msg/Image"),
-              right = bag.topic("/stereo/right/image_raw", "sensor_msgs/msg/Image"),
-              left_info = bag.topic("/stereo/left/camera_info", "sensor_msgs/msg/CameraInfo"),
-              right_info = bag.topic("/stereo/right/camera_info", "sensor_msgs/msg/CameraInfo");
-    bag.message(left_info, 0, camera_info(camera, Matrix3::Identity(), 0));
-    bag.message(right_info, 0, camera_info(camera, rotation_from_rpy({0, 0.1, 0}), -800 * 0.12));
-    const auto image = [](double stamp, const std::string& encoding, std::uint32_t step) {
-      return fixture::CdrWriter()
-          .header(stamp, "left")
-          .number(std::uint32_t{6})
-          .number(std::uint32_t{8})
-          .text(encoding)
-          .number(std::uint8_t{0})
-          .number(step)
-          .raw(std::string(6 * step, 'x'))
-          .bytes();
-    };
-    for (int i = 0; i < 4; ++i) {
-      const double t = 100 + 2 * i;
-      for (double s = 0; s < 1.5; s += 0.02)
-        bag.message(
-            joints, t + s,
-            fixture::joint_state(t + s, {"a1", "a2", "a3", "a4", "a5", "a6"}, {0.1 * i, 0.2, 0.3, 0.4, 0.5, 0.6}));
-      bag.message(left, t + 0.5, image(t + 0.5, "mono8", 8));
-      if (i != 2) bag.message(right, t + 0.503, image(t + 0.503, "rgb8", 24));
-    }
+  fixture::BagWriter bag(folder);
+  const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState"),
+            left = bag.topic("/stereo/left/image_raw", "sensor_msgs/msg/Image"),
+            right = bag.topic("/stereo/right/image_raw", "sensor_msgs/msg/Image"),
+            left_info = bag.topic("/stereo/left/camera_info", "sensor_msgs/msg/CameraInfo"),
+            right_info = bag.topic("/stereo/right/camera_info", "sensor_msgs/msg/CameraInfo");
+  bag.message(left_info, 0, camera_info(camera, Matrix3::Identity(), 0));
+  bag.message(right_info, 0, camera_info(camera, rotation_from_rpy({0, 0.1, 0}), -800 * 0.12));
+  const auto image = [](double stamp, const std::string& encoding, std::uint32_t step) {
+    return fixture::CdrWriter()
+        .header(stamp, "left")
+        .number(std::uint32_t{6})
+        .number(std::uint32_t{8})
+        .text(encoding)
+        .number(std::uint8_t{0})
+        .number(step)
+        .raw(std::string(6 * step, 'x'))
+        .bytes();
+  };
+  for (int i = 0; i < 4; ++i) {
+    const double t = 100 + 2 * i;
+    for (double s = 0; s < 1.5; s += 0.02)
+      bag.message(
+          joints, t + s,
+          fixture::joint_state(t + s, {"a1", "a2", "a3", "a4", "a5", "a6"}, {0.1 * i, 0.2, 0.3, 0.4, 0.5, 0.6}));
+    bag.message(left, t + 0.5, image(t + 0.5, "mono8", 8));
+    if (i != 2) bag.message(right, t + 0.503, image(t + 0.503, "rgb8", 24));
   }
+}
+
+TEST_F(Convert, BagsWithImagesOfTwoCameras) {
+  write_stereo_bag(folder.path / "bag");
   const Conversion c = converted({folder.path / "bag"});
   ASSERT_EQ(c.session.observations.size(), 3u);
   EXPECT_THAT(c.notes, Contains(HasSubstr("1 of 4 left images have no right image")));
@@ -109,6 +114,27 @@ TEST_F(Convert, BagsWithImagesOfTwoCameras) {
   EXPECT_NEAR(c.session.observations[2].position[0], 0.3, 1e-12);
   EXPECT_TRUE(std::filesystem::exists(options_.out / c.session.observations[1].images[0]));
   EXPECT_TRUE(c.session.observations[1].images[1].ends_with(".ppm"));
+}
+
+TEST_F(Convert, WhereItIsStoppedNothingOfItStays) {
+  write_stereo_bag(folder.path / "bag");
+  int asked = 0, most = std::numeric_limits<int>::max();
+  options_.goes_on = [&] { return asked++ < most; };
+  const std::vector<std::filesystem::path> files = {folder.path / "bag", folder.path / "robot.urdf"};
+  convert(files, options_);
+  const int all = asked;
+  ASSERT_GT(all, 300) << "at every message, and at every image again";
+  std::filesystem::remove_all(options_.out);
+  for (const bool is_there : {false, true}) {
+    if (is_there) write("made/notes.txt", "mine");
+    for (most = 0; most < all; most += most < all - 12 ? 61 : 1) {
+      asked = 0;
+      EXPECT_THROW(convert(files, options_), ConversionStopped) << most;
+      EXPECT_EQ(std::filesystem::exists(options_.out), is_there) << most;
+      if (!is_there) continue;
+      EXPECT_EQ(std::distance(std::filesystem::directory_iterator(options_.out), {}), 1) << most;
+    }
+  }
 }
 
 TEST_F(Convert, DamagedBagsAreRefused) {
