@@ -10,6 +10,7 @@
 #include "app/programs/pictures/photographer.h"
 #include "bench/observation_views.h"
 #include "explain/missing_pane.h"
+#include "session/session_xml.h"
 #include "temporary_folder.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
