@@ -20,6 +20,9 @@ namespace handsight::app {
 /// The id of an observation by its index in the session of a model; -1 where it has gone since.
 std::int64_t id_at(const Session& session, int index);
 
+/// The title of a session, else the name of its folder.
+QString name_of(const Session& session);
+
 class Document : public QObject {
   Q_OBJECT
 
