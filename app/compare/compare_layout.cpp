@@ -84,6 +84,7 @@ QWidget* ComparePage::make_lists() {
   changes_->setAccessibleName(tr("What may have changed"));
   numbers_title_ = title_label("compare_numbers_title", lists);
   numbers_ = plain_table({tr("Number"), tr("change"), tr("unit"), tr("in σ")}, "compare_numbers", lists);
+  numbers_->horizontalHeaderItem(2)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);  // as the units below it
   numbers_->setAccessibleName(tr("Numbers of both"));
   column->addWidget(changes_title_);
   column->addWidget(changes_, 2);

@@ -126,10 +126,6 @@ ComparedPair with_session(const ComparisonTask& task, JobControl& control) {
 
 }  // namespace
 
-QString name_of(const Session& s) {
-  return s.title.empty() ? folder_name(s) : QString::fromStdString(s.title);
-}
-
 ComparedPair compare_pair(const ComparisonTask& task, JobControl& control) {
   std::error_code error;
   const bool is_file = std::filesystem::is_regular_file(task.other, error);

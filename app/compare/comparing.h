@@ -41,9 +41,6 @@ struct ComparisonTask {
   bool other_is_later = false;             // a calibration never is
 };
 
-/// The title of a session, else the name of its folder.
-QString name_of(const Session& session);
-
 /// Reads the other one, finds its target where it has one, fits both and compares. InputError where the two cannot be
 /// compared: what does not fit and what to do.
 ComparedPair compare_pair(const ComparisonTask& task, JobControl& control);

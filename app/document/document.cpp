@@ -111,6 +111,10 @@ std::int64_t id_at(const Session& session, int index) {
              : -1;
 }
 
+QString name_of(const Session& s) {
+  return QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
+}
+
 void Document::number_observations() {
   index_of_.clear();
   for (std::size_t i = 0; i < session_->observations.size(); ++i)

@@ -20,6 +20,9 @@ namespace handsight::app {
 /// The id of an observation by its index in the session of a model; -1 where it has gone since.
 std::int64_t id_at(const Session& session, int index);
 
+/// The title of a session, else the name of its folder.
+QString name_of(const Session& session);
+
 class Document : public QObject {
   Q_OBJECT
 
@@ -62,6 +65,8 @@ class Document : public QObject {
   /// Leaves them undecided: nothing is written, the next save asks again.
   void put_off_collisions();
   bool is_saved() const { return stack_.isClean(); }
+  /// Has another program written session.xml since it was read or written here? False where it cannot be read now.
+  bool is_changed_by_another() const;
 
   /// The present state of session and settings, and how often second looks came in; undone, it is the same again. A
   /// result made for another one is stale.

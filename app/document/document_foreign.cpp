@@ -83,6 +83,15 @@ std::optional<std::string> Document::what_another_wrote() const {
   return digest_of(theirs) == digest_ ? std::nullopt : std::optional(std::move(theirs));
 }
 
+bool Document::is_changed_by_another() const {
+  if (!journal_) return false;
+  try {
+    return what_another_wrote().has_value();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 void Document::save() {
   if (!journal_) return;
   const auto theirs = what_another_wrote();

@@ -155,9 +155,8 @@ void Header::resizeEvent(QResizeEvent* event) {
 
 void Header::refresh_session() {
   const Document& d = bench_.document;
-  const QString title = QString::fromStdString(
-      d.session().title.empty() ? d.session().file.parent_path().filename().string() : d.session().title);
-  session_->setText((d.is_open() ? title + (d.is_saved() ? "" : " •") : tr("Session")) + QStringLiteral("  ▾"));
+  const QString name = d.is_open() ? name_of(d.session()) + (d.is_saved() ? "" : " •") : tr("Session");
+  session_->setText(name + QStringLiteral("  ▾"));
   session_->setToolTip(!d.is_open()   ? tr("Open, save, close")
                        : d.is_saved() ? tr("Everything is saved in %1").arg(QString::fromStdString(d.session().file))
                                       : tr("Not yet saved in session.xml (Ctrl+S). Nothing is lost if you close."));

@@ -25,6 +25,7 @@
 #include "window/centre_fill.h"
 #include "window/centre_room.h"
 #include "window/doubt_bar.h"
+#include "window/foreign_bar.h"
 #include "window/header.h"
 #include "window/input_manners.h"
 #include "window/rail.h"
@@ -93,6 +94,9 @@ void MainWindow::make_pages() {
   rows->setSpacing(0);
   rows->addWidget(header_);
   rows->addWidget(new DoubtBar(bench_, session));
+  auto* foreign = new ForeignBar(bench_, session);
+  connect(foreign, &ForeignBar::save_requested, this, &MainWindow::save);
+  rows->addWidget(foreign);
   rows->addLayout(middle, 1);
   rows->addWidget(read_out_);
   rows->addWidget(strip_);

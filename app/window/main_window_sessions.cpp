@@ -131,9 +131,8 @@ void MainWindow::save() {
 
 void MainWindow::session_opened() {
   const Session& s = bench_.document.session();
-  const QString title = QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
-  setWindowTitle(tr("%1 - Handsight").arg(title));
-  remember_session(s.file, title);
+  setWindowTitle(tr("%1 - Handsight").arg(name_of(s)));
+  remember_session(s.file, name_of(s));
   start_->set_refusal({});
   pages_->setCurrentIndex(1);
   strip_->set_selected(widgets::kNoObservation);

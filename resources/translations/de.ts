@@ -1533,7 +1533,7 @@
     </message>
     <message>
         <source>Make the session</source>
-        <translation>Sitzung machen</translation>
+        <translation>Sitzung anlegen</translation>
     </message>
     <message>
         <source>Marker %1 is on this corner already. Take another corner.</source>
@@ -4702,6 +4702,26 @@
         <translation>Die neue Sitzung braucht einen Ordner.</translation>
     </message>
     <message>
+        <source>Stopped; nothing was made.</source>
+        <translation>Angehalten; es wurde nichts angelegt.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>Another program has written this session since it was read.</source>
+        <translation>Ein anderes Programm hat diese Sitzung geschrieben, seit sie gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>The next save puts it together</source>
+        <translation>Das nächste Speichern führt beides zusammen</translation>
+    </message>
+    <message>
+        <source>Takes over what was written there, and saves what was done here with it</source>
+        <translation>Übernimmt, was dort geschrieben wurde, und speichert damit, was hier getan wurde</translation>
+    </message>
+    <message>
         <source>The session is being made …</source>
         <translation>Die Sitzung wird angelegt …</translation>
     </message>
@@ -4727,7 +4747,7 @@
     </message>
     <message>
         <source>Drop here what there is, or add it: a ROS 2 bag, images, camera_info or a camchain of Kalibr, samples of easy_handeye, tables of joints, poses or points, the robot's URDF. Each is known by its content.</source>
-        <translation>Hierher ziehen, was da ist, oder hinzufügen: ein ROS-2-Bag, Bilder, camera_info oder eine camchain von Kalibr, Proben von easy_handeye, Tabellen von Gelenken, Posen oder Punkten, die URDF des Roboters. Jede wird an ihrem Inhalt erkannt.</translation>
+        <translation>Hierher ziehen, was da ist, oder hinzufügen: ein ROS-2-Bag, Bilder, camera_info oder eine camchain von Kalibr, Proben von easy_handeye, Tabellen von Gelenken, Posen oder Punkten, die URDF des Roboters. Jede Datei wird an ihrem Inhalt erkannt.</translation>
     </message>
     <message>
         <source>Files of the new session</source>
@@ -5496,6 +5516,10 @@
     <message>
         <source>error of %1</source>
         <translation>Fehler von %1</translation>
+    </message>
+    <message>
+        <source>by the user</source>
+        <translation>vom Benutzer</translation>
     </message>
     <message>
         <source>excluded by the user</source>

@@ -49,6 +49,20 @@ TEST(ResidualCloud, BothPanesHaveTheSameLockedAxes) {
   EXPECT_EQ(pair.reach(), reach);  // the larger of the two clouds
 }
 
+TEST(ResidualCloud, StandsInTheMiddleOfWhatIsHigherThanItNeeds) {
+  ResidualCloud pair;
+  pair.set_before(test::cloud(50, 9), "before");
+  test::show(pair, {400, 240});
+  const double least = pair.pane(0).top();
+  pair.resize(400, 900);
+  EXPECT_NEAR(pair.pane(0).center().y(), 450, 1);
+  EXPECT_NEAR(pair.pane(1).center().y(), 450, 1);
+  const double side = pair.pane(0).width();
+  pair.resize(2000, 240);
+  EXPECT_EQ(pair.pane(0).top(), least) << "its title has room";
+  EXPECT_GT(pair.pane(0).width(), side - 1) << "as high as there is room";
+}
+
 TEST(ResidualCloud, NoiseIsGreyAndErrorsAreNot) {
   ResidualCloud pair;
   pair.set_noise(0.2);

@@ -175,9 +175,10 @@ double ResidualCloud::radius(double size) const {
 }
 
 QRectF ResidualCloud::pane(int index) const {
-  const double side = std::floor(std::min((width() - 3.0 * kGap) / 2, height() - 20.0 - 20));
-  const double left = (width() - 2 * side - kGap) / 2;
-  return {std::floor(left + index * (side + kGap)), 20.0, side, side};
+  constexpr double line = 20;  // px, of the text above it and of that below
+  const double side = std::floor(std::min((width() - 3.0 * kGap) / 2, height() - 2 * line));
+  const double left = (width() - 2 * side - kGap) / 2, above = std::max(0.0, (height() - 2 * line - side) / 2);
+  return {std::floor(left + index * (side + kGap)), std::floor(above + line), side, side};
 }
 
 QPointF ResidualCloud::on_screen(int index, double du, double dv) const {

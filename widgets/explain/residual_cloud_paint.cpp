@@ -111,7 +111,7 @@ void ResidualCloud::paint_pane(QPainter& painter, int index) const {
   if (title.isEmpty() || QFontMetricsF(painter.font()).horizontalAdvance(title) > area.width())
     title = is_after ? tr("after") : tr("before");
   painter.setPen(is_tried ? c.candidate : c.ink2);
-  draw_text(painter, QRectF(area.left(), 0, area.width(), 18), Qt::AlignHCenter | Qt::AlignVCenter, title);
+  draw_text(painter, QRectF(area.left(), area.top() - 20, area.width(), 18), Qt::AlignCenter, title);
   if (shown(index).empty()) {
     painter.setPen(c.ink2);
     painter.drawText(area.adjusted(kWideGap, 0, -kWideGap, 0), Qt::AlignCenter | Qt::TextWordWrap,
@@ -147,7 +147,7 @@ void ResidualCloud::paintEvent(QPaintEvent*) {
   painter.setPen(c.ink3);
   const bool is_bent = noise_ && !is_linear_ && 15 * *noise_ <= reach_;
   const QString rim = tr("rim %1").arg(size_text({reach_, unit_}));
-  draw_text(painter, QRectF(kGap, height() - 18.0, width() - 2.0 * kGap, 16), Qt::AlignCenter,
+  draw_text(painter, QRectF(kGap, pane(0).bottom() + 2, width() - 2.0 * kGap, 16), Qt::AlignCenter,
             is_bent ? rim + tr(", compressed beyond 3 σ") : rim);
   if (hasFocus()) draw_focus(painter, rect());
 }

@@ -46,6 +46,53 @@ class MergeInTheWindow : public testing::Test {
   Desk desk;
 };
 
+TEST_F(MergeInTheWindow, WhatAnotherProgramWritesIsSaidSoonAndPutTogetherAtAPress) {
+  auto* bar = desk.find<QWidget>("foreign");
+  QTest::qWait(300);
+  EXPECT_FALSE(bar->isVisible()) << "nobody has written";
+  exclude_here({3});
+  desk.key(Qt::Key_S, Qt::ControlModifier);
+  QTest::qWait(2500);
+  EXPECT_FALSE(bar->isVisible()) << "what is saved here is no news";
+  exclude_here({4});
+  write_there([](Session& s) { exclude(s, 7); });
+  ASSERT_TRUE(desk.wait([&] { return bar->isVisible(); }));
+  EXPECT_EQ(desk.document().session().observations[7].decision, Decision::none) << "nothing is taken over unasked";
+  desk.press_button("foreign_together");
+  EXPECT_FALSE(bar->isVisible());
+  EXPECT_FALSE(is_asking());
+  EXPECT_EQ(desk.document().session().observations[7].reason, "there");
+  const Session s = read_session(session);
+  EXPECT_EQ(s.observations[4].reason, "by the user");
+  EXPECT_EQ(s.observations[7].reason, "there");
+}
+
+TEST_F(MergeInTheWindow, WhatIsPutOffIsNotSaidAgainUntilASave) {
+  auto* bar = desk.find<QWidget>("foreign");
+  write_there([](Session& s) { exclude(s, 7); });
+  ASSERT_TRUE(desk.wait([&] { return bar->isVisible(); }));
+  desk.press_button("foreign_later");
+  EXPECT_FALSE(bar->isVisible());
+  write_there([](Session& s) { exclude(s, 8); });
+  QTest::qWait(2500);
+  EXPECT_FALSE(bar->isVisible());
+  exclude_here({3});
+  desk.key(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(desk.document().session().observations[8].reason, "there");
+  write_there([](Session& s) { exclude(s, 9); });
+  EXPECT_TRUE(desk.wait([&] { return bar->isVisible(); }));
+}
+
+TEST_F(MergeInTheWindow, WhatCollidesIsAskedOnItsPageAndNotTwice) {
+  exclude_here({1});
+  write_there([](Session& s) { exclude(s, 1); });
+  auto* bar = desk.find<QWidget>("foreign");
+  ASSERT_TRUE(desk.wait([&] { return bar->isVisible(); }));
+  desk.press_button("foreign_together");
+  EXPECT_TRUE(is_asking());
+  EXPECT_FALSE(bar->isVisible());
+}
+
 TEST_F(MergeInTheWindow, BothSidesAreShownAndOneChoosesRowByRow) {
   const app::Place place = desk.window.workspace();
   exclude_here({1, 2, 3});
