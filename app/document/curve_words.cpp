@@ -40,7 +40,7 @@ QString what_moves(const EffectDefinition& definition, const std::string& place)
 /// "a curve of the distance from the sensor": what follows a place has a formula too long for a title.
 QString curve_of_place(const EffectDefinition& definition) {
   const std::string of = "Curve of the ";
-  const std::string what = definition.title.starts_with(of) ? definition.title.substr(of.size()) : "place of the hand";
+  const std::string what = definition.title.starts_with(of) ? definition.title.substr(of.size()) : definition.title;
   return QObject::tr("a curve of the %1").arg(translated(what));
 }
 

@@ -76,8 +76,10 @@ void FilesWizard::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
 }
 
-/// While a session is being made, that alone is stopped.
-void FilesWizard::reject() { is_busy_ ? stop_making() : QDialog::reject(); }
+/// What is being made is made to its end: half a session helps nobody.
+void FilesWizard::reject() {
+  if (!is_busy_) QDialog::reject();
+}
 
 void FilesWizard::add(const std::vector<std::filesystem::path>& files) {
   for (const std::filesystem::path& path : files) {
@@ -137,7 +139,7 @@ void FilesWizard::read() {
       n.kind = file_kind(n.path, robot_ ? &robot_->robot : nullptr);
       n.refusal.clear();
     } catch (const std::exception& error) {
-      n.refusal = in_words_of_window(translated_error(error));
+      n.refusal = translated_error(error);
     }
     auto* item = new QListWidgetItem(n.kind ? tr("%1: %2").arg(shown_name(n.path), translated(kind_text(*n.kind)))
                                             : QString::fromUtf8("✗ ") + n.refusal);
@@ -243,56 +245,28 @@ void FilesWizard::make() {
   for (const Named& n : files_) files.push_back(n.path);
   is_busy_ = true;
   progress_->show();
-  cancel_->setText(tr("Stop"));
+  cancel_->setEnabled(false);
   said_->setText(tr("The session is being made …"));
   refresh();
+  const auto ended = [this] {
+    is_busy_ = false;
+    progress_->hide();
+    cancel_->setEnabled(true);
+  };
   jobs_.start<std::shared_ptr<const Conversion>>(
       "convert", tr("Making a session"),
-      [files, options = options()](JobControl& control) mutable {
-        options.goes_on = going_on(control);
-        return std::make_shared<const Conversion>(convert(files, options));
-      },
-      [self = QPointer(this)](const std::shared_ptr<const Conversion>& made) {
+      [files, options = options()](JobControl&) { return std::make_shared<const Conversion>(convert(files, options)); },
+      [self = QPointer(this), ended](const std::shared_ptr<const Conversion>& made) {
         if (!self) return;
-        self->end_making();
+        ended();
         self->show_made(*made);
       },
-      [self = QPointer(this)](const QString& sentence) {
+      [self = QPointer(this), ended](const QString& sentence) {
         if (!self) return;
-        self->end_making();
-        self->said_->setText(QString::fromUtf8("✗ ") + self->in_words_of_window(sentence));
+        ended();
+        self->refresh();
+        self->said_->setText(QString::fromUtf8("✗ ") + sentence);
       });
-}
-
-void FilesWizard::end_making() {
-  is_busy_ = false;
-  progress_->hide();
-  cancel_->setText(tr("Cancel"));
-  refresh();
-}
-
-void FilesWizard::stop_making() {
-  jobs_.cancel("convert");
-  end_making();
-  said_->setText(tr("Stopped; nothing was made."));
-}
-
-/// The engine speaks of the command line's options; here they are called as the questions are.
-QString FilesWizard::in_words_of_window(QString sentence) const {
-  const auto asked = [this](QWidget* field) { return static_cast<QLabel*>(questions_->labelForField(field))->text(); };
-  // Of two that begin alike the longer one first.
-  const std::pair<const char*, QString> words[] = {{"--target-frame", asked(frame_)},
-                                                   {"--target", asked(shown_)},
-                                                   {"--tcp", asked(tcp_)},
-                                                   {"--mount", asked(mount_)},
-                                                   {"--still", asked(still_)},
-                                                   {"--estimate-lag", find_lag_->text()},
-                                                   {"--lag", find_lag_->text()},
-                                                   {"--eye-on-base", eye_on_base_->text()},
-                                                   {"--degrees", degrees_->text()},
-                                                   {"--robot", tr("Add files…")}};
-  for (const auto& [option, word] : words) sentence.replace(QLatin1String(option), tr("“%1”").arg(word));
-  return sentence;
 }
 
 /// What was understood and what was left out stands there before the session opens.
@@ -302,7 +276,7 @@ void FilesWizard::show_made(const Conversion& made) {
                      .arg(counted(static_cast<qint64>(made.session.observations.size()), "%n observation(s)"),
                           QString::fromStdString(made.session.file.parent_path().string())));
   report_->setPlainText(made.notes.empty() ? tr("Nothing was left out.")
-                                           : in_words_of_window(lines_of(made.notes, QString::fromUtf8("• "))));
+                                           : lines_of(made.notes, QString::fromUtf8("• ")));
   report_->show();
   make_->setText(tr("Open it"));
   make_->setEnabled(true);

@@ -70,9 +70,6 @@ class FilesWizard : public QDialog {
   QString what_is_missing() const;
   ConvertOptions options() const;
   void make();
-  void stop_making();
-  void end_making();
-  QString in_words_of_window(QString sentence) const;
   void show_made(const Conversion& made);
   void open_made();
 

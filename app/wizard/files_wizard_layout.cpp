@@ -116,7 +116,6 @@ void FilesWizard::add_questions() {
   const auto add = [&](const char* name, auto* field, const QString& text) {
     field->setObjectName(name);
     field->setMinimumHeight(widgets::kControlHeight);
-    if (qobject_cast<QComboBox*>(field)) field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     questions_->addRow(text, field);
     return field;
   };

@@ -4702,14 +4702,6 @@
         <translation>Die neue Sitzung braucht einen Ordner.</translation>
     </message>
     <message>
-        <source>Stopped; nothing was made.</source>
-        <translation>Angehalten; es wurde nichts angelegt.</translation>
-    </message>
-    <message>
-        <source>“%1”</source>
-        <translation>„%1“</translation>
-    </message>
-    <message>
         <source>Another program has written this session since it was read.</source>
         <translation>Ein anderes Programm hat diese Sitzung geschrieben, seit sie gelesen wurde.</translation>
     </message>
@@ -5500,10 +5492,6 @@
     <message>
         <source>place of the TCP along %1 of the sensor's link</source>
         <translation>Ort des TCP längs %1 des Gliedes mit dem Sensor</translation>
-    </message>
-    <message>
-        <source>place of the hand</source>
-        <translation>Ort der Hand</translation>
     </message>
     <message>
         <source>distance from the sensor</source>

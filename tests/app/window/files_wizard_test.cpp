@@ -202,48 +202,6 @@ TEST_F(FilesWizardTest, WhatIsNothingIsSaidAndWhatCannotBeMadeLeavesTheWizardOpe
   EXPECT_FALSE(desk.document().is_open());
 }
 
-TEST_F(FilesWizardTest, WhatIsBeingMadeCanBeStoppedAndMadeAgain) {
-  replace_file(folder.path / "flange.csv", pose_table({Rigid{}, Rigid{}, Rigid{}}));
-  replace_file(folder.path / "target.csv", pose_table({Rigid{}, Rigid{}, Rigid{}}));
-  ASSERT_TRUE(files.drop({folder.path / "flange.csv", folder.path / "target.csv"}, &desk.window));
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(files.dialog()));
-  files.fill("files_out", folder.path / "made");
-  desk.window.bench().jobs.hold(true);
-  desk.click(files.make());
-  EXPECT_TRUE(files.said().contains("being made")) << files.said().toStdString();
-  EXPECT_FALSE(files.make()->isEnabled());
-  auto* cancel = desk.find<QAbstractButton>("files_cancel");
-  EXPECT_EQ(cancel->text(), "Stop");
-  desk.click(cancel);
-  EXPECT_TRUE(files.dialog()->isVisible()) << "only the making is stopped";
-  EXPECT_EQ(files.said(), "Stopped; nothing was made.");
-  EXPECT_EQ(cancel->text(), "Cancel");
-  EXPECT_TRUE(files.make()->isEnabled());
-  desk.window.bench().jobs.hold(false);
-  ASSERT_TRUE(desk.wait([this] { return !desk.window.bench().jobs.is_busy(); }));
-  EXPECT_FALSE(std::filesystem::exists(folder.path / "made"));
-  ASSERT_TRUE(files.press_make());
-  EXPECT_TRUE(files.said().startsWith("Made: ")) << files.said().toStdString();
-}
-
-TEST_F(FilesWizardTest, RefusalsSpeakOfTheQuestionsAndOfNoOption) {
-  simulate_like("one_camera_board");
-  const Camera& c = simulated.rig->at(0).camera;
-  replace_file(folder.path / "camchain.yaml",
-               fmt::format("cam0:\n  camera_model: pinhole\n  distortion_model: radtan\n  distortion_coeffs: [0, 0, 0, "
-                           "0]\n  intrinsics: [{}, {}, {}, {}]\n  resolution: [{}, {}]\n  rostopic: /camera\n",
-                           c.fx, c.fy, c.cx, c.cy, c.width, c.height));
-  replace_file(folder.path / "angles.csv", joint_table(simulated));
-  ASSERT_TRUE(files.drop({urdf, folder.path / "angles.csv", folder.path / "photos", folder.path / "camchain.yaml"},
-                         &desk.window));
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(files.dialog()));
-  files.fill("files_out", folder.path / "made");
-  ASSERT_TRUE(files.make()->isEnabled()) << files.said().toStdString();
-  ASSERT_TRUE(files.press_make());
-  EXPECT_TRUE(files.said().contains("say what with “What the images show”")) << files.said().toStdString();
-  EXPECT_FALSE(files.said().contains("--")) << files.said().toStdString();
-}
-
 TEST_F(FilesWizardTest, ASessionThatIsDroppedIsOpened) {
   const auto session = copy_of_sample(folder.path, "hidden_1");
   ASSERT_TRUE(files.drop({session}, &desk.window));
