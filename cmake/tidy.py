@@ -6,7 +6,8 @@
   cmake/tidy.py --passed   looks at what it has passed once and has changed since, writes nothing: the test Sources.ClangTidy
 
 Needs clang-tidy 14 and a build folder. A source is taken with its header and those headers that it includes
-which have no source of their own; cmake/tidy.txt holds a digest of each, with that of .clang-tidy.
+which have no source of their own; cmake/tidy.txt holds a digest of each, with that of .clang-tidy. Nearly all of the
+time goes into the headers of libraries, so sources are looked at joined, and each half for itself where something is found.
 """
 import argparse
 import hashlib
@@ -22,6 +23,7 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
 record = root / "cmake" / "tidy.txt"
+most_joined = 16  # sources at a time
 roots = [root / "core", root / "app" / "cli"]  # as the compiler finds headers
 
 
@@ -73,32 +75,72 @@ def compiled(entry):
     return re.findall(r'^#include "([^"]+)"', joined.read_text(), re.M)
 
 
-def commands(build, folder):
-    """The compiler's commands as clang understands them, without precompiled headers."""
-    strange = r"-Winvalid-pch|-include \S+|--param=\S+|-Wno-(restrict|stringop-overflow|use-after-free)"
-    base = []
+def commands(build):
+    """What compiles each source, as clang understands it, without precompiled headers: path -> (folder, command)."""
+    strange = r"-Winvalid-pch|-include \S+|--param=\S+|-Wno-(restrict|stringop-overflow|use-after-free)|-o \S+|-M[DTF] ?\S*"
+    found = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        entry["command"] = re.sub(strange, "", re.sub(r"^.*?ccache ", "", entry["command"]))
-        base += [entry | {"file": path, "command": entry["command"].replace(entry["file"], path)} for path in compiled(entry)]
-    (Path(folder) / "compile_commands.json").write_text(json.dumps(base))
+        command = re.sub(strange, "", re.sub(r"^.*?ccache ", "", entry["command"])).replace(entry["file"], "")
+        found |= {path: (entry["directory"], command) for path in compiled(entry)}
+    return found
 
 
-def findings(source, folder):
-    run = subprocess.run(["clang-tidy", "-p", folder, "--quiet", "--warnings-as-errors=*", str(root / source)],
-                         capture_output=True, text=True)
+def names(source):
+    """What a source's unnamed namespace defines: two sources that define the same cannot be joined."""
+    inside = "\n".join(re.findall(r"^namespace \{$(.*?)^\}", source.read_text(), re.M | re.S))
+    return set(re.findall(r"^(?:\w[^\n(={;]*[\s&*])?(\w+)\s*(?:\(|=|\{|;|:)", inside, re.M))
+
+
+def joined(sources, by):
+    """Groups of sources that one command compiles and that do not clash."""
+    groups = []
+    for path in sources:
+        mine = names(root / path)
+        for group in groups:
+            if len(group[0]) < most_joined and group[1] == by.get(str(root / path)) and not group[2] & mine:
+                group[0].append(path)
+                group[2].update(mine)
+                break
+        else:
+            groups.append(([path], by.get(str(root / path)), set(mine)))
+    return groups
+
+
+def findings(paths, how):
+    """What clang-tidy says of these sources, compiled as one."""
+    if not how:
+        return "No target compiles it.\n"
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "joined.cpp"
+        # NOLINT: a source that is included is what is meant here.
+        file.write_text("".join(f'#include "{root / path}"  // NOLINT\n' for path in paths))
+        entry = {"directory": how[0], "command": f"{how[1]} {file}", "file": str(file)}
+        (Path(folder) / "compile_commands.json").write_text(json.dumps([entry]))
+        run = subprocess.run(["clang-tidy", "-p", folder, "--quiet", "--warnings-as-errors=*",
+                              f"--config-file={root / '.clang-tidy'}", str(file)], capture_output=True, text=True)
     return "" if run.returncode == 0 else run.stdout + run.stderr
 
 
+def told_apart(group):
+    """(path, findings) of each source of a group; where there are findings, or two clash, each half for itself."""
+    paths, how, _ = group
+    found = findings(paths, how)
+    if not found or len(paths) == 1:
+        return [(path, found) for path in paths]
+    middle = len(paths) // 2
+    return told_apart((paths[:middle], how, None)) + told_apart((paths[middle:], how, None))
+
+
 def look_at(sources, build, heed):
-    """Calls heed(source, findings) one by one; several are looked at side by side (JOBS)."""
-    bad = 0
-    jobs = int(os.environ.get("JOBS", os.cpu_count()))
-    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(jobs) as pool:
-        commands(build, folder)
-        for done, (path, found) in enumerate(zip(sources, pool.map(lambda p: findings(p, folder), sources)), 1):
-            print(f"[{done}/{len(sources)}] {path}" + (f"\n{found}" if found else ""), flush=True)
-            heed(path, found)
-            bad += 1 if found else 0
+    """Calls heed(source, findings) one by one; several groups are looked at side by side (JOBS)."""
+    bad, done = 0, 0
+    with ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
+        for results in pool.map(told_apart, joined(sources, commands(build))):
+            for path, found in results:
+                done += 1
+                print(f"[{done}/{len(sources)}] {path}" + (f"\n{found}" if found else ""), flush=True)
+                heed(path, found)
+                bad += 1 if found else 0
     return bad
 
 

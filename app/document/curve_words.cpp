@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "diagnosis/curves.h"
 #include "document/effect_words.h"
 #include "effects/own_effect.h"
 #include "words/core_words.h"
@@ -37,17 +38,11 @@ QString what_moves(const EffectDefinition& definition, const std::string& place)
   return QObject::tr("Something moves");
 }
 
-/// "a curve of the distance from the sensor": what follows a place has a formula too long for a title.
-QString curve_of_place(const EffectDefinition& definition) {
-  const std::string of = "Curve of the ";
-  const std::string what = definition.title.starts_with(of) ? definition.title.substr(of.size()) : definition.title;
-  return QObject::tr("a curve of the %1").arg(translated(what));
-}
-
 /// "sin(3.3 q) of arm_4" of "y_sine*sin(3.3*q_arm_4) + ...": the first part without its number.
 QString shape_of(const EffectDefinition& definition, const std::string& place, const Robot& robot) {
   QString text = QString::fromStdString(definition.moves.front().formula).section(" + ", 0, 0).section('*', 1);
-  if (text.contains("tcp_")) return curve_of_place(definition);
+  // What follows a place has a formula too long for a title.
+  if (text.contains("tcp_")) return QObject::tr("a curve of the %1").arg(translated(followed_variable(definition)));
   QStringList of;
   const auto put = [&](const QString& name, const QString& shown, const QString& joint) {
     const QRegularExpression word("\\b" + QRegularExpression::escape(name) + "\\b");

@@ -125,10 +125,6 @@ QString actions_part(const Document& document) {
          table({QObject::tr("Action"), QObject::tr("Error after it")}, rows);
 }
 
-QString report_title(const Session& s) {
-  return QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
-}
-
 /// On a telephone as on a wide screen and on paper: what is too wide scrolls by itself, a picture keeps its caption, a
 /// row stays whole. Always light, as the pictures are.
 constexpr const char* style =
@@ -151,7 +147,7 @@ enum class Pages { of_paper, of_a_browser };
 QString body(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
              const QString& verdict, Pages pages, const std::function<QString(std::size_t)>& source) {
   const Session& s = document.session();
-  QString text = "<h1>" + report_title(s).toHtmlEscaped() + "</h1>\n<p><b>" + verdict.toHtmlEscaped() +
+  QString text = "<h1>" + name_of(s).toHtmlEscaped() + "</h1>\n<p><b>" + verdict.toHtmlEscaped() +
                  "</b></p>\n<p class=\"from\">" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
                  QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
   text += numbers_part(document, model);
@@ -180,7 +176,7 @@ QString report_html(const Document& document, const ModelVersion& model, const s
   return "<!DOCTYPE html>\n<html lang=\"" + language +
          "\"><head><meta charset=\"utf-8\"/>"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/><title>" +
-         report_title(document.session()).toHtmlEscaped() + "</title><style>\n" + style + "</style></head><body>\n" +
+         name_of(document.session()).toHtmlEscaped() + "</title><style>\n" + style + "</style></head><body>\n" +
          body(document, model, pictures, verdict, Pages::of_a_browser, inside) + "</body></html>\n";
 }
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.h"
+#include "diagnosis/formula_numbers.h"
 #include "diagnosis/place_formulas.h"
 
 namespace handsight {
@@ -23,10 +23,6 @@ double root_mean_square(const Eigen::VectorXd& x) {
   const double size = std::sqrt(x.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(x.size(), 1)));
   return size > 0 ? size : 1;
 }
-
-/// A number of at most four digits, so that formulas can be read.
-std::string short_number(double x) { return fmt::format("{:.4g}", x); }
-double shortened_number(double x) { return parse_number(short_number(x)).value_or(x); }
 
 /// "(tau_arm_2/12.3)": a torque in units of what is usual on these poses, an angle as it is.
 std::string scaled_name(const ShapeVariable& v, double unit) {
@@ -64,8 +60,8 @@ void set_wave(const ShapeVariable& v, CurveShape& s) {
 
 void set_bend(const ShapeVariable& v, CurveShape& s) {
   const Eigen::VectorXd& x = v.variable->values;
-  const double middle = written_number(x.mean());
-  const double reach = written_number(std::max((x.maxCoeff() - x.minCoeff()) / 2, 1e-12));
+  const double middle = shortened_number(x.mean());
+  const double reach = shortened_number(std::max((x.maxCoeff() - x.minCoeff()) / 2, 1e-12));
   const Eigen::ArrayXd u = (x.array() - middle) / reach;
   s.values.resize(x.size(), 2);
   s.values.col(0) = u;

@@ -18,6 +18,7 @@ constexpr std::size_t most_variables = 3, most_refined = 6;
 constexpr double near_best = 8;          // ln: what a form may lack before its setting is refined
 constexpr double catalogue_turns = 2.3;  // slower waves of a joint of its own angle are near those that have names
 constexpr int search_steps = 14;
+constexpr std::string_view title_of_curve = "Curve of the ";
 
 /// One form at one site, with the directions of the site that it moves.
 struct Form {
@@ -164,7 +165,7 @@ EffectDefinition definition_of(const Form& f, const std::string& id, const Robot
   EffectDefinition d;
   d.id = id;
   d.unnamed = true;
-  d.title = "Curve of the " + f.variable.variable->name;
+  d.title = std::string(title_of_curve) + f.variable.variable->name;
   d.scope = at_joint ? "joint" : "session";
   d.cause = fmt::format("{} moves with the {}, {}: it has no name in the catalogue.", site_text(f, robot),
                         f.variable.variable->name, f.shape.text);
@@ -243,6 +244,10 @@ std::string next_curve_id(const std::vector<EffectTerm>& terms) {
     const std::string id = fmt::format("curve_{}", number);
     if (std::none_of(terms.begin(), terms.end(), [&](const EffectTerm& t) { return t.id == id; })) return id;
   }
+}
+
+std::string followed_variable(const EffectDefinition& curve) {
+  return curve.title.starts_with(title_of_curve) ? curve.title.substr(title_of_curve.size()) : curve.title;
 }
 
 std::string sites_text(const EffectDefinition& d) {

@@ -27,6 +27,9 @@ std::string next_curve_id(const std::vector<EffectTerm>& terms);
 /// Is the term a curve without a name?
 inline bool is_curve(const EffectTerm& term) { return term.own && term.own->is_unnamed(); }
 
+/// What a curve follows, as a user reads it: "angle of arm_3", "distance from the sensor".
+std::string followed_variable(const EffectDefinition& curve);
+
 /// "angle", or "hand_x, hand_z": the sites that it moves.
 std::string sites_text(const EffectDefinition& definition);
 

@@ -6,15 +6,13 @@
 #include <array>
 #include <cmath>
 
-#include "base/numbers.h"
+#include "diagnosis/formula_numbers.h"
 #include "effects/formula.h"
 
 namespace handsight {
 namespace {
 
 constexpr std::array names{"tcp_x", "tcp_y", "tcp_z"};
-
-std::string short_text(double x) { return fmt::format("{:.4g}", x); }
 
 /// "(tcp_x - 0.9986*tcp_z + 0.412)" of constant + factors . tcp; four digits, which the formula is then exact with.
 std::string sum_text(double constant, const Vector3& factors) {
@@ -25,10 +23,10 @@ std::string sum_text(double constant, const Vector3& factors) {
   };
   for (Eigen::Index i = 0; i < 3; ++i) {
     if (std::abs(factors[i]) < 5e-5 * factors.norm()) continue;
-    const std::string size = short_text(std::abs(factors[i])), name = names[static_cast<std::size_t>(i)];
+    const std::string size = short_number(std::abs(factors[i])), name = names[static_cast<std::size_t>(i)];
     add(factors[i], size == "1" ? name : size + "*" + name);
   }
-  if (const std::string size = short_text(std::abs(constant)); size != "0") add(constant, size);
+  if (const std::string size = short_number(std::abs(constant)); size != "0") add(constant, size);
   return "(" + text + ")";
 }
 
@@ -76,13 +74,14 @@ PlaceFormula image_formula(const Problem& problem, const Eigen::Matrix3Xd& place
   const double focal = axis == 0 ? camera.fx : camera.fy, centre = axis == 0 ? camera.cx : camera.cy;
   const std::string seen = coordinate_text(sensor_from_mount, axis, focal),
                     depth = coordinate_text(sensor_from_mount, 2);
-  return evaluated(
-      fmt::format("({}/max({}, {}) + {})", seen, short_text(std::max(nearest / 2, 1e-3)), depth, short_text(centre)),
-      places);
+  return evaluated(fmt::format("({}/max({}, {}) + {})", seen, short_number(std::max(nearest / 2, 1e-3)), depth,
+                               short_number(centre)),
+                   places);
 }
 
 std::string centred_text(const std::string& place, double middle, double reach) {
-  return fmt::format("(({} {} {})/{})", place, middle < 0 ? '+' : '-', short_text(std::abs(middle)), short_text(reach));
+  return fmt::format("(({} {} {})/{})", place, middle < 0 ? '+' : '-', short_number(std::abs(middle)),
+                     short_number(reach));
 }
 
 std::string centred_part(const std::string& formula) {
@@ -107,7 +106,5 @@ std::optional<PlaceFormula> followed_place(const Problem& problem, const EffectD
   if (end == std::string::npos || end < 3) return std::nullopt;
   return evaluated(part.substr(2, end - 2), tcp_places(problem));
 }
-
-double written_number(double x) { return parse_number(short_text(x)).value_or(x); }
 
 }  // namespace handsight

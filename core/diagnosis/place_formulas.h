@@ -37,7 +37,4 @@ std::string centred_part(const std::string& formula);
 /// What the first of the curve's formulas follows, without its middle and reach; none where it follows no place.
 std::optional<PlaceFormula> followed_place(const Problem& problem, const EffectDefinition& curve);
 
-/// A middle and a reach as centred_text writes them: of four digits.
-double written_number(double x);
-
 }  // namespace handsight

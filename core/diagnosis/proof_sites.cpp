@@ -7,6 +7,7 @@
 #include <cmath>
 #include <regex>
 
+#include "diagnosis/curves.h"
 #include "diagnosis/place_formulas.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
@@ -147,7 +148,7 @@ bool in_proportion(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 std::optional<Followed> place_of(const Problem& p, const Effect& effect, const std::string& variable) {
   if (effect.is_unnamed())
     if (const auto place = followed_place(p, *effect.definition)) {
-      const std::string name = effect.title.substr(std::min(effect.title.size(), std::string("Curve of the ").size()));
+      const std::string name = followed_variable(*effect.definition);
       return Followed{name, name.starts_with("image") ? "px" : "m", place->values};
     }
   for (int axis = 0; axis < 3; ++axis)

@@ -19,7 +19,7 @@ struct Variable {
   Eigen::VectorXd values;  // per observation of the problem
   /// As effects.xml writes it (q_arm_3, "(0.2 + 0.98*tcp_x)"), and what that gives where it is not `values`: places are
   /// those of the markers' middle here, of the TCP there. Empty: no formula can say it.
-  std::string formula = "";
+  std::string formula = {};
   Eigen::VectorXd written_values = {};
 
   double range() const { return values.size() ? values.maxCoeff() - values.minCoeff() : 0; }
