@@ -43,6 +43,7 @@ class Work {
       d_.reason = too_few_text(static_cast<int>(f.problem.observations.size()), f.rows - f.unknowns, f.unknowns);
       return std::move(d_);
     }
+    if (options_.most_held_out && held_out_error(d_) > *options_.most_held_out) return std::move(d_);
     if (!goes_on(0.1)) return stopped();
     rank_all();
     if (!goes_on(0.6)) return stopped();
@@ -304,6 +305,11 @@ class Work {
 };
 
 }  // namespace
+
+double held_out_error(const Diagnosis& d) {
+  const ErrorSummary& e = d.report.held_out;
+  return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0);
+}
 
 const char* verdict_text(Verdict verdict) {
   switch (verdict) {

@@ -22,6 +22,8 @@ struct DiagnosisOptions {
   std::optional<double> threshold;    // ln of the Bayes factor that counts; absent: simulated on these poses
   std::optional<Unknowns> start;      // of a fit of nearly the same model
   std::optional<CleanFit> fitted;     // the model as it is already fitted (of these effects); saves a fit
+  /// px, or m with a tracker: a model that is worse held out is fitted and reported, and nothing more is asked of it.
+  std::optional<double> most_held_out;
   /// Every iteration of the model's own fits: cost and unknowns; returning false stops.
   std::function<bool(int iteration, double cost, const Unknowns&)> on_iteration;
   /// Called between steps, and at every iteration of the candidates' fits, with the share of the work done; returning
@@ -103,6 +105,9 @@ struct Diagnosis {
 /// Of more than 4000 used observations a sample of 3000 decides (SampleCheck); DiagnosisOptions::fitted is then not
 /// read.
 Diagnosis diagnose(const Session& session, const DiagnosisOptions& options = {});
+
+/// The number by which models are compared: px, or m with a tracker.
+double held_out_error(const Diagnosis& model);
 
 /// Are these terms of one named effect? Their places as a user reads them.
 std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session);

@@ -110,14 +110,14 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   }
   FitOptions from = candidate.full_fit.value_or(model.model_options);
   if (!candidate.full_fit) from.estimated.insert(from.estimated.end(), candidate.terms.begin(), candidate.terms.end());
-  Diagnosis next = diagnosed_from(session, options, from.estimated, from.start);
+  const double before = as_good * held_out_error(model);
+  Diagnosis next = diagnosed_from(session, options, from.estimated, from.start, before);
   change.stopped = next.stopped;
   if (next.stopped) return change;
   if (has_no_answer(next.model.fit)) {
     change.refused.push_back({id, candidate.where, "the fit finds no answer with it: check mount, cameras and labels"});
     return change;
   }
-  const double before = as_good * held_out_error(model);
   if (held_out_error(next) >= before) {
     change.refused.push_back({id, candidate.where, "the held-out error does not fall"});
     return change;

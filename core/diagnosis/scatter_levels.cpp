@@ -12,7 +12,7 @@
 namespace handsight {
 namespace {
 
-constexpr Scatter most{3e-3, 1e-3};
+constexpr Scatter most_scatter{3e-3, 1e-3};
 constexpr double clearly_likelier = 5;  // ln: what another assumption must bring
 constexpr int most_rounds = 20;
 constexpr double settled = 1e-2;      // of a variance, from round to round
@@ -131,7 +131,7 @@ Scatter likely_scatter(const LinearModel& model, const Scatter& start, const Noi
   const auto sigma = [](double variance, double most) {
     return variance <= negligible ? 0 : std::min(std::sqrt(variance), most);
   };
-  return {sigma(v[1], most.joints), sigma(v[2], most.place)};
+  return {sigma(v[1], most_scatter.joints), sigma(v[2], most_scatter.place)};
 }
 
 std::vector<Scatter> scatter_levels(const LinearModel& model, const NoiseKnowledge& noise) {

@@ -126,7 +126,7 @@ class Upkeep {
     const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
                           fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
     if (gained >= d.threshold - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
-    return take(diagnosed_from(session_, options_, o.estimated, estimate(without)), dropped.front().id);
+    return take(diagnosed_from(session_, options_, o.estimated, estimate(without), most_), dropped.front().id);
   }
 
   /// Places of an effect that say nothing any more beside what was added since go: they let the others wander.
@@ -146,8 +146,9 @@ class Upkeep {
       model = *fewer;
     }
     if (o.estimated.size() == terms().size() || change_.stopped) return;
-    Diagnosis next = diagnosed_from(session_, options_, o.estimated, estimate(model));
-    if (held_out_error(next) <= as_good * held_out_error(*change_.model)) take(std::move(next), "");
+    const double most = std::min(most_, as_good * held_out_error(*change_.model));
+    Diagnosis next = diagnosed_from(session_, options_, o.estimated, estimate(model), most);
+    if (held_out_error(next) <= most) take(std::move(next), "");
   }
 
   static bool is_one_of_several(const std::vector<EffectTerm>& all, std::size_t t) {
@@ -178,7 +179,8 @@ class Upkeep {
       const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
       // A name that has gone does not come back for the one that came: they would take turns for ever.
       if (exchange && !change_.stopped && !gone_.contains(exchange->id) &&
-          take(diagnosed_from(session_, options_, exchange->options.estimated, exchange->options.start), removed)) {
+          take(diagnosed_from(session_, options_, exchange->options.estimated, exchange->options.start, most_),
+               removed)) {
         ImprovementStep& step = change_.steps.back();
         step.exchanged.push_back(exchange->id);
         gone_.insert(removed);
@@ -216,7 +218,7 @@ class Upkeep {
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(first),
                fitted.end() - static_cast<std::ptrdiff_t>(refit.added), fitted.end());
-    take(diagnosed_from(session_, options_, all, std::nullopt), "");
+    take(diagnosed_from(session_, options_, all, std::nullopt, most_), "");
   }
 
   void look_for_curve(std::size_t first, std::size_t last) {
@@ -248,14 +250,11 @@ class Upkeep {
 
 }  // namespace
 
-double held_out_error(const Diagnosis& d) {
-  const ErrorSummary& e = d.report.held_out;
-  return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0);
-}
-
 Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
-                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start) {
+                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
+                         const std::optional<double>& most) {
   DiagnosisOptions o;
+  o.most_held_out = most;
   o.effects = options.effects;
   o.estimated = estimated;
   o.start = start;

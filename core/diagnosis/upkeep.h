@@ -7,16 +7,14 @@
 
 namespace handsight {
 
-/// The number by which models are compared: px, or m with a tracker.
-double held_out_error(const Diagnosis& model);
-
 /// Times the held-out error: a rise that no digit shows. What explains the measurements as well with more plausible
 /// numbers is no worse.
 inline constexpr double as_good = 1 + 1e-4;
 
-/// A model with these estimated terms, diagnosed.
+/// A model with these estimated terms, diagnosed unless its held-out error is above `most` (DiagnosisOptions).
 Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
-                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start);
+                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
+                         const std::optional<double>& most = std::nullopt);
 
 /// The terms of one effect that stand together, from `first` on, end there.
 std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first);

@@ -54,7 +54,7 @@ Range tangents(double across, double depth, double radius) {
 /// Per tile, the items whose balls can be seen in it.
 using TileLists = std::vector<std::vector<std::uint16_t>>;
 
-TileLists items_in_tiles(const View& view, const PixelRays& rays) {
+TileLists items_in_tiles(const SceneView& view, const PixelRays& rays) {
   TileLists lists(rays.tile_bounds.size());
   for (std::size_t i = 0; i < view.items.size(); ++i) {
     const Vector3& c = view.items[i].sphere_center;
@@ -98,7 +98,7 @@ bool is_uniform(const Canvas& canvas, int width, int height, int u, int v) {
   return true;
 }
 
-bool is_on_marker(const View& view, const Canvas& canvas, int width, int height, int u, int v) {
+bool is_on_marker(const SceneView& view, const Canvas& canvas, int width, int height, int u, int v) {
   for (int y = std::max(0, v - 1); y <= std::min(height - 1, v + 1); ++y)
     for (int x = std::max(0, u - 1); x <= std::min(width - 1, u + 1); ++x) {
       const auto item = static_cast<int>(canvas.keys[static_cast<std::size_t>(y) * width + x] >> 16) - 2;
@@ -107,7 +107,7 @@ bool is_on_marker(const View& view, const Canvas& canvas, int width, int height,
   return false;
 }
 
-Canvas paint_centres(const View& view, const PixelRays& rays, const TileLists& lists) {
+Canvas paint_centres(const SceneView& view, const PixelRays& rays, const TileLists& lists) {
   const int width = rays.camera.width;
   Canvas canvas;
   canvas.grey.assign(rays.rays.size(), 0.0f);
@@ -149,7 +149,7 @@ void splat(std::vector<float>& grey, int width, int height, int u, int v, double
 }
 
 /// The image that falls on the sensor: pixels that show one thing are taken as evenly lit, the others sample by sample.
-std::vector<float> expose(const View& view, const PixelRays& rays, const PointSpread& spread) {
+std::vector<float> expose(const SceneView& view, const PixelRays& rays, const PointSpread& spread) {
   const int width = rays.camera.width, height = rays.camera.height;
   const TileLists lists = items_in_tiles(view, rays);
   const Canvas canvas = paint_centres(view, rays, lists);
@@ -235,7 +235,7 @@ PixelRays pixel_rays(const Camera& camera) {
 
 Image render(const Scene& scene, const PixelRays& rays, const Rigid& root_from_camera, const Rigid& root_from_tcp,
              const ImageEffects& effects) {
-  const View view = make_view(scene, root_from_camera, root_from_tcp);
+  const SceneView view = make_view(scene, root_from_camera, root_from_tcp);
   const std::vector<float> grey = expose(view, rays, point_spread(effects.blur_px));
   return read_out(grey, rays.camera.width, rays.camera.height, effects);
 }
@@ -260,7 +260,7 @@ bool marker_is_seen(const Scene& scene, const Camera& camera, const Rigid& root_
     places.push_back(camera_from_plate * Vector3(x, y, 0));
   for (const Vector3& place : places)
     if (!is_visible(camera, place, margin_px)) return false;
-  const View view = make_view(scene, root_from_camera, root_from_tcp);
+  const SceneView view = make_view(scene, root_from_camera, root_from_tcp);
   for (const Vector3& place : places) {
     const Hit hit = trace(view, place / place.z());
     if (hit.item < 0 || view.items[static_cast<std::size_t>(hit.item)].marker != marker) return false;

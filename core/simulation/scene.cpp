@@ -96,7 +96,7 @@ void set_light(const Workspace& w, bool shadow, Random& random, Light& light) {
 /// Sticks a plate to what the ray from the camera meets, turned at random; false where it does not lie flat on one
 /// face, is seen too flat, or would touch another plate. The plate's sizes are given for a metre's distance.
 bool stick(Scene& scene, const Workspace& w, const Vector3& direction, Random& random, Plate plate) {
-  const View view = make_view(scene, {Matrix3::Identity(), w.camera}, {Matrix3::Identity(), w.hand});
+  const SceneView view = make_view(scene, {Matrix3::Identity(), w.camera}, {Matrix3::Identity(), w.hand});
   const Hit hit = trace(view, direction);
   if (hit.item == Hit::nothing) return false;
   if (hit.item != Hit::room && view.items[static_cast<std::size_t>(hit.item)].kind != Item::Kind::box) return false;

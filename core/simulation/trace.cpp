@@ -156,7 +156,7 @@ void hit_plate(const Item& item, const Vector3& o, const Vector3& d, int index, 
   }
 }
 
-void hit_room(const View& view, const Vector3& direction, Hit& hit) {
+void hit_room(const SceneView& view, const Vector3& direction, Hit& hit) {
   const Vector3 d = view.root_from_camera.rotation * direction;
   const Vector3& o = view.root_from_camera.translation;
   double leave = 1e30;
@@ -171,7 +171,7 @@ void hit_room(const View& view, const Vector3& direction, Hit& hit) {
   if (leave > nearest_depth && leave < hit.depth) hit = {leave, Hit::room, face, false};
 }
 
-void hit_item(const View& view, int index, const Vector3& direction, Hit& hit) {
+void hit_item(const SceneView& view, int index, const Vector3& direction, Hit& hit) {
   const Item& item = view.items[static_cast<std::size_t>(index)];
   const Vector3& o = item.item_from_camera.translation;
   const Vector3 d = item.item_from_camera.rotation * direction;
@@ -213,8 +213,8 @@ constexpr double wall_grey[6] = {126, 148, 138, 120, 84, 170};
 
 }  // namespace
 
-View make_view(const Scene& scene, const Rigid& root_from_camera, const Rigid& root_from_tcp) {
-  View view;
+SceneView make_view(const Scene& scene, const Rigid& root_from_camera, const Rigid& root_from_tcp) {
+  SceneView view;
   view.scene = &scene;
   view.root_from_camera = root_from_camera;
   const Rigid camera_from_root = inverse(root_from_camera), root_from_root;
@@ -232,21 +232,21 @@ View make_view(const Scene& scene, const Rigid& root_from_camera, const Rigid& r
   return view;
 }
 
-Hit trace(const View& view, const Vector3& direction, std::span<const std::uint16_t> items) {
+Hit trace(const SceneView& view, const Vector3& direction, std::span<const std::uint16_t> items) {
   Hit hit;
   for (const std::uint16_t index : items) hit_item(view, index, direction, hit);
   hit_room(view, direction, hit);
   return hit;
 }
 
-Hit trace(const View& view, const Vector3& direction) {
+Hit trace(const SceneView& view, const Vector3& direction) {
   Hit hit;
   for (std::size_t i = 0; i < view.items.size(); ++i) hit_item(view, static_cast<int>(i), direction, hit);
   hit_room(view, direction, hit);
   return hit;
 }
 
-Vector3 normal_in_root(const View& view, const Vector3& direction, const Hit& hit) {
+Vector3 normal_in_root(const SceneView& view, const Vector3& direction, const Hit& hit) {
   Vector3 normal = Vector3::Zero();
   if (hit.item == Hit::room) {
     normal[hit.part / 2] = hit.part % 2 ? -1 : 1;
@@ -265,7 +265,7 @@ Vector3 normal_in_root(const View& view, const Vector3& direction, const Hit& hi
   return item.root_from_item * (x - nearest) / item.half_size.x();
 }
 
-double grey_at(const View& view, const Vector3& direction, const Hit& hit) {
+double grey_at(const SceneView& view, const Vector3& direction, const Hit& hit) {
   if (hit.item == Hit::nothing) return 0;
   const Vector3 x_in_camera = hit.depth * direction;
   const Vector3 x_in_root = view.root_from_camera * x_in_camera;

@@ -34,7 +34,7 @@ struct Item {
   bool of_hand = false;
 };
 
-struct View {
+struct SceneView {
   const Scene* scene = nullptr;
   Rigid root_from_camera;
   std::vector<Item> items;
@@ -52,18 +52,18 @@ struct Hit {
   std::uint32_t key() const { return static_cast<std::uint32_t>(item + 2) << 16 | static_cast<std::uint32_t>(part); }
 };
 
-View make_view(const Scene& scene, const Rigid& root_from_camera, const Rigid& root_from_tcp);
+SceneView make_view(const Scene& scene, const Rigid& root_from_camera, const Rigid& root_from_tcp);
 
 /// The nearest hit among the items named, or the room.
-Hit trace(const View& view, const Vector3& direction, std::span<const std::uint16_t> items);
+Hit trace(const SceneView& view, const Vector3& direction, std::span<const std::uint16_t> items);
 
 /// The nearest hit among all items, or the room.
-Hit trace(const View& view, const Vector3& direction);
+Hit trace(const SceneView& view, const Vector3& direction);
 
 /// Unit normal at a hit (root frame), toward the camera's side. The hit is not `nothing`.
-Vector3 normal_in_root(const View& view, const Vector3& direction, const Hit& hit);
+Vector3 normal_in_root(const SceneView& view, const Vector3& direction, const Hit& hit);
 
 /// Grey level at a hit, 0 to 255 and beyond where light is strong; 0 for nothing.
-double grey_at(const View& view, const Vector3& direction, const Hit& hit);
+double grey_at(const SceneView& view, const Vector3& direction, const Hit& hit);
 
 }  // namespace handsight

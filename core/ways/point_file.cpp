@@ -12,7 +12,6 @@
 namespace handsight {
 namespace {
 
-constexpr double longest_m = 50;
 constexpr std::size_t most_markers = 64;
 
 struct Triple {

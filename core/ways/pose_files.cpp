@@ -12,8 +12,6 @@
 namespace handsight {
 namespace {
 
-constexpr double longest_m = 50;  // farther than any device sees a hand: the lengths are millimetres
-
 [[noreturn]] void refuse_pose(const std::string& file, std::size_t number, const char* why) {
   throw InputError(
       fmt::format("{}: pose {} {}; expected x y z in m and a unit quaternion x y z w.", file, number, why));

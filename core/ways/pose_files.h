@@ -13,6 +13,9 @@
 
 namespace handsight {
 
+/// m: farther than any device sees a hand. Larger lengths are millimetres.
+inline constexpr double longest_m = 50;
+
 /// Pairs of poses that easy_handeye (1 and 2) has sampled.
 struct HandEyeSamples {
   std::vector<Rigid> base_from_effector, camera_from_target;

@@ -53,7 +53,7 @@ std::optional<JointRead> joint_read(const std::string& name, const Robot& robot)
   return std::nullopt;
 }
 
-int axis_of(const std::string& site) {
+int number_of_axis(const std::string& site) {
   const std::string axis = site.substr(site.rfind('_') + 1);
   for (int i = 0; i < 6; ++i)
     if (axis == motion_axes[i]) return i;
@@ -65,10 +65,10 @@ std::string target_of(const std::string& site, int joint) {
   const std::string at = fmt::format("joint[{}].", joint);
   if (site == "angle" || site == "compliance") return at + site;
   if (site == "bend_compliance") return at + "bend";
-  if (site.starts_with("before_")) return at + fmt::format("before[{}]", axis_of(site));
-  if (site.starts_with("after_")) return at + fmt::format("after[{}]", axis_of(site));
-  if (site.starts_with("hand_")) return fmt::format("whole.hand[{}]", axis_of(site));
-  if (site.starts_with("body_")) return fmt::format("whole.body[{}]", axis_of(site));
+  if (site.starts_with("before_")) return at + fmt::format("before[{}]", number_of_axis(site));
+  if (site.starts_with("after_")) return at + fmt::format("after[{}]", number_of_axis(site));
+  if (site.starts_with("hand_")) return fmt::format("whole.hand[{}]", number_of_axis(site));
+  if (site.starts_with("body_")) return fmt::format("whole.body[{}]", number_of_axis(site));
   if (site == "gravity_rx") return "whole.tilt[0]";
   if (site == "gravity_ry") return "whole.tilt[1]";
   return "";
@@ -129,7 +129,7 @@ class Writer {
   Expression variable(const std::string& name, int own_joint) const {
     if (name == "time") return name_expression("share");
     if (name == "seconds" || name == "order") return name_expression(name);
-    if (name.starts_with("tcp_")) return name_expression(fmt::format("tcp[{}]", axis_of(name)));
+    if (name.starts_with("tcp_")) return name_expression(fmt::format("tcp[{}]", number_of_axis(name)));
     const auto named = joint_read(name, robot_.chain.robot);
     const int at = place_of(named ? named->joint : own_joint);
     check(at >= 0, "the formula of {} reads {}, which is no part of the program", of_, name);

@@ -35,7 +35,7 @@ TEST(Scene, NothingStandsBetweenCameraAndHand) {
     options.seed = seed;
     options.workspace = {random.gaussian3(), random.gaussian3(), random.uniform(0.1, 0.4)};
     const Scene scene = make_scene({}, options);
-    const View view = make_view(scene, {Matrix3::Identity(), options.workspace.camera}, Rigid());
+    const SceneView view = make_view(scene, {Matrix3::Identity(), options.workspace.camera}, Rigid());
     for (int i = 0; i < 200; ++i) {
       const Vector3 place =
           options.workspace.hand + options.workspace.reach * random.uniform() * random.gaussian3().normalized();
