@@ -284,7 +284,7 @@ class Work {
 
   /// Share of a candidate's signal that another effect, at any of its places, can imitate.
   double overlap(const DiagnosisCandidate& a, const RankedEffect& other) {
-    if (!plain_) plain_ = whiten(model_, {}, weighing_.knowledge);
+    if (!plain_) plain_ = score(whiten(model_, {}, weighing_.knowledge), 0, model_.candidates());
     return imitated_share(*plain_, ranked(a.id), other);
   }
 
@@ -296,7 +296,7 @@ class Work {
   LinearModel model_;
   std::vector<Variable> variables_;
   Ranking ranking_;
-  std::optional<WhitenedModel> plain_;
+  std::optional<Score> plain_;  // of all candidates, without scatter
   std::map<std::string, Refit> fits_;
   std::vector<FitIteration> path_;  // of the last refit
   double odds_of_unnamed_ = ln_odds_of_unnamed;

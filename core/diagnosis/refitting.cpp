@@ -137,32 +137,15 @@ std::vector<Eigen::Index> columns_of_units(const RankedEffect& r, bool all) {
   return columns;
 }
 
-/// C_a^T P C_b for two lists of candidate columns.
-Eigen::MatrixXd cross_information(const WhitenedModel& w, const std::vector<Eigen::Index>& a,
-                                  const std::vector<Eigen::Index>& b) {
-  const LinearModel& m = *w.model;
-  Eigen::MatrixXd info(static_cast<Eigen::Index>(a.size()), static_cast<Eigen::Index>(b.size()));
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      double x =
-          w.external.col(m.base + a[i]).dot(w.external.col(m.base + b[j])) - w.shared.col(a[i]).dot(w.shared.col(b[j]));
-      const Eigen::Index ia = m.internal_of[static_cast<std::size_t>(a[i])];
-      const Eigen::Index ib = m.internal_of[static_cast<std::size_t>(b[j])];
-      if (ia >= 0 && ib >= 0) x += m.internal(ia, ib);
-      info(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = x;
-    }
-  return info;
-}
-
 }  // namespace
 
-double imitated_share(const WhitenedModel& w, const RankedEffect& a, const RankedEffect& b) {
+double imitated_share(const Score& all, const RankedEffect& a, const RankedEffect& b) {
   const std::vector<Eigen::Index> own = columns_of_units(a, false), other = columns_of_units(b, true);
   const Eigen::VectorXd value = a.estimate.value;
-  const double signal = value.dot(cross_information(w, own, own) * value);
+  const double signal = value.dot(all.information(own, own) * value);
   if (!(signal > 0)) return 0;
-  const Eigen::VectorXd shared = cross_information(w, other, own) * value;
-  Eigen::MatrixXd information = cross_information(w, other, other);
+  const Eigen::VectorXd shared = all.information(other, own) * value;
+  Eigen::MatrixXd information = all.information(other, other);
   information.diagonal().array() += 1.0 / 9;  // three plausible sizes
   return shared.dot(information.ldlt().solve(shared)) / signal;
 }

@@ -38,8 +38,9 @@ std::vector<EffectTerm> with_best_orders(const CleanFit& model, const std::vecto
 /// Does any further named effect of the catalogue pass the threshold once these are in the model?
 bool further_effect_passes(const Refit& refit, double threshold);
 
-/// The share of what `a` does to the measurements (at its estimate) that `b` can imitate with plausible numbers.
-double imitated_share(const WhitenedModel& w, const RankedEffect& a, const RankedEffect& b);
+/// The share of what `a` does to the measurements (at its estimate) that `b` can imitate with plausible numbers. `all`
+/// is the score of every candidate's columns together.
+double imitated_share(const Score& all, const RankedEffect& a, const RankedEffect& b);
 
 /// Terms whose choices (an observation from which on they act, a form) are those that suit the session best, every
 /// other choice compared with the model without them.

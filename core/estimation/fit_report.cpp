@@ -108,26 +108,26 @@ double size_of(const Problem& problem, const Eigen::VectorXd& step) {
   return size;
 }
 
-/// The answer on a part of a fit's observations by steps of Gauss and Newton with the whole fit's derivatives; nothing
-/// where it is so far off that they do not lead there.
+/// The answer on a part of a fit's observations by steps of Gauss and Newton from the whole fit's; nothing where they
+/// do not lead there.
 std::optional<Unknowns> nearby_estimate(const Fit& fit, const std::vector<char>& trains) {
   constexpr double near = 5e-4;  // a first step that short needs no second one
   constexpr double settled = 1e-6;
-  constexpr int most_steps = 12;
+  constexpr int most_steps = 16;
   const double little = 1e-3 * fit.residual_rms * fit.residual_rms;  // of the squares: no residual shows it
   Problem part = part_of(fit.problem, trains);
   Unknowns unknowns = estimate(fit);
   NormalEquations normal = normal_equations(part, unknowns);
-  const Eigen::MatrixXd inverse = pseudo_inverse(normal.information);
+  const double first_cost = normal.cost;
   double last = 0;
   for (int i = 0; i < most_steps; ++i) {
-    const Eigen::VectorXd step = inverse * normal.gradient;
-    const double size = size_of(part, step);
-    if (i > 0 && size > 0.7 * last) return std::nullopt;
+    const Eigen::VectorXd step = pseudo_inverse(normal.information) * normal.gradient;
+    const double size = size_of(part, step), gain = normal.gradient.dot(step);
+    // The first step may go too far, where little is seen; those after it lead back.
+    if (i > 1 && (gain > 0.9 * last || normal.cost > first_cost)) return std::nullopt;
     unknowns = moved(part, unknowns, step);
-    const bool gains_little = normal.gradient.dot(step) < little;
-    if (size < settled || gains_little || (i == 0 && size < near)) return unknowns;
-    last = size;
+    if (size < settled || gain < little || (i == 0 && size < near)) return unknowns;
+    last = gain;
     follow_effects(part, unknowns.effects);
     normal = normal_equations(part, unknowns);
   }
