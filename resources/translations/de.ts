@@ -38,15 +38,15 @@
     </message>
     <message>
         <source>Being worked out over %1 poses like the measured ones ...</source>
-        <translation>Wird über %1 Posen wie die gemessenen berechnet ...</translation>
+        <translation>Wird über %1 Stellungen wie die gemessenen berechnet ...</translation>
     </message>
     <message>
         <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when the corrected angles are commanded: handsight-cli correct, or the exported C++ and Python files.</source>
-        <translation>Über %1 Posen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden: handsight-cli correct, oder die exportierten C++- und Python-Dateien.</translation>
+        <translation>Über %1 Stellungen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden: handsight-cli correct, oder die exportierten C++- und Python-Dateien.</translation>
     </message>
     <message>
         <source>%1 of the poses cannot be corrected within the joints' limits.</source>
-        <translation>%1 der Posen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
+        <translation>%1 der Stellungen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
     </message>
     <message>
         <source> Larger than robots are built, so it stands in for another cause: %1.</source>
@@ -1118,6 +1118,10 @@
     <message>
         <source>F, 1 … 6, 0</source>
         <translation>F, 1 … 6, 0</translation>
+    </message>
+    <message>
+        <source>Before you use it</source>
+        <translation>Vor dem Gebrauch</translation>
     </message>
     <message>
         <source>File to write</source>
@@ -2981,7 +2985,7 @@
     </message>
     <message>
         <source>at the noise, not all named</source>
-        <translation>beim Rauschen, nicht alles benannt</translation>
+        <translation>Rest ohne Namen</translation>
     </message>
     <message>
         <source>before</source>
@@ -3185,7 +3189,7 @@
     </message>
     <message>
         <source>joint angles in rad, in the session's order</source>
-        <translation>Gelenkwinkel in rad, in der Reihenfolge der Sitzung</translation>
+        <translation>Gelenkwinkel in rad, wie in der Sitzung</translation>
     </message>
     <message>
         <source>key</source>
@@ -4131,7 +4135,7 @@
     </message>
     <message>
         <source>Cannot be told from %1 on these poses.</source>
-        <translation>In diesen Posen nicht zu unterscheiden von: %1.</translation>
+        <translation>In diesen Stellungen nicht zu unterscheiden von: %1.</translation>
     </message>
     <message>
         <source>Check: %1</source>
@@ -4139,7 +4143,7 @@
     </message>
     <message>
         <source>These poses could not show it, if it were there.</source>
-        <translation>Diese Posen könnten es nicht zeigen, wenn es da wäre.</translation>
+        <translation>Diese Stellungen könnten es nicht zeigen, wenn es da wäre.</translation>
     </message>
     <message>
         <source>Try it on the robot and type what it shows.</source>
@@ -4199,7 +4203,7 @@
     </message>
     <message>
         <source>unseen on these poses</source>
-        <translation>in diesen Posen unsichtbar</translation>
+        <translation>in diesen Stellungen unsichtbar</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -4367,7 +4371,7 @@
     </message>
     <message>
         <source>The hand is %1 mm from where it was in the mean over these poses, at most %2 mm.</source>
-        <translation>Die Hand ist im Mittel über diese Posen %1 mm von da, wo sie war, höchstens %2 mm.</translation>
+        <translation>Die Hand ist im Mittel über diese Stellungen %1 mm von da, wo sie war, höchstens %2 mm.</translation>
     </message>
     <message>
         <source>%1: %2 %3</source>
@@ -4451,7 +4455,7 @@
     </message>
     <message>
         <source>TCP→Body, position: %1</source>
-        <translation>TCP→Body, Position: %1</translation>
+        <translation>TCP→Body, Ort: %1</translation>
     </message>
     <message>
         <source>TCP→Body, rotation: %1</source>
@@ -4720,6 +4724,26 @@
     <message>
         <source>Making a session</source>
         <translation>Eine Sitzung wird angelegt</translation>
+    </message>
+    <message>
+        <source>Stops what is being made; nothing of it stays (Esc)</source>
+        <translation>Hält an, was angelegt wird; nichts davon bleibt (Esc)</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was made.</source>
+        <translation>Angehalten; es wurde nichts angelegt.</translation>
+    </message>
+    <message>
+        <source>It was made before it could be stopped: %1 in %2.</source>
+        <translation>Die Sitzung war angelegt, ehe sich das anhalten ließ: %1 in %2.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
     </message>
     <message>
         <source>Made: %1 in %2.</source>
@@ -5838,6 +5862,18 @@
         <translation>eine Kurve davon</translation>
     </message>
     <message>
+        <source>dying away within %1 % of the session</source>
+        <translation>klingt innerhalb von %1 % der Sitzung ab</translation>
+    </message>
+    <message>
+        <source>a step at %1</source>
+        <translation>eine Stufe bei %1</translation>
+    </message>
+    <message>
+        <source>its cube</source>
+        <translation>seine dritte Potenz</translation>
+    </message>
+    <message>
         <source>its product with the %1</source>
         <translation>ihr Produkt mit %1</translation>
     </message>
@@ -5943,7 +5979,7 @@
     </message>
     <message>
         <source>Nothing has changed that these poses show: cameras, hand and arm are as they were.</source>
-        <translation>Nichts hat sich geändert, was diese Posen zeigen: Kameras, Hand und Arm sind, wie sie waren.</translation>
+        <translation>Nichts hat sich geändert, was diese Stellungen zeigen: Kameras, Hand und Arm sind, wie sie waren.</translation>
     </message>
     <message>
         <source>arm and hand are as they were</source>
@@ -5963,7 +5999,7 @@
     </message>
     <message>
         <source>or it is %1, which these poses do not tell apart</source>
-        <translation>oder es ist %1, was sich mit diesen Posen nicht unterscheiden lässt</translation>
+        <translation>oder es ist %1, was sich mit diesen Stellungen nicht unterscheiden lässt</translation>
     </message>
     <message>
         <source>The %1 turned by %2 and moved by %3 on its mount</source>
@@ -7131,11 +7167,11 @@
     </message>
     <message>
         <source>Neither the calibration nor the session says where the sensor sits: a few poses cannot tell it.</source>
-        <translation>Weder die Kalibrierung noch die Sitzung sagt, wo der Sensor sitzt: aus wenigen Posen lässt es sich nicht finden.</translation>
+        <translation>Weder die Kalibrierung noch die Sitzung sagt, wo der Sensor sitzt: aus wenigen Stellungen lässt es sich nicht finden.</translation>
     </message>
     <message>
         <source>The session has no observation with markers that can be used; label some poses.</source>
-        <translation>Die Sitzung hat keine Beobachtung mit Markern, die sich verwenden lässt; einige Posen beschriften.</translation>
+        <translation>Die Sitzung hat keine Beobachtung mit Markern, die sich verwenden lässt; einige Stellungen beschriften.</translation>
     </message>
     <message>
         <source>%1: has no &lt;robot&gt; with the tcp link or no &lt;joints&gt; with their order; predict from its session.</source>

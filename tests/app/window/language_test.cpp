@@ -57,6 +57,10 @@ QStringList places_in(const QString& text) {
   return places;
 }
 
+TEST(Language, WhatTheCoreWritesForTerminalsHasItsSignsInTheWindow) {
+  EXPECT_EQ(app::translated("It is 1.2 +- 0.1 mm."), QString("It is 1.2 ± 0.1 mm."));
+}
+
 TEST(Language, EveryTextOfTheWindowIsTranslated) {
   const app::Translation german("de");
   const auto texts = texts_of_the_sources();
