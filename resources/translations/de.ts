@@ -2060,8 +2060,16 @@
         <translation>Rechte Bilder</translation>
     </message>
     <message>
-        <source>Right only together with %1. Used alone, TCP→Body misses by %2 mm on these poses.</source>
-        <translation>Richtig nur zusammen mit %1. Allein benutzt liegt TCP→Body in diesen Stellungen um %2 mm daneben.</translation>
+        <source>%1 about %2</source>
+        <translation>%1 um %2</translation>
+    </message>
+    <message>
+        <source>%1 along %2</source>
+        <translation>%1 längs %2</translation>
+    </message>
+    <message>
+        <source>Right only together with: %1. Used alone, TCP→Body misses by %2 mm on these poses.</source>
+        <translation>Richtig nur zusammen mit: %1. Allein benutzt liegt TCP→Body in diesen Stellungen um %2 mm daneben.</translation>
     </message>
     <message>
         <source>Right only together with the camera mount that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
@@ -5334,6 +5342,14 @@
         <translation>Anteil der Sitzung</translation>
     </message>
     <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>bow</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
         <source>sine</source>
         <translation>Sinus</translation>
     </message>
@@ -7184,6 +7200,74 @@
     <message>
         <source>second</source>
         <translation>zweiten</translation>
+    </message>
+    <message>
+        <source>The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is known write it into &lt;pose_sensor&gt;: sigma (m) and sigma_angle (rad).</source>
+        <translation>Die Lage des Ziels zählt ganz, Ort und Drehung; wie genau der Sensor sie angibt, wird geschätzt. Wo es bekannt ist, in &lt;pose_sensor&gt; schreiben: sigma (m) und sigma_angle (rad).</translation>
+    </message>
+    <message>
+        <source>topic %1 (%2, %3 messages) is left out.</source>
+        <translation>Topic %1 (%2, %3 Nachrichten) bleibt weg.</translation>
+    </message>
+    <message>
+        <source>%1 joints that were published are no moving joints of the robot and are left out.</source>
+        <translation>%1 veröffentlichte Gelenke sind keine beweglichen Gelenke des Roboters und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>of its cameras the first %1 are taken, the others are left out.</source>
+        <translation>von seinen Kameras werden die ersten %1 genommen, die anderen bleiben weg.</translation>
+    </message>
+    <message>
+        <source>The calibration of the %1 camera has width and height swapped; %2 x %3 px of the images is taken.</source>
+        <translation>Die Kalibrierung der Kamera %1 hat Breite und Höhe vertauscht; %2 x %3 px der Bilder wird genommen.</translation>
+    </message>
+    <message>
+        <source>The robot is the one that the bag publishes as robot_description.</source>
+        <translation>Der Roboter ist der, den das Bag als robot_description veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 left images have no right image within 10 ms and are left out.</source>
+        <translation>%1 von %2 linken Bildern haben kein rechtes Bild innerhalb von 10 ms und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>The target is the frame %1 that /tf gives in %2.</source>
+        <translation>Das Ziel ist der Rahmen %1, den /tf in %2 angibt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 measurements are left out: %3.</source>
+        <translation>%1 von %2 Messungen bleiben weg: %3.</translation>
+    </message>
+    <message>
+        <source>No robot is known, only where its flange is: what bends or is off in its joints cannot be told apart; name its URDF and a table of joint readings for that.</source>
+        <translation>Kein Roboter ist bekannt, nur wo sein Flansch ist: was sich in den Gelenken biegt oder falsch ist, lässt sich nicht unterscheiden; nenne dafür seine URDF und eine Tabelle von Gelenkwerten.</translation>
+    </message>
+    <message>
+        <source>%1 points were not seen by the device; they are left out.</source>
+        <translation>%1 Punkte hat das Gerät nicht gesehen; sie bleiben weg.</translation>
+    </message>
+    <message>
+        <source>no link has a mass: springs cannot show, and gravity bends nothing. Put the masses of the maker's data sheet into &lt;inertial&gt;.</source>
+        <translation>kein Glied hat eine Masse: Federn können sich nicht zeigen, und die Schwerkraft biegt nichts. Setze die Massen aus dem Datenblatt des Herstellers in &lt;inertial&gt; ein.</translation>
+    </message>
+    <message>
+        <source>%1 moving links have no mass: %2. What gravity does through them is missing.</source>
+        <translation>%1 bewegliche Glieder haben keine Masse: %2. Was die Schwerkraft durch sie tut, fehlt.</translation>
+    </message>
+    <message>
+        <source>has no header; its columns are taken for %1</source>
+        <translation>hat keine Kopfzeile; ihre Spalten werden genommen für %1</translation>
+    </message>
+    <message>
+        <source>angles are read as degrees.</source>
+        <translation>Winkel werden als Grad gelesen.</translation>
+    </message>
+    <message>
+        <source>lengths of %1 are taken for millimetres; a session holds metres.</source>
+        <translation>Längen von %1 werden für Millimeter gehalten; eine Sitzung hat Meter.</translation>
+    </message>
+    <message>
+        <source>the times are taken for %1.</source>
+        <translation>die Zeiten werden genommen für %1.</translation>
     </message>
 </context>
 <context>
