@@ -98,6 +98,7 @@ void MissingPane::make_until_it_stops() {
     until_it_stops_->setText(adding_on_->is_running() ? tr("Stop") : tr("Add until it stops"));
     pause_->setText(adding_on_->is_paused() ? tr("Go on") : tr("Pause"));
     pause_->setVisible(adding_on_->is_running());
+    allow_until_it_stops();
   };
   show_state();
   connect(adding_on_, &AddingOn::changed, this, show_state);
@@ -185,10 +186,18 @@ void MissingPane::refresh_truth() {
 
 void MissingPane::refresh() {
   refresh_cards();
-  const bool can_begin = cards_->count() > 0 && cards_->card(0)->state().kind == widgets::CardKind::candidate &&
-                         cards_->card(0)->state().can_add;
-  until_it_stops_->setEnabled(can_begin || adding_on_->is_running());
+  allow_until_it_stops();
   adding_on_->look();
+}
+
+/// Where nothing is left to add it would do nothing. What no robot is built like stands behind what is said of it.
+void MissingPane::allow_until_it_stops() {
+  bool can_begin = false;
+  for (int i = 0; i < cards_->count(); ++i) {
+    const widgets::CardState& card = cards_->card(i)->state();
+    can_begin = can_begin || (card.kind == widgets::CardKind::candidate && card.can_add);
+  }
+  until_it_stops_->setEnabled(can_begin || adding_on_->is_running());
 }
 
 void MissingPane::refresh_cards() {

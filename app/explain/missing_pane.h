@@ -44,6 +44,7 @@ class MissingPane : public QWidget {
  private:
   void make_layout();
   void make_until_it_stops();
+  void allow_until_it_stops();
   void refresh_cards();
   void connect_all();
   void refresh_truth();

@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -101,16 +102,30 @@ QWidget* ExportWorkspace::make_right() {
 }
 
 void ExportWorkspace::make_layout() {
-  before_ = new QWidget(this);
-  remarks_ = new QVBoxLayout(before_);
+  told_ = new QWidget;
+  told_->setAutoFillBackground(true);
+  remarks_ = new QVBoxLayout(told_);
   remarks_->setContentsMargins(12, 8, 12, 8);
   remarks_->setSpacing(4);
-  before_->setAutoFillBackground(true);
+  before_ = new QScrollArea(this);
+  before_->setObjectName("export_remarks");
+  before_->setAccessibleName(tr("Before you use it"));
+  before_->setWidget(told_);
+  before_->setWidgetResizable(true);
+  before_->setFrameShape(QFrame::NoFrame);
+  before_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   body_ = new QWidget(this);
   auto* columns = new QHBoxLayout(body_);
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(16);
-  columns->addWidget(make_left(), 45);
+  auto* left = new QScrollArea(body_);
+  left->setWidget(make_left());
+  left->setWidgetResizable(true);
+  left->setFrameShape(QFrame::NoFrame);
+  left->setFocusPolicy(Qt::NoFocus);
+  left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  left->setMinimumWidth(left->widget()->minimumSizeHint().width());
+  columns->addWidget(left, 45);
   columns->addWidget(make_right(), 55);
   empty_ = new QLabel(tr("Nothing to export: TCP→Body has not been estimated."), this);
   empty_->setAlignment(Qt::AlignCenter);

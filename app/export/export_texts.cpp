@@ -164,7 +164,7 @@ std::vector<ExportRemark> export_remarks(const Document& document, const ModelVe
                      "poses like these."),
          false});
   if (!model.fit->effects.empty())
-    remarks.push_back({QObject::tr("Right only together with %1. Used alone, TCP→Body misses by %2 mm on these poses.")
+    remarks.push_back({QObject::tr("Right only together with: %1. Used alone, TCP→Body misses by %2 mm on these poses.")
                            .arg(effects_text(document.session(), *model.fit),
                                 widgets::short_text(1e3 * moved_by_effects(*model.fit))),
                        false});

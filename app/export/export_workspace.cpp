@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSet>
 #include <QTableWidget>
 #include <QTextBlock>
@@ -125,16 +127,33 @@ void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
   if (!model) return;
   bool any_warning = false;
   std::vector<ExportRemark> remarks = export_remarks(bench_.document, *model);
+  std::stable_partition(remarks.begin(), remarks.end(), [](const ExportRemark& remark) { return remark.is_warning; });
   remarks.insert(remarks.begin(), verdict_remark(verdict(*model), *model));
   for (const ExportRemark& remark : remarks) {
-    auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, before_);
+    auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, told_);
     label->setWordWrap(true);
     remarks_->addWidget(label);
     any_warning = any_warning || remark.is_warning;
   }
-  QPalette tinted = before_->palette();
+  QPalette tinted = told_->palette();
   tinted.setColor(QPalette::Window, any_warning ? colors().care_tint : colors().good_tint);
-  before_->setPalette(tinted);
+  told_->setPalette(tinted);
+  fit_remarks();
+}
+
+/// However much there is to say, what is exported stays in sight, and the button that saves it.
+void ExportWorkspace::fit_remarks() {
+  if (remarks_->isEmpty()) return;
+  const int least = 100, wanted = told_->heightForWidth(width() - 32), most = std::max(height() / 5, least);
+  // A bar that is there takes room, and by that seems needed where it is not.
+  before_->setVerticalScrollBarPolicy(wanted > most ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+  before_->setFixedHeight(std::min(wanted, most));
+  before_->verticalScrollBar()->setValue(0);
+}
+
+void ExportWorkspace::resizeEvent(QResizeEvent* event) {
+  Workspace::resizeEvent(event);
+  fit_remarks();
 }
 
 void ExportWorkspace::refresh_motion() {

@@ -10,6 +10,7 @@ class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
+class QScrollArea;
 class QTableWidget;
 class QVBoxLayout;
 
@@ -28,6 +29,7 @@ class ExportWorkspace : public Workspace {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;  // the table's new width
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void make_layout();
@@ -38,6 +40,7 @@ class ExportWorkspace : public Workspace {
   void fit_columns();
   widgets::SessionVerdict verdict(const ModelVersion& model) const;
   void refresh_remarks(const ModelVersion* model);
+  void fit_remarks();
   void refresh_excluded(const ModelVersion& model);
   void show_changes(const QString& text);
   void save_xml();
@@ -46,7 +49,8 @@ class ExportWorkspace : public Workspace {
   MotionForm form() const;
   std::filesystem::path path() const;
 
-  QWidget *before_, *body_;
+  QScrollArea* before_;
+  QWidget *told_, *body_;
   QVBoxLayout* remarks_;
   CorrectionBox* correction_;
   QButtonGroup* forms_;

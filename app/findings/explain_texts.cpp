@@ -105,7 +105,11 @@ QString blame_sentence(const std::optional<widgets::Blame>& blame, bool in_pixel
 QString adequate_sentence(const Diagnosis& d, const Told& t) {
   QString text = QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
   QStringList unseen;
-  for (const std::string& id : d.invisible) unseen << effect_of(id, {});
+  // What is in the model was seen, if not in every place that it could have.
+  const std::vector<EffectTerm> seen = terms_of(d.model.fit);
+  for (const std::string& id : d.invisible)
+    if (std::none_of(seen.begin(), seen.end(), [&](const EffectTerm& term) { return term.id == id; }))
+      unseen << effect_of(id, {});
   constexpr qsizetype most = 3;
   if (unseen.size() > most) unseen = unseen.mid(0, most) << QObject::tr("%1 more").arg(unseen.size() - most);
   if (!unseen.isEmpty()) text += ' ' + QObject::tr("These poses could not show: %1.").arg(unseen.join(", "));

@@ -112,9 +112,12 @@ void Jobs::stop() {
   emit stopped(title);
 }
 
+bool Jobs::is_waiting(const QString& kind) const {
+  return std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& job) { return job->kind == kind; });
+}
+
 bool Jobs::is_busy(const QString& kind) const {
-  return (running_ && running_->kind == kind && !running_->control.is_cancelled()) ||
-         std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& job) { return job->kind == kind; });
+  return (running_ && running_->kind == kind && !running_->control.is_cancelled()) || is_waiting(kind);
 }
 
 JobState Jobs::state() const {

@@ -69,6 +69,8 @@ class Jobs : public QObject {
   void hold(bool held) { held_ = held; }
   bool is_busy() const { return running_ != nullptr || !waiting_.empty(); }
   bool is_busy(const QString& kind) const;
+  /// Has a job of that kind not begun?
+  bool is_waiting(const QString& kind) const;
   JobState state() const;
 
  signals:

@@ -2,6 +2,7 @@
 #include "wizard/files_wizard.h"
 
 #include <QCheckBox>
+#include <QCloseEvent>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
@@ -12,7 +13,6 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPointer>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QUrl>
@@ -76,9 +76,20 @@ void FilesWizard::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
 }
 
-/// What is being made is made to its end: half a session helps nobody.
-void FilesWizard::reject() {
-  if (!is_busy_) QDialog::reject();
+FilesWizard::~FilesWizard() {
+  if (is_stopped_) *is_stopped_ = true;
+}
+
+/// Esc: while a session is being made, that alone is stopped.
+void FilesWizard::reject() { is_busy_ ? stop_making() : QDialog::reject(); }
+
+/// Closed, or cancelled: nobody waits for what is being made.
+void FilesWizard::closeEvent(QCloseEvent* event) {
+  if (is_busy_) {
+    stop_making();
+    is_busy_ = false;
+  }
+  QDialog::closeEvent(event);
 }
 
 void FilesWizard::add(const std::vector<std::filesystem::path>& files) {
@@ -139,7 +150,9 @@ void FilesWizard::read() {
       n.kind = file_kind(n.path, robot_ ? &robot_->robot : nullptr);
       n.refusal.clear();
     } catch (const std::exception& error) {
-      n.refusal = translated_error(error);
+      // As the others are named; the tool tip has the whole path.
+      n.refusal = in_words_of_window(translated_error(error))
+                      .replace(QString::fromStdString(n.path.string()), shown_name(n.path));
     }
     auto* item = new QListWidgetItem(n.kind ? tr("%1: %2").arg(shown_name(n.path), translated(kind_text(*n.kind)))
                                             : QString::fromUtf8("✗ ") + n.refusal);
@@ -244,39 +257,81 @@ void FilesWizard::make() {
   std::vector<std::filesystem::path> files;
   for (const Named& n : files_) files.push_back(n.path);
   is_busy_ = true;
-  progress_->show();
-  cancel_->setEnabled(false);
+  is_stopped_ = std::make_shared<std::atomic<bool>>(false);
+  content_->setEnabled(false);
+  stop_->setEnabled(true);
+  working_->show();
+  stop_->setFocus();
   said_->setText(tr("The session is being made …"));
   refresh();
-  const auto ended = [this] {
-    is_busy_ = false;
-    progress_->hide();
-    cancel_->setEnabled(true);
-  };
-  jobs_.start<std::shared_ptr<const Conversion>>(
+  using Made = std::shared_ptr<const Conversion>;
+  jobs_.start<Made>(
       "convert", tr("Making a session"),
-      [files, options = options()](JobControl&) { return std::make_shared<const Conversion>(convert(files, options)); },
-      [self = QPointer(this), ended](const std::shared_ptr<const Conversion>& made) {
-        if (!self) return;
-        ended();
-        self->show_made(*made);
+      [files, options = options(), is_stopped = is_stopped_](JobControl& control) mutable -> Made {
+        options.goes_on = [&] { return !*is_stopped && !control.is_cancelled(); };
+        try {
+          return std::make_shared<const Conversion>(convert(files, options));
+        } catch (const ConversionStopped&) {
+          return nullptr;
+        }
       },
-      [self = QPointer(this), ended](const QString& sentence) {
+      [self = QPointer(this)](const Made& made) {
         if (!self) return;
-        ended();
-        self->refresh();
-        self->said_->setText(QString::fromUtf8("✗ ") + sentence);
+        self->end_making();
+        made ? self->show_made(*made) : self->said_->setText(tr("Stopped; nothing was made."));
+      },
+      [self = QPointer(this)](const QString& sentence) {
+        if (!self) return;
+        self->end_making();
+        self->said_->setText(QString::fromUtf8("✗ ") + self->in_words_of_window(sentence));
       });
+}
+
+/// Only when the worker has taken back what it wrote nothing was made.
+void FilesWizard::stop_making() {
+  *is_stopped_ = true;
+  stop_->setEnabled(false);
+  said_->setText(tr("Stopping …"));
+  if (!jobs_.is_waiting("convert")) return;
+  jobs_.cancel("convert");
+  end_making();
+  said_->setText(tr("Stopped; nothing was made."));
+}
+
+void FilesWizard::end_making() {
+  is_busy_ = false;
+  content_->setEnabled(true);
+  working_->hide();
+  refresh();
+  make_->setFocus();
+}
+
+/// The engine speaks of the command line's options; here they are called as the questions are.
+QString FilesWizard::in_words_of_window(QString sentence) const {
+  const auto asked = [this](QWidget* field) { return static_cast<QLabel*>(questions_->labelForField(field))->text(); };
+  // Of two that begin alike the longer one first.
+  const std::pair<const char*, QString> words[] = {{"--target-frame", asked(frame_)},
+                                                   {"--target", asked(shown_)},
+                                                   {"--tcp", asked(tcp_)},
+                                                   {"--mount", asked(mount_)},
+                                                   {"--still", asked(still_)},
+                                                   {"--estimate-lag", find_lag_->text()},
+                                                   {"--lag", find_lag_->text()},
+                                                   {"--eye-on-base", eye_on_base_->text()},
+                                                   {"--degrees", degrees_->text()},
+                                                   {"--robot", tr("Add files…")}};
+  for (const auto& [option, word] : words) sentence.replace(QLatin1String(option), tr("“%1”").arg(word));
+  return sentence;
 }
 
 /// What was understood and what was left out stands there before the session opens.
 void FilesWizard::show_made(const Conversion& made) {
   made_ = QString::fromStdString(made.session.file.string());
-  said_->setText(tr("Made: %1 in %2.")
+  said_->setText((*is_stopped_ ? tr("It was made before it could be stopped: %1 in %2.") : tr("Made: %1 in %2."))
                      .arg(counted(static_cast<qint64>(made.session.observations.size()), "%n observation(s)"),
                           QString::fromStdString(made.session.file.parent_path().string())));
   report_->setPlainText(made.notes.empty() ? tr("Nothing was left out.")
-                                           : lines_of(made.notes, QString::fromUtf8("• ")));
+                                           : in_words_of_window(lines_of(made.notes, QString::fromUtf8("• "))));
   report_->show();
   make_->setText(tr("Open it"));
   make_->setEnabled(true);

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <QDialog>
+#include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,7 +24,6 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
-class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
@@ -38,11 +39,15 @@ class FilesWizard : public QDialog {
   static FilesWizard* run(QWidget& window, Jobs& jobs, std::vector<std::filesystem::path> files,
                           std::function<void(const QString& path)> open);
 
+  /// What it is making is no longer wanted.
+  ~FilesWizard() override;
+
   void add(const std::vector<std::filesystem::path>& files);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
   void reject() override;
 
  private:
@@ -70,6 +75,9 @@ class FilesWizard : public QDialog {
   QString what_is_missing() const;
   ConvertOptions options() const;
   void make();
+  void stop_making();
+  void end_making();
+  QString in_words_of_window(QString sentence) const;
   void show_made(const Conversion& made);
   void open_made();
 
@@ -80,8 +88,10 @@ class FilesWizard : public QDialog {
   std::vector<std::string> offered_;  // links that the combo boxes hold
   QString made_;                      // session.xml, once it is made
   bool is_busy_ = false, names_folder_ = false;
+  std::shared_ptr<std::atomic<bool>> is_stopped_;  // what is being made; the worker asks
+  QWidget *content_, *working_;                    // what is entered; what is there while it is made
   QListWidget* list_;
-  QPushButton *remove_, *make_, *cancel_;
+  QPushButton *remove_, *make_, *stop_;
   QFormLayout* questions_;
   QComboBox *tcp_, *mount_, *shown_;
   QCheckBox *degrees_, *eye_on_base_, *find_lag_;
@@ -91,7 +101,6 @@ class FilesWizard : public QDialog {
   TargetForm* target_;
   QLabel* said_;
   QPlainTextEdit* report_;
-  QProgressBar* progress_;
 };
 
 }  // namespace handsight::app

@@ -37,7 +37,7 @@ FilesWizard::FilesWizard(QWidget& window, Jobs& jobs, std::function<void(const Q
 }
 
 void FilesWizard::make_layout() {
-  auto* content = new QWidget;
+  auto* content = content_ = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 8, 0);
   auto* intro = new QLabel(
@@ -90,23 +90,35 @@ void FilesWizard::make_layout() {
   said_->setObjectName("files_said");
   said_->setWordWrap(true);
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  progress_ = new QProgressBar(this);
-  progress_->setRange(0, 0);
-  progress_->setTextVisible(false);
-  progress_->setFixedHeight(6);
-  progress_->hide();
+  // Stop has a place of its own: whoever presses it a moment too late presses nothing else.
+  working_ = new QWidget(this);
+  auto* progress = new QProgressBar(working_);
+  progress->setRange(0, 0);
+  progress->setTextVisible(false);
+  progress->setFixedHeight(6);
+  stop_ = new QPushButton(tr("Stop"), working_);
+  stop_->setObjectName("files_stop");
+  stop_->setToolTip(tr("Stops what is being made; nothing of it stays (Esc)"));
+  stop_->setAutoDefault(false);
+  stop_->setMinimumHeight(widgets::kControlHeight);
+  auto* working = new QHBoxLayout(working_);
+  working->setContentsMargins(0, 0, 0, 0);
+  working->addWidget(progress, 1);
+  working->addWidget(stop_);
+  working_->hide();
   auto* buttons = new QDialogButtonBox(this);
   make_ = buttons->addButton(tr("Make the session"), QDialogButtonBox::ActionRole);
   make_->setObjectName("files_make");
   make_->setDefault(true);
-  cancel_ = buttons->addButton(QDialogButtonBox::Cancel);
-  cancel_->setObjectName("files_cancel");
-  cancel_->setIcon({});
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  QPushButton* cancel = buttons->addButton(QDialogButtonBox::Cancel);
+  cancel->setObjectName("files_cancel");
+  cancel->setIcon({});
+  cancel->setAutoDefault(false);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QWidget::close);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll, 1);
   layout->addWidget(said_);
-  layout->addWidget(progress_);
+  layout->addWidget(working_);
   layout->addWidget(buttons);
 }
 
@@ -116,6 +128,7 @@ void FilesWizard::add_questions() {
   const auto add = [&](const char* name, auto* field, const QString& text) {
     field->setObjectName(name);
     field->setMinimumHeight(widgets::kControlHeight);
+    if (qobject_cast<QComboBox*>(field)) field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     questions_->addRow(text, field);
     return field;
   };
@@ -154,6 +167,7 @@ void FilesWizard::connect_all() {
   connect(out_, &QLineEdit::textChanged, this, &FilesWizard::refresh);
   connect(out_, &QLineEdit::textEdited, this, [this] { names_folder_ = true; });
   connect(make_, &QPushButton::clicked, this, [this] { made_.isEmpty() ? make() : open_made(); });
+  connect(stop_, &QPushButton::clicked, this, &FilesWizard::stop_making);
 }
 
 void FilesWizard::choose_files() {

@@ -5,14 +5,19 @@
 #include <QObject>
 
 namespace handsight::app {
+namespace {
 
-QString translated(const std::string& english) {
-  return english.empty() ? QString() : QCoreApplication::translate("core", english.c_str());
+/// The core writes what every terminal has.
+QString said_in(const char* context, const std::string& english) {
+  if (english.empty()) return {};
+  return QCoreApplication::translate(context, english.c_str()).replace(" +- ", QString::fromUtf8(" ± "));
 }
 
-QString translated_of_file(const std::string& english) {
-  return english.empty() ? QString() : QCoreApplication::translate("errors", english.c_str());
-}
+}  // namespace
+
+QString translated(const std::string& english) { return said_in("core", english); }
+
+QString translated_of_file(const std::string& english) { return said_in("errors", english); }
 
 QString translated_error(const std::exception& error) { return translated_of_file(error.what()); }
 

@@ -111,7 +111,7 @@ CurveShape shape_of(const ShapeVariable& v, ShapeFamily family, double setting) 
     case ShapeFamily::decay:
       set_one(s, (-share_of_session(v.variable->values) / s.setting).exp(),
               "exp(-" + v.variable->formula + "/" + k + ")");
-      s.text = fmt::format("dying away within {} of the session", k);
+      s.text = fmt::format("dying away within {} % of the session", short_number(100 * s.setting));
       break;
     case ShapeFamily::product:
       set_one(s, v.variable->values.array() * v.other->values.array(), v.variable->formula + "*" + v.other->formula);

@@ -38,15 +38,15 @@
     </message>
     <message>
         <source>Being worked out over %1 poses like the measured ones ...</source>
-        <translation>Wird über %1 Posen wie die gemessenen berechnet ...</translation>
+        <translation>Wird über %1 Stellungen wie die gemessenen berechnet ...</translation>
     </message>
     <message>
         <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when the corrected angles are commanded: handsight-cli correct, or the exported C++ and Python files.</source>
-        <translation>Über %1 Posen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden: handsight-cli correct, oder die exportierten C++- und Python-Dateien.</translation>
+        <translation>Über %1 Stellungen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden: handsight-cli correct, oder die exportierten C++- und Python-Dateien.</translation>
     </message>
     <message>
         <source>%1 of the poses cannot be corrected within the joints' limits.</source>
-        <translation>%1 der Posen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
+        <translation>%1 der Stellungen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
     </message>
     <message>
         <source> Larger than robots are built, so it stands in for another cause: %1.</source>
@@ -1120,6 +1120,10 @@
         <translation>F, 1 … 6, 0</translation>
     </message>
     <message>
+        <source>Before you use it</source>
+        <translation>Vor dem Gebrauch</translation>
+    </message>
+    <message>
         <source>File to write</source>
         <translation>Datei, die geschrieben wird</translation>
     </message>
@@ -2056,8 +2060,16 @@
         <translation>Rechte Bilder</translation>
     </message>
     <message>
-        <source>Right only together with %1. Used alone, TCP→Body misses by %2 mm on these poses.</source>
-        <translation>Richtig nur zusammen mit %1. Allein benutzt liegt TCP→Body in diesen Stellungen um %2 mm daneben.</translation>
+        <source>%1 about %2</source>
+        <translation>%1 um %2</translation>
+    </message>
+    <message>
+        <source>%1 along %2</source>
+        <translation>%1 längs %2</translation>
+    </message>
+    <message>
+        <source>Right only together with: %1. Used alone, TCP→Body misses by %2 mm on these poses.</source>
+        <translation>Richtig nur zusammen mit: %1. Allein benutzt liegt TCP→Body in diesen Stellungen um %2 mm daneben.</translation>
     </message>
     <message>
         <source>Right only together with the camera mount that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
@@ -2981,7 +2993,7 @@
     </message>
     <message>
         <source>at the noise, not all named</source>
-        <translation>beim Rauschen, nicht alles benannt</translation>
+        <translation>Rest ohne Namen</translation>
     </message>
     <message>
         <source>before</source>
@@ -3185,7 +3197,7 @@
     </message>
     <message>
         <source>joint angles in rad, in the session's order</source>
-        <translation>Gelenkwinkel in rad, in der Reihenfolge der Sitzung</translation>
+        <translation>Gelenkwinkel in rad, wie in der Sitzung</translation>
     </message>
     <message>
         <source>key</source>
@@ -4131,7 +4143,7 @@
     </message>
     <message>
         <source>Cannot be told from %1 on these poses.</source>
-        <translation>In diesen Posen nicht zu unterscheiden von: %1.</translation>
+        <translation>In diesen Stellungen nicht zu unterscheiden von: %1.</translation>
     </message>
     <message>
         <source>Check: %1</source>
@@ -4139,7 +4151,7 @@
     </message>
     <message>
         <source>These poses could not show it, if it were there.</source>
-        <translation>Diese Posen könnten es nicht zeigen, wenn es da wäre.</translation>
+        <translation>Diese Stellungen könnten es nicht zeigen, wenn es da wäre.</translation>
     </message>
     <message>
         <source>Try it on the robot and type what it shows.</source>
@@ -4199,7 +4211,7 @@
     </message>
     <message>
         <source>unseen on these poses</source>
-        <translation>in diesen Posen unsichtbar</translation>
+        <translation>in diesen Stellungen unsichtbar</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -4367,7 +4379,7 @@
     </message>
     <message>
         <source>The hand is %1 mm from where it was in the mean over these poses, at most %2 mm.</source>
-        <translation>Die Hand ist im Mittel über diese Posen %1 mm von da, wo sie war, höchstens %2 mm.</translation>
+        <translation>Die Hand ist im Mittel über diese Stellungen %1 mm von da, wo sie war, höchstens %2 mm.</translation>
     </message>
     <message>
         <source>%1: %2 %3</source>
@@ -4451,7 +4463,7 @@
     </message>
     <message>
         <source>TCP→Body, position: %1</source>
-        <translation>TCP→Body, Position: %1</translation>
+        <translation>TCP→Body, Ort: %1</translation>
     </message>
     <message>
         <source>TCP→Body, rotation: %1</source>
@@ -4720,6 +4732,26 @@
     <message>
         <source>Making a session</source>
         <translation>Eine Sitzung wird angelegt</translation>
+    </message>
+    <message>
+        <source>Stops what is being made; nothing of it stays (Esc)</source>
+        <translation>Hält an, was angelegt wird; nichts davon bleibt (Esc)</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was made.</source>
+        <translation>Angehalten; es wurde nichts angelegt.</translation>
+    </message>
+    <message>
+        <source>It was made before it could be stopped: %1 in %2.</source>
+        <translation>Die Sitzung war angelegt, ehe sich das anhalten ließ: %1 in %2.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
     </message>
     <message>
         <source>Made: %1 in %2.</source>
@@ -5310,6 +5342,14 @@
         <translation>Anteil der Sitzung</translation>
     </message>
     <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>bow</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
         <source>sine</source>
         <translation>Sinus</translation>
     </message>
@@ -5838,6 +5878,18 @@
         <translation>eine Kurve davon</translation>
     </message>
     <message>
+        <source>dying away within %1 % of the session</source>
+        <translation>klingt innerhalb von %1 % der Sitzung ab</translation>
+    </message>
+    <message>
+        <source>a step at %1</source>
+        <translation>eine Stufe bei %1</translation>
+    </message>
+    <message>
+        <source>its cube</source>
+        <translation>seine dritte Potenz</translation>
+    </message>
+    <message>
         <source>its product with the %1</source>
         <translation>ihr Produkt mit %1</translation>
     </message>
@@ -5943,7 +5995,7 @@
     </message>
     <message>
         <source>Nothing has changed that these poses show: cameras, hand and arm are as they were.</source>
-        <translation>Nichts hat sich geändert, was diese Posen zeigen: Kameras, Hand und Arm sind, wie sie waren.</translation>
+        <translation>Nichts hat sich geändert, was diese Stellungen zeigen: Kameras, Hand und Arm sind, wie sie waren.</translation>
     </message>
     <message>
         <source>arm and hand are as they were</source>
@@ -5963,7 +6015,7 @@
     </message>
     <message>
         <source>or it is %1, which these poses do not tell apart</source>
-        <translation>oder es ist %1, was sich mit diesen Posen nicht unterscheiden lässt</translation>
+        <translation>oder es ist %1, was sich mit diesen Stellungen nicht unterscheiden lässt</translation>
     </message>
     <message>
         <source>The %1 turned by %2 and moved by %3 on its mount</source>
@@ -7131,11 +7183,11 @@
     </message>
     <message>
         <source>Neither the calibration nor the session says where the sensor sits: a few poses cannot tell it.</source>
-        <translation>Weder die Kalibrierung noch die Sitzung sagt, wo der Sensor sitzt: aus wenigen Posen lässt es sich nicht finden.</translation>
+        <translation>Weder die Kalibrierung noch die Sitzung sagt, wo der Sensor sitzt: aus wenigen Stellungen lässt es sich nicht finden.</translation>
     </message>
     <message>
         <source>The session has no observation with markers that can be used; label some poses.</source>
-        <translation>Die Sitzung hat keine Beobachtung mit Markern, die sich verwenden lässt; einige Posen beschriften.</translation>
+        <translation>Die Sitzung hat keine Beobachtung mit Markern, die sich verwenden lässt; einige Stellungen beschriften.</translation>
     </message>
     <message>
         <source>%1: has no &lt;robot&gt; with the tcp link or no &lt;joints&gt; with their order; predict from its session.</source>
@@ -7148,6 +7200,74 @@
     <message>
         <source>second</source>
         <translation>zweiten</translation>
+    </message>
+    <message>
+        <source>The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is known write it into &lt;pose_sensor&gt;: sigma (m) and sigma_angle (rad).</source>
+        <translation>Die Lage des Ziels zählt ganz, Ort und Drehung; wie genau der Sensor sie angibt, wird geschätzt. Wo es bekannt ist, in &lt;pose_sensor&gt; schreiben: sigma (m) und sigma_angle (rad).</translation>
+    </message>
+    <message>
+        <source>topic %1 (%2, %3 messages) is left out.</source>
+        <translation>Topic %1 (%2, %3 Nachrichten) bleibt weg.</translation>
+    </message>
+    <message>
+        <source>%1 joints that were published are no moving joints of the robot and are left out.</source>
+        <translation>%1 veröffentlichte Gelenke sind keine beweglichen Gelenke des Roboters und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>of its cameras the first %1 are taken, the others are left out.</source>
+        <translation>von seinen Kameras werden die ersten %1 genommen, die anderen bleiben weg.</translation>
+    </message>
+    <message>
+        <source>The calibration of the %1 camera has width and height swapped; %2 x %3 px of the images is taken.</source>
+        <translation>Die Kalibrierung der Kamera %1 hat Breite und Höhe vertauscht; %2 x %3 px der Bilder wird genommen.</translation>
+    </message>
+    <message>
+        <source>The robot is the one that the bag publishes as robot_description.</source>
+        <translation>Der Roboter ist der, den das Bag als robot_description veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 left images have no right image within 10 ms and are left out.</source>
+        <translation>%1 von %2 linken Bildern haben kein rechtes Bild innerhalb von 10 ms und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>The target is the frame %1 that /tf gives in %2.</source>
+        <translation>Das Ziel ist der Rahmen %1, den /tf in %2 angibt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 measurements are left out: %3.</source>
+        <translation>%1 von %2 Messungen bleiben weg: %3.</translation>
+    </message>
+    <message>
+        <source>No robot is known, only where its flange is: what bends or is off in its joints cannot be told apart; name its URDF and a table of joint readings for that.</source>
+        <translation>Kein Roboter ist bekannt, nur wo sein Flansch ist: was sich in den Gelenken biegt oder falsch ist, lässt sich nicht unterscheiden; nenne dafür seine URDF und eine Tabelle von Gelenkwerten.</translation>
+    </message>
+    <message>
+        <source>%1 points were not seen by the device; they are left out.</source>
+        <translation>%1 Punkte hat das Gerät nicht gesehen; sie bleiben weg.</translation>
+    </message>
+    <message>
+        <source>no link has a mass: springs cannot show, and gravity bends nothing. Put the masses of the maker's data sheet into &lt;inertial&gt;.</source>
+        <translation>kein Glied hat eine Masse: Federn können sich nicht zeigen, und die Schwerkraft biegt nichts. Setze die Massen aus dem Datenblatt des Herstellers in &lt;inertial&gt; ein.</translation>
+    </message>
+    <message>
+        <source>%1 moving links have no mass: %2. What gravity does through them is missing.</source>
+        <translation>%1 bewegliche Glieder haben keine Masse: %2. Was die Schwerkraft durch sie tut, fehlt.</translation>
+    </message>
+    <message>
+        <source>has no header; its columns are taken for %1</source>
+        <translation>hat keine Kopfzeile; ihre Spalten werden genommen für %1</translation>
+    </message>
+    <message>
+        <source>angles are read as degrees.</source>
+        <translation>Winkel werden als Grad gelesen.</translation>
+    </message>
+    <message>
+        <source>lengths of %1 are taken for millimetres; a session holds metres.</source>
+        <translation>Längen von %1 werden für Millimeter gehalten; eine Sitzung hat Meter.</translation>
+    </message>
+    <message>
+        <source>the times are taken for %1.</source>
+        <translation>die Zeiten werden genommen für %1.</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "temporary_folder.h"
+#include "widgets/base/theme.h"
 #include "widgets/mouse.h"
 #include "widgets/plots/convergence_plot.h"
 #include "widgets/plots/histogram_bins.h"
@@ -112,6 +113,27 @@ TEST(ConvergencePlot, PlotsThatShareTheirAxesShowAllOfEachOther) {
   EXPECT_EQ(a.plot()->yAxis->range(), QCPRange(10, 20));
   b.plot()->xAxis->setRange(3, 9);
   EXPECT_EQ(c.plot()->xAxis->range(), QCPRange(3, 9));
+}
+
+TEST(ConvergencePlot, TheLettersAtTheCurvesEndsNeverMeet) {
+  ConvergencePlot plot("position", "mm", {"x", "y", "z"});
+  test::show(plot, {500, 120});
+  for (const double end : {-1.0, -0.9, 0.0, 0.9, 1.0}) {
+    // The first ones reach up and down, so that the ends are at the border where `end` is.
+    plot.set_samples({{1, 1, {1, -1, 0}, {0, 0, 0}}, {2, 2, {end, end, end}, {0, 0, 0}}});
+    plot.plot()->replot();
+    std::vector<double> places;
+    for (int i = 0; i < plot.plot()->itemCount(); ++i)
+      if (const auto* label = qobject_cast<QCPItemText*>(plot.plot()->item(i)))
+        if (QStringList{"x", "y", "z"}.contains(label->text().section(' ', 0, 0)))
+          places.push_back(label->position->pixelPosition().y());
+    ASSERT_EQ(places.size(), 3U);
+    std::sort(places.begin(), places.end());
+    const double height = QFontMetricsF(number_font(TextRole::small)).ascent();
+    for (int i = 1; i < 3; ++i) EXPECT_GE(places[i] - places[i - 1], height) << end;
+    EXPECT_GE(places[0], plot.plot()->axisRect()->rect().top()) << end;
+    EXPECT_LE(places[2], plot.plot()->axisRect()->rect().bottom() + height) << end;
+  }
 }
 
 TEST(ConvergencePlot, ClickSelectsTheObservationOfThatCount) {

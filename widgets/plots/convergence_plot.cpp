@@ -53,22 +53,22 @@ ConvergencePlot::ConvergencePlot(const QString& quantity, const QString& unit, c
   plot_->axisRect()->setMargins(QMargins(64, 4, 76, 8));
   // The letters stand at the curves' ends, pushed apart where they would meet.
   connect(plot_, &QCustomPlot::beforeReplot, this, [this] {
-    if (samples_.empty()) return;
+    const QRect rect = plot_->axisRect()->rect();
+    if (samples_.empty() || rect.isEmpty()) return;
+    const double top = rect.top() + 6.0, bottom = rect.bottom() + 6.0;
     std::array<std::pair<double, std::size_t>, 3> places;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto points = curves_->value[i]->data();
       const double end = points->isEmpty() ? 0 : (points->constEnd() - 1)->value;
-      places[i] = {plot_->yAxis->coordToPixel(end), i};
+      places[i] = {std::clamp(plot_->yAxis->coordToPixel(end), top, bottom), i};
     }
     std::sort(places.begin(), places.end());
-    const QRect rect = plot_->axisRect()->rect();
-    double middle = (places[0].first + places[2].first) / 2;
+    const double middle = (places[0].first + places[2].first) / 2;
     for (std::size_t k = 1; k < 3; ++k) places[k].first = std::max(places[k].first, places[k - 1].first + kLabelHeight);
-    const double shift = middle - (places[0].first + places[2].first) / 2;
-    for (auto& [y, i] : places) {
-      y = std::clamp(y + shift, rect.top() + 6.0, rect.bottom() + 6.0);
-      curves_->label[i]->position->setCoords(rect.right() + 6, y);
-    }
+    // All of them together, or those at the border meet after all.
+    double shift = middle - (places[0].first + places[2].first) / 2;
+    shift = std::max(std::min(shift, bottom - places[2].first), top - places[0].first);
+    for (const auto& [y, i] : places) curves_->label[i]->position->setCoords(rect.right() + 6, y + shift);
   });
   connect(plot_, &QCustomPlot::mouseWheel, this, [this] { follows_ = false; });
   style_axes();

@@ -92,12 +92,33 @@ TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
   ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
   ASSERT_TRUE(explain.is_settled());
   EXPECT_FALSE(explain.can_add_first()) << "it went on as long as there was something to add";
+  EXPECT_FALSE(desk.find<QAbstractButton>("until_it_stops")->isEnabled()) << "it would do nothing";
   const auto by_cli = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
   EXPECT_NEAR(held_out(), by_cli["held_out_rms_pixel"].get<double>(), 1e-3) << "and ends where improve ends";
   const auto steps = desk.document().undo_stack().index();
   EXPECT_GE(steps, 1);
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(desk.document().undo_stack().index(), steps - 1) << "each stair is an action of its own";
+}
+
+/// The curve stands behind what is said of it, where its size is that of no robot: the way on is open all the same.
+TEST_F(Explain, AddUntilItStopsIsOfferedForACurveThatIsLargerThanRobotsAreBuilt) {
+  session = folder.path / "waved";
+  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
+  ASSERT_EQ(run_cli(folder.path, {"simulate", "--like", like, "--curve", "axis_3: 0.03*sin(3q)", "--observations", "80",
+                                  "--seed", "1", "--out", session.string()})
+                .exit_code,
+            0);
+  desk.window.resize(1440, 900);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  EXPECT_FALSE(explain.can_add_first()) << "that nothing has a name for it is the first word";
+  const double before = held_out();
+  desk.press_button("until_it_stops");
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_LT(held_out(), 0.2 * before);
 }
 
 /// A robot that was measured badly: 3 cm where a millimetre is plausible. What helps is taken, and said to be odd.

@@ -41,6 +41,21 @@ TEST_P(HiddenSession, TheFirstCardUntilItSaysStopGivesWhatImproveGives) {
 
 INSTANTIATE_TEST_SUITE_P(All, HiddenSession, testing::Range(1, 9));
 
+TEST_F(Explain, WhatIsInTheModelIsNotSaidToBeUnseen) {
+  const auto shared = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "examples/sagging";
+  if (!std::filesystem::exists(shared)) GTEST_SKIP() << shared << " is not here";
+  std::filesystem::copy(shared, folder.path / "sagging", std::filesystem::copy_options::recursive);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "sagging").string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  ASSERT_EQ(effects_in_the_model().count("joint_elasticity axis_2"), 1U);
+  const QString told = explain.verdict().sentence;
+  EXPECT_TRUE(told.contains("These poses could not show: ")) << told.toStdString();
+  EXPECT_FALSE(told.contains("joint elasticity")) << "of some joints it was seen: " << told.toStdString();
+}
+
 TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
   open("hidden_3");
   auto* box = desk.find<QAbstractButton>("effect_joint_elasticity");

@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "export/export_texts.h"
 #include "findings/explain_texts.h"
+#include "widgets/lists/model_panel.h"
 
 namespace handsight::test {
 namespace {
@@ -67,6 +68,33 @@ TEST_F(Export, MarkersThatAreNeverSeenAreOneRemark) {
   go();
   EXPECT_EQ(remarks().filter("no used observation"),
             QStringList("Markers 3, 4, 5, 6, 7, 8 are seen in no used observation and have no position."));
+}
+
+TEST_F(Export, HoweverMuchIsSaidTheButtonThatSavesIsInSight) {
+  session = copy_of("hidden_1");
+  std::string xml = read_file(session / "session.xml");
+  const std::pair<std::string, std::string> changes[] = {
+      {"<markers count=\"3\" sigma_pixel=\"0.2\"/>", "<markers count=\"9\" sigma_pixel=\"2\"/>"},
+      {"estimate=\"no\"", "estimate=\"yes\""}};
+  for (const auto& [was, is] : changes) {
+    ASSERT_NE(xml.find(was), std::string::npos);
+    xml.replace(xml.find(was), was.size(), is);
+  }
+  replace_file(session / "session.xml", xml);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  auto* panel = desk.find<widgets::ModelPanel>("model_panel");
+  for (const char* id : {"link_geometry", "encoder_eccentricity", "transmission_ripple"}) {
+    emit panel->effect_toggled(id, true);
+    ASSERT_TRUE(desk.settle());
+  }
+  desk.window.resize(1200, 700);
+  go();
+  QTest::qWait(50);
+  const auto* told = desk.find<QScrollArea>("export_remarks");
+  EXPECT_GT(told->widget()->height(), told->height()) << "there is more than has room";
+  const auto* save = desk.find<QWidget>("save_xml");
+  EXPECT_EQ(save->visibleRegion().boundingRect(), save->rect());
 }
 
 TEST_F(Export, LongNamesDoNotPushTheNumbersOutOfSight) {

@@ -57,6 +57,17 @@ QStringList places_in(const QString& text) {
   return places;
 }
 
+TEST(Language, WhatTheCoreWritesForTerminalsHasItsSignsInTheWindow) {
+  EXPECT_EQ(app::translated("It is 1.2 +- 0.1 mm."), QString("It is 1.2 ± 0.1 mm."));
+}
+
+TEST(Language, NumbersOfCurvesAreSaidInWords) {
+  EXPECT_EQ(app::number_title("x_slope"), "slope along x");
+  EXPECT_EQ(app::number_title("ry_bow"), "bow about y");
+  EXPECT_EQ(app::number_title("sine"), "sine");
+  EXPECT_EQ(app::number_title("my_number"), "my_number") << "a user's own name stays";
+}
+
 TEST(Language, EveryTextOfTheWindowIsTranslated) {
   const app::Translation german("de");
   const auto texts = texts_of_the_sources();

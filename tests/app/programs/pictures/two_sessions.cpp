@@ -80,6 +80,8 @@ TEST(Pictures, OfWhatAnotherProgramWrote) {
     there.observations[i].reason = i == 2 ? "corner 2 is 9 mm from where it must be (limit 5)" : "blurred";
   }
   replace_session(there);
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QWidget>("foreign")->isVisible(); }));
+  photo.take("foreign");
   desk.key(Qt::Key_S, Qt::ControlModifier);
   photo.take("merge");
 }

@@ -6,6 +6,10 @@
 #include <QScrollBar>
 
 #include "app/programs/pictures/photographer.h"
+#include "base/files.h"
+#include "session/session_xml.h"
+#include "simulation/simulated_session.h"
+#include "temporary_folder.h"
 #include "wizard/files_wizard.h"
 
 namespace handsight::test {
@@ -57,6 +61,46 @@ TEST(Pictures, OfTheWizardOfFiles) {
   take("files_empty");
   wizard->add({samples / "robots/six_axis.urdf", samples / "first_steps/images", samples / "README.md"});
   take("files");
+  static_cast<QDialog*>(wizard)->reject();
+}
+
+/// At work, stopped, and when it is done.
+TEST(Pictures, OfTheWizardOfFilesAtWork) {
+  const TemporaryFolder folder;
+  Desk desk;
+  desk.window.resize(window_size());
+  const auto like = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/rigs/one_camera_board";
+  const Session session = read_session(like);
+  std::string angles, flange = "x,y,z,qx,qy,qz,qw\n";
+  for (const std::string& joint : session.joints) angles += (angles.empty() ? "" : ",") + joint;
+  SimulationOptions options;
+  options.observations = 12;
+  for (const Observation& o : simulate_session(session, options).session.observations) {
+    for (Eigen::Index j = 0; j < o.position.size(); ++j) angles += fmt::format("{}{}", j ? ',' : '\n', o.position[j]);
+    const double turn = 0.4 * o.position[0];
+    flange += fmt::format("{},0.1,0.9,{},0,0,{}\n", 0.02 * o.position[1], std::sin(turn / 2), std::cos(turn / 2));
+  }
+  replace_file(folder.path / "angles.csv", angles + '\n');
+  replace_file(folder.path / "board.csv", flange);
+  auto* wizard = desk.window.bring_files({});
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(wizard));
+  const auto take = [&](const char* name) { take_dialog(*wizard, name); };
+  wizard->add({session.file.parent_path() / session.robot_file, folder.path / "angles.csv", folder.path / "board.csv"});
+  desk.find<QComboBox>("files_tcp")->setCurrentText("hand");
+  desk.find<QLineEdit>("files_title")->setText("Monday");
+  desk.find<QLineEdit>("files_out")->setText(QString::fromStdString((folder.path / "monday").string()));
+  take("files_ready");
+  desk.window.bench().background.hold(true);
+  desk.press_button("files_make");
+  take("files_working");
+  desk.press_button("files_stop");
+  take("files_stopping");
+  desk.window.bench().background.hold(false);
+  ASSERT_TRUE(desk.wait([&] { return !desk.find<QWidget>("files_stop")->isVisible(); }));
+  take("files_stopped");
+  desk.press_button("files_make");
+  ASSERT_TRUE(desk.wait([&] { return !desk.window.bench().background.is_busy(); }));
+  take("files_made");
   static_cast<QDialog*>(wizard)->reject();
 }
 
