@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kCell = 32;            // px
 constexpr double kReach = 64;        // px: cells that are larger are smaller in a coarser image
+constexpr double kUsualReach = 24;   // px, where most have all their neighbours
 constexpr double kLeastSpacing = 3;  // px
 constexpr double kParallel = 0.3;    // sine, between edges of neighbours
 constexpr double kAlike = 2;         // times another's contrast
@@ -19,6 +20,7 @@ constexpr double kAside = 0.25;      // of the spacing, from the straight line a
 // Next cells that reach into a small one's disc turn its edges: so far aside a neighbour may lie all the same, where
 // the corners of other rows are farther.
 constexpr double kMostAside = 0.5, kAsideOfSmall = 3;  // of the spacing; px
+constexpr double kSure = 0.89;  // of a reach: what is nearer along an edge and not farther aside lies in the reach
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -90,22 +92,28 @@ bool Lattice::suits(int number, const Suspect& suspect) const {
 
 bool Lattice::may_suit(int number, const Suspect& seen) const { return edges_go_on(nodes_[number], node_of(seen)); }
 
-std::array<int, 4> Lattice::neighbours(int number) const {
+Lattice::Nearest Lattice::nearest_within(int number, double reach) const {
   const Node& here = nodes_[number];
-  std::array<int, 4> best{-1, -1, -1, -1};
-  std::array<double, 4> nearest{kReach, kReach, kReach, kReach};
-  each_near(here.position, kReach, [&](int n) {
+  Nearest nearest{{-1, -1, -1, -1}, {reach, reach, reach, reach}};
+  each_near(here.position, reach, [&](int n) {
     const Eigen::Vector2d off = nodes_[n].position - here.position;
-    if (off.squaredNorm() > kReach * kReach) return;
+    if (off.squaredNorm() > reach * reach) return;
     for (int edge = 0; edge < 2; ++edge) {
       const double along = here.along[edge].dot(off), distance = std::abs(along);
       const int place = 2 * edge + (along < 0);
-      if (!(distance > kLeastSpacing && distance < nearest[place])) continue;
+      if (!(distance > kLeastSpacing && distance < nearest.distances[place])) continue;
       if (std::abs(cross(here.along[edge], off)) > most_aside(distance)) continue;
-      if (are_of_one_board(here, nodes_[n])) nearest[place] = distance, best[place] = n;
+      if (are_of_one_board(here, nodes_[n])) nearest.distances[place] = distance, nearest.numbers[place] = n;
     }
   });
-  return best;
+  return nearest;
+}
+
+std::array<int, 4> Lattice::neighbours(int number) const {
+  const Nearest nearest = nearest_within(number, kUsualReach);
+  const auto& distances = nearest.distances;
+  const bool are_all = *std::max_element(distances.begin(), distances.end()) < kSure * kUsualReach;
+  return are_all ? nearest.numbers : nearest_within(number, kReach).numbers;
 }
 
 std::optional<Eigen::Vector2d> Lattice::step_beside(int number, int place, const std::array<int, 4>& near) const {

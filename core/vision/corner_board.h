@@ -56,6 +56,11 @@ class Lattice {
   static bool edges_go_on(const Node& a, const Node& b);
   // px, to the neighbour at this place, by a neighbour across that has one there.
   std::optional<Eigen::Vector2d> step_beside(int number, int place, const std::array<int, 4>& near) const;
+  struct Nearest {
+    std::array<int, 4> numbers;
+    std::array<double, 4> distances;  // px, along the edge
+  };
+  Nearest nearest_within(int number, double reach) const;
   template <class Act>
   void each_near(const Eigen::Vector2d& position, double reach, const Act& act) const;
 

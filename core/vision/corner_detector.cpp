@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "base/threads.h"
@@ -25,6 +26,7 @@ constexpr double kMostLastMove = 0.5;  // px
 constexpr double kMostSigma = 1.16;  // px, of what is fitted and is so uncertain after all that it is most likely none
 constexpr std::size_t kFewCorners = 4;     // tell nothing of an image
 constexpr std::size_t kNoiseCorners = 12;  // that tell how alike neighbouring pixels' noise is
+constexpr double kTelling = 0;             // log-odds, of a corner that tells something of others
 
 // A corner, and the image that it was fitted in at last.
 struct Placed {
@@ -135,34 +137,47 @@ void take_smoothed_steps(const Level& level, const Habits& habits, const Varianc
   }
 }
 
+// Puts those first that are likelier corners than not, and counts them; all where they are few. What is none shows
+// bends and noise of its own, which no lens and no sensor made.
+std::size_t tellers_first(std::vector<Found*>& corners) {
+  const auto tells = [](const Found* found) { return found->suspect.log_odds > kTelling; };
+  const auto end = std::stable_partition(corners.begin(), corners.end(), tells);
+  const auto count = static_cast<std::size_t>(end - corners.begin());
+  return count < kFewCorners ? corners.size() : count;
+}
+
 // Some corners tell what all that were fitted in one image have in common, and whether any needs the last step; where
 // none does only the covariances of the others change, as those of the some did.
 void take_last_steps(const Level& level, int number, std::vector<Placed>& corners) {
   std::vector<Found*> here, owners;
   for (Placed& placed : corners)
     if (placed.level == number) here.push_back(&placed.found);
+  const std::size_t telling = tellers_first(here);
   std::vector<OddSystem> systems;
   const auto add = [&](Found& found, const std::optional<OddSystem>& system) {
     if (system) systems.push_back(*system), owners.push_back(&found);
     return system.has_value();
   };
   const Image& image = level.sight.image;
-  const std::size_t every = here.size() / kNoiseCorners + 1;
-  for (std::size_t i = 0; i < here.size(); i += every) add(*here[i], odd_system(image, here[i]->fit));
+  const std::size_t every = telling / kNoiseCorners + 1;
+  const auto is_first = [&](std::size_t i) { return i < telling && i % every == 0; };
+  for (std::size_t i = 0; i < telling; i += every) add(*here[i], odd_system(image, here[i]->fit));
   const Habits of_some = habits_of(systems);
   const Variances variances = variances_of(level.sight.noise, systems);
   if (of_some.is_mosaic) return take_smoothed_steps(level, of_some, variances, here);
   const bool all = are_bent(of_some) || are_glared(of_some) ||
                    std::any_of(systems.begin(), systems.end(), [](const OddSystem& s) { return is_plain(s); });
-  const auto is_looked_at = [&](std::size_t i) { return all || i % every == 0 || has_shadow(here[i]->fit.model); };
+  const auto is_looked_at = [&](std::size_t i) { return all || is_first(i) || has_shadow(here[i]->fit.model); };
   std::vector<Found*> others;
+  std::size_t telling_others = 0;
   for (std::size_t i = 0; i < here.size(); ++i)
-    if (is_looked_at(i) && i % every != 0) others.push_back(here[i]);
+    if (is_looked_at(i) && !is_first(i)) others.push_back(here[i]), telling_others += i < telling;
   const OddSystems of_others =
       odd_systems(image, others, [&](const Found& found) { return odd_system(image, found.fit, false); });
+  std::size_t told = systems.size();
   for (std::size_t i = 0; i < others.size(); ++i)
-    if (add(*others[i], of_others[i])) scale_variance(systems.back(), of_some.variance);
-  const Habits habits = habits_of(systems);
+    if (add(*others[i], of_others[i])) scale_variance(systems.back(), of_some.variance), told += i < telling_others;
+  const Habits habits = habits_of(std::span(systems).first(told));
   double change = 0;
   int changed = 0;
   for (std::size_t i = 0; i < systems.size(); ++i) {

@@ -16,12 +16,13 @@ constexpr int kNear = 40;         // px: what lies so near tells of what a corne
 constexpr float kSame = 2;        // px: nearer ones are the same
 constexpr float kAsDeep = 0.25f;  // of a saddle's depth, which is a product of two curvatures
 constexpr int kRounds = 4;
-constexpr CornerSigns kWeights{-7.08, 0.73, -1.95, -3.06, -1.01};
+constexpr CornerSigns kWeights{-7.25, 0.73, -1.95, -3.06, -1.01, 5};
 constexpr double kWeightOfOthers = -1.65, kWeightOfBoard = 4;
 constexpr double kParallel = 0.12;  // sine, between edges of one board: perspective turns them a little
 constexpr double kAlike = 1.67;     // times another's contrast
 constexpr double kFewOfABoard = 8, kMostOfABoard = 14;
 constexpr double kLeastExcess = 0.02;  // half contrasts
+constexpr double kLeastSine = 1e-3;
 
 int cell(double coordinate) { return static_cast<int>(coordinate) / kNear; }
 
@@ -99,7 +100,8 @@ HANDSIGHT_LANES float said(const float* u, const float* v, const float* depth, c
 CornerSigns signs_of(const CornerFit& fit, double image_noise) {
   const double beyond = std::max(fit.noise * fit.noise - image_noise * image_noise, 0.0);
   const double excess = std::max(std::sqrt(beyond) / std::abs(fit.model.half_contrast), kLeastExcess);
-  return {1, fit.radius, fit.model.blur, 0.5 * std::log(fit.covariance.trace()), std::log(excess)};
+  const double skew = std::log(std::max(std::abs(std::sin(fit.model.edges[0] - fit.model.edges[1])), kLeastSine));
+  return {1, fit.radius, fit.model.blur, 0.5 * std::log(fit.covariance.trace()), std::log(excess), skew};
 }
 
 double corner_log_odds(const CornerSigns& signs) {

@@ -13,14 +13,16 @@
 namespace handsight {
 
 /// What tells a corner from texture, in this order: 1; px, radius of the disc on which the fit holds; px, its blur; log
-/// of the position's sigma in px; log of the residual beyond the image's noise in half contrasts.
-using CornerSigns = std::array<double, 5>;
+/// of the position's sigma in px; log of the residual beyond the image's noise in half contrasts; log of the sine
+/// between its edges.
+using CornerSigns = std::array<double, 6>;
 
 /// `image_noise`: grey levels, sigma of a pixel.
 CornerSigns signs_of(const CornerFit& fit, double image_noise);
 
 /// Log-odds that what was fitted is a corner and not a piece of texture, were no other saddle near: the signs weighed
-/// by logistic regression on rendered markers, boards and texture (tests/trials/trial_corner_odds).
+/// by logistic regression on rendered markers, boards and texture (tests/trials/trial_corner_odds), but for the sine
+/// and, with it, the constant: those by false corners on photographs, things and texture and by small real boards.
 double corner_log_odds(const CornerSigns& signs);
 
 /// The saddles of an image, by where they are, each with the probability that it is a corner: 0 at first.

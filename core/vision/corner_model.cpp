@@ -23,7 +23,8 @@ constexpr double kLoose = 1.5;       // what bounds are wider over the first dis
 constexpr double kLessLoose = 1.25;  // over the second
 constexpr double kMostMove = 1.8;    // px, from the start
 constexpr double kMostMoveInShadow = 2.5;
-constexpr double kMostMisfit = 0.24;    // half contrasts: sharpening in the camera leaves 0.2
+constexpr double kMostMisfit = 0.21;    // half contrasts; sharpening in the camera leaves less
+constexpr double kMostShared = 0.15;    // half contrasts, of the first disc's residuals, by what neighbours share
 constexpr double kMostGain = 2.6;       // times the contrast that the circles showed
 constexpr double kMostBlur = 0.6;       // radii: a saddle that never becomes flat is no corner
 constexpr int kShadowRadius = 6;        // px, of the disc on which corner and shadow are fitted first
@@ -236,7 +237,7 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
       return std::nullopt;
   if ((model.position - start).norm() > kMostMove) return std::nullopt;
   fit.misfit = misfit_of(at.patch);
-  if (fit.misfit > kLoose * kMostMisfit * std::abs(model.half_contrast)) return std::nullopt;
+  if (fit.misfit > kMostShared * std::abs(model.half_contrast)) return std::nullopt;
   fit.radius = grown_radius(image, kFirstRadius, kSecondRadius, at, model);
   if (fit.radius > kFirstRadius) {
     if (!fit_disc(image, fit.radius, 3, 0.2, kGrown, at, model)) return std::nullopt;

@@ -22,10 +22,10 @@ struct ShadowEdge {
   double softness = 1.5;  // px, sigma, of the shadow's edge and the lens together
 };
 
-/// I(u, v) = light(x) (1 + shade . x) (level + half_contrast erf(d1 / (sqrt2 blur)) erf(d2 / (sqrt2 blur))), with
-/// x = (u, v) - position and d_i = -sin(edge_i) x + cos(edge_i) y: two blurred straight edges through one point
-/// under light that changes evenly, or at a shadow's edge. Perspective keeps edges straight and through one point, so
-/// it needs no more.
+/// I(u, v) = light(x) (1 + shade . x) (level + half_contrast X(d1, d2)), with x = (u, v) - position and
+/// d_i = -sin(edge_i) x + cos(edge_i) y: two straight edges through one point, sgn(d1) sgn(d2), blurred together
+/// (corner_crossing.h), under light that changes evenly, or at a shadow's edge. Perspective keeps edges straight and
+/// through one point, so it needs no more.
 struct CornerModel {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
   std::array<double, 2> edges{};                       // rad

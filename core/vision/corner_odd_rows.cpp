@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "vision/corner_crossing.h"
+
 namespace handsight {
 namespace {
 
@@ -15,7 +17,8 @@ HANDSIGHT_WIDE void products_in_wide(const float* const* rows, int count, Produc
   all_products<WideLanes, kOddRows>(rows, count, products);
 }
 
-// Derivatives by added light and bends, from those by level and by the edges' directions.
+// Derivatives by added light and bends, from those by level and by the edges' directions; but a bend does not change
+// the angle at which the edges cross.
 HANDSIGHT_LANES void fill_more(const CornerModel& model, const CornerPatch& patch,
                                std::array<CornerPatch::Row, 4>& more) {
   const float *const all_u = pixel_columns(), *const all_v = pixel_rows();
@@ -23,16 +26,22 @@ HANDSIGHT_LANES void fill_more(const CornerModel& model, const CornerPatch& patc
   const auto pv = static_cast<float>(model.position.y() - patch.centre.y());
   const auto first = static_cast<float>(model.edges[0]), second = static_cast<float>(model.edges[1]);
   const float s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
+  const Crossing crossing(c1 * c2 + s1 * s2, s1 * c2 - c1 * s2, model.blur);
+  const auto half = static_cast<float>(model.half_contrast);
   for (int n = 0; n < patch.padded; n += kLanes) {
-    Lanes u, v, level, turn;
+    Lanes u, v, level, turn, together;
+    Shared<Lanes> shared;
     load(all_u + n, u), load(all_v + n, v), load(&patch.even[3][n], level);
     const Lanes x = u - pu, y = v - pv;
     store(level * x, &more[0][n]);
     store(level * y, &more[1][n]);
+    share<Lanes>(crossing, c1 * y - s1 * x, c2 * y - s2 * x, shared);
+    turned(crossing, shared, together);
+    together *= half * level;
     load(&patch.even[0][n], turn);
-    store(-0.5f * (c1 * x + s1 * y) * turn, &more[2][n]);
+    store(-0.5f * (c1 * x + s1 * y) * (turn + together), &more[2][n]);
     load(&patch.even[1][n], turn);
-    store(-0.5f * (c2 * x + s2 * y) * turn, &more[3][n]);
+    store(-0.5f * (c2 * x + s2 * y) * (turn - together), &more[3][n]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <vector>
 
+#include "vision/corner_crossing.h"
 #include "vision/corner_lanes.h"
 
 namespace handsight {
@@ -112,23 +113,35 @@ struct SharpEdge {
 // The model's numbers as the loop needs them.
 struct Constants {
   const Disc& disc;
-  float pu, pv, s1, c1, s2, c2, level, half, hu, hv, rim, taper;
-  Constants(const CornerModel& model, const Eigen::Vector2i& centre, double radius) : disc(handsight::disc()) {
+  float s1, c1, s2, c2;
+  float pu, pv, level, half, hu, hv, rim, taper;
+  Crossing crossing;
+  int crossing_end = 0;  // of the pixels that lie in its reach
+  Constants(const CornerModel& model, const Eigen::Vector2i& centre, double radius)
+      : Constants(model, centre, radius, static_cast<float>(model.edges[0]), static_cast<float>(model.edges[1])) {}
+  Constants(const CornerModel& model, const Eigen::Vector2i& centre, double radius, float first, float second)
+      : disc(handsight::disc()),
+        s1(std::sin(first)),
+        c1(std::cos(first)),
+        s2(std::sin(second)),
+        c2(std::cos(second)),
+        crossing(c1 * c2 + s1 * s2, s1 * c2 - c1 * s2, model.blur) {
     const auto set = [](float& to, double value) { to = static_cast<float>(value); };
     set(pu, model.position.x() - centre.x()), set(pv, model.position.y() - centre.y());
-    const auto first = static_cast<float>(model.edges[0]), second = static_cast<float>(model.edges[1]);
-    s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
     set(level, model.level), set(half, model.half_contrast);
     set(hu, model.shade.x()), set(hv, model.shade.y());
+    const double reach = std::ceil(crossing.reach + M_SQRT1_2);  // the corner is half a pixel off the central one
+    crossing_end = in_groups(disc.count[static_cast<int>(std::min(reach, kMostPatchRadius + 2.0))]);
     set(taper, 0.5 / radius), set(rim, (radius + 0.5) * (radius + 0.5) * 0.5 / radius);
   }
 };
 
-template <class Vector, bool WithDerivatives, class EdgeShape>
-HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, int begin, int end,
+template <class Vector, bool WithDerivatives, bool Crosses, class EdgeShape>
+HANDSIGHT_INLINE void evaluate_part(const EdgeShape& shape, const Constants& c, int begin, int end,
                                     CornerPatch& patch) {
   const float *const all_u = c.disc.u.data(), *const all_v = c.disc.v.data();
   const Vector zero{}, one = zero + 1.f;
+  [[maybe_unused]] const Crossing& k = c.crossing;
   for (int n = begin; n < end; n += kLanesOf<Vector>) {
     Vector u, v, value;
     load(all_u + n, u), load(all_v + n, v), load(&patch.value[n], value);
@@ -139,22 +152,45 @@ HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, 
     Edge<Vector> a, b;
     const Vector d = c.c1 * y - c.s1 * x, e = c.c2 * y - c.s2 * x;
     shape(d, e, a, b);
-    const Vector f = a.value * b.value, base = w * (c.level + c.half * f);
+    [[maybe_unused]] Shared<Vector> at;
+    [[maybe_unused]] Vector shared, turn;
+    Vector f = a.value * b.value;
+    if constexpr (Crosses) share(k, d, e, at), shared = k.most * at.bell, f += shared;
+    const Vector base = w * (c.level + c.half * f);
     store(w, &patch.weight[n]);
     store(w * value - (1.f + c.hu * x + c.hv * y) * base, &patch.residual[n]);
     if constexpr (!WithDerivatives) continue;
     const Vector wh = w * c.half;
-    const Vector ea = wh * a.slope * b.value, eb = wh * b.slope * a.value;  // dI/dd of either edge
+    Vector ea = a.slope * b.value, eb = b.slope * a.value;  // dI/dd of either edge
+    Vector spread = a.spread * b.value + b.spread * a.value;
+    if constexpr (Crosses) {
+      const Vector twice = 2.f * k.narrow * shared, twisted = k.twist * shared;
+      ea -= d * twice - e * twisted, eb -= e * twice - d * twisted;
+      spread += k.per_blur * at.q * shared;
+      turned(k, at, turn), turn *= wh;
+    }
+    ea *= wh, eb *= wh;
     store(c.s1 * ea + c.s2 * eb, &patch.odd[0][n]);
     store(-c.c1 * ea - c.c2 * eb, &patch.odd[1][n]);
     store(x * base, &patch.odd[2][n]);
     store(y * base, &patch.odd[3][n]);
-    store(-(c.c1 * x + c.s1 * y) * ea, &patch.even[0][n]);
-    store(-(c.c2 * x + c.s2 * y) * eb, &patch.even[1][n]);
-    store(wh * (a.spread * b.value + b.spread * a.value), &patch.even[2][n]);
+    Vector first = -(c.c1 * x + c.s1 * y) * ea, second = -(c.c2 * x + c.s2 * y) * eb;
+    if constexpr (Crosses) first -= turn, second += turn;
+    store(first, &patch.even[0][n]);
+    store(second, &patch.even[1][n]);
+    store(wh * spread, &patch.even[2][n]);
     store(w, &patch.even[3][n]);
     store(w * f, &patch.even[4][n]);
   }
+}
+
+// Pixels come nearest first: of the farther ones the edges share nothing.
+template <class Vector, bool WithDerivatives, class EdgeShape>
+HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, int begin, int end,
+                                    CornerPatch& patch) {
+  const int middle = std::clamp(c.crossing_end, begin, end);
+  evaluate_part<Vector, WithDerivatives, true>(shape, c, begin, middle, patch);
+  evaluate_part<Vector, WithDerivatives, false>(shape, c, middle, end, patch);
 }
 
 // The numbers of a shadow's edge as the loop needs them.

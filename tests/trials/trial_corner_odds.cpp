@@ -15,7 +15,7 @@ namespace handsight {
 namespace {
 
 using namespace corner_images;
-using Row = Eigen::Matrix<double, 7, 1>;  // the signs, the others, the board
+using Row = Eigen::Matrix<double, 8, 1>;  // the signs, the others, the board
 
 struct Example {
   Row signs;
@@ -44,7 +44,7 @@ std::vector<Example> examples(const Image& image, const std::vector<Eigen::Vecto
   std::vector<Example> all;
   for (std::size_t i = 0; i < suspects.size(); ++i) {
     Example example;
-    example.signs << Eigen::Map<const Eigen::Matrix<double, 5, 1>>(signs[i].data()),
+    example.signs << Eigen::Map<const Eigen::Matrix<double, 6, 1>>(signs[i].data()),
         std::clamp(field.others(suspects[i].candidate), -2.0, 4.0), board[i];
     for (const Eigen::Vector2d& corner : corners) example.is_corner |= (corner - suspects[i].position).norm() < 2;
     all.push_back(example);
@@ -83,7 +83,7 @@ Image grain(bool in_patches, std::mt19937& random) {
 Row regression(const std::vector<Example>& all) {
   Row weights = Row::Zero();
   for (int i = 0; i < 30; ++i) {
-    Eigen::Matrix<double, 7, 7> hessian = 1e-3 * Eigen::Matrix<double, 7, 7>::Identity();
+    Eigen::Matrix<double, 8, 8> hessian = 1e-3 * Eigen::Matrix<double, 8, 8>::Identity();
     Row gradient = -1e-3 * weights;
     for (const Example& example : all) {
       const double p = 1 / (1 + std::exp(-weights.dot(example.signs)));
@@ -150,8 +150,8 @@ int main(int count, char** words) {
   for (const auto& [name, examples] : sets) all.insert(all.end(), examples.begin(), examples.end());
   const Row weights = regression(all);
   fmt::print(
-      "weights: constant {:.2f}, radius {:.2f} / px, blur {:.2f} / px, log sigma {:.2f}, log excess {:.2f}, others "
-      "{:.2f}, board {:.2f}\n",
-      weights(0), weights(1), weights(2), weights(3), weights(4), weights(5), weights(6));
+      "weights: constant {:.2f}, radius {:.2f} / px, blur {:.2f} / px, log sigma {:.2f}, log excess {:.2f}, log "
+      "sine {:.2f}, others {:.2f}, board {:.2f}\n",
+      weights(0), weights(1), weights(2), weights(3), weights(4), weights(5), weights(6), weights(7));
   for (const auto& [name, examples] : sets) report(name, examples, weights);
 }

@@ -134,9 +134,9 @@ TEST(Weigh, ABoardsCornersNeedNotAllBeFound) {
   EXPECT_GT(board[12].log_odds, kLeastLogOdds);
 }
 
-TEST(CornerLogOdds, RiseWithTheDiscAndFallWithBlurSigmaAndWhatTheModelLeaves) {
+TEST(CornerLogOdds, RiseWithTheDiscAndFallWithBlurSigmaSkewAndWhatTheModelLeaves) {
   CornerFit fit;
-  fit.model.half_contrast = -50, fit.model.blur = 1.5, fit.radius = 7, fit.noise = 5;
+  fit.model.half_contrast = -50, fit.model.blur = 1.5, fit.radius = 7, fit.noise = 5, fit.model.edges = {0.3, 1.8};
   fit.covariance = 0.01 * Eigen::Matrix2d::Identity();
   const double own = corner_log_odds(signs_of(fit, 3));
   const auto changed = [&](const auto& change) {
@@ -148,6 +148,7 @@ TEST(CornerLogOdds, RiseWithTheDiscAndFallWithBlurSigmaAndWhatTheModelLeaves) {
   EXPECT_LT(changed([](CornerFit& f) { f.model.blur = 2; }), own);
   EXPECT_LT(changed([](CornerFit& f) { f.covariance *= 4; }), own);
   EXPECT_LT(changed([](CornerFit& f) { f.noise = 10; }), own);
+  EXPECT_LT(changed([](CornerFit& f) { f.model.edges[0] = 0.8; }), own);
   EXPECT_TRUE(std::isfinite(changed([](CornerFit& f) { f.noise = 1; })));  // less than the image's
 }
 

@@ -33,5 +33,33 @@ TEST(FitCorner, KnowsThatEdgesNearlyAlongEachOtherLeaveThePositionOpen) {
   EXPECT_GT(fitted, 20);
 }
 
+// A product of two blurred edges would have to turn them by 0.1 to 0.25 rad, and to take them for more blurred, to look
+// like edges that cross askew and are blurred together.
+TEST(FitCorner, EdgesThatCrossAskewAreBlurredTogether) {
+  for (const double between : {1.57, 1.2, 0.95, 0.8})
+    for (const double blur : {1.0, 2.0, 2.8}) {
+      std::mt19937 random(7);
+      const double first = 0.4, second = first + between;
+      const Eigen::Vector2d corner(32.3, 31.8);
+      const auto scene = [&](double u, double v) {
+        const double x = u - corner.x(), y = v - corner.y();
+        const bool one = std::cos(first) * y > std::sin(first) * x, other = std::cos(second) * y > std::sin(second) * x;
+        return one == other ? 180.0 : 60.0;
+      };
+      const Image image = corner_images::render(65, 65, scene, blur, 0.5, random);
+      const auto cross = cross_structure(image, corner, 20);
+      ASSERT_TRUE(cross) << between << " rad, blur " << blur;
+      const auto fit = fit_corner(image, corner, *cross, 0.5);
+      ASSERT_TRUE(fit) << between << " rad, blur " << blur;
+      EXPECT_LT((fit->model.position - corner).norm(), 0.02) << between << " rad, blur " << blur;
+      for (int i = 0; i < 2; ++i) {
+        const double own = fit->model.edges[i], one = std::sin(own - first), other = std::sin(own - second);
+        EXPECT_LT(std::min(std::abs(one), std::abs(other)), 0.03) << between << " rad, blur " << blur;
+      }
+      EXPECT_NEAR(fit->model.blur, std::hypot(blur, std::sqrt(1 / 12.0)), 0.03 * blur) << between << " rad";
+      EXPECT_LT(fit->noise, 1.0) << between << " rad, blur " << blur;
+    }
+}
+
 }  // namespace
 }  // namespace handsight

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_crossing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace handsight {
+namespace {
+
+// The mean of sgn(d + b z) sgn(e + b z') over two normal numbers with the correlation r, of which the second is
+// integrated in closed form.
+double blurred_together(double d, double e, double r, double b) {
+  constexpr int kSteps = 200;
+  constexpr double kReach = 7;
+  const auto integral = [&](double from, double to) {
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double z = from + (to - from) * (i + 0.5) / kSteps;
+      sum += std::erf((e / b + r * z) / std::sqrt(2 * (1 - r * r))) * std::exp(-0.5 * z * z);
+    }
+    return sum * (to - from) / kSteps / std::sqrt(2 * std::numbers::pi);
+  };
+  return integral(-d / b, kReach) - integral(-kReach, -d / b);
+}
+
+double crossing(double between, double blur, double d, double e) {
+  const Crossing k(std::cos(between), std::sin(between), blur);
+  Lanes at_d = Lanes{} + static_cast<float>(d), at_e = Lanes{} + static_cast<float>(e);
+  Shared<Lanes> shared;
+  share(k, at_d, at_e, shared);
+  const double scale = M_SQRT1_2 / blur;
+  return std::erf(scale * d) * std::erf(scale * e) + static_cast<double>(k.most * shared.bell[0]);
+}
+
+TEST(Crossing, IsWhatEdgesThatCrossAskewShare) {
+  for (const double between : {0.65, 0.8, 1.1, std::numbers::pi / 2, 2.0, 2.3, -0.9})
+    for (const double blur : {0.8, 2.5}) {
+      const double r = std::cos(between), most = 0.05 * std::pow(std::abs(r), 3) + 1e-3;
+      for (double d = -3 * blur; d <= 3 * blur; d += 0.3 * blur)
+        for (double e = -3 * blur; e <= 3 * blur; e += 0.3 * blur)
+          EXPECT_NEAR(crossing(between, blur, d, e), blurred_together(d, e, r, blur), most)
+              << between << " rad, blur " << blur << ", " << d << " and " << e;
+    }
+}
+
+TEST(Crossing, TurnsAsTheAngleBetweenTheEdgesDoes) {
+  constexpr double kStep = 1e-3, kBlur = 1.3;
+  for (const double between : {0.65, 1.1, 2.0, -0.9})
+    for (double d = -2; d <= 2; d += 0.5)
+      for (double e = -2; e <= 2; e += 0.5) {
+        Shared<Lanes> shared;
+        Lanes turn;
+        const Crossing k(std::cos(between), std::sin(between), kBlur);
+        share<Lanes>(k, Lanes{} + static_cast<float>(d), Lanes{} + static_cast<float>(e), shared);
+        turned(k, shared, turn);
+        const double slope =
+            (crossing(between + kStep, kBlur, d, e) - crossing(between - kStep, kBlur, d, e)) / (2 * kStep);
+        EXPECT_NEAR(turn[0], -slope, 1e-3) << between << " rad, " << d << " and " << e;
+      }
+}
+
+}  // namespace
+}  // namespace handsight
