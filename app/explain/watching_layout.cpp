@@ -20,7 +20,7 @@ WatchingPane::WatchingPane(Workbench& bench, Adding& adding, QWidget* parent)
     : QWidget(parent), bench_(bench), adding_(adding) {
   make_layout();
   connect_all();
-  bending_.setDuration(160);
+  bending_.setDuration(widgets::kShortMotion);
   bending_.setStartValue(0.0);
   bending_.setEndValue(1.0);
   connect(&bending_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QButtonGroup>
+#include <QEvent>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -9,6 +10,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -30,6 +32,28 @@ QTableWidget* plain_table(int columns, QWidget* parent) {
   table->setWordWrap(false);
   return table;
 }
+
+/// Scrolls up and down alone: never narrower than what it holds, and the bar beside it.
+class ScrolledColumn : public QScrollArea {
+ public:
+  ScrolledColumn(QWidget* content, QWidget* parent) : QScrollArea(parent) {
+    setWidget(content);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  }
+  QSize minimumSizeHint() const override {
+    const int bar = verticalScrollBar()->sizeHint().width();
+    return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 
 }  // namespace
 
@@ -118,14 +142,7 @@ void ExportWorkspace::make_layout() {
   auto* columns = new QHBoxLayout(body_);
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(16);
-  auto* left = new QScrollArea(body_);
-  left->setWidget(make_left());
-  left->setWidgetResizable(true);
-  left->setFrameShape(QFrame::NoFrame);
-  left->setFocusPolicy(Qt::NoFocus);
-  left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  left->setMinimumWidth(left->widget()->minimumSizeHint().width());
-  columns->addWidget(left, 45);
+  columns->addWidget(new ScrolledColumn(make_left(), body_), 45);
   columns->addWidget(make_right(), 55);
   empty_ = new QLabel(tr("Nothing to export: TCP→Body has not been estimated."), this);
   empty_->setAlignment(Qt::AlignCenter);

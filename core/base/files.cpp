@@ -227,7 +227,7 @@ fs::path make_temporary_folder(const fs::path& parent) {
   std::error_code error;
   fs::create_directories(parent, error);
   remove_leftovers(parent);
-  const fs::path folder = parent / unfinished_name(".part");
+  fs::path folder = parent / unfinished_name(".part");
   fs::create_directory(folder, error);
   if (error) throw InputError(fmt::format("{}: no folder can be made in it: {}.", shown_path(parent), error.message()));
   return folder;

@@ -179,7 +179,7 @@ std::string required_text(const XmlNode& node, const char* attribute) {
 }
 
 std::string required_name(const XmlNode& node, const char* attribute) {
-  const std::string name = required_text(node, attribute);
+  std::string name = required_text(node, attribute);
   require_length(node, attribute, name, bounds::longest_name);
   if (split_words(name).empty()) refuse(node, fmt::format("{}, expected a name.", with_attribute(attribute, name)));
   return name;

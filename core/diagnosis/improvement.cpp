@@ -26,7 +26,7 @@ std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& term
     const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& parameter = effect.parameters[p];
-      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * plausible_size(parameter, chain)) continue;
+      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * size_on_robots(term, p, chain)) continue;
       const std::string place = place_name(effect, term.joint, chain.robot);
       list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
                                  unit_at(effect, p, term.joint, chain.robot)));

@@ -70,7 +70,7 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
     note_worst(marker, row);
     row.markers.push_back(std::move(marker));
   }
-  const ResidualParts parts = residual_parts(problem, o, unknowns);
+  ResidualParts parts = residual_parts(problem, o, unknowns);
   row.coordinates = parts.rows;
   if (parts.rows > 0) row.rms = std::sqrt(parts.total / parts.rows);
   if (row.points > 0) {

@@ -88,6 +88,7 @@ std::vector<LoneObservation> lone_observations(const Session& session, const Fit
     const std::vector<std::size_t> places(a.order.begin(), a.order.begin() + static_cast<std::ptrdiff_t>(count));
     if (is_like_a_slip(places, used.size())) continue;
     std::vector<LoneObservation> lone;
+    lone.reserve(places.size());
     for (const std::size_t p : places)
       lone.push_back({session.observations[static_cast<std::size_t>(used[p].index)].id, used[p].index});
     if (auto found = confirmed(session, std::move(lone), options); !found.empty()) return found;

@@ -24,7 +24,7 @@ std::string sum_text(double constant, const Vector3& factors) {
   for (Eigen::Index i = 0; i < 3; ++i) {
     if (std::abs(factors[i]) < 5e-5 * factors.norm()) continue;
     const std::string size = short_number(std::abs(factors[i])), name = names[static_cast<std::size_t>(i)];
-    add(factors[i], size == "1" ? name : size + "*" + name);
+    add(factors[i], size == "1" ? name : fmt::format("{}*{}", size, name));
   }
   if (const std::string size = short_number(std::abs(constant)); size != "0") add(constant, size);
   return "(" + text + ")";
@@ -91,7 +91,7 @@ std::string centred_part(const std::string& formula) {
     do {
       open += formula[end] == '(' ? 1 : formula[end] == ')' ? -1 : 0;
     } while (++end < formula.size() && open > 0);
-    const std::string part = formula.substr(begin, end - begin);
+    std::string part = formula.substr(begin, end - begin);
     if (open == 0 && part.find("tcp_") != std::string::npos) return part;
   }
   return "";

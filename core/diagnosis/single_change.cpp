@@ -106,10 +106,10 @@ SingleChange single_change(const Problem& problem, const ProblemObservation& o, 
   const double usual = std::max(noise, typical.body);
   double squares = never;
   if (problem.rig) {
-    const SingleChange corner = best_corner(problem, o, u, squares);
+    SingleChange corner = best_corner(problem, o, u, squares);
     if (squares < 9 * usual * usual) return corner;
   }
-  const SingleChange marker = best_marker(problem, o, u, squares);
+  SingleChange marker = best_marker(problem, o, u, squares);
   if (squares < 9 * usual * usual) return marker;
   const bool images = letter == 'C';
   change.kind = images ? SingleChange::Kind::images : SingleChange::Kind::body;

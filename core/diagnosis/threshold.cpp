@@ -70,6 +70,7 @@ double simulated_threshold(const LinearModel& model, const Candidates& candidate
       std::vector<double> means;
       for (const std::vector<NullScore>& scores : classes) {
         std::vector<double> factors;
+        factors.reserve(scores.size());
         for (const NullScore& s : scores) factors.push_back(s.draw(random));
         means.push_back(ln_mean_exp(factors));
       }

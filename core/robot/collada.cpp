@@ -158,7 +158,7 @@ class Collada {
     require_few(faces);
     const auto counts = find_child(faces, "vcount");
     for (const XmlNode& list : children(faces, "p")) {
-      const std::vector<std::uint32_t> indices = indices_in(list, corners, first);
+      std::vector<std::uint32_t> indices = indices_in(list, corners, first);
       std::vector<double> sizes;
       if (faces.tag() == "triangles") sizes.assign(indices.size() / 3, 3);
       if (faces.tag() == "polygons") sizes = {static_cast<double>(indices.size())};

@@ -199,7 +199,7 @@ std::optional<fs::path> find_mesh(const std::string& written, const fs::path& ur
   std::error_code error;
   for (const fs::path& candidate :
        {urdf_folder / path, urdf_folder / without_package.relative_path(), urdf_folder / path.filename()}) {
-    const fs::path real = fs::weakly_canonical(candidate, error);
+    fs::path real = fs::weakly_canonical(candidate, error);
     if (!error && is_inside(real, home) && fs::is_regular_file(real, error)) return real;
   }
   return std::nullopt;

@@ -22,7 +22,7 @@ std::optional<XmlNode> find_xacro(const tinyxml2::XMLElement& element, std::stri
   for (const auto* a = element.FirstAttribute(); a; a = a->Next())
     if (std::string_view(a->Value()).find("${") != std::string_view::npos) return XmlNode{&element, file};
   for (const auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
-    if (const auto found = find_xacro(*child, file)) return found;
+    if (auto found = find_xacro(*child, file)) return found;
   return std::nullopt;
 }
 

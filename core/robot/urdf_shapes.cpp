@@ -47,7 +47,7 @@ std::optional<Shape> read_geometry(const XmlNode& geometry) {
 std::optional<Eigen::Vector4d> color_of(const XmlNode& visual, const Colors& colors) {
   const auto material = find_child(visual, "material");
   if (!material) return std::nullopt;
-  if (const auto own = find_color(*material)) return own;
+  if (auto own = find_color(*material)) return own;
   const auto named = colors.find(find_text(*material, "name").value_or(""));
   return named == colors.end() ? std::nullopt : std::optional(named->second);
 }

@@ -73,7 +73,7 @@ Eigen::MatrixXd read_model_covariance(const XmlNode& node, std::size_t effect_nu
   const std::vector<double> numbers =
       inner_numbers(node, size * size, "row by row: 6 of TCP->Body and one for each parameter of <effects>");
   const auto rows = static_cast<Eigen::Index>(size);
-  const Eigen::MatrixXd covariance = Eigen::Map<const Eigen::MatrixXd>(numbers.data(), rows, rows).transpose();
+  Eigen::MatrixXd covariance = Eigen::Map<const Eigen::MatrixXd>(numbers.data(), rows, rows).transpose();
   Eigen::VectorXd least = Eigen::VectorXd::Constant(rows, 1e-300);
   least.head<6>().setConstant(negligible_variance(covariance.diagonal().head<6>()));
   check_covariance(node, covariance, least);

@@ -21,7 +21,7 @@ bool is_name(std::string_view text) {
 }
 
 std::string required_identifier(const XmlNode& node, const char* attribute) {
-  const std::string name = required_name(node, attribute);
+  std::string name = required_name(node, attribute);
   if (!is_name(name))
     refuse(node, fmt::format("has {}={}, expected a letter and then letters, digits and _, 64 at most.", attribute,
                              in_quotes(name)));

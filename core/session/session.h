@@ -34,8 +34,8 @@ struct CameraPoint {
 };
 
 /// Where one marker was seen in one observation: by cameras, or in a tracker session as a point.
-struct Sighting {
-  int marker = 0;                                                  // 0 to marker_count - 1
+struct Sighting {  // NOLINT(bugprone-exception-escape): what is small is moved without allocating
+  int marker = 0;  // 0 to marker_count - 1
   boost::container::small_vector<CameraPoint, 2> in_cameras = {};  // in order of camera, each at most once
   std::optional<Vector3> point = {};                               // m, in the tracker's frame
   std::optional<Vector3> along = {};  // in that frame: only the product with the point is measured

@@ -42,7 +42,7 @@ fs::path file_of(const fs::path& path) {
                        ": there is no such file or folder, expected a session's folder or its session.xml.");
     return path;
   }
-  const fs::path file = path / "session.xml";
+  fs::path file = path / "session.xml";
   if (!fs::exists(file, error))
     throw InputError(shown_path(path) + ": the folder holds no session.xml, expected a session's folder.");
   return file;

@@ -109,7 +109,7 @@ void read_stereo(const XmlNode& node, Session& session, Ignored& ignored) {
 
 /// Letters, digits and _, and none of what else stands as an attribute beside it.
 std::string read_camera_name(const XmlNode& node, const Rig& rig) {
-  const std::string name = required_name(node, "name");
+  std::string name = required_name(node, "name");
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };

@@ -108,7 +108,7 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
 std::optional<Found> corner_in_light(const Sight& sight, const Eigen::Vector2d& start, const CrossStructure& cross) {
   const auto fit = fit_corner(sight.image, start, cross, sight.noise);
   if (!fit) return std::nullopt;
-  const auto plain = checked(sight, *fit);
+  auto plain = checked(sight, *fit);
   if (!plain || fit->model.shade.norm() < kLikelyShade) return plain;
   const auto beside = fit_beside_shadow(sight.image, start, cross, fit->model, Guess::fitted, sight.noise);
   const auto shaded = beside ? checked(sight, *beside) : std::nullopt;
@@ -176,7 +176,7 @@ std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, c
   const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast, Lighting::shadowed);
   if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
   const bool may_be_centred = look.may_centre && sectors_suit(*cross, sight.noise, kMostOffCentre);
-  const auto found = may_be_centred ? centred_look(sight, candidate.position, look.was_fitted) : std::nullopt;
+  auto found = may_be_centred ? centred_look(sight, candidate.position, look.was_fitted) : std::nullopt;
   if (found || cross->asymmetry < kLeastOfShadow) return found;
   return corner_in_shadow(sight, candidate.position, *cross);
 }

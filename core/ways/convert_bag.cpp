@@ -61,7 +61,7 @@ std::optional<BagRig> find_bag_pair(const BagContents& bag, const Brought& b) {
 
 /// Two cameras, or with a target the only one whose calibration is known.
 std::optional<BagRig> find_bag_rig(const BagContents& bag, const Brought& b, const ConvertOptions& o) {
-  if (const auto pair = find_bag_pair(bag, b)) return pair;
+  if (auto pair = find_bag_pair(bag, b)) return pair;
   if (!o.target) return std::nullopt;
   std::vector<BagRig> single;
   for (const BagImages& images : bag.images) {

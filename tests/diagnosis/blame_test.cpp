@@ -12,7 +12,7 @@
 namespace handsight {
 namespace {
 
-Session simulated(double noise, const Session& like = fixture::stand_session()) {
+Session measured(double noise, const Session& like = fixture::stand_session()) {
   SimulationOptions o;
   o.observations = 40;
   o.seed = 11;
@@ -32,7 +32,7 @@ Sighting& seen_by_both(Observation& o) {
 }
 
 TEST(Blame, NobodyIsToBlameForNoise) {
-  const Session session = simulated(0.2);
+  const Session session = measured(0.2);
   for (const ObservationBlame& b : blame_observations(session, fit(session))) {
     EXPECT_EQ(b.blame.letter, 0) << b.id;
     EXPECT_EQ(b.change.kind, SingleChange::Kind::none);
@@ -42,7 +42,7 @@ TEST(Blame, NobodyIsToBlameForNoise) {
 }
 
 TEST(Blame, AWrongCornerIsTheCamerasAndSaysWhereItBelongs) {
-  Session session = simulated(0.2);
+  Session session = measured(0.2);
   const Fit right = fit(session);
   Sighting& s = seen_by_both(session.observations[7]);
   const int marker = s.marker;
@@ -60,7 +60,7 @@ TEST(Blame, AWrongCornerIsTheCamerasAndSaysWhereItBelongs) {
 }
 
 TEST(Blame, AMarkerThatMovedIsTheBodysAndSaysByHowMuch) {
-  Session session = simulated(0.2, fixture::seven_axis_session());  // four markers: three are left to agree
+  Session session = measured(0.2, fixture::seven_axis_session());  // four markers: three are left to agree
   const Fit right = fit(session);
   const ProblemObservation& o = right.problem.observations[9];
   Sighting& s = seen_by_both(session.observations[static_cast<std::size_t>(o.index)]);
@@ -80,7 +80,7 @@ TEST(Blame, AMarkerThatMovedIsTheBodysAndSaysByHowMuch) {
 }
 
 TEST(Blame, ASlippedJointIsTheRobots) {
-  Session session = simulated(0.2);
+  Session session = measured(0.2);
   const Fit right = fit(session);
   session.observations[5].position[1] += 0.02;
   const ObservationBlame b = of(blame_observations(session, right), session.observations[5].id);
@@ -122,7 +122,7 @@ TEST(Blame, OfASessionFollowsWhatTheDiagnosisFound) {
 }
 
 TEST(SmallestVisible, IsTheErrorThatTheTestSeesFourTimesInFive) {
-  const Session session = simulated(0);
+  const Session session = measured(0);
   const Fit f = fit(session);
   const ProblemObservation& o = f.problem.observations[3];
   const double visible = *smallest_visible(f.problem, o, estimate(f), 0.2);
@@ -152,7 +152,7 @@ TEST(SmallestVisible, IsTheErrorThatTheTestSeesFourTimesInFive) {
 }
 
 TEST(SmallestVisible, IsUnknownWhereABodyCouldTakeUpEverything) {
-  const Session session = simulated(0.2);
+  const Session session = measured(0.2);
   const Fit f = fit(session);
   ProblemObservation one = f.problem.observations[3];
   one.sightings.resize(1);

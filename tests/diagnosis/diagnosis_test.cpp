@@ -7,6 +7,7 @@
 
 #include "base/threads.h"
 #include "diagnosis/improvement.h"
+#include "effects/own_effect.h"
 #include "simulated_stand.h"
 
 namespace handsight {
@@ -229,6 +230,23 @@ TEST(Improvement, DoesNotTakeAWrongNameForAnUnnamedCurve) {
   EXPECT_EQ(m.last.verdict, Verdict::unexplained);
   EXPECT_NE(m.last.reason.find(session.robot.joints[2].name), std::string::npos) << m.last.reason;
   EXPECT_GT(m.unnamed_share.value_or(0), 0.9);
+  EXPECT_LT(*m.steps[1].held_out.rms_pixel, 0.22);
+}
+
+TEST(Improvement, ACurveFarLargerThanUsualStaysOneAndIsSaidToBeOdd) {
+  EffectDefinition wave;
+  wave.id = "wave", wave.scope = "joint";
+  wave.parameters = {{"sine", "rad", 1e-3}};
+  wave.moves = {{"angle", "sine*sin(3*q)", 0}};
+  const auto own = own_effect(wave, like_stand().robot);
+  EffectTerm truth = term_of(*own, 2, own);
+  truth.values = {0.03};
+  const Session session = simulated({truth}, 5, 80);
+  const Improvement m = improve(session);
+  ASSERT_EQ(m.steps.size(), 2u);
+  EXPECT_EQ(m.steps[1].added, "curve_1");
+  ASSERT_EQ(m.steps[1].stands.size(), 1u);
+  EXPECT_NE(m.steps[1].stands.front().find("sine"), std::string::npos) << m.steps[1].stands.front();
   EXPECT_LT(*m.steps[1].held_out.rms_pixel, 0.22);
 }
 

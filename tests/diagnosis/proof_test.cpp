@@ -14,7 +14,7 @@
 namespace handsight {
 namespace {
 
-Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t seed) {
+Session simulated_with(const std::vector<EffectTerm>& effects, std::uint64_t seed) {
   SimulationOptions o;
   o.effects = effects;
   o.seed = seed;
@@ -55,7 +55,7 @@ double chi_per_point(const ProofPlot& plot) {
 
 TEST(Proof, TheSlopeOfASpringAgainstItsOwnTorqueIsItsCompliance) {
   const double a2 = 1.5e-4, a3 = 0.9e-4;
-  const Session session = simulated({{"joint_elasticity", 1, {a2}}, {"joint_elasticity", 2, {a3}}}, 3);
+  const Session session = simulated_with({{"joint_elasticity", 1, {a2}}, {"joint_elasticity", 2, {a3}}}, 3);
   const Diagnosis d = without_curves(session);
   const DiagnosisCandidate* c = candidate(d, "joint_elasticity");
   ASSERT_NE(c, nullptr);
@@ -82,7 +82,7 @@ TEST(Proof, TheSlopeOfASpringAgainstItsOwnTorqueIsItsCompliance) {
 }
 
 TEST(Proof, AfterTheAdditionTheSamePointsAreLevel) {
-  const Session session = simulated({{"joint_elasticity", 1, {1.5e-4}}}, 4);
+  const Session session = simulated_with({{"joint_elasticity", 1, {1.5e-4}}}, 4);
   const Diagnosis before = without_curves(session);
   const DiagnosisCandidate* c = candidate(before, "joint_elasticity");
   ASSERT_NE(c, nullptr);
@@ -107,7 +107,7 @@ TEST(Proof, AfterTheAdditionTheSamePointsAreLevel) {
 }
 
 TEST(Proof, OfACandidateThatWasNotFittedItIsLinearAndSaysTheSame) {
-  const Session session = simulated({{"joint_elasticity", 1, {2e-5}}}, 5);
+  const Session session = simulated_with({{"joint_elasticity", 1, {2e-5}}}, 5);
   const Diagnosis d = without_curves(session);
   const DiagnosisCandidate* fitted = candidate(d, "joint_elasticity");
   ASSERT_NE(fitted, nullptr);
@@ -124,7 +124,7 @@ TEST(Proof, OfACandidateThatWasNotFittedItIsLinearAndSaysTheSame) {
 
 /// Eccentricity: sine and cosine are one curve over the angle; both numbers are slopes by their share.
 TEST(Proof, SineAndCosineOfOneEncoderStandInOnePlotAgainstItsAngle) {
-  const Session session = simulated({{"encoder_eccentricity", 1, {2e-3, -1e-3}}}, 6);
+  const Session session = simulated_with({{"encoder_eccentricity", 1, {2e-3, -1e-3}}}, 6);
   const Diagnosis d = without_curves(session);
   const DiagnosisCandidate* c = candidate(d, "encoder_eccentricity");
   ASSERT_NE(c, nullptr);
@@ -149,7 +149,7 @@ class ProofAgainst : public testing::TestWithParam<Expected> {};
 
 /// Every kind of effect is shown against what it follows.
 TEST_P(ProofAgainst, WhatItFollows) {
-  const Session session = simulated({}, 7);
+  const Session session = simulated_with({}, 7);
   const Diagnosis d = without_curves(session);
   DiagnosisCandidate c;
   c.id = GetParam().term.id;
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Before a slip its number has no share, and yet the observations say where the body was.
 TEST(Proof, BeforeASlipThePointsAreLevel) {
-  const Session session = simulated({{"body_slip", -1, {4e-3, 0, 0, 0, 0, 0, 30}}}, 8);
+  const Session session = simulated_with({{"body_slip", -1, {4e-3, 0, 0, 0, 0, 0, 30}}}, 8);
   const Diagnosis d = without_curves(session);
   const DiagnosisCandidate* c = candidate(d, "body_slip");
   ASSERT_NE(c, nullptr);
@@ -209,7 +209,7 @@ TEST(Proof, SaysTheSlopeInWordsAndUnits) {
 
 /// A curve without a name is proved like anything else.
 TEST(Proof, OfAnEffectByFormulaIsAgainstTheVariableThatTheFormulaNames) {
-  const Session session = simulated({}, 9);
+  const Session session = simulated_with({}, 9);
   const Diagnosis d = without_curves(session);
   EffectDefinition definition;
   definition.id = "curve_1", definition.scope = "session", definition.unnamed = true;

@@ -8,7 +8,7 @@
 namespace handsight {
 namespace {
 
-Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t seed, double noise) {
+Session sprung(const std::vector<EffectTerm>& effects, std::uint64_t seed, double noise) {
   Session like = fixture::stand_session();
   like.robot.joints[1].stiffness = like.robot.joints[2].stiffness = 12000;
   SimulationOptions o;
@@ -48,7 +48,7 @@ Session as_if(const Session& session, const Fit& fit, const std::vector<EffectTe
 
 TEST(ResidualViews, AnEffectLooksAsIfItWereThere) {
   const std::vector<EffectTerm> hidden = {{"encoder_eccentricity", 1, {4e-4, -2e-4}}};
-  const Session session = simulated({}, 5, 0);
+  const Session session = sprung({}, 5, 0);
   const Fit right = fit(session);
   const ResidualViews without = residual_views(right);
   const ResidualViews with = residual_views(fit(as_if(session, right, hidden)));
@@ -66,7 +66,7 @@ TEST(ResidualViews, AnEffectLooksAsIfItWereThere) {
 
 TEST(ResidualViews, TheBestSizeIsTheTrueOneAndLeavesTheNoise) {
   const std::vector<EffectTerm> hidden = {{"encoder_eccentricity", 1, {2e-3, -1e-3}}};
-  const Fit f = fit(simulated(hidden, 6, 0.2));
+  const Fit f = fit(sprung(hidden, 6, 0.2));
   const ResidualViews views = residual_views(f);
   const EffectView view = effect_view(views, {{"encoder_eccentricity", 1, {0, 0}}});
   ASSERT_EQ(view.best.size(), 2);
@@ -81,7 +81,7 @@ TEST(ResidualViews, TheBestSizeIsTheTrueOneAndLeavesTheNoise) {
 }
 
 TEST(ResidualViews, NoiseAloneIsAsLargeAsItsSigmaAndAnotherAtEachDraw) {
-  const ResidualViews views = residual_views(fit(simulated({}, 7, 0.2)));
+  const ResidualViews views = residual_views(fit(sprung({}, 7, 0.2)));
   const auto first = noise_alone(views, 1), again = noise_alone(views, 1), second = noise_alone(views, 2);
   double squares = 0, count = 0;
   for (std::size_t s = 0; s < first.size(); ++s) {
@@ -94,7 +94,7 @@ TEST(ResidualViews, NoiseAloneIsAsLargeAsItsSigmaAndAnotherAtEachDraw) {
 }
 
 TEST(ResidualViews, CornersFollowTheUnknowns) {
-  const Session session = simulated({{"joint_elasticity", 1, {1e-4}}}, 8, 0.2);
+  const Session session = sprung({{"joint_elasticity", 1, {1e-4}}}, 8, 0.2);
   FitOptions o;
   o.estimated = {{"joint_elasticity", 1, {5e-5}}};
   const Fit f = fit(session, o);
@@ -110,7 +110,7 @@ TEST(ResidualViews, CornersFollowTheUnknowns) {
 }
 
 TEST(ResidualViews, APartShowsWhatAllOfThemShowInTheSamePlaces) {
-  const Fit f = fit(simulated({{"joint_elasticity", 1, {1e-4}}}, 9, 0.2));
+  const Fit f = fit(sprung({{"joint_elasticity", 1, {1e-4}}}, 9, 0.2));
   const ResidualViews all = residual_views(f), part = residual_views(f, 21);
   EXPECT_EQ(all.problem.observations.size(), 60u);
   EXPECT_EQ(part.fitted, 60);
@@ -135,11 +135,12 @@ TEST(ResidualViews, APartShowsWhatAllOfThemShowInTheSamePlaces) {
   const std::vector<EffectTerm> spring = {{"joint_elasticity", 1, {1e-4}}};
   const EffectView by_all = effect_view(all, spring), by_part = effect_view(part, spring);
   EXPECT_NEAR(by_part.best[0], by_all.best[0], 4 * by_part.best_sigma[0]);
-  EXPECT_NEAR(rms_left(part, by_part, by_part.best), rms_left(all, by_all, by_all.best), 0.03) << "0.2 px are the noise";
+  EXPECT_NEAR(rms_left(part, by_part, by_part.best), rms_left(all, by_all, by_all.best), 0.03)
+      << "0.2 px are the noise";
 }
 
 TEST(ResidualViews, APartThatIsNotSmallerIsAll) {
-  const Fit f = fit(simulated({}, 9, 0.2));
+  const Fit f = fit(sprung({}, 9, 0.2));
   const ResidualViews all = residual_views(f), part = residual_views(f, 60);
   EXPECT_EQ(part.problem.observations.size(), 60u);
   EXPECT_EQ(part.degrees, all.degrees);

@@ -11,7 +11,7 @@
 namespace handsight {
 namespace {
 
-Session simulated(int cameras, const std::vector<std::string>& values, std::uint64_t seed, int observations = 60) {
+Session seen_by(int cameras, const std::vector<std::string>& values, std::uint64_t seed, int observations = 60) {
   const Session like = fixture::rig_session(cameras);
   const Chain chain = chain_of(like);
   SimulationOptions o;
@@ -46,7 +46,7 @@ TEST(RigDiagnosis, NamesWhatIsHiddenAndAtWhichCamera) {
       {3, {"camera_intrinsics:cam_1.fx=5", "camera_intrinsics:cam_1.cx=4"}, "camera_intrinsics", "cam_1"},
       {3, {"joint_elasticity:a3.compliance=1e-4"}, "joint_elasticity", "a3"}};
   for (const Hidden& hidden : all) {
-    const Diagnosis d = diagnose(simulated(hidden.cameras, hidden.values, 7), quick());
+    const Diagnosis d = diagnose(seen_by(hidden.cameras, hidden.values, 7), quick());
     ASSERT_FALSE(d.candidates.empty());
     const DiagnosisCandidate& best = d.candidates.front();
     EXPECT_EQ(best.id, hidden.id) << hidden.cameras << " cameras: " << d.reason;
@@ -59,7 +59,7 @@ TEST(RigDiagnosis, NamesWhatIsHiddenAndAtWhichCamera) {
 TEST(RigDiagnosis, IsHonestWhenNothingIsMissing) {
   for (const int cameras : {1, 3, 5})
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      const Diagnosis d = diagnose(simulated(cameras, {}, seed), quick());
+      const Diagnosis d = diagnose(seen_by(cameras, {}, seed), quick());
       EXPECT_EQ(d.verdict, Verdict::adequate) << cameras << " cameras: " << d.reason;
       for (const std::string& id : d.invisible) EXPECT_NE(id, "stereo_rig");
       for (const DiagnosisCandidate& c : d.candidates) EXPECT_NE(c.id, "stereo_rig");
@@ -67,7 +67,7 @@ TEST(RigDiagnosis, IsHonestWhenNothingIsMissing) {
 }
 
 TEST(RigDiagnosis, ImprovesAModelOfThreeCamerasToTheNoise) {
-  const Session s = simulated(3, {"rig:cam_1.ry=4e-3", "joint_elasticity:a3.compliance=1e-4"}, 9, 80);
+  const Session s = seen_by(3, {"rig:cam_1.ry=4e-3", "joint_elasticity:a3.compliance=1e-4"}, 9, 80);
   const Improvement m = improve(s);
   EXPECT_EQ(m.last.verdict, Verdict::adequate) << m.last.reason;
   std::vector<std::string> added;
@@ -77,7 +77,7 @@ TEST(RigDiagnosis, ImprovesAModelOfThreeCamerasToTheNoise) {
 }
 
 TEST(RigDiagnosis, AWrongPointIsThatCameras) {
-  Session s = simulated(3, {}, 4);
+  Session s = seen_by(3, {}, 4);
   Observation& o = s.observations[7];
   CameraPoint* const wrong = seen_by(o.sightings[1], o.sightings[1].in_cameras.back().camera);
   wrong->pixel += Vector2(9, -8);

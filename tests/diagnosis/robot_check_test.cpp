@@ -12,7 +12,7 @@
 namespace handsight {
 namespace {
 
-Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t seed = 7) {
+Session with_hidden(const std::vector<EffectTerm>& effects, std::uint64_t seed = 7) {
   Session like = fixture::stand_session();
   like.robot.joints[1].stiffness = like.robot.joints[2].stiffness = 12000;
   SimulationOptions o;
@@ -27,7 +27,7 @@ Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t seed = 7
 Diagnosis diagnosed(const std::vector<EffectTerm>& hidden) {
   DiagnosisOptions o;
   o.with_held_out = false;
-  return diagnose(simulated(hidden), o);
+  return diagnose(with_hidden(hidden), o);
 }
 
 const DiagnosisCandidate& found(const Diagnosis& d, const std::string& id) {
@@ -53,7 +53,7 @@ double drop_by_hand(const Session& session, std::int64_t id, int joint, double c
 
 TEST(RobotCheck, PredictsByHowMuchTheHandDrops) {
   const std::vector<EffectTerm> hidden = {{"joint_elasticity", 2, {1e-4}}};
-  const Session session = simulated(hidden);
+  const Session session = with_hidden(hidden);
   const Diagnosis d = diagnosed(hidden);
   const DiagnosisCandidate& c = found(d, "joint_elasticity");
   ASSERT_TRUE(c.check && c.check->observation);

@@ -16,11 +16,11 @@ Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned 
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
 
-struct Case {
+struct Product {
   Eigen::Index rows, a, b;
 };
 
-class ColumnProducts : public testing::TestWithParam<Case> {
+class ColumnProducts : public testing::TestWithParam<Product> {
  protected:
   void TearDown() override { registers_in_use() = widest_; }
   const Registers widest_ = registers_in_use();
@@ -66,8 +66,9 @@ TEST_P(ColumnProducts, AreAddedToTheLowerTriangleOfAPartOfAMatrix) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfManySizes, ColumnProducts,
-                         testing::Values(Case{0, 3, 2}, Case{1, 1, 1}, Case{7, 5, 3}, Case{8, 4, 4}, Case{9, 9, 6},
-                                         Case{130, 7, 13}, Case{512, 6, 5}, Case{1031, 17, 10}));
+                         testing::Values(Product{0, 3, 2}, Product{1, 1, 1}, Product{7, 5, 3}, Product{8, 4, 4},
+                                         Product{9, 9, 6}, Product{130, 7, 13}, Product{512, 6, 5},
+                                         Product{1031, 17, 10}));
 
 TEST(ColumnProductsOf, LargeMatricesAreTheSameBitByBitHoweverManyThreadsThereAre) {
   const Eigen::MatrixXd a = random_matrix(1200, 121, 7), b = random_matrix(1200, 67, 8);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "body_error.h"
 #include "estimation/fit_report.h"
 #include "fixtures/arms.h"
 
@@ -42,10 +43,6 @@ SimulatedSession with_wrong_poses(std::uint64_t seed) {
       seen_by(sighting, 1)->pixel.y() += 25;
     }
   return s;
-}
-
-Vector6 error_of(const SimulatedSession& s, const Fit& f) {
-  return small_motion_between(body_frame(f.sides, s.markers_in_tcp).tcp_from_body, f.tcp_from_body);
 }
 
 TEST(RobustFit, StandsWhatIsWrongByEveryObjectiveWhateverIsDeclared) {
@@ -93,7 +90,7 @@ TEST(RobustFit, ItsCovarianceIsThatOfItsErrors) {
       options.wrong_corners = 0.05;
       const SimulatedSession s = simulate_session(fixture::stand_session(), options);
       const Fit f = fit(s.session, {.loss = loss});
-      const Vector3 off = error_of(s, f).head<3>();
+      const Vector3 off = body_error(s, f).head<3>();
       squares += off.dot(Matrix3(f.covariance.topLeftCorner<3, 3>()).inverse() * off) / 3 / draws;
     }
     // A sandwich of 40 observations is itself uncertain, which lengthens the mean by some 10 %.

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "body_error.h"
 #include "estimation/fit_report.h"
 #include "fixtures/arms.h"
 
@@ -33,10 +34,6 @@ SimulatedSession mixed(std::uint64_t seed, double told) {
   return s;
 }
 
-Vector6 error_of(const SimulatedSession& s, const Fit& f) {
-  return small_motion_between(body_frame(f.sides, s.markers_in_tcp).tcp_from_body, f.tcp_from_body);
-}
-
 double mount_error(const SimulatedSession& s, const Fit& f) {
   return small_motion_between(s.mount_from_sensor, estimate(f).mount_from_sensor).squaredNorm();
 }
@@ -59,7 +56,7 @@ TEST(MeasurementSigmas, MakeItBetterAndItsCovarianceRight) {
     const Fit f = fit(s.session);
     weighed += mount_error(s, f);
     pooled += mount_error(without, fit(without.session));
-    squares += error_of(s, f).dot(f.covariance.inverse() * error_of(s, f)) / draws;
+    squares += body_error(s, f).dot(f.covariance.inverse() * body_error(s, f)) / draws;
   }
   EXPECT_LT(weighed, 0.9 * pooled);
   EXPECT_NEAR(squares, 6, 4 * std::sqrt(12.0 / draws)) << "chi-squared of six";

@@ -10,7 +10,7 @@
 namespace handsight {
 namespace {
 
-SimulatedSession simulated(const Session& like, std::uint64_t seed, int observations, double sag = 0) {
+SimulatedSession sagging(const Session& like, std::uint64_t seed, int observations, double sag = 0) {
   SimulationOptions options;
   options.seed = seed;
   options.observations = observations;
@@ -43,7 +43,7 @@ double difference_in_sigma(const Outcome& r, const Fit& batch) {
 TEST(Online, EqualsTheBatchFitOfWhatItKept) {
   for (const double sag : {0.0, 3e-4})
     for (const bool estimate_mount : {false, true}) {
-      SimulatedSession s = simulated(fixture::stand_session(), 21, 300, sag);
+      SimulatedSession s = sagging(fixture::stand_session(), 21, 300, sag);
       s.session.mount.estimate = estimate_mount;
       if (estimate_mount) {  // a guess that is 2 cm and 2 degrees off
         Vector6 off;
@@ -59,7 +59,7 @@ TEST(Online, EqualsTheBatchFitOfWhatItKept) {
 }
 
 TEST(Online, AnUnknownMountIsFoundOnTheWay) {
-  SimulatedSession s = simulated(fixture::stand_session(), 22, 60);
+  SimulatedSession s = sagging(fixture::stand_session(), 22, 60);
   s.session.mount.estimate = true;
   s.session.mount.known = false;
   s.session.mount.mount_from_sensor = Rigid{};
@@ -68,7 +68,7 @@ TEST(Online, AnUnknownMountIsFoundOnTheWay) {
 }
 
 TEST(Online, MarkersSeenLaterJoin) {
-  SimulatedSession s = simulated(fixture::stand_session(6), 23, 80);
+  SimulatedSession s = sagging(fixture::stand_session(6), 23, 80);
   for (std::size_t k = 0; k < s.session.observations.size(); ++k) {
     auto& sightings = s.session.observations[k].sightings;
     const std::size_t gone = k < 10 ? 3 : (k % 6);
@@ -86,7 +86,7 @@ TEST(Online, MarkersSeenLaterJoin) {
 }
 
 TEST(Online, TwoDegreesCountAsNew) {
-  SimulatedSession s = simulated(fixture::stand_session(), 24, 5);
+  SimulatedSession s = sagging(fixture::stand_session(), 24, 5);
   s.session.observations[3].position = s.session.observations[2].position;
   s.session.observations[3].position[4] += 0.02;
   const Outcome r = calibrate(s.session);
@@ -96,7 +96,7 @@ TEST(Online, TwoDegreesCountAsNew) {
 }
 
 TEST(Online, AWrongLabelIsRejectedWithTheMarkerThatIsWrong) {
-  SimulatedSession s = simulated(fixture::stand_session(4), 25, 30);
+  SimulatedSession s = sagging(fixture::stand_session(4), 25, 30);
   seen_by(s.session.observations[20].sightings[2], 0)->pixel.x() += 30;
   const Outcome r = calibrate(s.session);
   EXPECT_FALSE(r.steps[20].accepted);
@@ -105,7 +105,7 @@ TEST(Online, AWrongLabelIsRejectedWithTheMarkerThatIsWrong) {
 }
 
 TEST(Online, NothingBeforeTheFirstLabel) {
-  SimulatedSession s = simulated(fixture::stand_session(), 26, 4);
+  SimulatedSession s = sagging(fixture::stand_session(), 26, 4);
   s.session.observations[0].sightings.clear();
   s.session.observations[1].sightings.resize(2);
   const Outcome r = calibrate(s.session);
@@ -116,7 +116,7 @@ TEST(Online, NothingBeforeTheFirstLabel) {
 }
 
 TEST(Online, FirstObservationHasNoDeviation) {
-  const SimulatedSession s = simulated(fixture::stand_session(), 27, 2);
+  const SimulatedSession s = sagging(fixture::stand_session(), 27, 2);
   const Outcome r = calibrate(s.session);
   ASSERT_TRUE(r.steps[0].tcp_from_tcp_est);  // thesis: a unit matrix
   EXPECT_LT(small_motion_between(Rigid{}, *r.steps[0].tcp_from_tcp_est).norm(), 1e-6);
@@ -124,7 +124,7 @@ TEST(Online, FirstObservationHasNoDeviation) {
 }
 
 TEST(Online, TrackerSessionsToo) {
-  const SimulatedSession s = simulated(fixture::tracker_session(), 28, 50);
+  const SimulatedSession s = sagging(fixture::tracker_session(), 28, 50);
   const Outcome r = calibrate(s.session);
   EXPECT_EQ(r.steps.back().kept, 50u);
   EXPECT_LT(difference_in_sigma(r, fit(r.kept)), 1e-3);

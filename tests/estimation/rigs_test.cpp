@@ -15,8 +15,8 @@
 namespace handsight {
 namespace {
 
-SimulatedSession simulated(int cameras, std::uint64_t seed, const std::vector<EffectTerm>& effects = {},
-                           int observations = 60) {
+SimulatedSession seen_by(int cameras, std::uint64_t seed, const std::vector<EffectTerm>& effects = {},
+                         int observations = 60) {
   SimulationOptions o;
   o.observations = observations;
   o.seed = seed;
@@ -45,7 +45,7 @@ TEST(Rigs, TheBodyIsWhereItIs) {
   for (const int cameras : {1, 2, 3, 5}) {
     double squares = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      const SimulatedSession s = simulated(cameras, seed);
+      const SimulatedSession s = seen_by(cameras, seed);
       const Fit f = fit(s.session);
       EXPECT_TRUE(f.converged());
       EXPECT_EQ(f.covariance_kind, CovarianceKind::noise);
@@ -58,7 +58,7 @@ TEST(Rigs, TheBodyIsWhereItIs) {
 
 TEST(Rigs, AMountOfWhichOnlyAGuessIsKnownIsFound) {
   for (const int cameras : {1, 3}) {
-    SimulatedSession s = simulated(cameras, 3);
+    SimulatedSession s = seen_by(cameras, 3);
     const Rigid truth = s.session.mount.mount_from_sensor;
     s.session.mount.estimate = true;
     s.session.mount.mount_from_sensor =
@@ -73,7 +73,7 @@ TEST(Rigs, AMountOfWhichOnlyAGuessIsKnownIsFound) {
 TEST(Rigs, AMountOfWhichNothingIsKnownIsFoundByOneCameraToo) {
   for (const int cameras : {1, 3})
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      SimulatedSession s = simulated(cameras, seed);
+      SimulatedSession s = seen_by(cameras, seed);
       const Rigid truth = s.session.mount.mount_from_sensor;
       s.session.mount.estimate = true;
       s.session.mount.known = false;
@@ -97,7 +97,7 @@ TEST(Rigs, EffectsOfEachCameraAreRecovered) {
                                                            {2, "camera_intrinsics:cam_1_fx=3"}};
   for (const auto& [cameras, text] : hidden) {
     const std::vector<EffectTerm> truth = terms_of(fixture::rig_session(cameras), {text});
-    const SimulatedSession s = simulated(cameras, 5, truth);
+    const SimulatedSession s = seen_by(cameras, 5, truth);
     EffectTerm free = terms_of(s.session, {text}).front();
     std::fill(free.values.begin(), free.values.end(), 0.0);
     const Fit f = fit(s.session, {.estimated = {free}});
@@ -110,7 +110,7 @@ TEST(Rigs, EffectsOfEachCameraAreRecovered) {
 TEST(Rigs, AnExportedCalibrationIsReadBackWithTheEffectsOfItsCameras) {
   const std::vector<EffectTerm> truth = terms_of(
       fixture::rig_session(3), {"rig:cam_2.x=1e-3", "camera_intrinsics:cam_0.fx=2", "joint_offset:a2.offset=1e-3"});
-  const SimulatedSession s = simulated(3, 6, truth);
+  const SimulatedSession s = seen_by(3, 6, truth);
   std::vector<EffectTerm> free =
       terms_of(s.session, {"rig:cam_2.x=0", "camera_intrinsics:cam_0.fx=0", "joint_offset:a2.offset=0"});
   const FitOptions options{.estimated = free};
@@ -130,26 +130,26 @@ TEST(Rigs, AnExportedCalibrationIsReadBackWithTheEffectsOfItsCameras) {
 }
 
 TEST(Rigs, ACheckNamesTheCameras) {
-  const auto said = [](int cameras) { return check_session(simulated(cameras, 1, {}, 12).session).contents.at(1); };
+  const auto said = [](int cameras) { return check_session(seen_by(cameras, 1, {}, 12).session).contents.at(1); };
   EXPECT_NE(said(1).find("One camera (cam_0)"), std::string::npos) << said(1);
   EXPECT_NE(said(3).find("Three cameras (cam_0, cam_1 and cam_2)"), std::string::npos) << said(3);
 }
 
 TEST(Rigs, TheCameraObjectiveNeedsTwoThatSee) {
-  const SimulatedSession s = simulated(1, 1, {}, 20);
+  const SimulatedSession s = seen_by(1, 1, {}, 20);
   try {
     fit(s.session, {.objective = Objective::camera});
     FAIL() << "one camera has no points";
   } catch (const InputError& error) {
     EXPECT_GT(std::string(error.what()).size(), 20u);
   }
-  EXPECT_NO_THROW(fit(simulated(3, 1, {}, 20).session, {.objective = Objective::camera}));
+  EXPECT_NO_THROW(fit(seen_by(3, 1, {}, 20).session, {.objective = Objective::camera}));
 }
 
 TEST(Rigs, AKnownShapeMakesOneCameraSurer) {
   double free = 0, known = 0, squares = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    SimulatedSession s = simulated(1, seed, {}, 30);
+    SimulatedSession s = seen_by(1, seed, {}, 30);
     free += fit(s.session).covariance.topLeftCorner<3, 3>().trace();
     s.session.shape = KnownShape{s.markers_in_tcp, 1e-6};
     const Fit f = fit(s.session);

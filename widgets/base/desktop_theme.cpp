@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
-#include <QDBusConnection>
-#include <QDBusConnectionInterface>
-#include <QDBusMessage>
-#include <QDBusPendingCallWatcher>
-#include <QDBusPendingReply>
 #include <QDBusVariant>
 #include <QPalette>
 
+#include "widgets/base/desktop_portal.h"
 #include "widgets/base/theme.h"
 
 namespace handsight::widgets {
 namespace {
 
-const QString kService = QStringLiteral("org.freedesktop.portal.Desktop");
-const QString kPath = QStringLiteral("/org/freedesktop/portal/desktop");
-const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString kGroup = QStringLiteral("org.freedesktop.appearance");
 const QString kKey = QStringLiteral("color-scheme");
 
@@ -26,10 +19,8 @@ ThemeKind kind_of_palette() {
   return text_is_lighter ? ThemeKind::dark : ThemeKind::light;
 }
 
-/// The portal wraps its answer once or twice; 1 means dark, 2 light, 0 no preference.
-std::optional<ThemeKind> kind_of_answer(QVariant answer) {
-  while (answer.canConvert<QDBusVariant>() && answer.userType() == qMetaTypeId<QDBusVariant>())
-    answer = answer.value<QDBusVariant>().variant();
+/// 1 means dark, 2 light, 0 no preference.
+std::optional<ThemeKind> kind_of_answer(const QVariant& answer) {
   bool is_number = false;
   const unsigned scheme = answer.toUInt(&is_number);
   if (!is_number || scheme == 0) return std::nullopt;
@@ -39,23 +30,15 @@ std::optional<ThemeKind> kind_of_answer(QVariant answer) {
 }  // namespace
 
 DesktopTheme::DesktopTheme(QObject* parent) : QObject(parent), kind_(kind_of_palette()) {
-  // Without a session bus there is nobody to ask; connecting would only print a warning.
-  if (qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) return;
-  QDBusConnection bus = QDBusConnection::sessionBus();
-  if (!bus.isConnected()) return;
-  QDBusMessage question = QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
-  question << kGroup << kKey;
-  const QDBusMessage answer = bus.call(question, QDBus::Block, 300);  // before show(): a wrong first frame would flash
-  if (answer.type() == QDBusMessage::ReplyMessage && !answer.arguments().isEmpty())
-    kind_ = kind_of_answer(answer.arguments().constFirst()).value_or(kind_);
-  bus.connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), this,
-              SLOT(setting_changed(QString, QString, QDBusVariant)));
+  // Before show(): a wrong first frame would flash.
+  if (const auto answer = portal_setting(kGroup, kKey)) kind_ = kind_of_answer(*answer).value_or(kind_);
+  heed_portal(this);
 }
 
 void DesktopTheme::setting_changed(const QString& group, const QString& key, const QDBusVariant& value) {
   if (group != kGroup || key != kKey) return;
   // Desktops that were dark and are so no longer say "no preference" (GNOME), not "light".
-  const ThemeKind kind = kind_of_answer(value.variant()).value_or(ThemeKind::light);
+  const ThemeKind kind = kind_of_answer(unwrapped(value.variant())).value_or(ThemeKind::light);
   if (kind == kind_) return;
   kind_ = kind;
   emit changed(kind);

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/motion.h"
 
-#include <QDBusConnection>
-#include <QDBusMessage>
 #include <array>
 #include <utility>
+
+#include "widgets/base/desktop_portal.h"
 
 namespace handsight::widgets {
 namespace {
 
-const QString kService = QStringLiteral("org.freedesktop.portal.Desktop");
-const QString kPath = QStringLiteral("/org/freedesktop/portal/desktop");
-const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString kAppearance = QStringLiteral("org.freedesktop.appearance"), kReducedMotion = "reduced-motion";
 const QString kGnome = QStringLiteral("org.gnome.desktop.interface"), kAnimations = "enable-animations";
 
@@ -32,27 +29,17 @@ void set_motion(MotionChoice choice) { choice_ = choice; }
 MotionChoice motion() { return choice_; }
 
 std::optional<bool> asks_for_less_motion(const QString& group, const QString& key, QVariant answer) {
-  // The portal wraps its answer once or twice.
-  while (answer.userType() == qMetaTypeId<QDBusVariant>()) answer = answer.value<QDBusVariant>().variant();
+  answer = unwrapped(answer);
   if (group == kAppearance && key == kReducedMotion && answer.canConvert<unsigned>()) return answer.toUInt() == 1;
   if (group == kGnome && key == kAnimations && answer.userType() == QMetaType::Bool) return !answer.toBool();
   return std::nullopt;
 }
 
 DesktopMotion::DesktopMotion(QObject* parent) : QObject(parent) {
-  // Without a session bus there is nobody to ask; connecting would only print a warning.
-  if (qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) return;
-  QDBusConnection bus = QDBusConnection::sessionBus();
-  if (!bus.isConnected()) return;
-  for (const auto& [group, key] : {std::pair{kAppearance, kReducedMotion}, std::pair{kGnome, kAnimations}}) {
-    QDBusMessage question = QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
-    question << group << key;
-    const QDBusMessage answer = bus.call(question, QDBus::Block, 300);
-    if (answer.type() == QDBusMessage::ReplyMessage && !answer.arguments().isEmpty())
-      wishes_[place_of(group)] = asks_for_less_motion(group, key, answer.arguments().constFirst());
-  }
-  bus.connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), this,
-              SLOT(setting_changed(QString, QString, QDBusVariant)));
+  for (const auto& [group, key] : {std::pair{kAppearance, kReducedMotion}, std::pair{kGnome, kAnimations}})
+    if (const auto answer = portal_setting(group, key))
+      wishes_[place_of(group)] = asks_for_less_motion(group, key, *answer);
+  heed_portal(this);
 }
 
 void DesktopMotion::setting_changed(const QString& group, const QString& key, const QDBusVariant& value) {

@@ -8,6 +8,9 @@
 
 namespace handsight::widgets {
 
+/// How long what only changes its form moves (ms).
+constexpr int kShortMotion = 160;
+
 enum class MotionChoice { as_desktop, full, reduced };
 
 /// Is nothing to move: by the user's choice, else because the desktop says so?

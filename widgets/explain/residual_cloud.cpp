@@ -14,7 +14,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr int kMilliseconds = 160, kBlink = 450;
+constexpr int kBlink = 450;  // ms
 constexpr double kReachPixels = 8;
 
 double size_of(const CloudPoint& point) { return std::hypot(point.du, point.dv); }
@@ -33,7 +33,7 @@ ResidualCloud::ResidualCloud(QWidget* parent)
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Residuals of all corners, before and after"));
-  animation_.setDuration(kMilliseconds);
+  animation_.setDuration(kShortMotion);
   animation_.setStartValue(0.0);
   animation_.setEndValue(1.0);
   animation_.setEasingCurve(QEasingCurve::InOutQuad);

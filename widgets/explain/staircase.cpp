@@ -18,7 +18,6 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr int kMilliseconds = 160;
 constexpr double kMostSlot = 72;
 
 }  // namespace
@@ -27,7 +26,7 @@ Staircase::Staircase(QWidget* parent) : QWidget(parent), empty_text_(tr("No vers
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Error of each version of the model"));
-  animation_.setDuration(kMilliseconds);
+  animation_.setDuration(kShortMotion);
   animation_.setStartValue(0.0);
   animation_.setEndValue(1.0);
   animation_.setEasingCurve(QEasingCurve::OutCubic);
