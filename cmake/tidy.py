@@ -18,7 +18,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
@@ -135,8 +135,9 @@ def look_at(sources, build, heed):
     """Calls heed(source, findings) one by one; several groups are looked at side by side (JOBS)."""
     bad, done = 0, 0
     with ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
-        for results in pool.map(told_apart, joined(sources, commands(build))):
-            for path, found in results:
+        groups = [pool.submit(told_apart, group) for group in joined(sources, commands(build))]
+        for group in as_completed(groups):
+            for path, found in group.result():
                 done += 1
                 print(f"[{done}/{len(sources)}] {path}" + (f"\n{found}" if found else ""), flush=True)
                 heed(path, found)

@@ -85,6 +85,8 @@ QWidget* ExportWorkspace::make_left() {
   motion_->installEventFilter(this);
   motion_->verticalHeader()->setMinimumSectionSize(24);
   motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
+  for (const int c : {1, 2}) motion_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  motion_->horizontalHeaderItem(3)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   motion_->setMinimumHeight(4 * 24 + 36);  // more where there is room; else it scrolls
   layout->addWidget(motion_);
   correction_ = new CorrectionBox(bench_, left);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDir>
 #include <QTabWidget>
 
 #include "app/programs/pictures/photographer.h"
@@ -255,6 +256,7 @@ int main(int argc, char** argv) {
   app::speak(application, qEnvironmentVariable("HANDSIGHT_LANGUAGE", "en"));
   const bool dark = std::string(argv[2]) == "dark";
   widgets::apply_theme(application, dark ? widgets::ThemeKind::dark : widgets::ThemeKind::light);
+  if (!QDir().mkpath(argv[1])) return std::fprintf(stderr, "%s: cannot be made.\n", argv[1]), 2;
   test::folder_of_pictures = argv[1];
   const char* scale = std::getenv("QT_SCALE_FACTOR");
   test::suffix = QString("_%1_%2").arg(argv[2], scale ? QString::number(100 * std::atof(scale)) : QString("100"));
