@@ -23,6 +23,23 @@ const char* at(EffectScope scope) {
   return "";
 }
 
+/// As in effects.xml, and what only the catalogue has.
+const char* scope_name(EffectScope scope) {
+  switch (scope) {
+    case EffectScope::joint:
+      return "joint";
+    case EffectScope::mimic_joint:
+      return "mimic_joint";
+    case EffectScope::marker:
+      return "marker";
+    case EffectScope::camera:
+      return "camera";
+    case EffectScope::session:
+      return "session";
+  }
+  return "";
+}
+
 struct EffectsArguments {
   std::string session;
   Output output;
@@ -35,6 +52,7 @@ Json effect_json(const Effect& effect) {
   Json j{{"id", effect.id},
          {"title", effect.title},
          {"cause", effect.cause},
+         {"scope", scope_name(effect.scope)},
          {"parameters", parameters},
          {"visibility", effect.visibility},
          {"check", effect.check},

@@ -4,6 +4,7 @@
 #include <tinyxml2.h>
 
 #include <Eigen/Dense>
+#include <map>
 
 #include "base/numbers.h"
 #include "cli/cli_runner.h"
@@ -169,7 +170,20 @@ TEST_F(Story, EffectiveMassDetectEffectsAndSimulateRun) {
                             "--session", sample("first_steps").string(), "--json", "-"});
   ASSERT_EQ(detect.exit_code, 0) << detect.errors;
   EXPECT_GE(detect.json()["pairs"].size(), 3u);
-  EXPECT_GE(run_cli(folder.path, {"effects", "--json", "-"}).json().size(), 1u);
+  const auto effects = run_cli(folder.path, {"effects", "--json", "-"}).json();
+  EXPECT_GE(effects.size(), 1u);
+  const std::map<std::string, std::string> scopes = {{"joint_offset", "joint"},
+                                                     {"mimic_error", "mimic_joint"},
+                                                     {"marker_slip", "marker"},
+                                                     {"rig", "camera"},
+                                                     {"payload", "session"}};
+  std::size_t told = 0;
+  for (const auto& e : effects)
+    if (const auto scope = scopes.find(e["id"]); scope != scopes.end()) {
+      EXPECT_EQ(e["scope"], scope->second);
+      ++told;
+    }
+  EXPECT_EQ(told, scopes.size());
   const auto out = folder.path / "made";
   const std::vector<std::string> arguments = {"simulate",
                                               "--like",
