@@ -291,7 +291,8 @@ std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vect
   while (reach > kShadowRadius && !is_inside(image, centre, reach)) --reach;
   if (!is_inside(image, centre, reach)) return std::nullopt;
   gather(image, centre, reach, at.patch);
-  evaluate(first, reach + 2, 0, at.patch.count, at.patch);  // so far out that all pixels have their full weight
+  // With a rim so far out that all pixels have their full weight.
+  evaluate_residuals(first, reach + 2, 0, at.patch.count, at.patch);
   const auto edge = likely_shadow(at.patch, first, guess, image_noise);
   if (!edge) return std::nullopt;
   CornerFit fit;
