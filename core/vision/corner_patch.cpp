@@ -370,6 +370,7 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
   const int* const offsets = offsets_in(image.width);
   std::array<std::uint8_t, kMostPatchPixels> pixels;
+#pragma GCC unroll 8
   for (int n = there; n < patch.count; ++n) pixels[n] = middle[offsets[n]];
   const bool is_clipped = as_values(&pixels[there], patch.count - there, &patch.value[there]);
   patch.is_clipped = (there > 0 && patch.is_clipped) || is_clipped;
