@@ -74,8 +74,19 @@ HANDSIGHT_LANES void saddle_row(const std::int16_t* up, const std::int16_t* at, 
   }
 }
 
+// The largest of three neighbours each. Reads up to 8 more than `count`, and writes up to 7.
+HANDSIGHT_LANES void widen_row(const float* at, int count, float* wide) {
+  for (int x = 0; x < count; x += kLanes) {
+    Lanes left, s, right;
+    load(at + x - 1, left), load(at + x, s), load(at + x + 1, right);
+    s = left > s ? left : s;
+    s = right > s ? right : s;
+    store(s, wide + x);
+  }
+}
+
 // Of each group of eight a bit for each column where `at` is a peak above `least`; of equals the upper one is one, then
-// the left one. Reads up to 8 more than `count`.
+// the left one. `up` and `down` are widened. Reads up to 8 more than `count`.
 HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* down, int count, float least,
                                 std::uint8_t* groups) {
   constexpr Whole kBit{1, 2, 4, 8, 16, 32, 64, 128};
@@ -86,10 +97,8 @@ HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* d
     Whole is_peak = s > least;
     load(at + x - 1, other), is_peak &= s > other;
     load(at + x + 1, other), is_peak &= s >= other;
-    for (int i = -1; i <= 1; ++i) {
-      load(up + x + i, other), is_peak &= s > other;
-      load(down + x + i, other), is_peak &= s >= other;
-    }
+    load(up + x, other), is_peak &= s > other;
+    load(down + x, other), is_peak &= s >= other;
     const Whole bits = is_peak & kBit;
     FourWhole four, high;
     std::memcpy(&four, &bits, sizeof four);
@@ -139,7 +148,11 @@ void keep_strongest(int width, std::vector<Candidate>& candidates) {
     return static_cast<std::size_t>(static_cast<int>(c.position.y()) / kTile * across +
                                     static_cast<int>(c.position.x()) / kTile);
   };
-  std::vector<std::vector<float>> depths(tile(candidates.back()) + static_cast<std::size_t>(2 * across));
+  const std::size_t tiles = tile(candidates.back()) + static_cast<std::size_t>(2 * across);
+  std::vector<std::size_t> counts(tiles, 0);
+  for (const Candidate& c : candidates) ++counts[tile(c)];
+  if (*std::max_element(counts.begin(), counts.end()) <= kMostOfTile) return;
+  std::vector<std::vector<float>> depths(tiles);
   for (const Candidate& c : candidates) depths[tile(c)].push_back(c.saddle);
   std::vector<float> least(depths.size(), 0);
   for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -150,25 +163,36 @@ void keep_strongest(int width, std::vector<Candidate>& candidates) {
   std::erase_if(candidates, [&](const Candidate& c) { return c.saddle < least[tile(c)]; });
 }
 
+// What a saddle must have to be one.
+struct Asked {
+  float least;  // of the smoothed plane's saddles
+  double min_contrast, noise;
+};
+
 // The saddles of a band of rows, of half the resolution, whatever bands there are; writes its rows of `half`, if any.
+// The rings round them are looked at while the nearest caches still hold their pixels.
 struct Band {
   int begin, end;
 };
-void find_in_band(const Image& image, const Band& band, float least, Image* half, std::vector<Candidate>& candidates) {
+void find_in_band(const Image& image, const Band& band, const Asked& asked, Image* half,
+                  std::vector<Candidate>& candidates) {
   const int width = image.width / 2, height = image.height / 2;
   const int first = std::max(band.begin, 3), last = std::min(band.end, height - 3);  // where saddles may be peaks
   candidates.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(band.end - band.begin) / 64);
   Sums sums(width);
   Smoothed smoothed(width);
-  Saddles saddles(width);
+  Saddles saddles(width), widened(width);
   std::vector<std::uint16_t> column_sums(width);
   std::vector<std::uint8_t> peaks(static_cast<std::size_t>(width) / kLanes + 1 + sizeof(std::uint64_t), 0);
   const auto find_in_row = [&](int y) {
     const float* const at = saddles.row(y) + 3;
-    find_peaks(saddles.row(y - 1) + 3, at, saddles.row(y + 1) + 3, width - 6, least, peaks.data());
+    find_peaks(widened.row(y - 1) + 3, at, widened.row(y + 1) + 3, width - 6, asked.least, peaks.data());
     each_peak(peaks.data(), width - 6, [&](int n) {
       Candidate candidate;
-      if (saddle_point(smoothed, n + 3, y, at[n], candidate)) candidates.push_back(candidate);
+      if (!saddle_point(smoothed, n + 3, y, at[n], candidate)) return;
+      const Eigen::Vector2i pixel = (candidate.position.array() + 0.5).cast<int>();  // none is negative
+      candidate.ring = may_be_cross(image, pixel, asked.min_contrast, asked.noise);
+      candidates.push_back(candidate);
     });
   };
   // Two smoothed rows and columns and three rows of saddles at each side of the image do not exist: they stay 0.
@@ -182,10 +206,11 @@ void find_in_band(const Image& image, const Band& band, float least, Image* half
     smooth_row(rows, width, column_sums.data(), smoothed.row(y - 2));
     if (y < begin + 6) continue;
     saddle_row(smoothed.row(y - 4), smoothed.row(y - 3), smoothed.row(y - 2), width, saddles.row(y - 3));
+    widen_row(saddles.row(y - 3) + 3, width - 6, widened.row(y - 3) + 3);
     if (y - 4 >= first && y - 4 < last) find_in_row(y - 4);
   }
   if (last < height - 3 || last <= first) return;
-  std::fill(saddles.row(height - 3), saddles.row(height - 3) + width, 0.f);
+  std::fill(widened.row(height - 3), widened.row(height - 3) + width, 0.f);
   find_in_row(height - 4);
 }
 
@@ -193,7 +218,7 @@ void find_in_band(const Image& image, const Band& band, float least, Image* half
 
 std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half) {
   const int width = image.width / 2, height = image.height / 2;
-  if (half) *half = Image(width, height);
+  if (half && (half->width != width || half->height != height)) *half = Image(width, height);
   if (image.width < 14 || image.height < 14) return {};
   // Ixy of a right-angled X-corner is 0.637 b / (2.06^2 + blur^2) at half contrast b, a quarter of that per
   // half-resolution px^2; 0.075 of the contrast is what one of 2.5 px blur has left at 53 deg, less 3 sigma of noise.
@@ -204,9 +229,13 @@ std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast
   std::vector<std::vector<Candidate>> of_band(static_cast<std::size_t>(bands));
   const auto edge = [&](int band) { return static_cast<int>(static_cast<std::int64_t>(height) * band / bands); };
   each_part(bands, is_large, [&](int band) {
-    find_in_band(image, {edge(band), edge(band + 1)}, least, half, of_band[static_cast<std::size_t>(band)]);
+    find_in_band(image, {edge(band), edge(band + 1)}, {least, min_contrast, noise}, half,
+                 of_band[static_cast<std::size_t>(band)]);
   });
   std::vector<Candidate> candidates = std::move(of_band.front());
+  std::size_t count = candidates.size();
+  for (int band = 1; band < bands; ++band) count += of_band[static_cast<std::size_t>(band)].size();
+  candidates.reserve(count);
   for (int band = 1; band < bands; ++band) {
     const auto& more = of_band[static_cast<std::size_t>(band)];
     candidates.insert(candidates.end(), more.begin(), more.end());

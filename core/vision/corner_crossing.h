@@ -16,7 +16,7 @@
 namespace handsight {
 
 struct Crossing {
-  static constexpr double kNothing = 7;  // q, where a thousandth is left of what they share
+  static constexpr double kNothing = 5;  // q, where a 150th is left of what they share at the corner
   float narrow, twist;                   // q = narrow (d^2 + e^2) - twist d e
   float most, per_blur;                  // where both edges are; by how much q grows it as blur does
   float turn, turn_by_both,

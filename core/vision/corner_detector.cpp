@@ -2,6 +2,7 @@
 #include "vision/corner_detector.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -222,7 +223,8 @@ std::vector<Corner> strongest(const Image& image, std::vector<Corner> corners, i
 }  // namespace
 
 std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& options) {
-  std::vector<Image> images(kLevels + 1);  // each half of the one before; the first is not used
+  // Each half of the one before; the first is not used. They stay for the next image, which mostly is as large.
+  thread_local std::array<Image, kLevels> images;
   std::vector<Level> levels;
   levels.reserve(kLevels);
   std::vector<Placed> placed;
@@ -239,7 +241,7 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
       std::vector<Foretold> missing = levels[n - 1].missing;
       for (Foretold& foretold : missing)
         foretold.position = in_halved(foretold.position, 1), foretold.spacing *= 0.5, foretold.blur *= 0.5;
-      find_blurred_corners(levels[n - 1], known, missing, level, images[n + 1]);
+      find_blurred_corners(levels[n - 1], known, missing, level, n + 1 < kLevels ? &images[n + 1] : nullptr);
     }
     for (const Found& found : level.found) {
       known.push_back(found.suspect);

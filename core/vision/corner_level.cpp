@@ -53,6 +53,14 @@ struct Numbered {
   std::size_t number;
   Found found;
 };
+// How many all parts hold together.
+template <class Parts, class SizeOf>
+std::size_t total_size(const Parts& parts, const SizeOf& size_of) {
+  std::size_t size = 0;
+  for (const auto& part : parts) size += size_of(part);
+  return size;
+}
+
 template <class Look>
 std::vector<Numbered> all_found(const Sight& sight, std::size_t count, const Look& look) {
   const std::size_t part = is_large(sight) ? kPart : std::max<std::size_t>(count, 1);
@@ -63,7 +71,9 @@ std::vector<Numbered> all_found(const Sight& sight, std::size_t count, const Loo
       if (const auto found = look(i)) parts[static_cast<std::size_t>(p)].push_back({i, *found});
   });
   if (parts.empty()) return {};
+  const std::size_t size = total_size(parts, [](const std::vector<Numbered>& some) { return some.size(); });
   std::vector<Numbered> all = std::move(parts.front());
+  all.reserve(size);
   for (std::size_t p = 1; p < parts.size(); ++p) all.insert(all.end(), parts[p].begin(), parts[p].end());
   return all;
 }
@@ -108,7 +118,7 @@ FirstLooks first_looks(const Level& level, const IsAsked& is_asked) {
     FirstLooks& looks = parts[static_cast<std::size_t>(p)];
     const std::size_t begin = static_cast<std::size_t>(p) * part, end = std::min(begin + part, candidates.size());
     for (std::size_t i = begin; i < end; ++i) {
-      if (!is_asked(candidates[i])) continue;
+      if (!candidates[i].ring || !is_asked(candidates[i])) continue;
       const Look look = quick_look(level.sight, candidates[i]);
       if (look.found)
         looks.finds.add(*look.found, candidates[i]);
@@ -117,7 +127,10 @@ FirstLooks first_looks(const Level& level, const IsAsked& is_asked) {
     }
   });
   if (parts.empty()) return {};
+  const std::size_t found = total_size(parts, [](const FirstLooks& some) { return some.finds.all.size(); });
+  const std::size_t left = total_size(parts, [](const FirstLooks& some) { return some.left.size(); });
   FirstLooks looks = std::move(parts.front());
+  looks.finds.all.reserve(found), looks.finds.suspects.reserve(found), looks.left.reserve(left);
   for (std::size_t p = 1; p < parts.size(); ++p) looks.append(parts[p]);
   return looks;
 }
@@ -304,9 +317,9 @@ void find_corners(Level& level, Image& half) {
 }
 
 void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known, const std::vector<Foretold>& missing,
-                          Level& level, Image& half) {
+                          Level& level, Image* half) {
   const Sight& sight = level.sight;
-  level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, &half);
+  level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, half);
   const FinerSaddles sharper(sight.image.width, sight.image.height, finer.candidates);
   FirstLooks looks = first_looks(level, [&](const Candidate& candidate) { return !sharper.tell_against(candidate); });
   if (looks.is_empty() && missing.empty()) return;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -26,6 +27,7 @@ constexpr double kLeastSine = 1e-3;
 
 int cell(double coordinate) { return static_cast<int>(coordinate) / kNear; }
 
+bool within(double u, double v, double distance) { return u * u + v * v < distance * distance; }
 bool within(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double distance) {
   return (a - b).squaredNorm() < distance * distance;
 }
@@ -37,17 +39,17 @@ void each_near_pair(const std::vector<Suspect>& suspects, double distance, const
     int strip;  // of rows, `distance` px high
     double u;
     int number;
+    double v;
     auto operator<=>(const Place&) const = default;
   };
   std::vector<Place> places(suspects.size());
   for (std::size_t i = 0; i < suspects.size(); ++i)
     places[i] = {static_cast<int>(std::floor(suspects[i].position.y() / distance)), suspects[i].position.x(),
-                 static_cast<int>(i)};
+                 static_cast<int>(i), suspects[i].position.y()};
   std::sort(places.begin(), places.end());
   const auto act_from = [&](const Place& one, auto other, int strip) {
     for (; other != places.end() && other->strip == strip && other->u - one.u < distance; ++other)
-      if (within(suspects[one.number].position, suspects[other->number].position, distance))
-        act(one.number, other->number);
+      if (within(other->u - one.u, other->v - one.v, distance)) act(one.number, other->number);
   };
   auto below = places.begin();  // the first of the next strip that may be near
   for (auto i = places.begin(); i != places.end(); ++i) {
@@ -61,12 +63,13 @@ void each_near_pair(const std::vector<Suspect>& suspects, double distance, const
 // Of a suspect what is compared with others'.
 struct Likeness {
   Eigen::Vector2d first, second;  // along the edges
+  Eigen::Vector2d position;       // px
   double contrast;                // half, grey levels
 };
 
 Likeness likeness(const Suspect& s) {
   const auto along = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
-  return {along(s.edges[0]), along(s.edges[1]), std::abs(s.half_contrast)};
+  return {along(s.edges[0]), along(s.edges[1]), s.position, std::abs(s.half_contrast)};
 }
 
 bool alike(const Likeness& a, const Likeness& b) {
@@ -176,11 +179,14 @@ void SaddleField::set_probability(std::span<const int> numbers, double probabili
 }
 
 int SaddleField::counted(std::span<const int> numbers, const Candidate& candidate) const {
-  return static_cast<int>(std::count_if(numbers.begin(), numbers.end(), [&](int n) {
-    const Eigen::Vector2d at(u_[n], v_[n]);
-    return depth_[n] >= kAsDeep * candidate.saddle && within(at, candidate.position, kNear) &&
-           !within(at, candidate.position, kSame);
-  }));
+  const float least = kAsDeep * candidate.saddle;
+  int count = 0;
+  for (const int n : numbers) {  // without branches, which nobody could foretell
+    const double u = u_[n] - candidate.position.x(), v = v_[n] - candidate.position.y(), square = u * u + v * v;
+    count += static_cast<int>(depth_[n] >= least) & static_cast<int>(square < kNear * kNear) &
+             static_cast<int>(square >= kSame * kSame);
+  }
+  return count;
 }
 
 std::vector<double> board_signs(const std::vector<Suspect>& suspects) {
@@ -188,12 +194,37 @@ std::vector<double> board_signs(const std::vector<Suspect>& suspects) {
   std::transform(suspects.begin(), suspects.end(), likenesses.begin(), likeness);
   std::vector<double> signs(suspects.size());
   each_near_pair(suspects, kNear, [&](int i, int j) {
-    if (alike(likenesses[i], likenesses[j]) && !within(suspects[i].position, suspects[j].position, kSame))
+    if (alike(likenesses[i], likenesses[j]) && !within(likenesses[i].position, likenesses[j].position, kSame))
       ++signs[i], ++signs[j];
   });
   for (double& sign : signs) sign = std::clamp((sign - kFewOfABoard) / (kMostOfABoard - kFewOfABoard), 0.0, 1.0);
   return signs;
 }
+
+namespace {
+
+// Two that are near each other, and how many of the other's saddles each of them hears.
+struct Tie {
+  int one, other;
+  std::int16_t heard_by_one, heard_by_other;
+};
+
+// All ties of one follow each other. `own`: the saddles that each of the suspects is.
+std::vector<Tie> ties_of(const std::vector<Suspect>& suspects, const std::vector<SaddleField::Few>& own,
+                         const SaddleField& field) {
+  std::vector<Candidate> candidates(suspects.size());
+  std::transform(suspects.begin(), suspects.end(), candidates.begin(), [](const Suspect& s) { return s.candidate; });
+  std::vector<Tie> ties;
+  ties.reserve(8 * suspects.size());
+  each_near_pair(suspects, kNear + 2 * kSame, [&](int i, int j) {
+    const int by_one = field.counted(own[j], candidates[i]), by_other = field.counted(own[i], candidates[j]);
+    if (by_one + by_other > 0)
+      ties.push_back({i, j, static_cast<std::int16_t>(by_one), static_cast<std::int16_t>(by_other)});
+  });
+  return ties;
+}
+
+}  // namespace
 
 void weigh(std::vector<Suspect>& suspects, SaddleField& field) {
   // Who speaks for a saddle that two were fitted to: the last.
@@ -209,17 +240,7 @@ void weigh(std::vector<Suspect>& suspects, SaddleField& field) {
     count = static_cast<std::size_t>(std::remove_if(numbers.begin(), numbers.begin() + count, is_anothers) -
                                      numbers.begin());
   }
-  struct Tie {
-    int listener, speaker, saddles;
-  };
-  std::vector<Tie> ties;
-  ties.reserve(16 * suspects.size());
-  each_near_pair(suspects, kNear + 2 * kSame, [&](int i, int j) {
-    for (const auto& [listener, speaker] : {std::pair{i, j}, std::pair{j, i}}) {
-      const int saddles = field.counted(own[speaker], suspects[listener].candidate);
-      if (saddles > 0) ties.push_back({listener, speaker, saddles});
-    }
-  });
+  const std::vector<Tie> ties = ties_of(suspects, own, field);
   std::vector<double> if_none(suspects.size()), others, probability(suspects.size()), board = board_signs(suspects);
   const auto settle = [&] {
     for (std::size_t i = 0; i < suspects.size(); ++i) probability[i] = 1 / (1 + std::exp(-suspects[i].log_odds));
@@ -229,7 +250,15 @@ void weigh(std::vector<Suspect>& suspects, SaddleField& field) {
   settle();
   for (int round = 0; round < kRounds; ++round) {
     others = if_none;
-    for (const Tie& tie : ties) others[tie.listener] -= 2 * tie.saddles * probability[tie.speaker];
+    for (auto tie = ties.begin(); tie != ties.end();) {
+      const int one = tie->one;
+      double rest = others[one];
+      for (; tie != ties.end() && tie->one == one; ++tie) {
+        rest -= 2 * tie->heard_by_one * probability[tie->other];
+        others[tie->other] -= 2 * tie->heard_by_other * probability[one];
+      }
+      others[one] = rest;
+    }
     for (std::size_t i = 0; i < suspects.size(); ++i)
       suspects[i].log_odds = log_odds_among(suspects[i].own, others[i], board[i]);
     settle();

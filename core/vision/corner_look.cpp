@@ -54,7 +54,10 @@ bool sectors_suit(const CrossStructure& cross, double noise, double most = kMost
     return std::sqrt(std::max(sign * sign - share * share * relative * relative, 0.0));
   };
   const double left = most - 0.47 * beyond(cross.asymmetry, 0.45);
-  return left > 0 && beyond(sector_misfit(cross), 0.35) < left;
+  if (!(left > 0)) return false;
+  // A little less than what suits, so that rounding does not decide.
+  const double enough = 0.999 * std::sqrt(left * left + 0.35 * 0.35 * relative * relative);
+  return beyond(sector_misfit(cross, enough), 0.35) < left;
 }
 
 // What fits a chain of dots or a bar that thins best is often blacker than black or brighter than any pixel can be,
@@ -157,11 +160,9 @@ double doubt_of(const CornerModel& model, double asymmetry, double variance) {
 }
 
 Look quick_look(const Sight& sight, const Candidate& candidate) {
-  const Eigen::Vector2i pixel = (candidate.position.array() + 0.5).cast<int>();  // none is negative
-  const auto lighting = may_be_cross(sight.image, pixel, sight.options.min_contrast, sight.noise);
-  if (!lighting) return {};
-  Look look{.is_postponed = true};
-  if (!candidate.stationary || lighting == Lighting::shadowed) return look;
+  Look look;  // without braces: they would fill it with zeros
+  look.is_postponed = true;
+  if (!candidate.stationary || candidate.ring == Lighting::shadowed) return look;
   const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast);
   if (!cross) return look;
   const double depth = relative_depth(candidate, *cross);

@@ -40,7 +40,8 @@ struct Look {
   bool is_postponed = false;  // open, or what made it none may be its centre, a shadow or its neighbours
 };
 
-/// What cannot be a corner is cheap to see of most: nothing is fitted that a cheap test speaks against.
+/// Of a candidate whose ring may be of a cross. What cannot be a corner is cheap to see of most: nothing is fitted that
+/// a cheap test speaks against.
 Look quick_look(const Sight& sight, const Candidate& candidate);
 
 /// How to look at a candidate again.

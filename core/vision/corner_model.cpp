@@ -84,6 +84,7 @@ struct Progress {
   PatchSums sum;
   double noise = 0;    // grey levels
   double promise = 0;  // grey levels, what the noise would be after the last step if the model were linear
+  double length = 1;   // px, of the last step, as Step::length
 };
 
 // What the noise will be at least, after one more step, against the bound that it must meet at the end: a saddle that
@@ -118,6 +119,7 @@ bool fit_disc(const Image& image, double radius, int iterations, double precisio
     if (!made) return false;
     at.promise = std::sqrt(std::max(at.sum.squares - made->decrease, 0.0) / std::max(at.sum.weights - 9.0, 1.0));
     if (!promises_well(model, at.promise, at.image_noise, i == 0 ? loose.first_promise : loose.promise)) return false;
+    at.length = made->length;
     if (made->length < precision) break;
   }
   return true;
@@ -231,10 +233,14 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
   CornerModel& model = fit.model;
   Progress at;
   at.image_noise = image_noise;
-  for (const Looseness& loose : {kFirstLook, kSecondLook})
-    if (!fit_disc(image, fit.radius, 2, 0.05, loose, at, model) ||
-        !looks_right(model, cross, at.noise, image_noise, loose.look))
+  for (const Looseness& loose : {kFirstLook, kSecondLook}) {
+    if (at.length < kPrecision) {  // another step would change nothing that the next disc does not
+      if (!promises_well(model, at.promise, image_noise, loose.promise)) return std::nullopt;
+    } else if (!fit_disc(image, fit.radius, 2, kPrecision, loose, at, model)) {
       return std::nullopt;
+    }
+    if (!looks_right(model, cross, at.noise, image_noise, loose.look)) return std::nullopt;
+  }
   if ((model.position - start).norm() > kMostMove) return std::nullopt;
   fit.misfit = misfit_of(at.patch);
   if (fit.misfit > kMostShared * std::abs(model.half_contrast)) return std::nullopt;
@@ -291,7 +297,8 @@ std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vect
   while (reach > kShadowRadius && !is_inside(image, centre, reach)) --reach;
   if (!is_inside(image, centre, reach)) return std::nullopt;
   gather(image, centre, reach, at.patch);
-  evaluate(first, reach + 2, 0, at.patch.count, at.patch);  // so far out that all pixels have their full weight
+  // With a rim so far out that all pixels have their full weight.
+  evaluate_residuals(first, reach + 2, 0, at.patch.count, at.patch);
   const auto edge = likely_shadow(at.patch, first, guess, image_noise);
   if (!edge) return std::nullopt;
   CornerFit fit;

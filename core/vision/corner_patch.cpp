@@ -159,6 +159,7 @@ HANDSIGHT_INLINE void evaluate_part(const EdgeShape& shape, const Constants& c, 
     const Vector base = w * (c.level + c.half * f);
     store(w, &patch.weight[n]);
     store(w * value - (1.f + c.hu * x + c.hv * y) * base, &patch.residual[n]);
+    store(w * f, &patch.even[4][n]);
     if constexpr (!WithDerivatives) continue;
     const Vector wh = w * c.half;
     Vector ea = a.slope * b.value, eb = b.slope * a.value;  // dI/dd of either edge
@@ -180,7 +181,6 @@ HANDSIGHT_INLINE void evaluate_part(const EdgeShape& shape, const Constants& c, 
     store(second, &patch.even[1][n]);
     store(wh * spread, &patch.even[2][n]);
     store(w, &patch.even[3][n]);
-    store(w * f, &patch.even[4][n]);
   }
 }
 
@@ -370,6 +370,7 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
   const int* const offsets = offsets_in(image.width);
   std::array<std::uint8_t, kMostPatchPixels> pixels;
+#pragma GCC unroll 8
   for (int n = there; n < patch.count; ++n) pixels[n] = middle[offsets[n]];
   const bool is_clipped = as_values(&pixels[there], patch.count - there, &patch.value[there]);
   patch.is_clipped = (there > 0 && patch.is_clipped) || is_clipped;

@@ -61,7 +61,7 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
 /// stays where it is as the position moves.
 void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch);
 
-/// The residuals alone; derivatives may be overwritten or not.
+/// The residuals and the derivatives by the half contrast alone; others may be overwritten or not.
 void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch);
 
 /// Sums over the patch; the lower triangle of each block only.

@@ -2,7 +2,9 @@
 #include "vision/corner_structure.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "vision/corner_lanes.h"
@@ -59,9 +61,9 @@ HANDSIGHT_LANES void sample_circles(const Image& image, const Circles& at, float
 
 // The mean over the circles, of even[i] = I at angle i and opposite, and the squared difference of these two.
 struct Profile {
-  std::array<float, kHalf> even{};
-  std::array<std::array<float, kHalf>, kRadii.size()> single{};  // sum of both, circle by circle
-  float odd_square = 0;
+  std::array<float, kHalf> even;
+  std::array<std::array<float, kHalf>, kRadii.size()> single;  // sum of both, circle by circle
+  float odd_square;
 };
 
 HANDSIGHT_LANES void fold_circles(const float* values, Profile& profile) {
@@ -108,35 +110,69 @@ HANDSIGHT_LANES float flatness(const Profile& profile, float middle) {
   return sum[0] / std::max(sum[1], 1e-3f);
 }
 
-// Mean of the lowest, or of the highest, few.
-constexpr int kFew = 3;
-
+// Mean of the lowest, or of the highest, three.
 struct Extremes {
   float low = 0, high = 0;
 };
 
-Extremes extremes(const std::array<float, kHalf>& values) {
-  std::array<float, kFew> low, high;  // sorted, the most extreme first
-  low.fill(1e9f), high.fill(-1e9f);
-  for (const float value : values) {
-    float up = value, down = value;
-    for (float& kept : low) {
-      const float lower = std::min(kept, up);
-      up = std::max(kept, up), kept = lower;
-    }
-    for (float& kept : high) {
-      const float higher = std::max(kept, down);
-      down = std::min(kept, down), kept = higher;
-    }
-  }
-  return {(low[0] + low[1] + low[2]) / kFew, (high[0] + high[1] + high[2]) / kFew};
+template <class Vector>
+HANDSIGHT_INLINE void order(Vector& low, Vector& high) {
+  const auto is_ordered = low < high;
+  const Vector lower = is_ordered ? low : high;
+  high = is_ordered ? high : low, low = lower;
+}
+
+// In each lane the three lowest of one's and of other's, both in order, in order.
+HANDSIGHT_INLINE void keep_lowest(Four* one, Four* other) {
+  order(one[0], other[0]), order(one[1], other[1]);
+  order(one[1], other[0]);
+  order(one[2], other[2]), order(one[2], other[0]);
+}
+
+// Of eight lanes that hold a lower and a higher value each the three lowest.
+HANDSIGHT_INLINE float sum_of_lowest(const Lanes& lower, const Lanes& higher) {
+  Four one[3], other[3];
+  const auto halves = [](const Lanes& from, Four& first, Four& second) {
+    std::memcpy(&first, &from, sizeof first);
+    std::memcpy(&second, reinterpret_cast<const char*>(&from) + sizeof first, sizeof second);
+  };
+  halves(lower, one[0], other[0]), halves(higher, one[1], other[1]);
+  order(one[0], other[0]), order(one[1], other[1]);
+  one[2] = one[1], one[1] = other[0];
+  order(one[1], one[2]);
+  for (int i = 0; i < 3; ++i) other[i] = __builtin_shufflevector(one[i], one[i], 2, 3, 0, 1);
+  keep_lowest(one, other);
+  for (int i = 0; i < 3; ++i) other[i] = __builtin_shufflevector(one[i], one[i], 1, 0, 3, 2);
+  keep_lowest(one, other);
+  return one[0][0] + one[1][0] + one[2][0];
+}
+
+HANDSIGHT_LANES Extremes extremes(const float* values) {
+  constexpr float kThird = 3;
+  Lanes lower, higher;
+  load(values, lower), load(values + kLanes, higher);
+  order(lower, higher);
+  return {sum_of_lowest(lower, higher) / kThird, -sum_of_lowest(-higher, -lower) / kThird};
+}
+
+// A bit for each value that is less than `middle`, the first one's lowest.
+HANDSIGHT_LANES std::uint32_t bits_below(const float* values, float middle) {
+  constexpr Whole kBit{1, 2, 4, 8, 16, 32, 64, 128};
+  Lanes first, second;
+  load(values, first), load(values + kLanes, second);
+  const Whole bits = ((first < middle) & kBit) | (((second < middle) & kBit) << kLanes);
+  std::uint64_t parts[kLanes / 2];
+  std::memcpy(parts, &bits, sizeof parts);
+  const std::uint64_t both = (parts[0] | parts[1]) | (parts[2] | parts[3]);
+  return static_cast<std::uint32_t>(both | both >> 32);
 }
 
 constexpr std::array<float, 3> kBlurs{0.9f, 1.5f, 2.3f};
 
 // The least that the pattern of two blurred edges that cross in the middle leaves of the profile `even`, whose mean is
-// 0: the sum of squares in half contrasts.
-HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double, 2>& edges, const float* even) {
+// 0, or what is no more than `enough`: the sum of squares in half contrasts.
+HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double, 2>& edges, const float* even,
+                                      float enough) {
   const auto first = static_cast<float>(edges[0]), second = static_cast<float>(edges[1]);
   const float s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
   float least = 1e9f;
@@ -158,6 +194,7 @@ HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double
     totals(sums, sum);
     const float variance = sum[1] - sum[0] * sum[0] / kHalf, both = sum[2];
     least = std::min(least, (sum[3] - both * both / variance) * variance * variance / (both * both));
+    if (least <= enough) break;
   }
   return least;
 }
@@ -166,17 +203,15 @@ HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double
 
 std::optional<Lighting> may_be_cross(const Image& image, const Eigen::Vector2i& pixel, double min_contrast,
                                      double noise) {
-  constexpr std::array<std::array<int, 2>, 8> kHalfCircle{
-      {{3, 0}, {3, 1}, {2, 2}, {1, 3}, {0, 3}, {-1, 3}, {-2, 2}, {-3, 1}}};
+  constexpr std::array<std::array<int, 2>, 4> kQuarter{{{3, 0}, {3, 1}, {2, 2}, {1, 3}}};
   const std::uint8_t* const at = image.row(pixel.y()) + pixel.x();
-  std::array<int, 8> sum;
   int opposite = 0, across = 0;
-  for (int i = 0; i < 8; ++i) {
-    const int offset = kHalfCircle[i][1] * image.width + kHalfCircle[i][0];
-    sum[i] = at[offset] + at[-offset];
-    opposite += std::abs(at[offset] - at[-offset]);
+  for (const auto& [u, v] : kQuarter) {
+    const int offset = v * image.width + u, turned = u * image.width - v;  // by a quarter turn
+    const int one = at[offset], other = at[-offset], next = at[turned], last = at[-turned];
+    opposite += std::abs(one - other) + std::abs(next - last);
+    across += std::abs(one + other - next - last);
   }
-  for (int i = 0; i < 4; ++i) across += std::abs(sum[i] - sum[i + 4]);
   // A sharp right-angled corner gives 8 times its contrast, 2.5 px of blur and 53 deg leave about 2.6 times.
   // Noise makes 9 sigma of the opposite ones' differences.
   if (!(across > 1.5 * min_contrast)) return std::nullopt;
@@ -192,7 +227,7 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   const float reach = kRadii.back() + 1, u = static_cast<float>(centre.x()), v = static_cast<float>(centre.y());
   if (!(u >= reach && v >= reach && u < image.width - reach - 1 && v < image.height - reach - 1)) return std::nullopt;
   const Profile profile = profile_round(image, u, v);
-  const auto [black, white] = extremes(profile.even);
+  const auto [black, white] = extremes(profile.even.data());
   const float contrast = white - black, middle = 0.5f * (white + black);
   // Blur of 2.5 px leaves half the contrast at these radii.
   if (contrast < 0.4 * min_contrast) return std::nullopt;
@@ -200,15 +235,16 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   cross.asymmetry = std::sqrt(profile.odd_square) / contrast;
   // Shade over half of the patch makes opposite sectors differ, but less than black from white.
   if (cross.asymmetry > (light == Lighting::even ? 0.32 : 0.5)) return std::nullopt;
-  int crossings = 0;
-  for (int i = 0; i < kHalf; ++i) {
+  const std::uint32_t below = bits_below(profile.even.data(), middle);
+  std::uint32_t changes = below ^ (below >> 1 | (below & 1) << (kHalf - 1));  // from one direction to the next
+  if (std::popcount(changes) != 2) return std::nullopt;
+  for (double& edge : cross.edges) {
+    const int i = std::countr_zero(changes);
+    changes &= changes - 1;
     const float here = profile.even[i] - middle, next = profile.even[(i + 1) % kHalf] - middle;
-    if ((here < 0) == (next < 0)) continue;
-    if (crossings == 2) return std::nullopt;
     const double angle = M_PI / kHalf * (i + here / (here - next));
-    cross.edges[crossings++] = angle < M_PI ? angle : angle - M_PI;
+    edge = angle < M_PI ? angle : angle - M_PI;
   }
-  if (crossings != 2) return std::nullopt;
   // Measured on right angles: 0.77 at 0.9 px of blur, 0.55 at 2 px; and the circles then miss a part of the contrast.
   // Never sharper than 0.9 px: a start that is off by more than the blur would see no slope.
   cross.blur = std::clamp(2.0 - 5.0 * (flatness(profile, middle) - 0.55), 0.9, 2.5);
@@ -223,11 +259,12 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   return cross;
 }
 
-double sector_misfit(const CrossStructure& cross) {
+double sector_misfit(const CrossStructure& cross, double enough) {
   std::array<float, kHalf> even = cross.profile;
   const float mean = std::accumulate(even.begin(), even.end(), 0.f) / kHalf;
   for (float& value : even) value -= mean;
-  return std::sqrt(std::max(left_by_sectors(circles(), cross.edges, even.data()), 0.f) / (kHalf - 3));
+  const auto most = static_cast<float>((kHalf - 3) * enough * enough);
+  return std::sqrt(std::max(left_by_sectors(circles(), cross.edges, even.data(), most), 0.f) / (kHalf - 3));
 }
 
 }  // namespace handsight

@@ -37,7 +37,8 @@ std::optional<Lighting> may_be_cross(const Image& image, const Eigen::Vector2i& 
 std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast,
                                               Lighting light = Lighting::even);
 
-/// What four blurred sectors of two grey levels leave of the profile: half contrasts, root mean square.
-double sector_misfit(const CrossStructure& cross);
+/// What four blurred sectors of two grey levels leave of the profile, whatever their blur: half contrasts, root mean
+/// square. Where some blur leaves no more than `enough` another may leave less yet.
+double sector_misfit(const CrossStructure& cross, double enough = 0);
 
 }  // namespace handsight

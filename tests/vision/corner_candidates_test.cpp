@@ -5,7 +5,8 @@
 
 #include <random>
 
-#include "vision/corner_images.h"
+#include "vision/corner_structure.h"
+#include "vision/corner_truth.h"
 
 namespace handsight {
 namespace {
@@ -26,6 +27,30 @@ TEST(SaddleCandidates, GiveTheImageAtHalfTheResolution) {
         EXPECT_EQ(half.row(v)[u], (sum + 2) / 4);
       }
   }
+}
+
+// What a smaller image left there is written over, in the memory that it had.
+TEST(SaddleCandidates, WriteOverAnImageOfHalfTheSize) {
+  std::mt19937 random(3);
+  Image image(120, 90), half(60, 45, 7), fresh;
+  for (std::uint8_t& pixel : image.pixels) pixel = static_cast<std::uint8_t>(random());
+  const std::uint8_t* const before = half.pixels.data();
+  saddle_candidates(image, 20, 2, &half), saddle_candidates(image, 20, 2, &fresh);
+  EXPECT_EQ(half.pixels.data(), before);
+  EXPECT_EQ(half.pixels, fresh.pixels);
+}
+
+TEST(SaddleCandidates, KnowWhatTheirRingsMayBeOf) {
+  std::mt19937 random(4);
+  const Image image = corner_images::busy_scene(54, 4, random);
+  std::size_t crosses = 0, none = 0;
+  for (const Candidate& candidate : saddle_candidates(image, 20, 4)) {
+    const Eigen::Vector2i pixel = (candidate.position.array() + 0.5).cast<int>();
+    EXPECT_EQ(candidate.ring, may_be_cross(image, pixel, 20, 4));
+    ++(candidate.ring ? crosses : none);
+  }
+  EXPECT_GT(crosses, 50U);
+  EXPECT_GT(none, 50U);
 }
 
 // Strong texture all over must not take the places of faint corners far from it.

@@ -44,5 +44,17 @@ TEST(CrossStructure, WhatIsNoSectorsIsMisfit) {
   EXPECT_GT(misfit_of([&](double angle) { return blurred(angle) * (angle < 0.8 ? 0.1 : 1.0); }), 0.15);
 }
 
+// Where some blur leaves little enough no other needs to be tried; where none does the least is told.
+TEST(SectorMisfit, EndsWhereItIsEnough) {
+  for (const double blur : {0.7, 1.2, 2.0, 2.6}) {
+    const auto cross = cross_structure(sectors({200, 60, 60, 200}, 0.4, 1.5, blur), {32, 32}, 20);
+    ASSERT_TRUE(cross) << blur;
+    const double least = sector_misfit(*cross);
+    EXPECT_EQ(sector_misfit(*cross, 0.99 * least), least);
+    EXPECT_LE(sector_misfit(*cross, least + 0.02), least + 0.02);
+    EXPECT_GE(sector_misfit(*cross, least + 0.02), least);
+  }
+}
+
 }  // namespace
 }  // namespace handsight
