@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "diagnosis/conclusion.h"
 #include "diagnosis/curves.h"
@@ -33,6 +34,18 @@ std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& term
     }
   }
   return list;
+}
+
+/// What is in a model: names and where they sit, curves by what they move and follow.
+std::multiset<std::string> contents_of(const Diagnosis& d) {
+  std::multiset<std::string> contents;
+  for (const EffectTerm& t : d.model_options.estimated) {
+    const bool named = !is_curve(t);
+    const std::string what =
+        named ? t.id : sites_text(*t.own->definition) + " by " + followed_variable(*t.own->definition);
+    contents.insert(fmt::format("{} {}", what, t.joint));
+  }
+  return contents;
 }
 
 std::vector<EffectTerm> last_group(const Diagnosis& d, std::size_t count) {
@@ -133,6 +146,11 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   change.model = std::move(next);
   keep_up(session, options, before, change);
   if (change.stopped) change.model.reset();
+  if (change.model && contents_of(*change.model) == contents_of(model)) {  // they would take turns for ever
+    change.model.reset();
+    change.steps.clear();
+    change.refused.push_back({id, candidate.where, "the name that it is exchanged for is in the model already"});
+  }
   return change;
 }
 

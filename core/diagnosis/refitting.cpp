@@ -5,42 +5,75 @@
 #include <array>
 #include <cmath>
 
+#include "diagnosis/curves.h"
 #include "diagnosis/scatter_levels.h"
 
 namespace handsight {
 namespace {
 
-constexpr auto& scales = plausible_scales;
+/// What robots usually have, in plausible sizes, of the last numbers of a fit: less than 1 of curves that were found
+/// far larger, so that they weigh against names as all that is far larger does.
+Eigen::ArrayXd usual_sizes(const Problem& problem, Eigen::Index added) {
+  const Chain& chain = problem.source->chain;
+  const auto count = static_cast<std::size_t>(added), first = problem.columns_of_effects.size() - count;
+  Eigen::ArrayXd sizes = Eigen::ArrayXd::Ones(added);
+  for (std::size_t i = 0; i < count; ++i) {
+    const EffectColumn& column = problem.columns_of_effects[first + i];
+    const EffectTerm& term = problem.terms[column.term];
+    if (is_curve(term))
+      sizes[static_cast<Eigen::Index>(i)] = size_on_robots(term, column.parameter, chain) / column.sigma;
+  }
+  return sizes;
+}
 
-/// With the plausible sizes of the columns from `first` on times `scale`.
-BasePrior at_scale(const BasePrior& plain, Eigen::Index first, double scale) {
-  const Eigen::Index added = plain.precision.size() - first;
+/// With the plausible sizes of the last columns times these.
+BasePrior at_scales(const BasePrior& plain, const Eigen::ArrayXd& times) {
+  const Eigen::Index added = times.size();
+  const Eigen::ArrayXd squares = times * times;
   BasePrior scaled = plain;
-  scaled.precision.tail(added) /= scale * scale;
-  scaled.gradient.tail(added) /= scale * scale;
-  scaled.cost += (1 / (scale * scale) - 1) * plain.gradient.tail(added).squaredNorm();
+  scaled.precision.tail(added).array() /= squares;
+  scaled.gradient.tail(added).array() /= squares;
+  scaled.cost += ((1 / squares - 1) * plain.gradient.tail(added).array().square()).sum();
   return scaled;
+}
+
+/// The best over the repeatabilities of the mean over sets of `times` the plausible sizes of the last columns.
+FitEvidence best_evidence(const LinearModel& model, const std::vector<Eigen::ArrayXd>& mixed,
+                          const Weighing& weighing) {
+  FitEvidence best{-1e300, {}};
+  for (const Scatter& scatter : scatter_levels(model, weighing.knowledge)) {
+    const BaseEvidence evidence(model, scatter, weighing.knowledge);
+    std::vector<double> values;
+    values.reserve(mixed.size());
+    for (const Eigen::ArrayXd& times : mixed)
+      values.push_back(evidence.ln_with(at_scales(model.prior, times)) - times.log().sum());
+    const double value = ln_mean_exp(values);
+    if (value > best.ln_evidence) best = {value, scatter};
+  }
+  return best;
+}
+
+LinearModel linear_model_of(const Fit& fit, const Problem& problem, const Weighing& weighing) {
+  return linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
 }
 
 }  // namespace
 
 FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing) {
   const Problem problem = with_motions(fit.problem);
-  const LinearModel model = linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
-  const Eigen::Index first = problem.effect_column() + first_new;
-  const auto added = static_cast<double>(problem.effect_count() - first_new);
-  FitEvidence best{-1e300, {}};
-  for (const Scatter& scatter : scatter_levels(model, weighing.knowledge)) {
-    const BaseEvidence evidence(model, scatter, weighing.knowledge);
-    std::vector<double> values;
-    for (const double scale : scales) {
-      values.push_back(evidence.ln_with(at_scale(model.prior, first, scale)) - added * std::log(scale));
-      if (added == 0) break;
-    }
-    const double value = ln_mean_exp(values);
-    if (value > best.ln_evidence) best = {value, scatter};
+  const Eigen::ArrayXd usual = usual_sizes(problem, problem.effect_count() - first_new);
+  std::vector<Eigen::ArrayXd> mixed;
+  for (const double scale : plausible_scales) {
+    mixed.emplace_back(scale * usual);
+    if (usual.size() == 0) break;
   }
-  return best;
+  return best_evidence(linear_model_of(fit, problem, weighing), mixed, weighing);
+}
+
+FitEvidence evidence_as_it_is(const Fit& fit, const Weighing& weighing) {
+  const Problem problem = with_motions(fit.problem);
+  return best_evidence(linear_model_of(fit, problem, weighing), {usual_sizes(problem, problem.effect_count())},
+                       weighing);
 }
 
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,

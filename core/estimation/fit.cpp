@@ -246,7 +246,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   // Of a long session every copy counts: where the images themselves are fitted there is one problem.
   const bool are_images = options.objective == Objective::image;
   result.problem = are_images ? std::move(images) : as_points(images, result.sightings_left_out);
-  Problem& measured = are_images ? result.problem : images;
+  Problem& measured = are_images ? result.problem : images;  // NOLINT(bugprone-use-after-move): moved where not used
   if (result.problem.observations.empty())
     throw InputError(fmt::format(
         "{}: no marker is seen by two cameras in any used observation, which the {} objective needs; use the image "

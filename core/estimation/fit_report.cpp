@@ -34,7 +34,8 @@ void add_lengths_of_pose(const Problem& images, const ProblemObservation& o, con
     const auto pose = estimate_body_pose(images.rig_or_null(), piece, markers, sensor_from_tcp);
     if (!pose) continue;
     for (const Sighting& s : piece) {
-      const Vector3 in_tcp = markers[static_cast<std::size_t>(s.marker)], measured = pose->sensor_from_body * in_tcp;
+      const Vector3& in_tcp = markers[static_cast<std::size_t>(s.marker)];
+      const Vector3 measured = pose->sensor_from_body * in_tcp;
       Eigen::Matrix<double, 3, 6> by_pose;
       by_pose << Matrix3::Identity(), -cross_matrix(measured);
       residuals.lengths.push_back((measured - sensor_from_tcp * in_tcp).norm());

@@ -61,7 +61,7 @@ void check_order(const XmlNode& node, const char* expected) {
 
 Matrix6 read_covariance(const XmlNode& node) {
   check_order(node, "x y z rx ry rz");
-  const Matrix6 covariance = read_matrix<6, 6>(node);
+  Matrix6 covariance = read_matrix<6, 6>(node);
   check_covariance(node, covariance, Vector6::Constant(negligible_variance(covariance.diagonal())));
   return covariance;
 }

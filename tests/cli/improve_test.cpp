@@ -172,6 +172,22 @@ TEST_F(Improve, ATrackerSessionIsInMetres) {
   EXPECT_EQ(r["verdict"], "adequate") << r["reason"];
 }
 
+/// A steep saturation of the torque and backlash are nearly alike: neither may come and go for the other, step after
+/// step.
+TEST_F(Improve, ANameAndACurveDoNotTakeTurns) {
+  const auto session = folder.path / "s";
+  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/one_camera_board";
+  ASSERT_EQ(
+      run_cli(folder.path, {"simulate", "--like", like, "--out", session.string(), "--observations", "40", "--seed",
+                            "2", "--noise", "1", "--images", "none", "--undeclared", "--wrong-corners", "0.3",
+                            "--effect", "backlash:axis_5.gap=0.009881", "joint_offset:axis_5.offset=0.002"})
+          .exit_code,
+      0);
+  const Json r = run(session).json();
+  EXPECT_LE(r["steps"].size(), 4u) << r["steps"].dump(1);
+  EXPECT_EQ(r["steps"][1]["added"], "backlash");
+}
+
 TEST_F(Improve, EightObservationsAreTooFew) {
   ASSERT_EQ(simulate(folder.path, "few", "six_axis_stand",
                      {"--observations", "8", "--seed", "52", "--effect", "joint_offset:axis_2.offset=0.01"})
