@@ -217,7 +217,8 @@ class Builder {
     }
     model_.prior.precision = model_.prior.gradient = Eigen::VectorXd::Zero(model_.base);
     for (Eigen::Index c = 0; c < base_effects_; ++c) {
-      const double sigma = p_.columns_of_effects[static_cast<std::size_t>(c)].sigma;
+      const double plausible = p_.columns_of_effects[static_cast<std::size_t>(c)].sigma;
+      const double sigma = plausible * times_plausible(u_.effects[c] / plausible);
       const Eigen::Index column = p_.effect_column() + c;
       model_.external.col(column) *= sigma;
       model_.internal.row(column) *= sigma;
@@ -240,6 +241,11 @@ class Builder {
 };
 
 }  // namespace
+
+double times_plausible(double in_plausible_sizes) {
+  constexpr double not_surprising = 3;
+  return std::max(1.0, std::abs(in_plausible_sizes) / not_surprising);
+}
 
 LinearModel linear_model(const Problem& problem, const Unknowns& unknowns, Eigen::Index base_effects, double noise) {
   return Builder(problem, unknowns, base_effects, noise).build();

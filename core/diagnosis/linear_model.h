@@ -41,6 +41,11 @@ struct LinearModel {
   Eigen::Index candidates() const { return external.cols() - base; }
 };
 
+/// By how much more than its plausible size a number of the model is let, which is so many plausible sizes: three of
+/// them surprise nobody, and what is clearly larger is so whatever is added. Held at its plausible size it would be
+/// cheaper in parts, and anything that can carry a part of it would seem to be there.
+double times_plausible(double in_plausible_sizes);
+
 /// `problem` stands at `unknowns`; its first `base_effects` effect columns are the model's, the others candidates.
 /// `noise` is that of one coordinate (px or m).
 LinearModel linear_model(const Problem& problem, const Unknowns& unknowns, Eigen::Index base_effects, double noise);

@@ -11,17 +11,21 @@
 namespace handsight {
 namespace {
 
-/// What robots usually have, in plausible sizes, of the last numbers of a fit: less than 1 of curves that were found
-/// far larger, so that they weigh against names as all that is far larger does.
-Eigen::ArrayXd usual_sizes(const Problem& problem, Eigen::Index added) {
-  const Chain& chain = problem.source->chain;
-  const auto count = static_cast<std::size_t>(added), first = problem.columns_of_effects.size() - count;
-  Eigen::ArrayXd sizes = Eigen::ArrayXd::Ones(added);
-  for (std::size_t i = 0; i < count; ++i) {
-    const EffectColumn& column = problem.columns_of_effects[first + i];
+/// What is plausible of the last numbers of a fit, in units of what its linear model lets them be: `of_names` as the
+/// catalogue has it (else 1), of curves as robots usually have it, so that they weigh against names as all that is far
+/// larger does.
+Eigen::ArrayXd plausible_in_model(const Fit& fit, const Problem& problem, Eigen::Index last, bool of_names) {
+  const Eigen::VectorXd values = estimate(fit).effects.tail(last);
+  const auto first = problem.columns_of_effects.size() - static_cast<std::size_t>(last);
+  Eigen::ArrayXd sizes = Eigen::ArrayXd::Ones(last);
+  for (Eigen::Index i = 0; i < last; ++i) {
+    const EffectColumn& column = problem.columns_of_effects[first + static_cast<std::size_t>(i)];
     const EffectTerm& term = problem.terms[column.term];
+    const double let = column.sigma * times_plausible(values[i] / column.sigma);
     if (is_curve(term))
-      sizes[static_cast<Eigen::Index>(i)] = size_on_robots(term, column.parameter, chain) / column.sigma;
+      sizes[i] = size_on_robots(term, column.parameter, problem.source->chain) / let;
+    else if (of_names)
+      sizes[i] = column.sigma / let;
   }
   return sizes;
 }
@@ -61,7 +65,7 @@ LinearModel linear_model_of(const Fit& fit, const Problem& problem, const Weighi
 
 FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing) {
   const Problem problem = with_motions(fit.problem);
-  const Eigen::ArrayXd usual = usual_sizes(problem, problem.effect_count() - first_new);
+  const Eigen::ArrayXd usual = plausible_in_model(fit, problem, problem.effect_count() - first_new, true);
   std::vector<Eigen::ArrayXd> mixed;
   for (const double scale : plausible_scales) {
     mixed.emplace_back(scale * usual);
@@ -72,8 +76,8 @@ FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing&
 
 FitEvidence evidence_as_it_is(const Fit& fit, const Weighing& weighing) {
   const Problem problem = with_motions(fit.problem);
-  return best_evidence(linear_model_of(fit, problem, weighing), {usual_sizes(problem, problem.effect_count())},
-                       weighing);
+  return best_evidence(linear_model_of(fit, problem, weighing),
+                       {plausible_in_model(fit, problem, problem.effect_count(), false)}, weighing);
 }
 
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,

@@ -188,6 +188,25 @@ TEST_F(Improve, ANameAndACurveDoNotTakeTurns) {
   EXPECT_EQ(r["steps"][1]["added"], "backlash");
 }
 
+/// Twenty times what is plausible is one fault, however much less surprising two halves of it would be.
+TEST_F(Improve, AZeroWrongBySixDegreesIsOneName) {
+  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
+  for (const std::string joint : {"axis_2", "axis_3"}) {
+    const auto session = folder.path / joint;
+    ASSERT_EQ(
+        run_cli(folder.path, {"simulate", "--like", like, "--out", session.string(), "--observations", "80", "--seed",
+                              "4", "--images", "none", "--effect", "joint_offset:" + joint + ".offset=0.1"})
+            .exit_code,
+        0);
+    const Json r = run(session).json();
+    EXPECT_EQ(r["verdict"], "adequate") << r["reason"];
+    ASSERT_EQ(r["steps"].size(), 2u) << r["steps"].dump(1);
+    EXPECT_EQ(r["steps"][1]["added"], "joint_offset");
+    EXPECT_EQ(r["steps"][1]["where"], Json::array({joint}));
+    EXPECT_TRUE(r["refused"].empty()) << r["refused"].dump(1);
+  }
+}
+
 TEST_F(Improve, EightObservationsAreTooFew) {
   ASSERT_EQ(simulate(folder.path, "few", "six_axis_stand",
                      {"--observations", "8", "--seed", "52", "--effect", "joint_offset:axis_2.offset=0.01"})
