@@ -7,37 +7,25 @@
 namespace handsight::cli {
 namespace {
 
-const char* at(EffectScope scope) {
-  switch (scope) {
-    case EffectScope::joint:
-      return ", at each joint";
-    case EffectScope::mimic_joint:
-      return ", at each joint that follows others";
-    case EffectScope::marker:
-      return ", at each marker";
-    case EffectScope::camera:
-      return ", of each camera";
-    case EffectScope::session:
-      return "";
-  }
-  return "";
-}
+/// Where an effect sits: by its name in effects.xml, or in the catalogue, and in words.
+struct ScopeWords {
+  const char *name, *at;
+};
 
-/// As in effects.xml, and what only the catalogue has.
-const char* scope_name(EffectScope scope) {
+ScopeWords words_of(EffectScope scope) {
   switch (scope) {
     case EffectScope::joint:
-      return "joint";
+      return {"joint", ", at each joint"};
     case EffectScope::mimic_joint:
-      return "mimic_joint";
+      return {"mimic_joint", ", at each joint that follows others"};
     case EffectScope::marker:
-      return "marker";
+      return {"marker", ", at each marker"};
     case EffectScope::camera:
-      return "camera";
+      return {"camera", ", of each camera"};
     case EffectScope::session:
-      return "session";
+      return {"session", ""};
   }
-  return "";
+  return {"", ""};
 }
 
 struct EffectsArguments {
@@ -52,7 +40,7 @@ Json effect_json(const Effect& effect) {
   Json j{{"id", effect.id},
          {"title", effect.title},
          {"cause", effect.cause},
-         {"scope", scope_name(effect.scope)},
+         {"scope", words_of(effect.scope).name},
          {"parameters", parameters},
          {"visibility", effect.visibility},
          {"check", effect.check},
@@ -69,7 +57,7 @@ void print_effect(const Output& output, const Effect& effect) {
   };
   told("", effect.cause);
   for (const EffectParameter& p : effect.parameters)
-    output.line(fmt::format("  {} [{}], plausible size {:g}{}", p.name, p.unit, p.sigma, at(effect.scope)));
+    output.line(fmt::format("  {} [{}], plausible size {:g}{}", p.name, p.unit, p.sigma, words_of(effect.scope).at));
   told("Seen: ", effect.visibility);
   told("Check: ", effect.check);
   told("Source: ", effect.source);

@@ -5,7 +5,6 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
-#include "diagnosis/curves.h"
 #include "diagnosis/lack_of_fit.h"
 
 namespace handsight {
@@ -43,7 +42,7 @@ bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain) {
   for (const EffectTerm& term : terms) {
     const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * size_on_robots(term, p, chain))
+      if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * plausible_size(effect.parameters[p], chain))
         return false;
   }
   return true;

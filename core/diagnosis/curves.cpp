@@ -159,15 +159,7 @@ std::string site_text(const Form& f, const Robot& robot) {
   return fmt::format("{} ({})", f.site->kind == LocaliserSite::tcp ? "the hand" : "the sensor's mount", axes);
 }
 
-/// By how much more than is usual the numbers of a curve must be let: held at its usual sizes a curve that is far
-/// larger would cost more than the same one in two halves, and they more than in three.
-double times_usual(const Eigen::VectorXd& in_usual_sizes) {
-  double times = 1;
-  while (times < 1e4 && in_usual_sizes.cwiseAbs().maxCoeff() > 3 * times) times *= 10;
-  return times;
-}
-
-EffectDefinition definition_of(const Form& f, const std::string& id, const Robot& robot, double times) {
+EffectDefinition definition_of(const Form& f, const std::string& id, const Robot& robot) {
   const bool at_joint = f.site->kind == LocaliserSite::joint;
   EffectDefinition d;
   d.id = id;
@@ -184,7 +176,7 @@ EffectDefinition definition_of(const Form& f, const std::string& id, const Robot
     for (Eigen::Index function = 0; function < f.shape.values.cols(); ++function) {
       const std::string name = parameter_name(f, function, direction);
       const bool is_shift = at_joint ? slides : direction < 3;
-      d.parameters.push_back({name, is_shift ? "m" : "rad", times * f.site->sizes[direction]});
+      d.parameters.push_back({name, is_shift ? "m" : "rad", f.site->sizes[direction]});
       formula += (formula.empty() ? "" : " + ") + name + "*" + f.shape.formulas[static_cast<std::size_t>(function)];
     }
     d.moves.push_back({at_joint ? "angle" : prefix + axis_name(f, direction), formula, 0});
@@ -227,15 +219,14 @@ std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledg
     best = &f;
   }
   FoundCurve found;
-  const Eigen::VectorXd value = search.estimate_of(*best);
-  const double times = times_usual(value);
-  const auto effect = own_effect(definition_of(*best, id, robot, times), robot);
+  const auto effect = own_effect(definition_of(*best, id, robot), robot);
   found.term = term_of(*effect, best->site->joint, effect);
+  const Eigen::VectorXd value = search.estimate_of(*best);
   const auto directions = static_cast<Eigen::Index>(best->directions.size());
   for (Eigen::Index d = 0; d < directions; ++d)
     for (Eigen::Index function = 0; function < best->shape.values.cols(); ++function) {
       const auto number = static_cast<std::size_t>(d * best->shape.values.cols() + function);
-      found.term.values[number] = value[function * directions + d] * effect->parameters[number].sigma / times;
+      found.term.values[number] = value[function * directions + d] * effect->parameters[number].sigma;
     }
   found.ln_factor = best->ln_factor;
   found.ln_ways = ln_forms + best->ln_factor - best_value;
@@ -245,12 +236,6 @@ std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledg
                     ? "mount"
                     : robot.joints[static_cast<std::size_t>(best->site->joint)].name;
   return found;
-}
-
-double size_on_robots(const EffectTerm& term, std::size_t parameter, const Chain& chain) {
-  if (!is_curve(term)) return plausible_size(effect_of(term).parameters[parameter], chain);
-  const EffectDefinition& d = *term.own->definition;
-  return usual_size_at(d.scope == "joint", d.parameters[parameter].unit == "m");
 }
 
 std::string next_curve_id(const std::vector<EffectTerm>& terms) {

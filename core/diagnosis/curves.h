@@ -27,10 +27,6 @@ std::string next_curve_id(const std::vector<EffectTerm>& terms);
 /// Is the term a curve without a name?
 inline bool is_curve(const EffectTerm& term) { return term.own && term.own->is_unnamed(); }
 
-/// What robots usually have of a term's number (rad, m, ...): plausible_size(), but of a curve what is usual at its
-/// site; its definition's plausible size is larger where the measurements say far more.
-double size_on_robots(const EffectTerm& term, std::size_t parameter, const Chain& chain);
-
 /// What a curve follows, as a user reads it: "angle of arm_3", "distance from the sensor".
 std::string followed_variable(const EffectDefinition& curve);
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "diagnosis/conclusion.h"
 #include "diagnosis/curves.h"
@@ -27,25 +26,13 @@ std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& term
     const Effect& effect = effect_of(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& parameter = effect.parameters[p];
-      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * size_on_robots(term, p, chain)) continue;
+      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * plausible_size(parameter, chain)) continue;
       const std::string place = place_name(effect, term.joint, chain.robot);
       list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
                                  unit_at(effect, p, term.joint, chain.robot)));
     }
   }
   return list;
-}
-
-/// What is in a model: names and where they sit, curves by what they move and follow.
-std::multiset<std::string> contents_of(const Diagnosis& d) {
-  std::multiset<std::string> contents;
-  for (const EffectTerm& t : d.model_options.estimated) {
-    const bool named = !is_curve(t);
-    const std::string what =
-        named ? t.id : sites_text(*t.own->definition) + " by " + followed_variable(*t.own->definition);
-    contents.insert(fmt::format("{} {}", what, t.joint));
-  }
-  return contents;
 }
 
 std::vector<EffectTerm> last_group(const Diagnosis& d, std::size_t count) {
@@ -146,11 +133,6 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   change.model = std::move(next);
   keep_up(session, options, before, change);
   if (change.stopped) change.model.reset();
-  if (change.model && contents_of(*change.model) == contents_of(model)) {  // they would take turns for ever
-    change.model.reset();
-    change.steps.clear();
-    change.refused.push_back({id, candidate.where, "the name that it is exchanged for is in the model already"});
-  }
   return change;
 }
 

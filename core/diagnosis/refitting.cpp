@@ -5,28 +5,18 @@
 #include <array>
 #include <cmath>
 
-#include "diagnosis/curves.h"
 #include "diagnosis/scatter_levels.h"
 
 namespace handsight {
 namespace {
 
-/// What is plausible of the last numbers of a fit, in units of what its linear model lets them be: `of_names` as the
-/// catalogue has it (else 1), of curves as robots usually have it, so that they weigh against names as all that is far
-/// larger does.
-Eigen::ArrayXd plausible_in_model(const Fit& fit, const Problem& problem, Eigen::Index last, bool of_names) {
+/// The plausible sizes of a fit's last effect numbers, in units of what its linear model lets them be.
+Eigen::ArrayXd plausible_in_model(const Fit& fit, const Problem& problem, Eigen::Index last) {
   const Eigen::VectorXd values = estimate(fit).effects.tail(last);
   const auto first = problem.columns_of_effects.size() - static_cast<std::size_t>(last);
-  Eigen::ArrayXd sizes = Eigen::ArrayXd::Ones(last);
-  for (Eigen::Index i = 0; i < last; ++i) {
-    const EffectColumn& column = problem.columns_of_effects[first + static_cast<std::size_t>(i)];
-    const EffectTerm& term = problem.terms[column.term];
-    const double let = column.sigma * times_plausible(values[i] / column.sigma);
-    if (is_curve(term))
-      sizes[i] = size_on_robots(term, column.parameter, problem.source->chain) / let;
-    else if (of_names)
-      sizes[i] = column.sigma / let;
-  }
+  Eigen::ArrayXd sizes(last);
+  for (Eigen::Index i = 0; i < last; ++i)
+    sizes[i] = 1 / times_plausible(values[i] / problem.columns_of_effects[first + static_cast<std::size_t>(i)].sigma);
   return sizes;
 }
 
@@ -41,43 +31,24 @@ BasePrior at_scales(const BasePrior& plain, const Eigen::ArrayXd& times) {
   return scaled;
 }
 
-/// The best over the repeatabilities of the mean over sets of `times` the plausible sizes of the last columns.
-FitEvidence best_evidence(const LinearModel& model, const std::vector<Eigen::ArrayXd>& mixed,
-                          const Weighing& weighing) {
-  FitEvidence best{-1e300, {}};
-  for (const Scatter& scatter : scatter_levels(model, weighing.knowledge)) {
-    const BaseEvidence evidence(model, scatter, weighing.knowledge);
-    std::vector<double> values;
-    values.reserve(mixed.size());
-    for (const Eigen::ArrayXd& times : mixed)
-      values.push_back(evidence.ln_with(at_scales(model.prior, times)) - times.log().sum());
-    const double value = ln_mean_exp(values);
-    if (value > best.ln_evidence) best = {value, scatter};
-  }
-  return best;
-}
-
-LinearModel linear_model_of(const Fit& fit, const Problem& problem, const Weighing& weighing) {
-  return linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
-}
-
 }  // namespace
 
 FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing) {
   const Problem problem = with_motions(fit.problem);
-  const Eigen::ArrayXd usual = plausible_in_model(fit, problem, problem.effect_count() - first_new, true);
-  std::vector<Eigen::ArrayXd> mixed;
-  for (const double scale : plausible_scales) {
-    mixed.emplace_back(scale * usual);
-    if (usual.size() == 0) break;
+  const LinearModel model = linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
+  const Eigen::ArrayXd plausible = plausible_in_model(fit, problem, problem.effect_count() - first_new);
+  FitEvidence best{-1e300, {}};
+  for (const Scatter& scatter : scatter_levels(model, weighing.knowledge)) {
+    const BaseEvidence evidence(model, scatter, weighing.knowledge);
+    std::vector<double> values;
+    for (const double scale : plausible_scales) {
+      values.push_back(evidence.ln_with(at_scales(model.prior, scale * plausible)) - (scale * plausible).log().sum());
+      if (plausible.size() == 0) break;
+    }
+    const double value = ln_mean_exp(values);
+    if (value > best.ln_evidence) best = {value, scatter};
   }
-  return best_evidence(linear_model_of(fit, problem, weighing), mixed, weighing);
-}
-
-FitEvidence evidence_as_it_is(const Fit& fit, const Weighing& weighing) {
-  const Problem problem = with_motions(fit.problem);
-  return best_evidence(linear_model_of(fit, problem, weighing),
-                       {plausible_in_model(fit, problem, problem.effect_count(), false)}, weighing);
+  return best;
 }
 
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,

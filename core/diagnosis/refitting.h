@@ -20,16 +20,12 @@ Refit refit_with(const CleanFit& model, const FitOptions& model_options, const s
                  const Weighing& weighing);
 
 /// ln of the evidence of a fit, up to a constant that all fits of the same points share; the effects from `first_new`
-/// (an effect column) on with a mixture of plausible sizes, which of curves are what robots usually have. The best over
-/// the repeatabilities, which is given too.
+/// (an effect column) on with a mixture of plausible sizes. The best over the repeatabilities, which is given too.
 struct FitEvidence {
   double ln_evidence = 0;
   Scatter scatter;
 };
 FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing);
-/// The same with all effects as they are in the model, its curves weighed by what robots usually have: what is gained
-/// by a name must not vanish because a curve beside it may be as large as it likes.
-FitEvidence evidence_as_it_is(const Fit& fit, const Weighing& weighing);
 
 /// Where a term has an observation from which on it acts, the one among the neighbours of its own that suits best.
 std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,

@@ -46,11 +46,6 @@ Vector6 rigid_sizes() {
 
 }  // namespace
 
-double usual_size_at(bool joint, bool is_shift) {
-  if (joint) return joint_size;
-  return is_shift ? shift_size : turn_size;
-}
-
 std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& problem) {
   const LinearModel& m = *w.model;
   std::vector<Place> places;

@@ -21,9 +21,6 @@ struct CurveSite {
   Eigen::Index directions() const { return sizes.size(); }
 };
 
-/// What is plausible of a function at a joint, or of the hand and the mount (rad; m of a shift).
-double usual_size_at(bool joint, bool is_shift);
-
 /// The hand, the mount, and every joint of the session that moves what is seen.
 std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& problem);
 

@@ -123,7 +123,8 @@ class Upkeep {
     if (squares_without(with, d.model_options, first, last, by.noise) > 10 * d.threshold + 100) return false;
     const FitOptions o = options_without(first, last, by);
     const Fit without = fit(d.model.session, o);
-    const double gained = evidence_as_it_is(with, by).ln_evidence - evidence_as_it_is(without, by).ln_evidence;
+    const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
+                          fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
     if (gained >= d.threshold - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
     return take(diagnosed_from(session_, options_, o.estimated, estimate(without), most_), dropped.front().id);
   }
@@ -163,7 +164,8 @@ class Upkeep {
     fewer.estimated.erase(fewer.estimated.begin() + static_cast<std::ptrdiff_t>(place));
     fewer.start = estimate(with);
     Fit without = fit(change_.model->model.session, fewer);
-    const double gained = evidence_as_it_is(with, by).ln_evidence - evidence_as_it_is(without, by).ln_evidence;
+    const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
+                          fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
     if (!without.converged() || gained > worth_a_place) return std::nullopt;
     return without;
   }

@@ -38,7 +38,8 @@ TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
   EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2) << "the fit was watched";
   numbers->setFocus();
   desk.key(Qt::Key_Left);
-  EXPECT_TRUE(desk.wait([&] { return numbers->numbers().current == 0; })) << "the header's stairs are chosen like Explain's";
+  EXPECT_TRUE(desk.wait([&] { return numbers->numbers().current == 0; }))
+      << "the header's stairs are chosen like Explain's";
   EXPECT_NEAR(*numbers->numbers().now, before, 1e-12);
   desk.key(Qt::Key_Right);
   EXPECT_TRUE(desk.wait([&] { return std::abs(*numbers->numbers().now - after) < 1e-12; }));
@@ -103,12 +104,7 @@ TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
 
 /// The curve stands behind what is said of it, where its size is that of no robot: the way on is open all the same.
 TEST_F(Explain, AddUntilItStopsIsOfferedForACurveThatIsLargerThanRobotsAreBuilt) {
-  session = folder.path / "waved";
-  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
-  ASSERT_EQ(run_cli(folder.path, {"simulate", "--like", like, "--curve", "axis_3: 0.03*sin(3q)", "--observations", "80",
-                                  "--seed", "1", "--out", session.string()})
-                .exit_code,
-            0);
+  ASSERT_TRUE(simulate({"--curve", "axis_3: 0.03*sin(3q)", "--observations", "80"}));
   desk.window.resize(1440, 900);
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.settle());
@@ -123,12 +119,7 @@ TEST_F(Explain, AddUntilItStopsIsOfferedForACurveThatIsLargerThanRobotsAreBuilt)
 
 /// A robot that was measured badly: 3 cm where a millimetre is plausible. What helps is taken, and said to be odd.
 TEST_F(Explain, AddUntilItStopsGoesOnWithWhatIsImplausibleAndSaysSo) {
-  session = folder.path / "odd";
-  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
-  ASSERT_EQ(run_cli(folder.path, {"simulate", "--like", like, "--effect", "link_geometry:axis_3.tu=0.03",
-                                  "--observations", "80", "--seed", "1", "--out", session.string()})
-                .exit_code,
-            0);
+  ASSERT_TRUE(simulate({"--effect", "link_geometry:axis_3.tu=0.03", "--observations", "80"}));
   desk.window.resize(1440, 900);
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.settle());
@@ -184,12 +175,7 @@ TEST_F(Explain, AddUntilItStopsRestsWhereItIsToldToAndGoesOn) {
 
 /// Of more than 4000 observations a sample decides; the model is of all of them, and every place says whose it is.
 TEST_F(Explain, OfALongSessionAllIsFittedAndAPartIsShown) {
-  session = folder.path / "long";
-  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
-  ASSERT_EQ(run_cli(folder.path, {"simulate", "--like", like, "--effect", "joint_elasticity:axis_2.compliance=1e-4",
-                                  "--observations", "4200", "--seed", "1", "--out", session.string()})
-                .exit_code,
-            0);
+  ASSERT_TRUE(simulate({"--effect", "joint_elasticity:axis_2.compliance=1e-4", "--observations", "4200"}));
   desk.window.resize(1440, 900);
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.wait([&] { return desk.document().model() != nullptr; }, 60000));

@@ -21,6 +21,14 @@ class Explain : public testing::Test {
     ASSERT_TRUE(desk.settle());
     ASSERT_TRUE(explain.open()) << name;
   }
+  /// A session of the six-axis robot with `extra` in it becomes the fixture's; not yet opened.
+  bool simulate(std::vector<std::string> extra) {
+    session = folder.path / "simulated";
+    const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
+    std::vector<std::string> arguments{"simulate", "--like", like, "--seed", "1", "--out", session.string()};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    return run_cli(folder.path, arguments).exit_code == 0;
+  }
   double held_out() { return *desk.document().model()->report->held_out.rms_pixel; }
   /// Ids with their places, as `improve` prints them.
   std::set<std::string> effects_in_the_model() {
