@@ -256,20 +256,29 @@ Json wrong_points_json(const std::vector<WrongPoint>& wrong, const Session& sess
   return list;
 }
 
+namespace {
+
+/// What else went and came with a step that is not the first.
+std::string changes_text(const ImprovementStep& s) {
+  if (s.added.empty() && s.removed.empty() && s.exchanged.empty()) return "the same names at other places";
+  if (s.removed.empty()) return s.exchanged.empty() ? "" : "beside what stands: " + listed(s.exchanged);
+  return "no longer needed: " + s.removed + (s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged));
+}
+
+}  // namespace
+
 void print_improvement(const Output& out, const Session& session, const Improvement& m) {
   const bool tracker = session.is_tracker();
   out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out",
                        tracker ? "noise/coord." : "noise"));
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
-    const std::string what = i == 0 ? "(as it was)" : "+ " + s.added;
+    const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "names sought again" : "+ " + s.added;
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted), error_text(s.held_out),
                          error_or_unknown(s.noise, tracker), listed(s.where)));
     if (!s.formula.empty()) out.line("     " + s.formula);
     if (!s.stands.empty()) out.line("     stands in for something else: no robot has " + listed(s.stands));
-    if (!s.removed.empty())
-      out.line(fmt::format("     no longer needed: {}{}", s.removed,
-                           s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged)));
+    if (const std::string changes = i > 0 ? changes_text(s) : ""; !changes.empty()) out.line("     " + changes);
   }
   for (const RefusedStep& r : m.refused)
     out.line(

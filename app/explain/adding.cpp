@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/adding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -19,13 +21,22 @@ QString step_text(const std::string& id, const ImprovementStep& s, const Session
   return effects_of(id);
 }
 
+QString other_names_text(const ImprovementStep& s) {
+  if (s.removed.empty() && s.exchanged.empty()) return QObject::tr("moved what is in the model to other places");
+  const QString come = effects_of(fmt::format("{}", fmt::join(s.exchanged, ", ")));
+  if (s.removed.empty()) return QObject::tr("added %1").arg(come);
+  const QString gone = effects_of(s.removed);
+  if (s.exchanged.empty()) return QObject::tr("took out %1, no longer needed").arg(gone);
+  return QObject::tr("exchanged %1 for %2").arg(gone, come);
+}
+
 QString sentence_of(const ModelChange& change, const Session& session) {
   QStringList parts;
   for (const ImprovementStep& s : change.steps) {
-    if (s.removed.empty())
+    if (s.added.empty())
+      parts << other_names_text(s);
+    else if (s.removed.empty())
       parts << QObject::tr("added %1").arg(step_text(s.added, s, session));
-    else if (s.added.empty())
-      parts << QObject::tr("took out %1, no longer needed").arg(step_text(s.removed, s, session));
     else
       parts << QObject::tr("exchanged %1 for %2").arg(effects_of(s.removed), step_text(s.added, s, session));
   }
@@ -98,51 +109,66 @@ void Adding::add(const std::string& id) {
   const auto found = std::find_if(before->candidates.begin(), before->candidates.end(),
                                   [&](const DiagnosisCandidate& c) { return can_be_added(c) && id_of(c) == id; });
   if (found == before->candidates.end()) return;
-  const Run run{before, *found, bench_.document.revision()};
-  const ModelSettings settings = bench_.document.settings();
+  const QString name = name_of(*found, bench_.document.session());
+  const auto view = bench_.diagnosing.view_of(id);
+  start({before, *found, bench_.document.revision()}, tr("Adding %1").arg(name),
+        {name, view ? view->proof : proof_of(*before, *found)});
+}
+
+void Adding::seek_other_names() {
+  const auto before = bench_.diagnosing.diagnosis();
+  if (is_running_ || !before || !bench_.document.model()) return;
+  start({before, std::nullopt, bench_.document.revision()}, tr("Seeking other names for what is in the model"), {});
+}
+
+void Adding::start(Run run, const QString& what, Proof offered) {
   const std::int64_t observation =
       bench_.selection.current().observation.value_or(bench_.document.session().observations.front().id);
   watch_ = std::make_shared<FitWatch>();
   pictures_ = skipped_ = 0;
   is_running_ = true;
-  const QString name = name_of(*found, bench_.document.session());
-  const auto view = bench_.diagnosing.view_of(id);
-  offered_ = {name, view ? view->proof : proof_of(*before, *found)};
+  offered_ = std::move(offered);
   taken_ = {};
-  emit began(tr("Adding %1").arg(name));
+  emit began(what);
   timer_.start();
   bench_.explaining.start<Outcome>(
-      "add", tr("Adding %1").arg(name),
-      [session = bench_.document.shared_session(), settings, run, observation, watch = watch_,
-       looks = bench_.document.second_looks()](JobControl& control) {
-        show_the_fit(*run.before, run.candidate, observation, *watch);
-        ImprovementOptions options;
-        options.effects = settings.held;
-        options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
-        options.on_progress = [&](double done) {
-          control.report(done);
-          return !control.is_cancelled();
-        };
-        options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
-        Outcome outcome{add_candidate(*session, options, *run.before, run.candidate)};
-        if (outcome.change.model) {
-          outcome.model = std::make_shared<const Diagnosis>(std::move(*outcome.change.model));
-          outcome.change.model.reset();
-          const Diagnosis& made = *outcome.model;
-          const ModelSettings after = with_estimated(settings, made.model_options.estimated);
-          const QString cause = sentence_of(outcome.change, *session);
-          outcome.version = made.sample ? version_of_all(*session, after, run.revision, cause, looks, going_on(control))
-                                        : version_of(*session, made, after, run.revision, cause, looks);
-          outcome.change.stopped = control.is_cancelled();
-          if (outcome.change.stopped) return outcome;
-          outcome.residuals = make_residuals(*outcome.version);
-          outcome.proof = proof_of(made.sample ? made.model.session : *session,
-                                   made.sample ? made.model.fit : *outcome.version->fit, run.candidate.terms);
-        }
-        return outcome;
+      "add", what,
+      [session = bench_.document.shared_session(), settings = bench_.document.settings(), run, observation,
+       watch = watch_, looks = bench_.document.second_looks()](JobControl& control) {
+        if (run.candidate) show_the_fit(*run.before, *run.candidate, observation, *watch);
+        return outcome_of(run, *session, settings, looks, control);
       },
       [this, run](const Outcome& outcome) { finish(run, outcome); },
       [this](const QString& sentence) { end(AdditionEnd::failed, sentence); });
+}
+
+Adding::Outcome Adding::outcome_of(const Run& run, const Session& session, const ModelSettings& settings,
+                                   const SecondLooks& looks, JobControl& control) {
+  ImprovementOptions options;
+  options.effects = settings.held;
+  options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
+  options.on_progress = [&](double done) {
+    control.report(done);
+    return !control.is_cancelled();
+  };
+  options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
+  Outcome outcome{run.candidate ? add_candidate(session, options, *run.before, *run.candidate)
+                                : handsight::seek_other_names(session, options, *run.before)};
+  if (!outcome.change.model) return outcome;
+  outcome.model = std::make_shared<const Diagnosis>(std::move(*outcome.change.model));
+  outcome.change.model.reset();
+  const Diagnosis& made = *outcome.model;
+  const ModelSettings after = with_estimated(settings, made.model_options.estimated);
+  const QString cause = sentence_of(outcome.change, session);
+  outcome.version = made.sample ? version_of_all(session, after, run.revision, cause, looks, going_on(control))
+                                : version_of(session, made, after, run.revision, cause, looks);
+  outcome.change.stopped = control.is_cancelled();
+  if (outcome.change.stopped) return outcome;
+  outcome.residuals = make_residuals(*outcome.version);
+  if (run.candidate)
+    outcome.proof = proof_of(made.sample ? made.model.session : session,
+                             made.sample ? made.model.fit : *outcome.version->fit, run.candidate->terms);
+  return outcome;
 }
 
 void Adding::show_news(bool is_end) {
@@ -160,11 +186,9 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   const ModelChange& change = outcome.change;
   if (change.stopped || run.revision != bench_.document.revision()) return stop();
   for (const RefusedStep& r : change.refused)
-    bench_.refused.push_back({r.id, r.where, refusal_sentence(*run.before, run.candidate, bench_.document.session()),
-                              bench_.document.undo_stack().undoText(), bench_.document.undo_stack().index(),
-                              bench_.document.revision()});
-  if (!outcome.version)
-    return end(AdditionEnd::refused, refusal_sentence(*run.before, run.candidate, bench_.document.session()));
+    bench_.refused.push_back({r.id, r.where, refusal_of(run), bench_.document.undo_stack().undoText(),
+                              bench_.document.undo_stack().index(), bench_.document.revision()});
+  if (!outcome.version) return end(AdditionEnd::refused, refusal_of(run));
   const std::shared_ptr<ModelVersion>& version = outcome.version;
   is_taking_ = true;
   bench_.document.perform(
@@ -181,13 +205,18 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   end(AdditionEnd::taken, version->cause.left(1).toUpper() + version->cause.mid(1) + '.');
 }
 
+QString Adding::refusal_of(const Run& run) const {
+  if (!run.candidate) return {};
+  return refusal_sentence(*run.before, *run.candidate, bench_.document.session());
+}
+
 void Adding::stop() { end(AdditionEnd::stopped, tr("Stopped. Everything is as before.")); }
 
 void Adding::end(AdditionEnd end, const QString& sentence) {
   if (!is_running_) return;
   timer_.stop();
   is_running_ = false;
-  emit bench_.document.noticed(sentence);
+  if (!sentence.isEmpty()) emit bench_.document.noticed(sentence);
   emit ended(end, sentence);
 }
 

@@ -28,6 +28,9 @@ class Adding : public QObject {
   /// Adds a candidate of the present diagnosis by its id_of. Nothing happens where there is none, or while one is
   /// added.
   void add(const std::string& id);
+  /// Once nothing is left to add: other names for what is in the model, where they are clearly likelier. Nothing
+  /// happens without a diagnosis, or while something is added.
+  void seek_other_names();
   bool is_running() const { return is_running_; }
   /// Of the open document, in the order in which they were tried.
   const std::vector<Refusal>& refused() const { return bench_.refused; }
@@ -47,7 +50,7 @@ class Adding : public QObject {
  private:
   struct Run {
     std::shared_ptr<const Diagnosis> before;
-    DiagnosisCandidate candidate;
+    std::optional<DiagnosisCandidate> candidate;  // none: other names are sought
     std::int64_t revision = 0;
   };
   struct Outcome {
@@ -57,6 +60,11 @@ class Adding : public QObject {
     std::shared_ptr<const ModelResiduals> residuals;
     std::vector<ProofPlot> proof;
   };
+  /// `what` is done for the user; `offered`: what it is to prove.
+  void start(Run run, const QString& what, Proof offered);
+  static Outcome outcome_of(const Run& run, const Session& session, const ModelSettings& settings,
+                            const SecondLooks& looks, JobControl& control);
+  QString refusal_of(const Run& run) const;
   void show_news(bool is_end);
   void finish(const Run& run, const Outcome& outcome);
   void stop();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/adding_on.h"
 
+#include <utility>
+
 #include "words/core_words.h"
 #include "words/counted.h"
 
@@ -9,24 +11,30 @@ namespace handsight::app {
 AddingOn::AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& cards, QObject* parent)
     : QObject(parent), bench_(bench), adding_(adding), cards_(cards) {
   connect(&adding, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
-    if (end == AdditionEnd::taken) {
+    if (end == AdditionEnd::taken && !is_seeking_) {
       ++added_;
       if (!stands_in_.isEmpty()) stand_ins_ << stands_in_;
     }
     stands_in_.clear();
+    const bool found_none = std::exchange(is_seeking_, false) && end == AdditionEnd::refused;
+    if (found_none) sought_at_ = bench_.document.revision();
+    if (is_running_ && found_none) this->end(told_at_the_end());
     if (is_running_ && (end == AdditionEnd::stopped || end == AdditionEnd::failed)) this->end({});
   });
   next_.setSingleShot(true);
   next_.setInterval(200);
   connect(&next_, &QTimer::timeout, this, &AddingOn::add_first);
-  connect(&bench.document, &Document::closed, this, [this] { end({}); });
+  connect(&bench.document, &Document::closed, this, [this] {
+    sought_at_.reset();
+    end({});
+  });
 }
 
 void AddingOn::start() {
   if (is_running_) return;
   is_running_ = true;
   is_paused_ = false;
-  added_ = 0;
+  added_ = sought_ = 0;
   stand_ins_.clear();
   emit changed();
   look();
@@ -78,7 +86,19 @@ void AddingOn::add_first() {
     stands_in_ = card.caution.isEmpty() ? QString() : within_sentence(card.title);
     return adding_.add(card.id.toStdString());
   }
-  end(told_at_the_end());
+  seek_or_end();
+}
+
+bool AddingOn::can_seek() const {
+  if (!bench_.document.is_open() || sought_at_ == bench_.document.revision()) return false;
+  const ModelSettings& settings = bench_.document.settings();
+  return static_cast<int>(settings.estimated.size()) > settings.by_hand;
+}
+
+void AddingOn::seek_or_end() {
+  if (!can_seek() || sought_++ >= most_times_sought) return end(told_at_the_end());
+  is_seeking_ = true;
+  adding_.seek_other_names();
 }
 
 QString AddingOn::told_at_the_end() const {

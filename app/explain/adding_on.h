@@ -21,6 +21,8 @@ class AddingOn : public QObject {
   void go_on();
   bool is_running() const { return is_running_; }
   bool is_paused() const { return is_paused_; }
+  /// Something was added, and other names for it were not sought yet: there is something to do without any card.
+  bool can_seek() const;
   /// The cards are up to date: takes the first where it can be added, else it is done.
   void look();
 
@@ -31,6 +33,8 @@ class AddingOn : public QObject {
   void end(const QString& sentence);
   bool is_waiting() const;
   void add_first();
+  /// Nothing is left to add: other names for what was added, then the end.
+  void seek_or_end();
   QString told_at_the_end() const;
 
   Workbench& bench_;
@@ -38,9 +42,11 @@ class AddingOn : public QObject {
   widgets::CandidateList& cards_;
   QTimer next_;  // a stair stands for a moment before the next one
   bool is_running_ = false, is_paused_ = false;
-  int added_ = 0;
-  QString stands_in_;      // what is being added, where its size is implausible
-  QStringList stand_ins_;  // those that were added
+  int added_ = 0, sought_ = 0;  // causes; how often other names were sought
+  bool is_seeking_ = false;
+  std::optional<std::int64_t> sought_at_;  // the document's revision
+  QString stands_in_;                      // what is being added, where its size is implausible
+  QStringList stand_ins_;                  // those that were added
 };
 
 }  // namespace handsight::app

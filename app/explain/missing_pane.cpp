@@ -90,7 +90,9 @@ void MissingPane::make_until_it_stops() {
   adding_on_ = new AddingOn(bench_, adding_, *cards_, this);
   until_it_stops_ = new QPushButton(this);
   until_it_stops_->setObjectName("until_it_stops");
-  until_it_stops_->setToolTip(tr("Adds the first card, and the first of what is left, until nothing more helps"));
+  until_it_stops_->setToolTip(
+      tr("Adds the first card, and the first of what is left, until nothing more helps; then seeks other names that "
+         "explain what was added better"));
   pause_ = new QPushButton(this);
   pause_->setObjectName("pause_adding");
   pause_->setToolTip(tr("Rests after the cause that is being added, so that its proof can be looked at"));
@@ -192,7 +194,7 @@ void MissingPane::refresh() {
 
 /// Where nothing is left to add it would do nothing. What no robot is built like stands behind what is said of it.
 void MissingPane::allow_until_it_stops() {
-  bool can_begin = false;
+  bool can_begin = adding_on_->can_seek();
   for (int i = 0; i < cards_->count(); ++i) {
     const widgets::CardState& card = cards_->card(i)->state();
     can_begin = can_begin || (card.kind == widgets::CardKind::candidate && card.can_add);

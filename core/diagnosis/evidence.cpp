@@ -214,6 +214,64 @@ double ln_bayes_factor(const Score& score, const WhitenedModel& w, const NoiseKn
   return ln_mean_exp(values);
 }
 
+FactorsWithout ln_bayes_factors_without(const Score& score, std::span<const ParameterGroup> groups,
+                                        const WhitenedModel& w, const NoiseKnowledge& noise) {
+  if (score.gradient.size() == 0) return {0, std::vector<double>(groups.size())};
+  std::array<double, scales.size()> whole{};
+  std::vector<std::array<double, scales.size()>> without(groups.size());
+  const auto identity = Eigen::MatrixXd::Identity(score.gradient.size(), score.gradient.size());
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const ScaledScore s = at_scale(score, scales[i], w, noise);
+    whole[i] = s.ln_bayes_factor;
+    const Eigen::MatrixXd inverse = s.llt.solve(identity);
+    const Eigen::VectorXd value = inverse * (scales[i] * score.gradient);
+    const double gained = scales[i] * score.gradient.dot(value), ln_volume = ln_determinant(s.llt);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const Eigen::Index first = groups[g].first, count = groups[g].count;
+      // Of a group the inverse has the inverse of what of its information the others do not share.
+      const Eigen::LLT<Eigen::MatrixXd> own(inverse.block(first, first, count, count));
+      const auto own_value = value.segment(first, count);
+      without[g][i] =
+          ln_worth(gained - own_value.dot(own.solve(own_value)), w, noise) - 0.5 * (ln_volume + ln_determinant(own));
+    }
+  }
+  FactorsWithout factors{ln_mean_exp(whole), {}};
+  for (const auto& values : without) factors.without.push_back(ln_mean_exp(values));
+  return factors;
+}
+
+std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Eigen::Index> chosen,
+                                            std::span<const ParameterGroup> groups, const WhitenedModel& w,
+                                            const NoiseKnowledge& noise) {
+  const Score own = part_of(all, chosen);
+  Eigen::MatrixXd shared(chosen.size(), all.gradient.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    shared.row(static_cast<Eigen::Index>(i)) = all.information.row(chosen[i]);
+  std::vector<std::array<double, scales.size()>> with(groups.size());
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const double scale = scales[i];
+    const ScaledScore s = at_scale(own, scale, w, noise);
+    const Eigen::VectorXd gradient = s.llt.matrixL().solve(scale * own.gradient);
+    const Eigen::MatrixXd by_own = s.llt.matrixL().solve(scale * scale * shared);
+    const double ln_volume = ln_determinant(s.llt);
+    each_part(static_cast<int>(groups.size()), true, [&](int g) {
+      const auto [first, count] = groups[static_cast<std::size_t>(g)];
+      const auto columns = by_own.middleCols(first, count);
+      Eigen::MatrixXd rest = scale * scale * all.information.block(first, first, count, count);
+      rest.diagonal().array() += 1;
+      rest -= columns.transpose() * columns;
+      const Eigen::LLT<Eigen::MatrixXd> llt(rest);
+      const Eigen::VectorXd step =
+          llt.matrixL().solve(scale * all.gradient.segment(first, count) - columns.transpose() * gradient);
+      with[static_cast<std::size_t>(g)][i] =
+          ln_worth(gradient.squaredNorm() + step.squaredNorm(), w, noise) - 0.5 * (ln_volume + ln_determinant(llt));
+    });
+  }
+  std::vector<double> factors;
+  for (const auto& values : with) factors.push_back(ln_mean_exp(values));
+  return factors;
+}
+
 LinearEstimate linear_estimate(const Score& score, const WhitenedModel& w, const NoiseKnowledge& noise) {
   LinearEstimate best;
   double best_factor = -1e300;

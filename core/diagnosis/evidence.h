@@ -79,6 +79,24 @@ Score part_of(const Score& whole, std::span<const Eigen::Index> parameters);
 /// ln of the mean over plausible sizes times 0.1, 0.3, 1, 3 of the Bayes factor for a score.
 double ln_bayes_factor(const Score& score, const WhitenedModel& w, const NoiseKnowledge& noise);
 
+/// Some parameters of a score that follow each other.
+struct ParameterGroup {
+  Eigen::Index first = 0, count = 0;
+};
+
+/// ln_bayes_factor() of a score, and of it without each of these groups, which hold no parameter twice.
+struct FactorsWithout {
+  double whole = 0;
+  std::vector<double> without;
+};
+FactorsWithout ln_bayes_factors_without(const Score& score, std::span<const ParameterGroup> groups,
+                                        const WhitenedModel& w, const NoiseKnowledge& noise);
+
+/// ln_bayes_factor() of the chosen parameters of a score together with each of these groups, which hold none of them.
+std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Eigen::Index> chosen,
+                                            std::span<const ParameterGroup> groups, const WhitenedModel& w,
+                                            const NoiseKnowledge& noise);
+
 /// The best estimate (plausible units) and its covariance at the best of those scales.
 struct LinearEstimate {
   Eigen::VectorXd value;

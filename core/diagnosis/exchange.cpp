@@ -10,10 +10,9 @@
 namespace handsight {
 namespace {
 
-constexpr double clearly = 3;            // ln of a Bayes factor, odds of 20
-constexpr double ln_ways_of_curves = 5;  // of the forms, sites and directions in which a curve could have been another
-constexpr std::size_t most = 3;          // names that are fitted in full
-constexpr double nearly = 0.9;           // of the present name's linear evidence: full fits may turn it round
+constexpr double clearly = 3;    // ln of a Bayes factor, odds of 20
+constexpr std::size_t most = 3;  // names that are fitted in full
+constexpr double nearly = 0.9;   // of the present name's linear evidence: full fits may turn it round
 
 /// Evidence of a full fit with the ways counted in which the effect could have sat elsewhere.
 double evidence_of(const Refit& refit, const RankedEffect& ranked) {

@@ -8,6 +8,7 @@
 
 #include "diagnosis/conclusion.h"
 #include "diagnosis/curves.h"
+#include "diagnosis/other_names.h"
 #include "diagnosis/sampled.h"
 #include "diagnosis/slips.h"
 #include "diagnosis/upkeep.h"
@@ -51,22 +52,6 @@ void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, M
     step.variable = candidate.unnamed->localiser.variable->name;
   }
   change.steps.push_back(std::move(step));
-}
-
-/// Nothing is left to add: is there a better name for something? The last step then tells of it, and all begins again.
-bool exchanged_at_the_end(const Session& session, const ImprovementOptions& options, Improvement& m,
-                          const ModelChange& nothing) {
-  constexpr std::size_t most = 8;
-  if (m.stopped || nothing.stopped || m.steps.size() < 2 || m.steps.back().exchanged.size() >= most) return false;
-  ModelChange change;
-  change.model = m.last;
-  change.steps = {m.steps.back()};
-  const bool changed = exchange_at_the_end(session, options, change);
-  m.stopped = change.stopped;
-  if (!changed || m.stopped) return false;
-  m.steps.back() = change.steps.back();
-  m.last = std::move(*change.model);
-  return true;
 }
 
 /// Without curves beside them, names that leave an unnamed curve on top have explained nothing.
@@ -154,6 +139,26 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
   return all;
 }
 
+ModelChange seek_other_names(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
+  ModelChange change;
+  const auto goes_on = [&] {
+    if (options.on_progress && !options.on_progress(0.97)) change.stopped = true;
+    return !change.stopped;
+  };
+  const auto other = other_names(model, options.estimated.size(), goes_on);
+  if (!other || change.stopped) return change;
+  const double most = as_good_as_told * held_out_error(model);
+  Diagnosis next = diagnosed_from(session, options, other->options.estimated, other->options.start, most);
+  change.stopped = next.stopped;
+  if (next.stopped || held_out_error(next) > most) return change;
+  ImprovementStep step = step_of(next);
+  step.removed = fmt::format("{}", fmt::join(other->gone, ", "));
+  step.exchanged = other->come;
+  change.steps.push_back(std::move(step));
+  change.model = std::move(next);
+  return change;
+}
+
 Improvement improve(const Session& session, const ImprovementOptions& asked) {
   if (const auto sample = sample_to_judge(session)) {
     Improvement m = improve(sample->session, asked);
@@ -169,6 +174,7 @@ Improvement improve(const Session& session, const ImprovementOptions& asked) {
   const std::optional<double> excess = m.last.excess;
   std::vector<RefusedStep> refused;  // of the last model
   Improvement settled = m;           // names alone: the last model that no unnamed curve outdoes
+  int sought = 0;
   while (!m.stopped && static_cast<int>(m.steps.size()) <= options.most_steps) {
     if (options.on_step && !options.on_step(m.steps.back())) {
       m.stopped = true;
@@ -178,8 +184,11 @@ Improvement improve(const Session& session, const ImprovementOptions& asked) {
     refused = change.refused;
     m.refused.insert(m.refused.end(), change.refused.begin(), change.refused.end());
     m.stopped = change.stopped;
-    if (!change.model && !exchanged_at_the_end(session, options, m, change)) break;
-    if (m.stopped || !change.model) continue;
+    if (!change.model && !m.stopped && m.steps.size() > 1 && sought++ < most_times_sought) {
+      change = seek_other_names(session, options, m.last);
+      m.stopped = change.stopped;
+    }
+    if (!change.model) break;
     m.steps.insert(m.steps.end(), change.steps.begin(), change.steps.end());
     m.last = std::move(*change.model);
     if (!options.with_curves && !is_outdone(m.last)) settled = m;

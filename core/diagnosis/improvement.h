@@ -8,7 +8,7 @@ namespace handsight {
 
 /// A model on the way: the first as it was, then one per change.
 struct ImprovementStep {
-  std::string added;    // effect id; empty for the first, and where something was only taken out
+  std::string added;    // effect id; empty for the first, and where all names were sought again
   std::string removed;  // effect ids, where something added before is no longer needed, or stood in for another
   std::vector<std::string> exchanged = {};  // effect ids that came in the place of `removed`, beside `added`
   std::vector<std::string> where;
@@ -60,6 +60,12 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
 /// The first of the candidates that pass the threshold and are not refused.
 ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
 
+/// Once nothing is left to add: other names, and other places of the same, for what stands, where they are clearly
+/// likelier and the held-out error does not rise beyond its third digit (other_names.h).
+ModelChange seek_other_names(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
+/// How often that is done; what it drops may pass again.
+inline constexpr int most_times_sought = 4;
+
 /// An unnamed curve passes and leads: the names that were added so far have not explained what is missing.
 bool is_outdone(const Diagnosis& model);
 
@@ -83,7 +89,7 @@ struct Improvement {
 };
 
 /// add_best until nothing is left to add, names and curves by their evidence beside each other: what the others make
-/// needless goes, curves are looked for again after every change.
+/// needless goes, curves are looked for again after every change, and in the end other names for all.
 Improvement improve(const Session& session, const ImprovementOptions& options = {});
 
 }  // namespace handsight

@@ -12,9 +12,8 @@
 namespace handsight {
 namespace {
 
-constexpr int most_groups_each_time = 4;  // exchanges are looked for after every addition up to here, then in the end
+constexpr int most_groups_each_time = 4;  // exchanges are looked for after every addition up to here
 constexpr double clearly_better = 2;      // ln: for another form of a curve
-constexpr double worth_a_place = 1;       // ln: for one place more of an effect that is in the model
 
 /// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
 /// the estimated ones were 0 and all else followed.
@@ -44,15 +43,8 @@ class Upkeep {
   void run() {
     drop_what_is_no_longer_needed();
     thin_out();
-    if (group_count() <= most_groups_each_time) exchange_names(false);
+    if (group_count() <= most_groups_each_time) exchange_names();
     look_for_forms_again();
-  }
-
-  bool run_at_the_end() {
-    if (group_count() <= most_groups_each_time) return false;
-    const std::size_t before = change_.steps.back().exchanged.size();
-    exchange_names(true);
-    return change_.steps.back().exchanged.size() > before;
   }
 
  private:
@@ -171,10 +163,10 @@ class Upkeep {
   }
 
   /// Names and curves that stood in for another name are exchanged; a name that was added last stays.
-  void exchange_names(bool with_last) {
+  void exchange_names() {
     for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
       const std::size_t last = end_of_group(terms(), first);
-      if (last == terms().size() && !with_last && !is_curve(terms()[first])) return;
+      if (last == terms().size() && !is_curve(terms()[first])) return;
       const std::string removed = terms()[first].id;
       const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
       // A name that has gone does not come back for the one that came: they would take turns for ever.
@@ -273,10 +265,6 @@ std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first
 
 void keep_up(const Session& session, const ImprovementOptions& options, double most, ModelChange& change) {
   Upkeep(session, options, most, change).run();
-}
-
-bool exchange_at_the_end(const Session& session, const ImprovementOptions& options, ModelChange& change) {
-  return Upkeep(session, options, held_out_error(*change.model), change).run_at_the_end();
 }
 
 }  // namespace handsight

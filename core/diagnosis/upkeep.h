@@ -11,6 +11,12 @@ namespace handsight {
 /// numbers is no worse.
 inline constexpr double as_good = 1 + 1e-4;
 
+/// The same where the other names are clearly likelier: a rise in the third digit is chance.
+inline constexpr double as_good_as_told = 1 + 2e-3;
+
+/// ln of the evidence for one place more of an effect that is in the model.
+inline constexpr double worth_a_place = 1;
+
 /// A model with these estimated terms, diagnosed unless its held-out error is above `most` (DiagnosisOptions).
 Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
                          const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
@@ -22,9 +28,5 @@ std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first
 /// Mends change.model, whose last step added its last group of terms; what goes and comes is told in that step. None of
 /// it lifts the held-out error above `most`.
 void keep_up(const Session& session, const ImprovementOptions& options, double most, ModelChange& change);
-
-/// Looks for better names in the place of all that was added, the last too: once nothing is left to add, where the
-/// model has grown beyond what keep_up looks through after every addition. False where all stays.
-bool exchange_at_the_end(const Session& session, const ImprovementOptions& options, ModelChange& change);
 
 }  // namespace handsight

@@ -736,6 +736,10 @@
         <translation>Hinzufügen, bis Schluss ist</translation>
     </message>
     <message>
+        <source>Seeking other names for what is in the model</source>
+        <translation>Andere Namen für das, was im Modell ist, werden gesucht</translation>
+    </message>
+    <message>
         <source>Adding %1</source>
         <translation>%1 wird hinzugefügt</translation>
     </message>
@@ -744,8 +748,8 @@
         <translation>Fügt es dem Modell hinzu und passt an (Eingabe)</translation>
     </message>
     <message>
-        <source>Adds the first card, and the first of what is left, until nothing more helps</source>
-        <translation>Fügt die erste Karte hinzu, und die erste von denen, die bleiben, bis nichts mehr hilft</translation>
+        <source>Adds the first card, and the first of what is left, until nothing more helps; then seeks other names that explain what was added better</source>
+        <translation>Fügt die erste Karte hinzu, und die erste von denen, die bleiben, bis nichts mehr hilft; sucht dann andere Namen, die das Hinzugefügte besser erklären</translation>
     </message>
     <message>
         <source>Adds what the first card says</source>
@@ -3082,6 +3086,10 @@
     <message>
         <source>estimated %1 again</source>
         <translation>%1 wieder geschätzt</translation>
+    </message>
+    <message>
+        <source>moved what is in the model to other places</source>
+        <translation>an andere Stellen gesetzt, was im Modell ist</translation>
     </message>
     <message>
         <source>exchanged %1 for %2</source>

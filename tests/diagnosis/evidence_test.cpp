@@ -109,6 +109,24 @@ TEST(Evidence, GainsNothingFromWhatTheModelAlreadyHas) {
   EXPECT_NEAR(ln_bayes_factor(score(w, u.first, u.count), w, {}), 0, 1e-2);
 }
 
+TEST(Evidence, WithoutAGroupIsThatOfTheOthers) {
+  const Bench b = bench(6, 60);
+  const std::vector<ParameterGroup> groups{{0, 4}, {4, 1}, {5, 7}};
+  for (const NoiseKnowledge& knowledge : {NoiseKnowledge{}, NoiseKnowledge{false, 500}}) {
+    const WhitenedModel w = whiten(b.model, {}, knowledge);
+    const Score all = score(w, 0, 12);
+    const FactorsWithout factors = ln_bayes_factors_without(all, groups, w, knowledge);
+    EXPECT_NEAR(factors.whole, ln_bayes_factor(all, w, knowledge), 1e-9);
+    ASSERT_EQ(factors.without.size(), groups.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<Eigen::Index> others;
+      for (Eigen::Index i = 0; i < 12; ++i)
+        if (i < groups[g].first || i >= groups[g].first + groups[g].count) others.push_back(i);
+      EXPECT_NEAR(factors.without[g], ln_bayes_factor(part_of(all, others), w, knowledge), 1e-8) << g;
+    }
+  }
+}
+
 TEST(Evidence, FollowsTheSimulatedSize) {
   // The linear estimate is the truth within its sigma, in units of the plausible size.
   const Bench b = bench(5, 60);

@@ -28,14 +28,14 @@ DiagnosisOptions quick() {
   return o;
 }
 
-struct Hidden {
+struct HiddenInARig {
   int cameras;
   std::vector<std::string> values;
   std::string id, where;
 };
 
 TEST(RigDiagnosis, NamesWhatIsHiddenAndAtWhichCamera) {
-  const std::vector<Hidden> all = {
+  const std::vector<HiddenInARig> all = {
       {1, {"joint_elasticity:a3.compliance=1e-4"}, "joint_elasticity", "a3"},
       {1,
        {"encoder_eccentricity:a2.sine=2e-3", "encoder_eccentricity:a2.cosine=-1.5e-3"},
@@ -45,7 +45,7 @@ TEST(RigDiagnosis, NamesWhatIsHiddenAndAtWhichCamera) {
       {3, {"rig:cam_2.ry=3e-3", "rig:cam_2.x=1e-3"}, "rig", "cam_2"},
       {3, {"camera_intrinsics:cam_1.fx=5", "camera_intrinsics:cam_1.cx=4"}, "camera_intrinsics", "cam_1"},
       {3, {"joint_elasticity:a3.compliance=1e-4"}, "joint_elasticity", "a3"}};
-  for (const Hidden& hidden : all) {
+  for (const HiddenInARig& hidden : all) {
     const Diagnosis d = diagnose(seen_by(hidden.cameras, hidden.values, 7), quick());
     ASSERT_FALSE(d.candidates.empty());
     const DiagnosisCandidate& best = d.candidates.front();

@@ -70,22 +70,23 @@ TEST(RobotCheck, PredictsByHowMuchTheHandDrops) {
   EXPECT_NE(c.explanation.find(prediction_text(*c.check)), std::string::npos) << c.explanation;
 }
 
-struct Hidden {
+struct HiddenBeforeACheck {
   std::vector<EffectTerm> effects;
   const char* unit;
 };
 
 TEST(RobotCheck, EveryKindOfCheckPredictsWhatTheTruthWouldShow) {
-  const std::vector<Hidden> all = {{{{"joint_scale", 1, {3e-3}}}, "rad"},
-                                   {{{"encoder_eccentricity", 1, {1.5e-3, -1e-3}}}, "rad"},
-                                   {{{"joint_offset", 2, {4e-3}}}, "rad"},
-                                   {{{"friction_hysteresis", 1, {1.5e-3}}}, "m"},
-                                   {{{"mount_drift", -1, {1e-3, 0, -1e-3, 2e-3, 0, 1e-3, 0}}}, "m"},
-                                   {{{"body_slip", -1, {1e-3, -1e-3, 2e-3, 0.01, 0, 0.01, 31}}}, "m"},
-                                   {{{"stereo_rig", -1, {8e-4, -5e-4, 6e-4, 1e-3, 1.5e-3, -1e-3}}}, "px"},
-                                   {{{"lens_distortion", -1, {0.02, -0.03, 5e-4, 8e-4, -0.02, 0.02, 0, 5e-4}}}, "px"},
-                                   {{{"time_lag", -1, {0.015}}}, "m"}};
-  for (const Hidden& hidden : all) {
+  const std::vector<HiddenBeforeACheck> all = {
+      {{{"joint_scale", 1, {3e-3}}}, "rad"},
+      {{{"encoder_eccentricity", 1, {1.5e-3, -1e-3}}}, "rad"},
+      {{{"joint_offset", 2, {4e-3}}}, "rad"},
+      {{{"friction_hysteresis", 1, {1.5e-3}}}, "m"},
+      {{{"mount_drift", -1, {1e-3, 0, -1e-3, 2e-3, 0, 1e-3, 0}}}, "m"},
+      {{{"body_slip", -1, {1e-3, -1e-3, 2e-3, 0.01, 0, 0.01, 31}}}, "m"},
+      {{{"stereo_rig", -1, {8e-4, -5e-4, 6e-4, 1e-3, 1.5e-3, -1e-3}}}, "px"},
+      {{{"lens_distortion", -1, {0.02, -0.03, 5e-4, 8e-4, -0.02, 0.02, 0, 5e-4}}}, "px"},
+      {{{"time_lag", -1, {0.015}}}, "m"}};
+  for (const HiddenBeforeACheck& hidden : all) {
     const std::string& id = hidden.effects[0].id;
     const Diagnosis d = diagnosed(hidden.effects);
     const DiagnosisCandidate& c = found(d, id);
