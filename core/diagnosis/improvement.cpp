@@ -63,6 +63,11 @@ void take_back(Improvement& settled, Improvement& m) {
   m.last = std::move(settled.last);
 }
 
+/// What was not taken beside other names and is in the model now was not refused.
+void forget_refusals_of(const std::vector<std::string>& come, std::vector<RefusedStep>& refused) {
+  std::erase_if(refused, [&](const RefusedStep& r) { return std::find(come.begin(), come.end(), r.id) != come.end(); });
+}
+
 }  // namespace
 
 ImprovementStep step_of(const Diagnosis& model) {
@@ -187,6 +192,7 @@ Improvement improve(const Session& session, const ImprovementOptions& asked) {
     if (!change.model && !m.stopped && m.steps.size() > 1 && sought++ < most_times_sought) {
       change = seek_other_names(session, options, m.last);
       m.stopped = change.stopped;
+      for (const ImprovementStep& s : change.steps) forget_refusals_of(s.exchanged, m.refused);
     }
     if (!change.model) break;
     m.steps.insert(m.steps.end(), change.steps.begin(), change.steps.end());

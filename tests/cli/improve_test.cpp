@@ -207,6 +207,58 @@ TEST_F(Improve, AZeroWrongBySixDegreesIsOneName) {
   }
 }
 
+/// Two wrong zeros and a mount that is off: the geometry of several joints can nearly imitate all of them and comes
+/// first, and no exchange of one name for one shows it.
+TEST_F(Improve, WhatStoodInForSeveralGivesItsPlaceToThem) {
+  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
+  int sought = 0;
+  for (const std::string seed : {"5", "7", "12"}) {
+    const auto session = folder.path / seed;
+    const CliResult made = run_cli(folder.path, {"simulate",
+                                                 "--like",
+                                                 like,
+                                                 "--out",
+                                                 session.string(),
+                                                 "--seed",
+                                                 seed,
+                                                 "--images",
+                                                 "none",
+                                                 "--observations",
+                                                 "80",
+                                                 "--effect",
+                                                 "camera_mount:x=0.002",
+                                                 "camera_mount:y=-0.004",
+                                                 "camera_mount:z=0.003",
+                                                 "camera_mount:rx=0.006",
+                                                 "camera_mount:ry=-0.003",
+                                                 "camera_mount:rz=-0.005",
+                                                 "joint_offset:axis_2.offset=-0.004",
+                                                 "joint_offset:axis_3.offset=0.003"});
+    ASSERT_EQ(made.exit_code, 0) << made.errors;
+    const Json r = run(session).json();
+    EXPECT_EQ(r["verdict"], "adequate") << r["reason"];
+    const HiddenTruth truth = hidden_truth(session);
+    Names named;
+    for (const Json& e : r["effects"]) {
+      named.insert(e["id"]);
+      Names where;
+      for (const Json& p : e["parameters"])
+        if (p["of"].is_string()) where.insert(p["of"]);
+      EXPECT_EQ(where, truth.effects.at(e["id"])) << seed;
+      expect_values(e["parameters"], truth, e["id"]);
+    }
+    EXPECT_EQ(named, truth.ids()) << seed;
+    for (const Json& refused : r["refused"]) EXPECT_FALSE(named.count(refused["id"])) << refused.dump();
+    for (const Json& step : r["steps"]) {
+      if (!step["added"].is_null() || step["removed"].is_null()) continue;
+      ++sought;
+      EXPECT_EQ(step["removed"], "link_geometry");
+      EXPECT_EQ(step["exchanged"], Json({"camera_mount", "joint_offset"}));
+    }
+  }
+  EXPECT_GE(sought, 1) << "sessions in which one name for one is enough prove nothing";
+}
+
 TEST_F(Improve, EightObservationsAreTooFew) {
   ASSERT_EQ(simulate(folder.path, "few", "six_axis_stand",
                      {"--observations", "8", "--seed", "52", "--effect", "joint_offset:axis_2.offset=0.01"})

@@ -127,6 +127,27 @@ TEST(Evidence, WithoutAGroupIsThatOfTheOthers) {
   }
 }
 
+TEST(Evidence, BesideAGroupIsThatOfBoth) {
+  const Bench b = bench(6, 60);
+  const std::vector<Eigen::Index> chosen{9, 1, 4};
+  const std::vector<ParameterGroup> groups{{0, 1}, {2, 2}, {5, 4}};
+  for (const NoiseKnowledge& knowledge : {NoiseKnowledge{}, NoiseKnowledge{false, 500}}) {
+    const WhitenedModel w = whiten(b.model, {}, knowledge);
+    const Score all = score(w, 0, 12);
+    const auto beside = [&](std::span<const Eigen::Index> some) {
+      const std::vector<double> factors = ln_bayes_factors_beside(all, some, groups, w, knowledge);
+      EXPECT_EQ(factors.size(), groups.size());
+      for (std::size_t g = 0; g < groups.size(); ++g) {
+        std::vector<Eigen::Index> both(some.begin(), some.end());
+        for (Eigen::Index i = 0; i < groups[g].count; ++i) both.push_back(groups[g].first + i);
+        EXPECT_NEAR(factors[g], ln_bayes_factor(part_of(all, both), w, knowledge), 1e-8) << g;
+      }
+    };
+    beside(chosen);
+    beside({});
+  }
+}
+
 TEST(Evidence, FollowsTheSimulatedSize) {
   // The linear estimate is the truth within its sigma, in units of the plausible size.
   const Bench b = bench(5, 60);

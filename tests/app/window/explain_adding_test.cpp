@@ -102,6 +102,35 @@ TEST_F(Explain, AddUntilItStopsGoesDownTheStairsByItself) {
   EXPECT_EQ(desk.document().undo_stack().index(), steps - 1) << "each stair is an action of its own";
 }
 
+/// Two wrong zeros and a mount that is off: the geometry of several joints can nearly imitate all of them.
+TEST_F(Explain, AddUntilItStopsSeeksOtherNamesAtItsEnd) {
+  ASSERT_TRUE(
+      simulate({"--seed", "12", "--images", "none", "--observations", "80", "--effect", "camera_mount:x=0.002",
+                "camera_mount:y=-0.004", "camera_mount:z=0.003", "camera_mount:rx=0.006", "camera_mount:ry=-0.003",
+                "camera_mount:rz=-0.005", "joint_offset:axis_2.offset=-0.004", "joint_offset:axis_3.offset=0.003"}));
+  desk.window.resize(1440, 900);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  explain.workspace()->adding().add("link_geometry");
+  ASSERT_TRUE(explain.is_settled());
+  ASSERT_EQ(desk.document().undo_stack().index(), 1);
+  desk.press_button("until_it_stops");
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(effects_of(run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json()),
+            effects_in_the_model());
+  EXPECT_EQ(effects_in_the_model(),
+            (std::set<std::string>{"camera_mount ", "joint_offset axis_2", "joint_offset axis_3"}));
+  EXPECT_TRUE(desk.document().undo_stack().undoText().contains("xchanged link geometry for camera mount, joint"))
+      << desk.document().undo_stack().undoText().toStdString();
+  EXPECT_FALSE(desk.find<QAbstractButton>("until_it_stops")->isEnabled()) << "they were sought";
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(effects_in_the_model().count("camera_mount "), 0U) << "other names are an action of their own";
+  EXPECT_TRUE(desk.find<QAbstractButton>("until_it_stops")->isEnabled()) << "and can be sought again";
+}
+
 /// The curve stands behind what is said of it, where its size is that of no robot: the way on is open all the same.
 TEST_F(Explain, AddUntilItStopsIsOfferedForACurveThatIsLargerThanRobotsAreBuilt) {
   ASSERT_TRUE(simulate({"--curve", "axis_3: 0.03*sin(3q)", "--observations", "80"}));

@@ -25,7 +25,8 @@ class Explain : public testing::Test {
   bool simulate(std::vector<std::string> extra) {
     session = folder.path / "simulated";
     const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
-    std::vector<std::string> arguments{"simulate", "--like", like, "--seed", "1", "--out", session.string()};
+    std::vector<std::string> arguments{"simulate", "--like", like, "--out", session.string()};
+    if (std::find(extra.begin(), extra.end(), "--seed") == extra.end()) extra.insert(extra.end(), {"--seed", "1"});
     arguments.insert(arguments.end(), extra.begin(), extra.end());
     return run_cli(folder.path, arguments).exit_code == 0;
   }
