@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/adding_on.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "words/core_words.h"
@@ -11,11 +12,8 @@ namespace handsight::app {
 AddingOn::AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& cards, QObject* parent)
     : QObject(parent), bench_(bench), adding_(adding), cards_(cards) {
   connect(&adding, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
-    if (end == AdditionEnd::taken && !is_seeking_) {
-      ++added_;
-      if (!stands_in_.isEmpty()) stand_ins_ << stands_in_;
-    }
-    stands_in_.clear();
+    if (end == AdditionEnd::taken) note_taken();
+    stands_in_.reset();
     const bool found_none = std::exchange(is_seeking_, false) && end == AdditionEnd::refused;
     if (found_none) sought_at_ = bench_.document.revision();
     if (is_running_ && found_none) this->end(told_at_the_end());
@@ -30,11 +28,21 @@ AddingOn::AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& car
   });
 }
 
+void AddingOn::note_taken() {
+  if (is_seeking_) {
+    found_others_ = true;
+    return;
+  }
+  ++added_;
+  if (stands_in_) stand_ins_.push_back(*stands_in_);
+}
+
 void AddingOn::start() {
   if (is_running_) return;
   is_running_ = true;
   is_paused_ = false;
   added_ = sought_ = 0;
+  found_others_ = false;
   stand_ins_.clear();
   emit changed();
   look();
@@ -83,7 +91,7 @@ void AddingOn::add_first() {
   for (int i = 0; i < cards_.count(); ++i) {
     const widgets::CardState& card = cards_.card(i)->state();
     if (card.kind != widgets::CardKind::candidate || !card.can_add) continue;
-    stands_in_ = card.caution.isEmpty() ? QString() : within_sentence(card.title);
+    if (!card.caution.isEmpty()) stands_in_ = StandIn{card.id.toStdString(), within_sentence(card.title)};
     return adding_.add(card.id.toStdString());
   }
   seek_or_end();
@@ -102,12 +110,20 @@ void AddingOn::seek_or_end() {
 }
 
 QString AddingOn::told_at_the_end() const {
-  const QString added = counted(added_, "%n cause(s)");
-  QString sentence = cards_.card(0)->state().kind == widgets::CardKind::adequate
-                         ? tr("Done: %1 added, and nothing is missing any more.").arg(added)
-                         : tr("Stopped by itself: %1 added, and nothing is left that would help.").arg(added);
-  if (!stand_ins_.isEmpty())
-    sentence += tr(" Larger than robots are built, so it stands in for another cause: %1.").arg(stand_ins_.join(", "));
+  QStringList done;
+  if (added_ > 0 || !found_others_) done << tr("%1 added").arg(counted(added_, "%n cause(s)"));
+  if (found_others_) done << tr("other names found for what was added");
+  QString sentence = (cards_.card(0)->state().kind == widgets::CardKind::adequate
+                          ? tr("Done: %1, and nothing is missing any more.")
+                          : tr("Stopped by itself: %1, and nothing is left that would help."))
+                         .arg(done.join(", "));
+  const std::vector<EffectTerm>& model = bench_.document.settings().estimated;
+  QStringList stand_ins;
+  for (const StandIn& s : stand_ins_)
+    if (std::any_of(model.begin(), model.end(), [&](const EffectTerm& t) { return t.id == s.id; }))
+      stand_ins << s.title;
+  if (!stand_ins.isEmpty())
+    sentence += tr(" Larger than robots are built, so it stands in for another cause: %1.").arg(stand_ins.join(", "));
   return sentence;
 }
 

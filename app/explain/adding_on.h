@@ -30,6 +30,12 @@ class AddingOn : public QObject {
   void changed();
 
  private:
+  struct StandIn {
+    std::string id;
+    QString title;
+  };
+
+  void note_taken();
   void end(const QString& sentence);
   bool is_waiting() const;
   void add_first();
@@ -43,10 +49,10 @@ class AddingOn : public QObject {
   QTimer next_;  // a stair stands for a moment before the next one
   bool is_running_ = false, is_paused_ = false;
   int added_ = 0, sought_ = 0;  // causes; how often other names were sought
-  bool is_seeking_ = false;
+  bool is_seeking_ = false, found_others_ = false;
   std::optional<std::int64_t> sought_at_;  // the document's revision
-  QString stands_in_;                      // what is being added, where its size is implausible
-  QStringList stand_ins_;                  // those that were added
+  std::optional<StandIn> stands_in_;       // what is being added, where its size is implausible
+  std::vector<StandIn> stand_ins_;         // those that were added
 };
 
 }  // namespace handsight::app

@@ -266,8 +266,9 @@ void WatchingPane::began(const QString&) {
   cost_->start(tr("rms of a coordinate"), in_pixels ? "px" : "mm");
   const ModelVersionPointer now = bench_.document.model();
   cost_->set_floor(now && now->fit ? shown(now->fit->noise, in_pixels) : std::nullopt);
-  left_->setCurrentIndex(tab_fit);
-  tabs_->button(tab_fit)->setChecked(true);
+  const Tab tab = adding_.offered().name.isEmpty() ? tab_stairs : tab_fit;  // other names are sought without pictures
+  left_->setCurrentIndex(tab);
+  tabs_->button(tab)->setChecked(true);
   if (const auto residuals = bench_.diagnosing.residuals())
     cloud_->set_before(
         in_unit(cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, bench_.document.session()))),

@@ -168,8 +168,9 @@ std::string adequate_text(const Diagnosis& d, bool has_scatter) {
 
 std::string unknown_noise_text(const Diagnosis& d) {
   return fmt::format(
-      "Nothing of the catalogue passes, but the noise of the measurements is not known (one or two markers, no sigma "
-      "declared, no repeated poses), so that nobody can say whether {} is all noise: declare sigma or repeat poses.",
+      "Nothing of the catalogue passes, but the noise of the measurements is not known (no sigma declared, no repeated "
+      "poses, and no three markers that tell it), so that nobody can say whether {} is all noise: declare sigma or "
+      "repeat poses.",
       error_text(d.report.held_out));
 }
 

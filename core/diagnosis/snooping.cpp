@@ -175,7 +175,7 @@ std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
   if (all.size() < 5) return wrong;
   // What the session declares is the least: points of one rigid thing (a tracker's) may fit each other far better than
   // they are right, and are none the worse for it.
-  const double noise = std::max(robust_noise(all), declared_noise(session).value_or(0));
+  const double noise = std::max(robust_noise(all), declared_noise(session).value_or(finest_noise(session)));
   const double scatter = joint_scatter(all, noise);
   ChiSquared likely(wrong_by_chance);
   // No point takes more from chi-squared than all rows have: few observations need a second look.

@@ -11,6 +11,8 @@ const std::optional<double>& declared_noise(const Session& session) {
   return session.is_tracker() ? session.sigma_point : session.sigma_pixel;
 }
 
+double finest_noise(const Session& session) { return session.is_tracker() ? 2e-6 : 2e-3; }
+
 namespace {
 
 /// Robust scale of one coordinate: from the median squared length of the sightings' residuals, which for noise alone is
@@ -87,9 +89,27 @@ static std::string text_of_a_wrong_declaration(double declared, const NoiseEstim
       of_tracker ? "mm" : "px", of_tracker ? "points of the tracker" : "corners and camera errors");
 }
 
+/// Of a session that was computed without noise what is left is rounding and the priors' pull: asking what is missing
+/// there would never end.
+static bool is_finer_than_sensors(const Session& session, const Problem& images, const Fit& fit) {
+  if (declared_noise(session)) return false;
+  const double finest = finest_noise(session);
+  if (fit.noise_estimate && fit.noise_estimate->sigma > finest) return false;
+  return median_residual(images, fit.solution.unknowns).value_or(0) <= finest;
+}
+
 void set_noise(const Session& session, const Problem& images, Fit& fit) {
   const char* unit = session.is_tracker() ? "m" : "px";
   fit.noise_estimate = estimate_noise(images, fit.solution.unknowns);
+  if (fit.noise_estimate && is_finer_than_sensors(session, images, fit)) {
+    fit.noise = finest_noise(session);
+    fit.noise_estimate.reset();
+    fit.notes.push_back(
+        fmt::format("What is left is finer than any sensor measures, as in a session that was computed without noise; "
+                    "{:g} {} are taken for its noise.",
+                    *fit.noise, unit));
+    return;
+  }
   if (fit.noise_estimate && are_rigid_by_construction(images, fit.solution.unknowns, *fit.noise_estimate)) {
     fit.notes.push_back(
         fmt::format("The markers stand against each other to {:.1g} {}, as no sensor measures: they are rigid by "

@@ -9,6 +9,9 @@ namespace handsight {
 /// Of one coordinate (px, m), as the session has it.
 const std::optional<double>& declared_noise(const Session& session);
 
+/// Of one coordinate (px, m): no sensor on a robot measures finer.
+double finest_noise(const Session& session);
+
 /// Points that stand against each other better than any sensor measures (1e-3 px, 1 um) and a hundred times better than
 /// the model meets them: a tracker's virtual points, computed from one pose. Their scatter says nothing of the noise.
 bool are_rigid_by_construction(const Problem& images, const Unknowns& unknowns, const NoiseEstimate& estimate);
@@ -26,7 +29,8 @@ double loss_noise(const Session& session, const Problem& images, const Problem& 
 /// The noise of one coordinate (px, m) before there is a fit: declared, else seen; nothing where neither tells it.
 std::optional<double> noise_at_start(const Session& session, const Problem& images, const Unknowns& start);
 
-/// Noise and its estimate of a fit at its solution, with what is to be said of them.
+/// Noise and its estimate of a fit at its solution, with what is to be said of them. Where the sensor alone shows less
+/// than finest_noise() and no more is left, that is the noise.
 void set_noise(const Session& session, const Problem& images, Fit& fit);
 
 }  // namespace handsight

@@ -1000,8 +1000,8 @@
         <translation>Wiederholt: %1%2</translation>
     </message>
     <message>
-        <source>Done: %1 added, and nothing is missing any more.</source>
-        <translation>Fertig: %1 hinzugefügt, und nichts fehlt mehr.</translation>
+        <source>Done: %1, and nothing is missing any more.</source>
+        <translation>Fertig: %1, und nichts fehlt mehr.</translation>
     </message>
     <message>
         <source>Down at the noise, but not all has a name</source>
@@ -2280,8 +2280,16 @@
         <translation>Angehalten, bevor Stellungen gefunden waren.</translation>
     </message>
     <message>
-        <source>Stopped by itself: %1 added, and nothing is left that would help.</source>
-        <translation>Von selbst zu Ende: %1 hinzugefügt, und nichts ist übrig, was helfen würde.</translation>
+        <source>Stopped by itself: %1, and nothing is left that would help.</source>
+        <translation>Von selbst zu Ende: %1, und nichts ist übrig, was helfen würde.</translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <translation>%1 hinzugefügt</translation>
+    </message>
+    <message>
+        <source>other names found for what was added</source>
+        <translation>andere Namen für das Hinzugefügte gefunden</translation>
     </message>
     <message>
         <source>Stopped. Everything is as before.</source>

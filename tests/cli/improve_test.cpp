@@ -259,6 +259,23 @@ TEST_F(Improve, WhatStoodInForSeveralGivesItsPlaceToThem) {
   EXPECT_GE(sought, 1) << "sessions in which one name for one is enough prove nothing";
 }
 
+TEST_F(Improve, WhatWasComputedWithoutNoiseHasItsNamesAndIsAdequate) {
+  const std::string like = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/rigs/six_axis_stand";
+  for (const std::string seed : {"3", "4", "5"}) {
+    const auto session = folder.path / seed;
+    ASSERT_EQ(run_cli(folder.path, {"simulate", "--like", like, "--out", session.string(), "--seed", seed, "--images",
+                                    "none", "--observations", "60", "--noise", "0", "--effect",
+                                    "joint_offset:axis_2.offset=1e-3", "joint_scale:axis_4.scale=0.001"})
+                  .exit_code,
+              0);
+    const Json r = run(session).json();
+    EXPECT_EQ(r["verdict"], "adequate") << r["reason"];
+    Names named;
+    for (const Json& e : r["effects"]) named.insert(e["id"]);
+    EXPECT_EQ(named, (Names{"joint_offset", "joint_scale"})) << seed;
+  }
+}
+
 TEST_F(Improve, EightObservationsAreTooFew) {
   ASSERT_EQ(simulate(folder.path, "few", "six_axis_stand",
                      {"--observations", "8", "--seed", "52", "--effect", "joint_offset:axis_2.offset=0.01"})

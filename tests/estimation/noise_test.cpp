@@ -115,5 +115,24 @@ TEST(RobotFreeNoise, IsNotThatOfPointsThatAreRigidByConstruction) {
   EXPECT_NE(f.notes[0].find("rigid by construction"), std::string::npos);
 }
 
+/// What an engineer tries first: a simulation without noise.
+TEST(Noise, IsTheFinestOfSensorsWhereASessionWasComputedWithoutAny) {
+  SimulationOptions options;
+  options.observations = 40;
+  options.noise = 0;
+  for (Session session : {simulate_session(fixture::tracker_session(4), options).session,
+                          simulate_session(fixture::stand_session(), options).session}) {
+    session.sigma_point.reset();
+    session.sigma_pixel.reset();
+    const Fit f = fit(session);
+    ASSERT_TRUE(f.noise.has_value());
+    EXPECT_EQ(*f.noise, session.is_tracker() ? 2e-6 : 2e-3);
+    EXPECT_LT(f.residual_rms, 1e-9);
+    EXPECT_EQ(f.covariance_kind, CovarianceKind::noise);
+    ASSERT_FALSE(f.notes.empty());
+    EXPECT_NE(f.notes[0].find("computed without noise"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace handsight

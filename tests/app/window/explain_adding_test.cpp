@@ -115,6 +115,8 @@ TEST_F(Explain, AddUntilItStopsSeeksOtherNamesAtItsEnd) {
   explain.workspace()->adding().add("link_geometry");
   ASSERT_TRUE(explain.is_settled());
   ASSERT_EQ(desk.document().undo_stack().index(), 1);
+  QString said;
+  QObject::connect(&desk.document(), &app::Document::noticed, &desk.window, [&](const QString& s) { said = s; });
   desk.press_button("until_it_stops");
   ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
   ASSERT_TRUE(explain.is_settled());
@@ -124,6 +126,8 @@ TEST_F(Explain, AddUntilItStopsSeeksOtherNamesAtItsEnd) {
             (std::set<std::string>{"camera_mount ", "joint_offset axis_2", "joint_offset axis_3"}));
   EXPECT_TRUE(desk.document().undo_stack().undoText().contains("xchanged link geometry for camera mount, joint"))
       << desk.document().undo_stack().undoText().toStdString();
+  EXPECT_TRUE(said.contains("Done: other names found for what was added")) << said.toStdString();
+  EXPECT_FALSE(said.contains("Larger than robots are built")) << "what was larger has gone";
   EXPECT_FALSE(desk.find<QAbstractButton>("until_it_stops")->isEnabled()) << "they were sought";
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(explain.is_settled());
