@@ -2,10 +2,10 @@
 #include "diagnosis/blame.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 #include "estimation/body_pose.h"
+#include "estimation/noise.h"
 
 namespace handsight {
 namespace {
@@ -16,9 +16,7 @@ constexpr double beyond = 4;           // times what is typical: an observation'
 double rms(double squares, int rows) { return rows > 0 ? std::sqrt(std::max(squares, 0.0) / rows) : 0; }
 
 bool exceeds(double squares, int rows, double noise) {
-  if (rows <= 0 || noise <= 0) return false;
-  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(rows),
-                                                  std::min(squares / (noise * noise), 1e6))) < least_likely;
+  return rows > 0 && noise > 0 && chi_squared_tail(squares / (noise * noise), rows) < least_likely;
 }
 
 double median_of(std::vector<double> values) {

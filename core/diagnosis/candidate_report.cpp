@@ -2,10 +2,10 @@
 #include "diagnosis/candidate_report.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 #include "diagnosis/lack_of_fit.h"
+#include "estimation/noise.h"
 
 namespace handsight {
 namespace {
@@ -50,7 +50,7 @@ bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain) {
 
 double p_of(double squares, int parameters) {
   if (!(squares > 0) || parameters <= 0) return 1;
-  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(parameters), squares));
+  return chi_squared_tail(squares, parameters);
 }
 
 /// rms that is left once chi-squared falls by `gained`, at poses not fitted.

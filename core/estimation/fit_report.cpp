@@ -2,13 +2,13 @@
 #include "estimation/fit_report.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <memory>
 #include <mutex>
 
 #include "base/threads.h"
 #include "estimation/body_pose.h"
+#include "estimation/noise.h"
 #include "estimation/objectives.h"
 #include "estimation/pose_residuals.h"
 #include "estimation/problem_part.h"
@@ -242,8 +242,7 @@ std::vector<char> outliers(const std::vector<Residuals>& all, std::optional<doub
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].rows == 0 || !(all[i].squares > 0)) continue;
     const bool beyond_others = std::log(all[i].squares / all[i].rows) > middle + spreads * spread;
-    const boost::math::chi_squared chi2(all[i].rows);
-    out[i] = beyond_others && boost::math::cdf(boost::math::complement(chi2, all[i].squares / variance)) < 1e-4;
+    out[i] = beyond_others && chi_squared_tail(all[i].squares / variance, all[i].rows) < 1e-4;
   }
   return out;
 }

@@ -168,6 +168,13 @@ std::optional<NoiseEstimate> noise_from_repeats(const Problem& problem, const Un
   return NoiseEstimate{sigma, sigma / std::sqrt(2.0 * degrees), degrees, true};
 }
 
+double chi_squared_tail(double chi2, double degrees) {
+  // The incomplete gamma function overflows where there is nearly nothing of very many degrees.
+  if (degrees > 100 && chi2 < 1e-3 * degrees) return 1;
+  if (chi2 > 100 * degrees + 1e4) return 0;
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees), chi2));
+}
+
 std::optional<NoiseTest> noise_test(double squares, double degrees, double estimated) {
   namespace bm = boost::math;
   NoiseTest test{squares, degrees, 1};
@@ -177,7 +184,7 @@ std::optional<NoiseTest> noise_test(double squares, double degrees, double estim
   }
   if (test.degrees < 1) return std::nullopt;
   test.p = estimated > 0 ? bm::cdf(bm::complement(bm::fisher_f(test.degrees, estimated), test.chi2 / test.degrees))
-                         : bm::cdf(bm::complement(bm::chi_squared(test.degrees), test.chi2));
+                         : chi_squared_tail(test.chi2, test.degrees);
   return test;
 }
 

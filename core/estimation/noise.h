@@ -31,6 +31,9 @@ struct NoiseTest {
   double excess() const { return chi2 - degrees; }
 };
 
+/// The probability that noise leaves `chi2` or more of so many degrees of freedom, at least one.
+double chi_squared_tail(double chi2, double degrees);
+
 /// `squares` in units of the noise's variance. `estimated`: the degrees of freedom from which the noise was estimated
 /// where that was part of these same residuals, 0 where it was not; what they leave over is then compared with it
 /// (Fisher's F), for chi2 and degrees are of the rest. Nothing where no degree of freedom is left.

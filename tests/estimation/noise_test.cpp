@@ -115,6 +115,19 @@ TEST(RobotFreeNoise, IsNotThatOfPointsThatAreRigidByConstruction) {
   EXPECT_NE(f.notes[0].find("rigid by construction"), std::string::npos);
 }
 
+TEST(ChiSquaredTail, HasAnAnswerForEverySum) {
+  EXPECT_NEAR(chi_squared_tail(3.841459, 1), 0.05, 1e-7);
+  EXPECT_NEAR(chi_squared_tail(100, 100), 0.481192, 1e-6);
+  for (const double degrees : {1., 100., 4321., 1e5, 1e7})
+    for (const double share : {0., 1e-30, 1e-12, 1e-5, 0.01, 0.45}) {
+      const double p = chi_squared_tail(share * degrees, degrees);
+      EXPECT_GE(p, 0.45) << share << " of " << degrees;
+      EXPECT_LE(p, 1);
+    }
+  for (const double degrees : {1., 100., 4321., 1e5, 1e7}) EXPECT_EQ(chi_squared_tail(1e30, degrees), 0);
+  EXPECT_LT(chi_squared_tail(2e6, 1e6), 1e-5) << "of sums over long sessions too";
+}
+
 /// What an engineer tries first: a simulation without noise.
 TEST(Noise, IsTheFinestOfSensorsWhereASessionWasComputedWithoutAny) {
   SimulationOptions options;
