@@ -119,7 +119,7 @@ std::vector<Vector3> start_markers(const Problem& problem, const Rigid& mount_fr
   for (const RaySum& sum : sums) {
     // A single ray leaves the depth open: the pseudo-inverse takes the point of the ray nearest to the TCP.
     const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(sum.information);
-    const Vector3 values = eigen.eigenvalues();
+    const Vector3& values = eigen.eigenvalues();
     const Vector3 inverse =
         values.unaryExpr([&](double v) { return v > 1e-9 * std::max(values[2], 1e-300) ? 1 / v : 0.0; });
     markers.push_back(eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose() * sum.right);

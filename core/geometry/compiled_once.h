@@ -38,9 +38,11 @@ namespace Eigen {
   WHERE SelfAdjointEigenSolver<M>& SelfAdjointEigenSolver<M>::compute(const EigenBase<M>&, int); \
   WHERE LDLT<M>& LDLT<M>::compute(const EigenBase<M>&);                                          \
   WHERE LLT<M>& LLT<M>::compute(const EigenBase<M>&);
+// NOLINTBEGIN(bugprone-macro-parentheses): types, not values
 #define HANDSIGHT_SOLUTIONS(WHERE, M, B)                                      \
   WHERE void LDLT<M>::_solve_impl_transposed<true, B, B>(const B&, B&) const; \
   WHERE void LLT<M>::_solve_impl_transposed<true, B, B>(const B&, B&) const;
+// NOLINTEND(bugprone-macro-parentheses)
 namespace sizes {
 using Matrix6 = Matrix<double, 6, 6>;
 using Vector6 = Matrix<double, 6, 1>;

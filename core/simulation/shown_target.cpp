@@ -79,8 +79,9 @@ std::vector<Rigid> lay_out(const KnownShape& shape, double size, Random& random)
   std::vector<Rigid> pieces;
   for (int p = 0; p < count; ++p) {
     const Vector3 tilt = 0.1 * random.gaussian3();
-    const Vector3 place(1.7 * size * (p % columns - 0.5 * (columns - 1)),
-                        1.7 * size * (p / columns - 0.5 * (columns - 1)), 0.2 * size * random.uniform(-1, 1));
+    const int column = p % columns, row = p / columns;
+    const Vector3 place(1.7 * size * (column - 0.5 * (columns - 1)), 1.7 * size * (row - 0.5 * (columns - 1)),
+                        0.2 * size * random.uniform(-1, 1));
     pieces.push_back({rotation_from_vector<double>(tilt), place});
   }
   return pieces;

@@ -16,7 +16,7 @@ constexpr double most_off = 0.3;     // of a step: how far a neighbour may be fr
 
 struct Cell {
   int column = 0, row = 0;
-  auto operator<=>(const Cell&) const = default;
+  auto operator<=>(const Cell&) const = default;  // NOLINT(modernize-use-nullptr): not of the code
 };
 
 /// Corners by their place in a lattice.

@@ -45,7 +45,8 @@ Arrangement several_pieces(const Target& target) {
   const int columns = static_cast<int>(std::ceil(std::sqrt(count * 0.7)));
   const double gap = std::max(target.tag / 3, 0.008), step = target.tag + gap;
   for (int i = 0; i < count; ++i) {
-    const Vector2 top_left(i % columns * step, i / columns * step);
+    const int column = i % columns, row = i / columns;
+    const Vector2 top_left(column * step, row * step);
     const Vector2 origin = top_left + Vector2::Constant(0.5 * target.tag);
     for (Box box : pattern_of(target, i).black) {
       box.top_left += origin;
@@ -62,13 +63,9 @@ Arrangement several_pieces(const Target& target) {
 
 /// `<target ... />` broken into lines of so many letters.
 std::vector<std::string> told(const Target& target, std::size_t most) {
-  std::vector<std::string> words{"<target"}, lines{""};
+  std::vector<std::string> words{"<target"}, lines{description_of(target), ""};
   for (const auto& [name, text] : target_words(target)) words.push_back(fmt::format("{}=\"{}\"", name, text));
   words.emplace_back("/>");
-  const std::string description = description_of(target);
-  std::string rest = description;
-  lines.back() = rest;
-  lines.emplace_back();
   for (const std::string& word : words) {
     if (!lines.back().empty() && lines.back().size() + word.size() + 1 > most) lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : " ") + word;

@@ -40,7 +40,7 @@ void each_near_pair(const std::vector<Suspect>& suspects, double distance, const
     double u;
     int number;
     double v;
-    auto operator<=>(const Place&) const = default;
+    auto operator<=>(const Place&) const = default;  // NOLINT(modernize-use-nullptr): not of the code
   };
   std::vector<Place> places(suspects.size());
   for (std::size_t i = 0; i < suspects.size(); ++i)

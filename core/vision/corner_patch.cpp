@@ -45,7 +45,7 @@ const Disc& disc() {
           std::count_if(d.offsets.begin(), d.offsets.end(), [&](const auto& o) { return rank(o) < 2 * r * r + 1; }));
     d.u.fill(1e3f), d.v.fill(1e3f);
     for (std::size_t n = 0; n < d.offsets.size(); ++n) {
-      d.u_whole[n] = d.offsets[n][0], d.v_whole[n] = d.offsets[n][1];
+      d.u_whole[n] = static_cast<int>(d.offsets[n][0]), d.v_whole[n] = static_cast<int>(d.offsets[n][1]);
       d.u[n] = d.offsets[n][0], d.v[n] = d.offsets[n][1];
     }
     return d;

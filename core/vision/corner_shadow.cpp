@@ -235,7 +235,8 @@ std::optional<ShadowEdge> likely_shadow(const CornerPatch& patch, const CornerMo
   if (gain < least_told * left || gain < least_gain) return std::nullopt;
   const double angle = M_PI * split.direction / kDirections;
   const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
-  const double along = split.bin - kBins / 2 + 0.5 - normal.dot(model.position - patch.centre.cast<double>());
+  const int bins_from_centre = split.bin - kBins / 2;
+  const double along = bins_from_centre + 0.5 - normal.dot(model.position - patch.centre.cast<double>());
   ShadowEdge edge;
   const bool ahead = along >= 0;
   edge.direction = ahead ? angle : angle + M_PI;

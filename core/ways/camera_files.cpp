@@ -178,10 +178,9 @@ Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<s
       break;
     }
     const std::string name = fmt::format("cam{}", k);
-    RigCamera camera{name, kalibr_camera(yaml[name], file + ", " + name), {}};
-    if (k > 0)
-      camera.camera_from_first =
-          motion_from_before(yaml[name], file + ", " + name) * rig.cameras.back().camera_from_first;
+    const std::string where = fmt::format("{}, {}", file, name);
+    RigCamera camera{name, kalibr_camera(yaml[name], where), {}};
+    if (k > 0) camera.camera_from_first = motion_from_before(yaml[name], where) * rig.cameras.back().camera_from_first;
     rig.cameras.push_back(std::move(camera));
   }
   if (rig.count() == 2) rig.at(0).name = "left", rig.at(1).name = "right";

@@ -196,7 +196,7 @@ std::vector<Rigid> move_joints(XMLElement& root, const Robot& robot, const std::
 std::string add_link(XMLElement& root, const Robot& robot, const std::string& parent, const Rigid& parent_from_link,
                      const std::string& name) {
   std::string free = name;
-  while (find_link(robot, free) >= 0 || find_joint(robot, free + "_joint") >= 0) free = "handsight_" + free;
+  while (find_link(robot, free) >= 0 || find_joint(robot, free + "_joint") >= 0) free.insert(0, "handsight_");
   root.InsertNewChildElement("link")->SetAttribute("name", free.c_str());
   XMLElement& joint = *root.InsertNewChildElement("joint");
   joint.SetAttribute("name", (free + "_joint").c_str());

@@ -110,9 +110,10 @@ double ln_evidence(const Diagnosis& d, const std::vector<EffectTerm>& terms, con
   o.start = d.model_options.start;
   double value = fit_evidence(fit(d.model.session, o), 0, weighing(d.model.fit)).ln_evidence;
   for (const std::string& id : ids_of(terms)) {
-    const auto places = static_cast<double>(effect_places(*find_effect(id), chain).size());
-    const auto taken =
-        static_cast<double>(std::count_if(terms.begin(), terms.end(), [&](const EffectTerm& t) { return t.id == id; }));
+    const auto of_it = [&](const EffectTerm& t) { return t.id == id; };
+    const EffectTerm& one = *std::find_if(terms.begin(), terms.end(), of_it);
+    const auto places = static_cast<double>(effect_places(effect_of(one), chain).size());
+    const auto taken = static_cast<double>(std::count_if(terms.begin(), terms.end(), of_it));
     value -= std::lgamma(places + 1) - std::lgamma(taken + 1) - std::lgamma(places - taken + 1);
   }
   return value;
