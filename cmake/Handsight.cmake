@@ -6,10 +6,6 @@ if(HANDSIGHT_CCACHE)
   # Sloppiness: what a cache must overlook to know precompiled headers.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${HANDSIGHT_CCACHE})
 endif()
-find_program(HANDSIGHT_MOLD mold)
-if(HANDSIGHT_MOLD)
-  add_link_options(-fuse-ld=mold)
-endif()
 add_compile_options(-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-unused-parameter
   -Wno-missing-field-initializers  # designated initialisers name what they set
   # False alarms of GCC 12 on std::string and on Eigen's memory.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Shared by ./run and ./test: the packages of Debian 12 that Handsight needs, and how it is built.
 
-build_packages=(g++ cmake ninja-build ccache mold libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev libtinyxml2-dev
+build_packages=(g++ cmake ninja-build ccache libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev libtinyxml2-dev
   libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libmuparser-dev libyaml-cpp-dev
   libsqlite3-dev pkg-config)
 window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev libvtk9-dev libqcustomplot-dev

@@ -265,6 +265,33 @@ std::string changes_text(const ImprovementStep& s) {
   return "no longer needed: " + s.removed + (s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged));
 }
 
+/// "backlash (axis_4) 23 %, payload 8 %"
+std::string certainty_text(const Certainty& certainty, bool of_model) {
+  std::vector<std::string> texts;
+  for (const NameCertainty& n : certainty.names) {
+    if (n.is_in_model != of_model) continue;
+    const std::string where = n.where.empty() ? "" : " (" + listed(n.where) + ")";
+    // Never quite sure, nor quite sure that not.
+    const std::string percent =
+        n.probability > 0.999 ? "over 99.9" : fmt::format("{:.2g}", std::max(100 * n.probability, 0.1));
+    texts.push_back(fmt::format("{}{} {} %", n.id, where, percent));
+  }
+  return listed(texts);
+}
+
+void print_certainty(const Output& out, const Certainty& certainty) {
+  const std::string of_model = certainty_text(certainty, true), others = certainty_text(certainty, false);
+  if (!of_model.empty()) out.line("How sure its names are: " + of_model + ".");
+  if (!others.empty()) out.line("What may be there too: " + others + ". Predictions allow for it.");
+}
+
+Json certainty_json(const Certainty& certainty) {
+  Json list = Json::array();
+  for (const NameCertainty& n : certainty.names)
+    list.push_back({{"id", n.id}, {"where", n.where}, {"probability", n.probability}, {"in_model", n.is_in_model}});
+  return list;
+}
+
 }  // namespace
 
 void print_improvement(const Output& out, const Session& session, const Improvement& m) {
@@ -289,6 +316,7 @@ void print_improvement(const Output& out, const Session& session, const Improvem
     out.line(fmt::format(
         "Of what exceeded the noise at the start {:.0f} % has names, {:.0f} % follows something without one.",
         100 * *m.named_share, 100 * *m.unnamed_share));
+  print_certainty(out, m.certainty);
   out.line();
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
 }
@@ -331,6 +359,7 @@ Json improvement_json(const Session& session, const Improvement& m) {
                      {"follows", w.text.empty() ? null : Json(w.text)},
                      {"hand_m", number(w.hand_m)}});
   j["worth"] = worth;
+  j["certainty"] = certainty_json(m.certainty);
   return j;
 }
 

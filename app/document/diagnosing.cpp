@@ -147,6 +147,11 @@ void Diagnosing::start() {
         }
         part->has_views = true;
         hand_over(&Diagnosing::views_changed);
+        const ModelSettings& settings = version->settings;
+        if (static_cast<int>(settings.estimated.size()) == settings.by_hand || control.is_cancelled()) return true;
+        auto certain = std::make_shared<const Certainty>(handsight::certainty(
+            *part->diagnosis, static_cast<std::size_t>(settings.by_hand), [&] { return !control.is_cancelled(); }));
+        if (!control.is_cancelled()) post([this, result, certain] { take_certainty(result, certain); });
         return true;
       },
       [this](bool) { emit progressed(); },
@@ -154,6 +159,14 @@ void Diagnosing::start() {
         emit document_.noticed(sentence);
         emit progressed();
       });
+}
+
+void Diagnosing::take_certainty(const ResultPointer& result, const std::shared_ptr<const Certainty>& certainty) {
+  result->certainty = certainty;
+  if (result != now_) return;
+  if (const ModelVersionPointer model = document_.model(); model && same_fit(*model, *result->version))
+    document_.take_version(doubted(document_.session(), *model, certainty->doubt));
+  emit certainty_changed();
 }
 
 void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis,

@@ -46,6 +46,7 @@ class Diagnosing : public QObject {
   /// Of the present model; null until they are there.
   std::shared_ptr<const ModelResiduals> residuals() const { return now_ ? now_->residuals : nullptr; }
   std::shared_ptr<const Diagnosis> diagnosis() const { return now_ ? now_->diagnosis : nullptr; }
+  std::shared_ptr<const Certainty> certainty() const { return now_ ? now_->certainty : nullptr; }
   /// By id_of the candidate, of the present diagnosis; null where it was not worked out (yet).
   std::shared_ptr<const CandidateView> view_of(const std::string& id) const;
   bool is_running() const { return jobs_.is_busy("diagnosis"); }
@@ -63,6 +64,7 @@ class Diagnosing : public QObject {
   void residuals_changed();
   void diagnosis_changed();  // the candidates
   void views_changed();      // how candidates show
+  void certainty_changed();  // how sure the names are; the document's version then allows for it
   void progressed();
 
  private:
@@ -72,11 +74,13 @@ class Diagnosing : public QObject {
     std::shared_ptr<const Diagnosis> diagnosis;
     std::map<std::string, std::shared_ptr<const CandidateView>> views;
     bool has_views = false;
+    std::shared_ptr<const Certainty> certainty;  // null where the model has no effects, or until it is there
   };
   using ResultPointer = std::shared_ptr<Result>;
   void follow();
   void start();
   void post(std::function<void()> news);
+  void take_certainty(const ResultPointer& result, const std::shared_ptr<const Certainty>& certainty);
   void forget_with_the_document();
   ResultPointer known(const ModelVersionPointer& version) const;
 

@@ -110,6 +110,15 @@ ModelVersionPointer inspected_again(const Session& session, const ModelVersion& 
   return version;
 }
 
+ModelVersionPointer doubted(const Session& session, const ModelVersion& before, const Doubt& doubt) {
+  auto version = std::make_shared<ModelVersion>(before);
+  version->prediction.doubt = doubt;
+  auto calibration = std::make_shared<Calibration>(*before.calibration);
+  set_doubt(session.robot, terms_of(*before.fit), doubt, *calibration);
+  version->calibration = std::move(calibration);
+  return version;
+}
+
 ModelVersionPointer make_version(const Session& session, const ModelSettings& settings, std::int64_t revision,
                                  QString cause, const SecondLooks& looks, const std::function<bool()>& goes_on) {
   auto version = std::make_shared<ModelVersion>();

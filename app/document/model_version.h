@@ -73,6 +73,9 @@ std::shared_ptr<ModelVersion> version_of(const Session& session, const Diagnosis
 ModelVersionPointer inspected_again(const Session& session, const ModelVersion& version, std::int64_t revision,
                                     const SecondLooks& looks);
 
+/// The same fit, whose predictions and calibration allow for what is doubted of its effects.
+ModelVersionPointer doubted(const Session& session, const ModelVersion& version, const Doubt& doubt);
+
 /// Do two versions hold the same fit?
 inline bool same_fit(const ModelVersion& a, const ModelVersion& b) { return a.fit && a.fit == b.fit; }
 

@@ -35,6 +35,8 @@ QString sentence_of(const ModelChange& change, const Session& session) {
   for (const ImprovementStep& s : change.steps) {
     if (s.added.empty())
       parts << other_names_text(s);
+    else if (s.likely)
+      parts << QObject::tr("added %1, which is likely beside the rest").arg(step_text(s.added, s, session));
     else if (s.removed.empty())
       parts << QObject::tr("added %1").arg(step_text(s.added, s, session));
     else
@@ -73,6 +75,17 @@ std::shared_ptr<ModelVersion> version_of_all(const Session& session, const Model
   const ModelVersionPointer made = make_version(session, settings, revision, cause, looks, goes_on);
   if (!made->fit && goes_on()) throw InputError(made->refusal.toStdString());
   return std::make_shared<ModelVersion>(*made);
+}
+
+/// Other names for what is in the model, else what is likely beside it; what is not taken of that was not asked for.
+ModelChange other_or_likely_names(const Session& session, const ImprovementOptions& options, const Diagnosis& before,
+                                  bool only_likely) {
+  ModelChange change = only_likely ? ModelChange{} : seek_other_names(session, options, before);
+  if (change.model || change.stopped) return change;
+  change = add_likely(session, options, before,
+                      certainty(before, options.estimated.size(), [&] { return options.on_progress(0.97); }));
+  change.refused.clear();
+  return change;
 }
 
 QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c, const Session& session) {
@@ -115,10 +128,11 @@ void Adding::add(const std::string& id) {
         {name, view ? view->proof : proof_of(*before, *found)});
 }
 
-void Adding::seek_other_names() {
+void Adding::seek_other_names(bool only_likely) {
   const auto before = bench_.diagnosing.diagnosis();
   if (is_running_ || !before || !bench_.document.model()) return;
-  start({before, std::nullopt, bench_.document.revision()}, tr("Seeking other names for what is in the model"), {});
+  start({before, std::nullopt, bench_.document.revision(), only_likely},
+        tr("Seeking other names for what is in the model"), {});
 }
 
 void Adding::start(Run run, const QString& what, Proof offered) {
@@ -153,7 +167,7 @@ Adding::Outcome Adding::outcome_of(const Run& run, const Session& session, const
   };
   options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
   Outcome outcome{run.candidate ? add_candidate(session, options, *run.before, *run.candidate)
-                                : handsight::seek_other_names(session, options, *run.before)};
+                                : other_or_likely_names(session, options, *run.before, run.only_likely)};
   if (!outcome.change.model) return outcome;
   outcome.model = std::make_shared<const Diagnosis>(std::move(*outcome.change.model));
   outcome.change.model.reset();
@@ -201,6 +215,7 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   bench_.diagnosing.take(version, outcome.model, outcome.residuals);
   bench_.document.take_version(version);
   is_taking_ = false;
+  added_likely_ = change.steps.back().likely.has_value();
   taken_ = {offered_.name, outcome.proof};
   end(AdditionEnd::taken, version->cause.left(1).toUpper() + version->cause.mid(1) + '.');
 }

@@ -28,9 +28,9 @@ class Adding : public QObject {
   /// Adds a candidate of the present diagnosis by its id_of. Nothing happens where there is none, or while one is
   /// added.
   void add(const std::string& id);
-  /// Once nothing is left to add: other names for what is in the model, where they are clearly likelier. Nothing
-  /// happens without a diagnosis, or while something is added.
-  void seek_other_names();
+  /// Once nothing is left to add: other names for what is in the model, where they are clearly likelier, else a name
+  /// that is likely beside them; or that alone. Nothing happens without a diagnosis, or while something is added.
+  void seek_other_names(bool only_likely = false);
   bool is_running() const { return is_running_; }
   /// Of the open document, in the order in which they were tried.
   const std::vector<Refusal>& refused() const { return bench_.refused; }
@@ -38,7 +38,8 @@ class Adding : public QObject {
   /// was not taken).
   const Proof& offered() const { return offered_; }
   const Proof& taken() const { return taken_; }
-  int pictures() const { return pictures_; }  // shown of the last addition
+  bool added_likely() const { return added_likely_; }  // what was taken last
+  int pictures() const { return pictures_; }           // shown of the last addition
   int skipped() const { return skipped_; }
 
  signals:
@@ -52,6 +53,7 @@ class Adding : public QObject {
     std::shared_ptr<const Diagnosis> before;
     std::optional<DiagnosisCandidate> candidate;  // none: other names are sought
     std::int64_t revision = 0;
+    bool only_likely = false;
   };
   struct Outcome {
     ModelChange change;                      // its model is handed on:
@@ -75,6 +77,7 @@ class Adding : public QObject {
   QTimer timer_;
   Proof offered_, taken_;
   bool is_running_ = false;
+  bool added_likely_ = false;
   bool is_taking_ = false;  // the document is being changed by what was found
   int pictures_ = 0, skipped_ = 0;
 };

@@ -29,10 +29,12 @@ AddingOn::AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& car
 }
 
 void AddingOn::note_taken() {
-  if (is_seeking_) {
+  if (is_seeking_ && !adding_.added_likely()) {
     found_others_ = true;
     return;
   }
+  // Other names are sought by more evidence than it has: it would be taken out again.
+  only_likely_ = only_likely_ || is_seeking_;
   ++added_;
   if (stands_in_) stand_ins_.push_back(*stands_in_);
 }
@@ -42,7 +44,7 @@ void AddingOn::start() {
   is_running_ = true;
   is_paused_ = false;
   added_ = sought_ = 0;
-  found_others_ = false;
+  found_others_ = only_likely_ = false;
   stand_ins_.clear();
   emit changed();
   look();
@@ -104,9 +106,9 @@ bool AddingOn::can_seek() const {
 }
 
 void AddingOn::seek_or_end() {
-  if (!can_seek() || sought_++ >= most_times_sought) return end(told_at_the_end());
+  if (!can_seek() || sought_++ >= 2 * most_times_sought) return end(told_at_the_end());
   is_seeking_ = true;
-  adding_.seek_other_names();
+  adding_.seek_other_names(only_likely_ || sought_ > most_times_sought);
 }
 
 QString AddingOn::told_at_the_end() const {

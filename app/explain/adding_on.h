@@ -50,6 +50,7 @@ class AddingOn : public QObject {
   bool is_running_ = false, is_paused_ = false;
   int added_ = 0, sought_ = 0;  // causes; how often other names were sought
   bool is_seeking_ = false, found_others_ = false;
+  bool only_likely_ = false;               // a name was taken for being likely: other names are no longer sought
   std::optional<std::int64_t> sought_at_;  // the document's revision
   std::optional<StandIn> stands_in_;       // what is being added, where its size is implausible
   std::vector<StandIn> stand_ins_;         // those that were added

@@ -158,6 +158,9 @@ void ExplainWorkspace::connect_bench() {
     missing_->refresh();
     if (!trying_.isEmpty()) try_candidate(trying_);
   });
+  connect(&d, &Diagnosing::certainty_changed, this, [this] {
+    if (is_active() && !adding_.is_running()) missing_->refresh();
+  });
   connect(&d, &Diagnosing::progressed, this, [this] {
     if (!is_active() || adding_.is_running()) return;
     refresh_verdict();

@@ -158,6 +158,33 @@ std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersio
   return cards;
 }
 
+namespace {
+
+/// 0.1 to 99.9: nothing is quite sure.
+QString percent_text(double probability) {
+  return QObject::tr("%1 %").arg(std::clamp(100 * probability, 0.1, 99.9), 0, 'g', 3);
+}
+
+/// What is likelier than one in twenty though too little speaks for it to be named, and how sure the model's names are.
+void add_certainty(const Certainty* certainty, widgets::EffectRow& row) {
+  using widgets::EffectVerdict;
+  if (!certainty) return;
+  for (const NameCertainty& n : certainty->names) {
+    if (n.id != row.id.toStdString()) continue;
+    const QString percent = percent_text(n.probability);
+    if (n.is_in_model) row.reason = QObject::tr("Sure to %1.").arg(percent) + ' ' + row.reason;
+    if (n.is_in_model || row.verdict == EffectVerdict::would_help) return;
+    row.where = places_text(n.where);
+    const bool says_nothing = row.verdict == EffectVerdict::no_sign || row.verdict == EffectVerdict::same_as;
+    const QString sentence =
+        QObject::tr("It is there with a probability of %1; predictions allow for it.").arg(percent);
+    row.reason = says_nothing ? sentence : row.reason + ' ' + sentence;
+    if (says_nothing) row.verdict = EffectVerdict::may_be_there;
+  }
+}
+
+}  // namespace
+
 std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
                                             const std::vector<Refusal>& refused) {
   using widgets::EffectVerdict;
@@ -208,6 +235,7 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
       row.verdict = EffectVerdict::worse;
       row.reason = r->reason;
     }
+    add_certainty(bench.diagnosing.certainty().get(), row);
     rows.push_back(row);
   }
   return rows;

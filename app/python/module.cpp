@@ -118,8 +118,9 @@ Fitted improvement_of(const Session& session, const Names& effects, bool names_o
   options.with_curves = !names_only;
   options.on_progress = [](double) { return go_on(); };
   const Improvement m = improve(session, options);
-  return {text_of(cli::improvement_json(session, m)),
-          calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options, software)};
+  return {
+      text_of(cli::improvement_json(session, m)),
+      calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options, software, m.certainty.doubt)};
 }
 
 CalibratedRobot read_calibrated(const std::string& file, const std::string& robot) {

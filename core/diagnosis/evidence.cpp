@@ -206,6 +206,10 @@ Score part_of(const Score& whole, std::span<const Eigen::Index> parameters) {
   return part;
 }
 
+double ln_bayes_factor_at(const Score& score, double scale, const WhitenedModel& w, const NoiseKnowledge& noise) {
+  return at_scale(score, scale, w, noise).ln_bayes_factor;
+}
+
 double ln_bayes_factor(const Score& score, const WhitenedModel& w, const NoiseKnowledge& noise) {
   if (score.gradient.size() == 0) return 0;
   if (score.gradient.size() == 1) return ln_bayes_factor_of_one(score.information(0, 0), score.gradient[0], w, noise);

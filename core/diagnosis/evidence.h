@@ -76,6 +76,9 @@ Score score(const WhitenedModel& w, Eigen::Index first, Eigen::Index count);
 /// The part of a score for these of its parameters.
 Score part_of(const Score& whole, std::span<const Eigen::Index> parameters);
 
+/// ln of the Bayes factor for a score at plausible sizes times `scale` alone.
+double ln_bayes_factor_at(const Score& score, double scale, const WhitenedModel& w, const NoiseKnowledge& noise);
+
 /// ln of the mean over plausible sizes times 0.1, 0.3, 1, 3 of the Bayes factor for a score.
 double ln_bayes_factor(const Score& score, const WhitenedModel& w, const NoiseKnowledge& noise);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "diagnosis/conclusion.h"
 #include "diagnosis/curves.h"
@@ -164,44 +165,125 @@ ModelChange seek_other_names(const Session& session, const ImprovementOptions& o
   return change;
 }
 
-Improvement improve(const Session& session, const ImprovementOptions& asked) {
+ModelChange add_likely(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
+                       const Certainty& certainty) {
+  ModelChange change;
+  const bool has_names = std::any_of(certainty.names.begin(), certainty.names.end(),
+                                     [](const NameCertainty& n) { return n.is_in_model && n.id.find("curve_") != 0; });
+  if (!has_names) return change;
+  const double before = held_out_error(model);
+  for (const LikelyName& likely : certainty.likely) {
+    std::vector<EffectTerm> estimated(options.estimated);
+    estimated.insert(estimated.end(), likely.estimated.begin(), likely.estimated.end());
+    Diagnosis next = diagnosed_from(session, options, estimated, estimate(model.model.fit), before);
+    change.stopped = next.stopped;
+    if (next.stopped) return change;
+    if (has_no_answer(next.model.fit) || held_out_error(next) >= before) {
+      change.refused.push_back({likely.name.id, likely.name.where, "the held-out error does not fall"});
+      continue;
+    }
+    ImprovementStep step = step_of(next);
+    step.added = likely.name.id;
+    step.where = likely.name.where;
+    step.terms = last_group(next, estimated.size() - model.model_options.estimated.size());
+    step.stands = implausible_numbers(step.terms, next.model.fit.problem.source->chain);
+    step.likely = likely.name.probability;
+    change.steps.push_back(std::move(step));
+    change.model = std::move(next);
+    return change;
+  }
+  return change;
+}
+
+namespace {
+
+/// One model after another, until nothing is left to add.
+class Improving {
+ public:
+  Improving(const Session& session, const ImprovementOptions& asked) : session_(session), options_(asked) {
+    options_.with_held_out = false;
+  }
+
+  Improvement run() {
+    m_.last = diagnosed(session_, options_);
+    m_.steps = {step_of(m_.last)};
+    m_.stopped = m_.last.stopped;
+    const std::optional<double> excess = m_.last.excess;
+    settled_ = m_;
+    while (!m_.stopped && static_cast<int>(m_.steps.size()) <= options_.most_steps && one_more()) {
+    }
+    if (!options_.with_curves && is_outdone(m_.last) && !m_.stopped) take_back(settled_, m_);
+    if (m_.stopped) return std::move(m_);
+    conclude(session_, options_, excess, refused_, m_);
+    m_.certainty = certain();
+    return std::move(m_);
+  }
+
+ private:
+  /// False where nothing is left, or it was stopped.
+  bool one_more() {
+    if (options_.on_step && !options_.on_step(m_.steps.back())) {
+      m_.stopped = true;
+      return false;
+    }
+    ModelChange change = add_best(session_, options_, m_.last);
+    refused_ = change.refused;
+    note_refusals(change);
+    if (!change.model && !m_.stopped && m_.steps.size() > 1 && sought_++ < most_times_sought) {
+      change = seek_other_names(session_, options_, m_.last);
+      for (const ImprovementStep& s : change.steps) forget_refusals_of(s.exchanged, m_.refused);
+      note_refusals(change);
+    }
+    if (!change.model && !m_.stopped && m_.steps.size() > 1) change = one_that_is_likely();
+    if (!change.model) return false;
+    m_.steps.insert(m_.steps.end(), change.steps.begin(), change.steps.end());
+    m_.last = std::move(*change.model);
+    if (!options_.with_curves && !is_outdone(m_.last)) settled_ = m_;
+    return true;
+  }
+
+  /// Each is tried once. From the first that is taken on other names are not sought: they would ask for the evidence
+  /// of a name again.
+  ModelChange one_that_is_likely() {
+    Certainty now = certain();
+    std::erase_if(now.likely, [&](const LikelyName& l) { return !tried_.insert(l.name.id).second; });
+    ModelChange change = add_likely(session_, options_, m_.last, now);
+    note_refusals(change);
+    if (!change.model) return change;
+    options_.likely.insert(change.steps.back().added);
+    sought_ = most_times_sought;
+    return change;
+  }
+
+  Certainty certain() const {
+    if (m_.last.verdict == Verdict::too_few_observations || has_no_answer(m_.last.model.fit)) return {};
+    return certainty(m_.last, options_.estimated.size(),
+                     [&] { return !options_.on_progress || options_.on_progress(0.98); });
+  }
+
+  void note_refusals(const ModelChange& change) {
+    m_.refused.insert(m_.refused.end(), change.refused.begin(), change.refused.end());
+    m_.stopped = change.stopped;
+  }
+
+  const Session& session_;
+  ImprovementOptions options_;
+  Improvement m_;
+  Improvement settled_;               // names alone: the last model that no unnamed curve outdoes
+  std::vector<RefusedStep> refused_;  // of the last model
+  int sought_ = 0;                    // times
+  std::set<std::string> tried_;       // likely names
+};
+
+}  // namespace
+
+Improvement improve(const Session& session, const ImprovementOptions& options) {
   if (const auto sample = sample_to_judge(session)) {
-    Improvement m = improve(sample->session, asked);
+    Improvement m = improve(sample->session, options);
     check_on_the_others(session, *sample, m.last);
     return m;
   }
-  ImprovementOptions options = asked;
-  options.with_held_out = false;
-  Improvement m;
-  m.last = diagnosed(session, options);
-  m.steps = {step_of(m.last)};
-  m.stopped = m.last.stopped;
-  const std::optional<double> excess = m.last.excess;
-  std::vector<RefusedStep> refused;  // of the last model
-  Improvement settled = m;           // names alone: the last model that no unnamed curve outdoes
-  int sought = 0;
-  while (!m.stopped && static_cast<int>(m.steps.size()) <= options.most_steps) {
-    if (options.on_step && !options.on_step(m.steps.back())) {
-      m.stopped = true;
-      break;
-    }
-    ModelChange change = add_best(session, options, m.last);
-    refused = change.refused;
-    m.refused.insert(m.refused.end(), change.refused.begin(), change.refused.end());
-    m.stopped = change.stopped;
-    if (!change.model && !m.stopped && m.steps.size() > 1 && sought++ < most_times_sought) {
-      change = seek_other_names(session, options, m.last);
-      m.stopped = change.stopped;
-      for (const ImprovementStep& s : change.steps) forget_refusals_of(s.exchanged, m.refused);
-    }
-    if (!change.model) break;
-    m.steps.insert(m.steps.end(), change.steps.begin(), change.steps.end());
-    m.last = std::move(*change.model);
-    if (!options.with_curves && !is_outdone(m.last)) settled = m;
-  }
-  if (!options.with_curves && is_outdone(m.last) && !m.stopped) take_back(settled, m);
-  if (!m.stopped) conclude(session, options, excess, refused, m);
-  return m;
+  return Improving(session, options).run();
 }
 
 }  // namespace handsight

@@ -2,6 +2,9 @@
 // Add what is missing, refit, look again, until the model is adequate or nothing that is known helps.
 #pragma once
 
+#include <set>
+
+#include "diagnosis/certainty.h"
 #include "diagnosis/diagnosis.h"
 
 namespace handsight {
@@ -15,6 +18,7 @@ struct ImprovementStep {
   std::vector<EffectTerm> terms;    // added, else removed
   std::string formula, variable;    // of a curve that was added
   std::vector<std::string> stands;  // numbers of it beyond four plausible sizes: it stands in for something else
+  std::optional<double> likely;     // its probability, where the evidence alone is less than a name is asked for
   ErrorSummary fitted, held_out;
   std::optional<double> noise;  // px or m
 };
@@ -29,6 +33,7 @@ struct RefusedStep {
 struct ImprovementOptions {
   std::vector<EffectTerm> effects;    // in the model, held
   std::vector<EffectTerm> estimated;  // in the model from the start, estimated; never removed
+  std::set<std::string> likely;       // names among them that need no more evidence than to be likely
   int most_steps = 24;
   /// Curves without a name are taken in beside the names; without them, names that leave a curve on top are taken back.
   bool with_curves = true;
@@ -66,6 +71,12 @@ ModelChange seek_other_names(const Session& session, const ImprovementOptions& o
 /// How often that is done; what it drops may pass again.
 inline constexpr int most_times_sought = 4;
 
+/// Where nothing else is to be found: the likeliest name that is not in a model with names, where the held-out error
+/// falls with it (Barbieri and Berger 2004: for predictions the model of what is likely, not the likeliest model).
+/// `certainty`: of the model.
+ModelChange add_likely(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
+                       const Certainty& certainty);
+
 /// An unnamed curve passes and leads: the names that were added so far have not explained what is missing.
 bool is_outdone(const Diagnosis& model);
 
@@ -83,6 +94,7 @@ struct Improvement {
   std::vector<RefusedStep> refused;
   Diagnosis last;  // of the last model: what is left; never missing_effect or ambiguous
   std::vector<Worth> worth;
+  Certainty certainty;  // of the last model's names
   /// Of what was in excess of the noise at the start: what has names, and what curves without a name explain.
   std::optional<double> named_share, unnamed_share;
   bool stopped = false;

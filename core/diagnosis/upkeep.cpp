@@ -117,7 +117,8 @@ class Upkeep {
     const Fit without = fit(d.model.session, o);
     const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
                           fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
-    if (gained >= d.threshold - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
+    const double least = options_.likely.contains(dropped.front().id) ? worth_a_place : d.threshold;
+    if (gained >= least - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
     return take(diagnosed_from(session_, options_, o.estimated, estimate(without), most_), dropped.front().id);
   }
 

@@ -2,6 +2,7 @@
 #include "estimation/export.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
 #include "effects/term_numbers.h"
@@ -21,20 +22,20 @@ std::string utc_now() {
   return text;
 }
 
-/// The terms of a fit as elements of a file: those of one effect together, in the order in which the effects first
-/// stand; the second term of an effect at a place is in the effect's second element, and so on.
-std::vector<std::vector<std::size_t>> terms_by_element(const std::vector<FittedEffect>& all) {
+/// Terms as elements of a file: those of one effect together, in the order in which the effects first stand; the second
+/// term of an effect at a place is in the effect's second element, and so on.
+std::vector<std::vector<std::size_t>> terms_by_element(const std::vector<EffectTerm>& all) {
   std::vector<std::string> ids;
   std::vector<std::vector<std::vector<std::size_t>>> elements;  // by effect
   for (std::size_t t = 0; t < all.size(); ++t) {
-    const EffectTerm& term = all[t].term;
+    const EffectTerm& term = all[t];
     const auto found = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), term.id) - ids.begin());
     if (found == ids.size()) {
       ids.push_back(term.id);
       elements.emplace_back();
     }
     std::size_t earlier = 0;  // terms of the effect at the same place
-    for (std::size_t s = 0; s < t; ++s) earlier += all[s].term.id == term.id && all[s].term.joint == term.joint;
+    for (std::size_t s = 0; s < t; ++s) earlier += all[s].id == term.id && all[s].joint == term.joint;
     if (elements[found].size() <= earlier) elements[found].resize(earlier + 1);
     elements[found][earlier].push_back(t);
   }
@@ -43,35 +44,72 @@ std::vector<std::vector<std::size_t>> terms_by_element(const std::vector<FittedE
   return list;
 }
 
-void set_effects(const Session& session, const Fit& fit, Calibration& c) {
-  const std::vector<Eigen::Index> first_of_term = first_numbers(terms_of(fit), 6);
-  std::vector<Eigen::Index> place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the fit's
-  for (const std::vector<std::size_t>& element : terms_by_element(fit.effects)) {
-    CalibrationEffect& written = c.effects.emplace_back();
+struct WrittenTerms {
+  std::vector<CalibrationEffect> effects;
+  std::vector<Eigen::Index> number_of;  // of each parameter of the file, among those of the terms
+};
+
+/// `sigmas`: of the terms' numbers, one after the other.
+WrittenTerms written(const std::vector<EffectTerm>& terms, const std::vector<double>& sigmas, const Robot& robot,
+                     std::vector<EffectDefinition>& definitions) {
+  const std::vector<Eigen::Index> first_of_term = first_numbers(terms);
+  WrittenTerms w;
+  for (const std::vector<std::size_t>& element : terms_by_element(terms)) {
+    CalibrationEffect& one = w.effects.emplace_back();
     for (const std::size_t t : element) {
-      const FittedEffect& fitted = fit.effects[t];
-      const Effect& effect = effect_of(fitted.term);
-      written.id = effect.id;
+      const Effect& effect = effect_of(terms[t]);
+      one.id = effect.id;
       const auto is_told = [&](const EffectDefinition& d) { return d.id == effect.id; };
-      if (effect.definition && std::none_of(c.definitions.begin(), c.definitions.end(), is_told))
-        c.definitions.push_back(*effect.definition);
-      const std::string of = place_name(effect, fitted.term.joint, session.robot);
+      if (effect.definition && std::none_of(definitions.begin(), definitions.end(), is_told))
+        definitions.push_back(*effect.definition);
+      const std::string of = place_name(effect, terms[t].joint, robot);
       for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-        const EffectParameter& parameter = effect.parameters[p];
-        written.parameters.push_back({of, parameter.name, fitted.term.values[p], fitted.sigmas[p],
-                                      unit_at(effect, p, fitted.term.joint, session.robot)});
-        place_of.push_back(first_of_term[t] + static_cast<Eigen::Index>(p));
+        const Eigen::Index number = first_of_term[t] + static_cast<Eigen::Index>(p);
+        one.parameters.push_back({of, effect.parameters[p].name, terms[t].values[p],
+                                  sigmas[static_cast<std::size_t>(number)], unit_at(effect, p, terms[t].joint, robot)});
+        w.number_of.push_back(number);
       }
     }
   }
-  if (!c.effects.empty() && fit.model_covariance.cols() == first_of_term.back())
+  return w;
+}
+
+/// Places of a file's numbers among a fit's: xi, then those of its terms.
+std::vector<Eigen::Index> after_xi(const std::vector<Eigen::Index>& number_of) {
+  std::vector<Eigen::Index> place_of{0, 1, 2, 3, 4, 5};
+  for (const Eigen::Index number : number_of) place_of.push_back(6 + number);
+  return place_of;
+}
+
+void set_effects(const Session& session, const Fit& fit, Calibration& c) {
+  std::vector<double> sigmas;
+  for (const FittedEffect& e : fit.effects) sigmas.insert(sigmas.end(), e.sigmas.begin(), e.sigmas.end());
+  WrittenTerms own = written(terms_of(fit), sigmas, session.robot, c.definitions);
+  c.effects = std::move(own.effects);
+  const std::vector<Eigen::Index> place_of = after_xi(own.number_of);
+  if (!c.effects.empty() && fit.model_covariance.cols() == static_cast<Eigen::Index>(place_of.size()))
     c.model_covariance = fit.model_covariance(place_of, place_of);
 }
 
 }  // namespace
 
+void set_doubt(const Robot& robot, const std::vector<EffectTerm>& terms, const Doubt& doubt, Calibration& c) {
+  c.doubt.reset();
+  if (!doubt.is_any()) return;
+  const Eigen::Index numbers = first_numbers(terms).back();
+  std::vector<EffectDefinition> known = c.definitions;
+  std::vector<Eigen::Index> place_of =
+      after_xi(written(terms, std::vector<double>(static_cast<std::size_t>(numbers)), robot, known).number_of);
+  std::vector<double> sigmas;
+  for (Eigen::Index i = 6 + numbers; i < doubt.covariance.cols(); ++i)
+    sigmas.push_back(std::sqrt(std::max(doubt.covariance(i, i), 0.0)));
+  WrittenTerms others = written(doubt.others, sigmas, robot, c.definitions);
+  for (const Eigen::Index number : others.number_of) place_of.push_back(6 + numbers + number);
+  c.doubt = CalibrationDoubt{std::move(others.effects), doubt.covariance(place_of, place_of)};
+}
+
 Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions&,
-                           const std::string& software) {
+                           const std::string& software, const Doubt& doubt) {
   Calibration c;
   c.session = session.title;
   c.created = utc_now();
@@ -92,6 +130,7 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) c.unseen_markers.push_back(static_cast<int>(m));
   set_effects(session, fit, c);
+  set_doubt(session.robot, terms_of(fit), doubt, c);
   c.tcp = session.tcp;
   c.mount = session.mount.link;
   c.gravity = session.gravity;

@@ -4,13 +4,17 @@
 
 #include <string>
 
+#include "estimation/doubt.h"
 #include "estimation/fit_report.h"
 #include "session/calibration.h"
 
 namespace handsight {
 
-/// `options` must be those of the fit; `software` is its name and version. Created now.
+/// `options` must be those of the fit, and `doubt` of its effects; `software` is its name and version. Created now.
 Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options,
-                           const std::string& software);
+                           const std::string& software, const Doubt& doubt = {});
+
+/// Tells in a calibration what is doubted of its effects, `terms` of the fit; in the place of what it told before.
+void set_doubt(const Robot& robot, const std::vector<EffectTerm>& terms, const Doubt& doubt, Calibration& calibration);
 
 }  // namespace handsight

@@ -98,9 +98,10 @@ bool without_unknown_rotations(Eigen::MatrixXd& covariance) {
 
 }  // namespace
 
-PredictionModel prediction_model(const Fit& fit) {
+PredictionModel prediction_model(const Fit& fit, const Doubt& doubt) {
   PredictionModel model{terms_of(fit), tcp_scatter(fit), fit.model_covariance, fit.tcp_from_body,
                         estimate(fit).mount_from_sensor};
+  model.doubt = doubt;
   model.rotation_is_observed = without_unknown_rotations(model.covariance);
   return model;
 }
@@ -142,6 +143,44 @@ Rig rig_named_in(const Calibration& calibration) {
   return rig;
 }
 
+/// Terms that a file tells, and where each of its parameters stands among their numbers.
+struct ReadTerms {
+  std::vector<EffectTerm> terms;
+  std::vector<NumberPlace> parameters;
+  std::vector<double> variances;  // of the parameters
+
+  /// Places of the parameters in a list of numbers that begins with `before`, the terms' own at `offset`.
+  std::vector<Eigen::Index> after(std::vector<Eigen::Index> before, Eigen::Index offset) const {
+    const std::vector<Eigen::Index> first = first_numbers(terms, offset);
+    for (const NumberPlace& n : parameters) before.push_back(first[n.term] + static_cast<Eigen::Index>(n.parameter));
+    return before;
+  }
+  Eigen::Index count() const { return first_numbers(terms).back(); }
+};
+
+ReadTerms read_terms(const std::vector<CalibrationEffect>& effects, const Robot& robot, const OwnEffects& own) {
+  ReadTerms r;
+  for (const CalibrationEffect& e : effects) {
+    std::vector<EffectTerm> terms;  // what another element says of the same place are terms of their own
+    for (const CalibrationParameter& p : e.parameters) {
+      NumberPlace number = add_effect_number(e.id, p.of, p.name, p.value, robot, terms, own);
+      number.term += r.terms.size();
+      r.parameters.push_back(number);
+      r.variances.push_back(std::pow(p.sigma.value_or(0), 2));
+    }
+    r.terms.insert(r.terms.end(), terms.begin(), terms.end());
+  }
+  return r;
+}
+
+/// A covariance in the order of a file as one in the order of a model with so many numbers.
+Eigen::MatrixXd reordered(const Eigen::MatrixXd& of_file, const std::vector<Eigen::Index>& place_of,
+                          Eigen::Index count) {
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
+  covariance(place_of, place_of) = of_file;
+  return covariance;
+}
+
 }  // namespace
 
 PredictionModel prediction_model(const Calibration& calibration, const Robot& robot) {
@@ -149,51 +188,51 @@ PredictionModel prediction_model(const Calibration& calibration, const Robot& ro
   const Rig rig = rig_named_in(calibration);
   OwnEffects own = rig_effects(rig);
   for (const EffectDefinition& d : calibration.definitions) own.push_back(own_effect(d, robot, rig));
-  std::vector<NumberPlace> listed;  // where each parameter of the file stands in the model
-  std::vector<double> variances;
-  for (const CalibrationEffect& e : calibration.effects) {
-    std::vector<EffectTerm> terms;  // what another element says of the same place are terms of their own
-    for (const CalibrationParameter& p : e.parameters) {
-      NumberPlace number = add_effect_number(e.id, p.of, p.name, p.value, robot, terms, own);
-      number.term += model.effects.size();
-      listed.push_back(number);
-      variances.push_back(std::pow(p.sigma.value_or(0), 2));
-    }
-    model.effects.insert(model.effects.end(), terms.begin(), terms.end());
-  }
+  const ReadTerms read = read_terms(calibration.effects, robot, own);
+  model.effects = read.terms;
   model.tcp_from_body = calibration.tcp_from_body.motion;
   if (calibration.mount_from_sensor) model.mount_from_sensor = calibration.mount_from_sensor->motion;
   if (calibration.tcp_scatter) model.scatter = {*calibration.tcp_scatter, calibration.fit.used};
 
-  const std::vector<Eigen::Index> first_of_term = first_numbers(model.effects, 6);
-  std::vector<Eigen::Index> place_of{0, 1, 2, 3, 4, 5};  // of the file's numbers in the model's
-  for (const NumberPlace& n : listed)
-    place_of.push_back(first_of_term[n.term] + static_cast<Eigen::Index>(n.parameter));
+  const std::vector<Eigen::Index> place_of = read.after({0, 1, 2, 3, 4, 5}, 6);
   const auto count = static_cast<Eigen::Index>(place_of.size());
   Eigen::MatrixXd of_file = Eigen::MatrixXd::Zero(count, count);
   of_file.topLeftCorner<6, 6>() = calibration.tcp_from_body.covariance;
   of_file.diagonal().tail(count - 6) =
-      Eigen::Map<const Eigen::VectorXd>(variances.data(), static_cast<Eigen::Index>(variances.size()));
+      Eigen::Map<const Eigen::VectorXd>(read.variances.data(), static_cast<Eigen::Index>(read.variances.size()));
   if (calibration.model_covariance) of_file = *calibration.model_covariance;
-  model.covariance = Eigen::MatrixXd::Zero(first_of_term.back(), first_of_term.back());
-  model.covariance(place_of, place_of) = of_file;
+  model.covariance = reordered(of_file, place_of, 6 + read.count());
+  if (calibration.doubt) {
+    const ReadTerms others = read_terms(calibration.doubt->others, robot, own);
+    model.doubt.others = others.terms;
+    model.doubt.covariance = reordered(calibration.doubt->covariance, others.after(place_of, 6 + read.count()),
+                                       6 + read.count() + others.count());
+  }
   model.rotation_is_observed = without_unknown_rotations(model.covariance);
   return model;
 }
 
 namespace {
 
-/// The motion of the TCP (position m, rotation rad, root axes) for one sigma of each number of the effects: 6 x n. The
-/// secant over a sigma, which the solver of the springs cannot disturb.
-Eigen::MatrixXd tcp_by_sigma(const Circumstances& c, const PredictionModel& model) {
-  const Eigen::Index count = model.covariance.cols() - 6;
-  Eigen::MatrixXd by_sigma = Eigen::MatrixXd::Zero(6, count);
+/// Of xi, the model's numbers and those of what else may be there; both covariances together.
+Eigen::MatrixXd whole_covariance(const PredictionModel& model) {
+  if (!model.doubt.is_any()) return model.covariance;
+  Eigen::MatrixXd whole = model.doubt.covariance;
+  whole.topLeftCorner(model.covariance.rows(), model.covariance.cols()) += model.covariance;
+  return whole;
+}
+
+/// The motion of the TCP (position m, rotation rad, root axes) for one sigma of each number of the effects, and of
+/// those that may be there too: 6 x n. The secant over a sigma, which the solver of the springs cannot disturb.
+Eigen::MatrixXd tcp_by_sigma(const Circumstances& c, const PredictionModel& model, const Eigen::VectorXd& sigmas) {
+  Eigen::MatrixXd by_sigma = Eigen::MatrixXd::Zero(6, sigmas.size() - 6);
   std::vector<EffectTerm> terms = model.effects;
+  terms.insert(terms.end(), model.doubt.others.begin(), model.doubt.others.end());
   Eigen::Index number = -1;
   for (EffectTerm& term : terms)
     for (double& value : term.values) {
       ++number;
-      const double sigma = std::sqrt(std::max(model.covariance(6 + number, 6 + number), 0.0)), before = value;
+      const double sigma = sigmas[6 + number], before = value;
       if (!(sigma > 0)) continue;
       value = before + sigma;
       const Rigid above = root_from_tcp_with(c, terms);
@@ -224,15 +263,14 @@ TcpPrediction predict_tcp(const Circumstances& c, const PredictionModel& model) 
   Matrix6 turned = Matrix6::Zero();
   turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = p.root_from_tcp_est.rotation;
   // With root_from_body = root_from_tcp exp(xi) tcp_from_body, an error of xi moves TCPest as the TCP's own would.
-  Eigen::MatrixXd by_model(6, model.covariance.cols());
+  const Eigen::MatrixXd whole = whole_covariance(model);
+  const Eigen::VectorXd sigmas = whole.diagonal().cwiseMax(0).cwiseSqrt();
+  Eigen::MatrixXd by_model(6, whole.cols());
   by_model.leftCols<6>() = turned;
-  by_model.rightCols(by_model.cols() - 6) = tcp_by_sigma(c, model);
-  Eigen::VectorXd unit = Eigen::VectorXd::Ones(model.covariance.cols());
-  for (Eigen::Index i = 6; i < unit.size(); ++i) {
-    const double variance = model.covariance(i, i);
-    unit[i] = variance > 0 ? 1 / std::sqrt(variance) : 0;
-  }
-  const Eigen::MatrixXd scaled = unit.asDiagonal() * model.covariance * unit.asDiagonal();
+  by_model.rightCols(by_model.cols() - 6) = tcp_by_sigma(c, model, sigmas);
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(whole.cols());
+  for (Eigen::Index i = 6; i < unit.size(); ++i) unit[i] = sigmas[i] > 0 ? 1 / sigmas[i] : 0;
+  const Eigen::MatrixXd scaled = unit.asDiagonal() * whole * unit.asDiagonal();
   p.covariance = turned * model.scatter.covariance * turned.transpose() + by_model * scaled * by_model.transpose();
   return p;
 }

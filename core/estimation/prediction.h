@@ -2,6 +2,7 @@
 // Where the TCP really is in poses that were not measured: the purpose of it all.
 #pragma once
 
+#include "estimation/doubt.h"
 #include "estimation/fit_report.h"
 #include "session/calibration.h"
 
@@ -26,12 +27,13 @@ struct PredictionModel {
   Rigid tcp_from_body;
   std::optional<Rigid> mount_from_sensor;  // absent: a file that does not say where the sensor sits
   bool rotation_is_observed =
-      true;  // false: with one or two markers the body's rotation is a convention, kept at its start
+      true;     // false: with one or two markers the body's rotation is a convention, kept at its start
+  Doubt doubt;  // of the effects that the model has, and of others
 };
 
 /// A rotation of the body of which nothing is known (more than a radian) is no error of where the TCP is: nothing was
 /// learned from it. It is left out of the covariance.
-PredictionModel prediction_model(const Fit& fit);
+PredictionModel prediction_model(const Fit& fit, const Doubt& doubt = {});
 
 /// The same from an exported calibration. A file without <model_covariance> tells sigmas alone: TCP->Body and effects
 /// are then taken as independent, which makes sigma too large. InputError where an effect cannot be in this robot.
@@ -48,7 +50,8 @@ struct TcpPrediction {
 };
 
 /// For one pose, joints in the order of the chain. TCPest is tied to the body by the estimated TCP->Body (thesis 4.51):
-/// its covariance is the scatter of the observations about the model, and that of TCP->Body and the effects together.
+/// its covariance is the scatter of the observations about the model, that of TCP->Body and the effects together, and
+/// what the choice of the effects leaves open.
 TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model);
 
 /// The same for a pose of which it is known how and when the robot comes there.

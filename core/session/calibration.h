@@ -44,6 +44,12 @@ struct CalibrationEffect {
   std::vector<CalibrationParameter> parameters;
 };
 
+/// What the choice of the effects leaves open, beside `model_covariance`.
+struct CalibrationDoubt {
+  std::vector<CalibrationEffect> others;  // that may be there too; their values are 0, or choices
+  Eigen::MatrixXd covariance;  // of xi, every parameter of Calibration::effects and every one of `others`, in order
+};
+
 struct Calibration {
   std::string session;   // title or name of the session that it comes from
   std::string created;   // ISO 8601, UTC
@@ -63,6 +69,7 @@ struct Calibration {
   std::optional<Matrix6> tcp_scatter;  // covariance of tcp_from_tcp_est (m, rad; TCP axes) over the observations
   /// (6 + n) square: xi of tcp_from_body, then every parameter of `effects` in their order; those held have zeros.
   std::optional<Eigen::MatrixXd> model_covariance;
+  std::optional<CalibrationDoubt> doubt;
   std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
   std::vector<double> times;  // s, of all observations in order: what slips and drifts are placed by
 

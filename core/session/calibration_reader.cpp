@@ -66,12 +66,18 @@ Matrix6 read_covariance(const XmlNode& node) {
   return covariance;
 }
 
+std::size_t number_count(const std::vector<CalibrationEffect>& effects) {
+  std::size_t numbers = 0;
+  for (const CalibrationEffect& e : effects) numbers += e.parameters.size();
+  return numbers;
+}
+
 /// Effects have units of their own: a number's least variance is its own.
-Eigen::MatrixXd read_model_covariance(const XmlNode& node, std::size_t effect_numbers) {
-  check_order(node, model_order);
+Eigen::MatrixXd read_model_covariance(const XmlNode& node, const char* order, std::size_t effect_numbers,
+                                      const char* row_by_row) {
+  check_order(node, order);
   const std::size_t size = 6 + effect_numbers;
-  const std::vector<double> numbers =
-      inner_numbers(node, size * size, "row by row: 6 of TCP->Body and one for each parameter of <effects>");
+  const std::vector<double> numbers = inner_numbers(node, size * size, row_by_row);
   const auto rows = static_cast<Eigen::Index>(size);
   Eigen::MatrixXd covariance = Eigen::Map<const Eigen::MatrixXd>(numbers.data(), rows, rows).transpose();
   Eigen::VectorXd least = Eigen::VectorXd::Constant(rows, 1e-300);
@@ -165,7 +171,6 @@ CalibrationEffect read_effect(const XmlNode& node, Ignored& ignored) {
 }
 
 std::vector<CalibrationEffect> read_effects(const XmlNode& parent, Ignored& ignored) {
-  note_unknown(ignored, parent, {}, {"effect"});
   std::vector<CalibrationEffect> effects;
   std::set<std::pair<std::string, std::int64_t>> seen;
   for (const XmlNode& node : children(parent, "effect")) {
@@ -175,6 +180,18 @@ std::vector<CalibrationEffect> read_effects(const XmlNode& parent, Ignored& igno
                                in_quotes(effects.back().id)));
   }
   return effects;
+}
+
+CalibrationDoubt read_doubt(const XmlNode& node, std::size_t effect_numbers, Ignored& ignored) {
+  note_unknown(ignored, node, {}, {"effect", "covariance"});
+  CalibrationDoubt doubt;
+  doubt.others = read_effects(node, ignored);
+  const XmlNode covariance = required_child(node, "covariance");
+  note_unknown(ignored, covariance, {"order"}, {}, true);
+  doubt.covariance = read_model_covariance(
+      covariance, doubt_order, effect_numbers + number_count(doubt.others),
+      "row by row: 6 of TCP->Body, one for each parameter of <effects> and one for each of <doubt>");
+  return doubt;
 }
 
 /// Times of the observations, in their order.
@@ -224,7 +241,7 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   Ignored ignored;
   note_unknown(ignored, root, {"version", "session", "created", "software"},
                {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints",
-                "tcp_scatter", "model_covariance", "mount_from_sensor", "times"});
+                "tcp_scatter", "model_covariance", "doubt", "mount_from_sensor", "times"});
   Calibration calibration;
   calibration.session = find_name(root, "session").value_or("");
   calibration.created = find_text(root, "created").value_or("");
@@ -232,7 +249,10 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   calibration.tcp_from_body = read_motion(required_child(root, "tcp_from_body"), ignored);
   if (const auto fit = find_child(root, "fit")) calibration.fit = read_fit(*fit, ignored);
   read_markers(required_child(root, "markers"), calibration, ignored);
-  if (const auto effects = find_child(root, "effects")) calibration.effects = read_effects(*effects, ignored);
+  if (const auto effects = find_child(root, "effects")) {
+    note_unknown(ignored, *effects, {}, {"effect"});
+    calibration.effects = read_effects(*effects, ignored);
+  }
   if (const auto definitions = find_child(root, "effect_definitions")) {
     note_unknown(ignored, *definitions, {}, {"effect"});
     for (const XmlNode& node : children(*definitions, "effect"))
@@ -241,10 +261,12 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   read_setting(root, calibration, ignored);
   if (const auto covariance = find_child(root, "model_covariance")) {
     note_unknown(ignored, *covariance, {"order"}, {}, true);
-    std::size_t numbers = 0;
-    for (const CalibrationEffect& e : calibration.effects) numbers += e.parameters.size();
-    calibration.model_covariance = read_model_covariance(*covariance, numbers);
+    calibration.model_covariance =
+        read_model_covariance(*covariance, model_order, number_count(calibration.effects),
+                              "row by row: 6 of TCP->Body and one for each parameter of <effects>");
   }
+  if (const auto doubt = find_child(root, "doubt"))
+    calibration.doubt = read_doubt(*doubt, number_count(calibration.effects), ignored);
   calibration.notes = ignored_sentences(ignored, file);
   return calibration;
 }

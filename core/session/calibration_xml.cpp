@@ -66,8 +66,7 @@ void write_markers(XMLElement& root, const Calibration& calibration) {
   }
 }
 
-void write_effects(XMLElement& root, const std::vector<CalibrationEffect>& effects) {
-  XMLElement& parent = *root.InsertNewChildElement("effects");
+void write_effects(XMLElement& parent, const std::vector<CalibrationEffect>& effects) {
   std::map<std::string, int> written;
   for (const CalibrationEffect& effect : effects) {
     XMLElement& element = *parent.InsertNewChildElement("effect");
@@ -82,6 +81,13 @@ void write_effects(XMLElement& root, const std::vector<CalibrationEffect>& effec
       child.SetAttribute("unit", parameter.unit.c_str());
     }
   }
+}
+
+void write_square(XMLElement& root, const char* tag, const char* order, const Eigen::MatrixXd& symmetric) {
+  XMLElement& element = *root.InsertNewChildElement(tag);
+  element.SetAttribute("order", order);
+  const auto count = static_cast<std::size_t>(symmetric.size());
+  element.SetText(format_numbers({symmetric.data(), count}).c_str());  // columns are rows
 }
 
 /// Beyond the export's contract: what a prediction needs of the session. Other readers ignore it.
@@ -99,11 +105,11 @@ void write_setting(XMLElement& root, const Calibration& calibration) {
     scatter.SetAttribute("order", "x y z rx ry rz");
     scatter.SetText(matrix_text(*calibration.tcp_scatter).c_str());
   }
-  if (calibration.model_covariance) {
-    const Eigen::MatrixXd& covariance = *calibration.model_covariance;  // symmetric: columns are rows
-    XMLElement& element = *root.InsertNewChildElement("model_covariance");
-    element.SetAttribute("order", model_order);
-    element.SetText(format_numbers({covariance.data(), static_cast<std::size_t>(covariance.size())}).c_str());
+  if (calibration.model_covariance) write_square(root, "model_covariance", model_order, *calibration.model_covariance);
+  if (calibration.doubt) {
+    XMLElement& doubt = *root.InsertNewChildElement("doubt");
+    write_effects(doubt, calibration.doubt->others);
+    write_square(doubt, "covariance", doubt_order, calibration.doubt->covariance);
   }
   if (!calibration.times.empty())
     root.InsertNewChildElement("times")->SetText(format_numbers(calibration.times).c_str());
@@ -129,6 +135,7 @@ void require_finite(const Calibration& c) {
   require(!c.mount_from_sensor || is_finite(*c.mount_from_sensor), "the mount or its covariance");
   require(!c.tcp_scatter || c.tcp_scatter->allFinite(), "the scatter of the TCP");
   require(!c.model_covariance || c.model_covariance->allFinite(), "the covariance of the effects");
+  require(!c.doubt || c.doubt->covariance.allFinite(), "what the choice of the effects leaves open");
   for (const Vector3& marker : c.markers) require(marker.allFinite(), "a marker");
   for (const CalibrationEffect& effect : c.effects)
     for (const CalibrationParameter& p : effect.parameters)
@@ -150,7 +157,7 @@ std::string calibration_text(const Calibration& calibration) {
   write_motion(root, "tcp_from_body", calibration.tcp_from_body);
   write_fit(root, calibration.fit);
   write_markers(root, calibration);
-  write_effects(root, calibration.effects);
+  write_effects(*root.InsertNewChildElement("effects"), calibration.effects);
   if (!calibration.definitions.empty()) {
     XMLElement& definitions = *root.InsertNewChildElement("effect_definitions");
     for (const EffectDefinition& d : calibration.definitions) write_effect_definition(definitions, d);

@@ -19,17 +19,17 @@ std::optional<Rig> moved_cameras(const Chain& chain, const PredictionModel& mode
 }  // namespace
 
 CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& told,
-                                 const FitOptions& options, const std::string& software) {
+                                 const FitOptions& options, const std::string& software, const Doubt& doubt) {
   CalibratedRobot robot;
   robot.chain = chain_of(session);
   robot.joint_names = session.joints;
   robot.tcp = session.tcp;
   robot.mount = session.mount.link;
-  robot.model = prediction_model(fit);
+  robot.model = prediction_model(fit, doubt);
   robot.times = times_of(session);
   for (const Observation& o : session.observations)
     if (is_used(o)) robot.positions.push_back(o.position);
-  robot.calibration = calibration_of(session, fit, told, options, software);
+  robot.calibration = calibration_of(session, fit, told, options, software, doubt);
   robot.rig = moved_cameras(robot.chain, robot.model);
   if (robot.model.scatter.observations < 3)
     robot.notes.emplace_back(

@@ -26,7 +26,7 @@ struct CalibratedRobot {
 
 /// The session's fit with what a file of it would say. `software`: name and version.
 CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& told,
-                                 const FitOptions& options, const std::string& software);
+                                 const FitOptions& options, const std::string& software, const Doubt& doubt = {});
 
 /// From an exported calibration and the robot; `robot_file` and `file` are what sentences call them. InputError where
 /// the file does not say what a prediction needs, or does not fit the robot.

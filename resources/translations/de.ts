@@ -1736,6 +1736,14 @@
         <translation>Nichts im Rest spricht dafür, was nicht Zufall wäre.</translation>
     </message>
     <message>
+        <source>Sure to %1.</source>
+        <translation>Sicher zu %1.</translation>
+    </message>
+    <message>
+        <source>It is there with a probability of %1; predictions allow for it.</source>
+        <translation>Es ist mit einer Wahrscheinlichkeit von %1 da; Vorhersagen berücksichtigen es.</translation>
+    </message>
+    <message>
         <source>Nothing is called that.</source>
         <translation>Nichts heißt so.</translation>
     </message>
@@ -2946,6 +2954,10 @@
     <message>
         <source>added %1</source>
         <translation>%1 hinzugefügt</translation>
+    </message>
+    <message>
+        <source>added %1, which is likely beside the rest</source>
+        <translation>%1 hinzugefügt, was neben dem Übrigen wahrscheinlich ist</translation>
     </message>
     <message>
         <source>after</source>
@@ -4244,6 +4256,10 @@
     <message>
         <source>would help</source>
         <translation>würde helfen</translation>
+    </message>
+    <message>
+        <source>may be there</source>
+        <translation>vielleicht da</translation>
     </message>
     <message>
         <source>all</source>

@@ -127,6 +127,7 @@ void run_file(const Hidden& h, const CalibratedRobot& robot, const std::vector<E
 struct Calibrated {
   Fit fit;
   FitOptions options;
+  Doubt doubt = {};  // of what improve has found
 };
 
 /// The curve as an effect of which the form is known.
@@ -142,7 +143,7 @@ EffectTerm term_of_curve(const Session& session, const Curve& curve) {
 Calibrated calibrated(const Hidden& h, bool is_given) {
   if (!is_given) {
     const Improvement improved = improve(h.session);
-    return {improved.last.model.fit, improved.last.model_options};
+    return {improved.last.model.fit, improved.last.model_options, improved.certainty.doubt};
   }
   FitOptions options;
   options.estimated = h.effects;
@@ -153,7 +154,7 @@ Calibrated calibrated(const Hidden& h, bool is_given) {
 
 int correct_trials(const Arguments& a) {
   const bool is_given = a.kind == "told" || a.kind == "given" || a.kind == "plausible";
-  std::vector<double> gains, ratios, squares;
+  std::vector<double> gains, ratios, squares, ratios_without, squares_without;
   for (int i = 0; i < a.count; ++i) {
     const int robot = a.robot >= 0 ? a.robot : i % 3;
     const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
@@ -162,8 +163,10 @@ int correct_trials(const Arguments& a) {
     const Fit& f = found.fit;
     h.tcp_from_body = body_frame(f.sides, h.markers_in_tcp).tcp_from_body;
     const CalibratedRobot by_fit =
-        calibrated_robot(h.session, f, report(h.session, f, found.options), found.options, "trial");
-    std::vector<double> before, after, promised;
+        calibrated_robot(h.session, f, report(h.session, f, found.options), found.options, "trial", found.doubt);
+    PredictionModel without_doubt = by_fit.model;
+    without_doubt.doubt = {};
+    std::vector<double> before, after, promised, promised_without;
     std::vector<Eigen::VectorXd> commanded;
     int reached = 0;
     for (const Eigen::VectorXd& pose : h.poses) {
@@ -173,27 +176,36 @@ int correct_trials(const Arguments& a) {
       before.push_back((true_hand(h, by_fit.chain, pose, f.tcp_from_body) - wanted).norm());
       after.push_back((true_hand(h, by_fit.chain, correction.position, f.tcp_from_body) - wanted).norm());
       promised.push_back(correction.sigma_m);
+      const Circumstances then = circumstances_at(by_fit.chain, correction.position);
+      promised_without.push_back(std::sqrt(predict_tcp(then, without_doubt).covariance.topLeftCorner<3, 3>().trace()));
       commanded.push_back(correction.position);
       reached += correction.reached;
     }
     gains.push_back(median(before) / median(after));
     ratios.push_back(rms(after) / rms(promised));
     squares.push_back(ratios.back() * ratios.back());
+    ratios_without.push_back(rms(after) / rms(promised_without));
+    squares_without.push_back(ratios_without.back() * ratios_without.back());
     fmt::print(
         "robot {} seed {}: {} of {} reached; hand off by {:.3f} mm as commanded, {:.4f} mm corrected (medians, {:.0f} "
-        "times less); rms {:.4f} mm, promised {:.4f} mm ({:.2f} times)\n",
+        "times less); rms {:.4f} mm, promised {:.4f} mm ({:.2f} times; {:.2f} without doubt of the names)\n",
         robot, seed, reached, targets, 1e3 * median(before), 1e3 * median(after), gains.back(), 1e3 * rms(after),
-        1e3 * rms(promised), ratios.back());
+        1e3 * rms(promised), ratios.back(), ratios_without.back());
     if (a.kind == "files")
       for (const char* kind : {"cpp", "python"}) run_file(h, by_fit, commanded, kind);
     std::fflush(stdout);
   }
-  const auto within = std::count_if(ratios.begin(), ratios.end(), [](double r) { return r <= 1.2; });
+  const auto within = [](const std::vector<double>& all) {
+    return std::count_if(all.begin(), all.end(), [](double r) { return r <= 1.2; });
+  };
+  const auto mean = [](const std::vector<double>& all) {
+    return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+  };
   fmt::print(
       "{} robots: {:.0f} times less in the median; error over what sigma promises {:.2f} in the median, its square "
-      "{:.2f} "
-      "on average, at most 1.2 in {}\n",
-      a.count, median(gains), median(ratios), std::accumulate(squares.begin(), squares.end(), 0.0) / a.count, within);
+      "{:.2f} on average, at most 1.2 in {}; without doubt of the names {:.2f}, {:.2f}, {}\n",
+      a.count, median(gains), median(ratios), mean(squares), within(ratios), median(ratios_without),
+      mean(squares_without), within(ratios_without));
   return 0;
 }
 

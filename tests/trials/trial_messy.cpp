@@ -11,6 +11,7 @@
 
 #include "diagnosis/curves.h"
 #include "estimation/fit_report.h"
+#include "estimation/prediction.h"
 #include "fixtures/gaussian_process.h"
 #include "fixtures/trial_sessions.h"
 
@@ -211,8 +212,54 @@ double median(std::vector<double> v) {
   return v.size() % 2 ? v[v.size() / 2] : 0.5 * (v[v.size() / 2 - 1] + v[v.size() / 2]);
 }
 
+/// The error that a model's sigma promises in the fresh poses: root mean square of the hand's body (mm).
+double promised_on_fresh(const Messy& m, const PredictionModel& model) {
+  const Chain chain = chain_of(m.session);
+  double variance = 0;
+  for (const Eigen::VectorXd& pose : m.fresh_poses) {
+    const TcpPrediction p = predict_tcp(chain, pose, model);
+    // Of the body's origin, which is where the hand is looked at.
+    Eigen::Matrix<double, 3, 6> by_tcp;
+    by_tcp << Matrix3::Identity(),
+        -cross_matrix(Vector3(p.root_from_tcp_est.rotation * model.tcp_from_body.translation));
+    variance += (by_tcp * p.covariance * by_tcp.transpose()).trace();
+  }
+  return 1e3 * std::sqrt(variance / static_cast<double>(m.fresh_poses.size()));
+}
+
+/// How often names are there that are told to be there with some probability.
+struct Reliability {
+  static constexpr std::array<double, 6> from{0, 0.05, 0.2, 0.5, 0.8, 0.98};
+  std::array<int, 6> told{}, there{};
+  std::array<double, 6> sum{};
+
+  void add(double probability, bool is_there) {
+    std::size_t bin = from.size() - 1;
+    while (bin > 0 && probability < from[bin]) --bin;
+    ++told[bin];
+    there[bin] += is_there;
+    sum[bin] += probability;
+  }
+
+  std::string text() const {
+    std::string text;
+    for (std::size_t i = 1; i < from.size(); ++i)
+      if (told[i] > 0)
+        text += fmt::format("; told {:.1f} %: there {:.0f} % of {}", 100 * sum[i] / told[i], 100.0 * there[i] / told[i],
+                            told[i]);
+    return text;
+  }
+};
+
+double mean_square(const std::vector<double>& v) {
+  double sum = 0;
+  for (const double x : v) sum += x * x;
+  return sum / static_cast<double>(std::max<std::size_t>(1, v.size()));
+}
+
 struct Row {
-  std::vector<double> alone, learned, at_once, improved, told, everything;
+  std::vector<double> alone, learned, at_once, improved, told, everything, over_promised, over_promised_without;
+  Reliability names;
   int true_names = 0, found = 0, shown = 0, found_of_shown = 0, named = 0, wrong = 0, missing_at_the_end = 0,
       curve_seen = 0, trials = 0;
 };
@@ -227,12 +274,17 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
   const Improvement i = improve(m.session);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   row.improved.push_back(error_on_fresh(m, i.last.model.fit));
+  const Fit& last = i.last.model.fit;
+  row.over_promised.push_back(row.improved.back() / promised_on_fresh(m, prediction_model(last, i.certainty.doubt)));
+  row.over_promised_without.push_back(row.improved.back() / promised_on_fresh(m, prediction_model(last)));
   row.told.push_back(error_on_fresh(m, told(m, false)));
   const Fit everything = told(m, true);
   row.everything.push_back(error_on_fresh(m, everything));
   const std::set<std::string> truth = ids_of(m.effects), found = ids_of(terms_of(i.last.model.fit));
   const std::set<std::string> shown = seen_beside_the_rest(m, everything);
   const int right = common(found, truth);
+  for (const NameCertainty& n : i.certainty.names)
+    if (find_effect(n.id)) row.names.add(n.probability, truth.contains(n.id));
   row.shown += static_cast<int>(shown.size());
   row.found_of_shown += common(found, shown);
   row.true_names += static_cast<int>(truth.size());
@@ -248,13 +300,13 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
   ++row.trials;
   fmt::print(
       "  robot {} seed {} shift {}: alone {:.3f} process {:.3f} at once {:.4f} improve {:.4f} told {:.4f} told "
-      "everything {:.4f} mm; {:.1f} s, {} "
+      "everything {:.4f} mm, over promised {:.2f} (without doubt {:.2f}); {:.1f} s, {} "
       "steps\n    "
       "truth{}{}\n    shown beside the rest{}\n    found{}{} ({})\n",
       robot, seed, size_mm, row.alone.back(), row.learned.back(), row.at_once.back(), row.improved.back(),
-      row.told.back(), row.everything.back(), seconds, i.steps.size() - 1, listed_ids(truth),
-      m.shift ? " + " + m.shift->own->definition->moves.front().formula : "", listed_ids(shown), listed_ids(found),
-      curves, verdict_text(i.last.verdict));
+      row.told.back(), row.everything.back(), row.over_promised.back(), row.over_promised_without.back(), seconds,
+      i.steps.size() - 1, listed_ids(truth), m.shift ? " + " + m.shift->own->definition->moves.front().formula : "",
+      listed_ids(shown), listed_ids(found), curves, verdict_text(i.last.verdict));
   std::fflush(stdout);
 }
 
@@ -281,6 +333,11 @@ int messy_trials(const Arguments& a) {
         median(row.told), median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
         100.0 * row.found_of_shown / std::max(1, row.shown), row.shown, 100.0 * row.wrong / std::max(1, row.named),
         row.named, row.missing_at_the_end);
+    fmt::print(
+        "  error over what sigma promises: {:.2f} in the median, its square {:.2f} on average; without doubt of the "
+        "names {:.2f} and {:.2f}\n  names{}\n",
+        median(row.over_promised), mean_square(row.over_promised), median(row.over_promised_without),
+        mean_square(row.over_promised_without), row.names.text());
   }
   return 0;
 }

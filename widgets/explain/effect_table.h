@@ -14,8 +14,8 @@ namespace handsight::widgets {
 class EffectTableModel;
 class EffectTableFilter;
 
-enum class EffectVerdict { in_model, would_help, worse, no_sign, cannot_be_seen, same_as, unknown };
-/// "in the model", "would help", "fits, but worse", "no sign", "unseen on these poses", "same as", "-".
+enum class EffectVerdict { in_model, would_help, may_be_there, worse, no_sign, cannot_be_seen, same_as, unknown };
+/// "in the model", "would help", "may be there", "fits, but worse", "no sign", "unseen on these poses", "same as", "-".
 QString effect_verdict_text(EffectVerdict verdict);
 
 struct EffectRow {

@@ -39,6 +39,8 @@ QString sign_of(EffectVerdict verdict) {
       return QStringLiteral("✓");
     case EffectVerdict::would_help:
       return QStringLiteral("+");
+    case EffectVerdict::may_be_there:
+      return QStringLiteral("~");
     case EffectVerdict::worse:
       return QStringLiteral("−");
     case EffectVerdict::no_sign:
@@ -76,6 +78,8 @@ QString effect_verdict_text(EffectVerdict verdict) {
       return said("in the model");
     case EffectVerdict::would_help:
       return said("would help");
+    case EffectVerdict::may_be_there:
+      return said("may be there");
     case EffectVerdict::worse:
       return said("fits, but worse");
     case EffectVerdict::no_sign:

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/certainty.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "diagnosis/likely_choices.h"
+#include "effects/term_numbers.h"
+#include "estimation/body_frame.h"
+
+namespace handsight {
+namespace {
+
+constexpr double cost_of_a_name = 2;      // ln: odds of 1 to 7
+constexpr double largest_of_others = 1;   // plausible sizes: more would be known of them
+constexpr double least_of_others = 0.02;  // probability
+
+/// Second moments of the open numbers (plausible sizes) about the model's, beside those of the model's own numbers.
+class Moments {
+ public:
+  Moments(const Explanations& all, const OpenUnits& units, const OpenScore& score)
+      : all_(all),
+        score_(score.score),
+        whitened_(score.whitened),
+        first_number_(score.first_number),
+        is_present_(static_cast<std::size_t>(score.score.gradient.size())) {
+    for (const std::size_t u : units.open)
+      for (Eigen::Index i = 0; i < all.units()[u].count; ++i)
+        is_present_[static_cast<std::size_t>(first_number_.at(u) + i)] = all.units()[u].is_present;
+  }
+
+  Eigen::MatrixXd of(const Weights& weights, const Chosen& model) const {
+    const Eigen::Index count = score_.gradient.size();
+    Eigen::VectorXd answer = Eigen::VectorXd::Zero(count);
+    for (const auto& [share, state] : at_scales(model)) answer += share * state.mean;
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(count, count);
+    for (const auto& [chosen, weight] : weights)
+      for (const auto& [share, state] : at_scales(chosen)) {
+        const Eigen::VectorXd away = state.mean - answer;
+        sum += weight * share * (away * away.transpose() + state.added);
+      }
+    return sum;
+  }
+
+ private:
+  struct State {
+    Eigen::VectorXd mean;
+    Eigen::MatrixXd added;  // covariance that comes with what the model does not have
+  };
+
+  /// The covariance of some numbers alone, others being 0.
+  Eigen::MatrixXd covariance(const std::vector<Eigen::Index>& numbers, double scale) const {
+    Eigen::MatrixXd information = score_.information(numbers, numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const double size =
+          is_present_[static_cast<std::size_t>(numbers[i])] ? scale : std::min(scale, largest_of_others);
+      information(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += std::pow(size, -2);
+    }
+    return information.llt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  }
+
+  std::vector<std::pair<double, State>> at_scales(const Chosen& chosen) const {
+    std::vector<Eigen::Index> numbers, kept;
+    for (const std::size_t u : chosen)
+      for (Eigen::Index i = 0; i < all_.units()[u].count; ++i) {
+        numbers.push_back(first_number_.at(u) + i);
+        if (all_.units()[u].is_present) kept.push_back(numbers.back());
+      }
+    std::vector<std::pair<double, State>> states;
+    std::vector<double> ln_shares;
+    const Score own = part_of(score_, numbers);
+    for (const double scale : plausible_scales) {
+      State s{Eigen::VectorXd::Zero(score_.gradient.size()),
+              Eigen::MatrixXd::Zero(score_.gradient.size(), score_.gradient.size())};
+      if (!numbers.empty()) {
+        const Eigen::MatrixXd all = covariance(numbers, scale);
+        s.mean(numbers) = all * own.gradient;
+        s.added(numbers, numbers) = all;
+        if (!kept.empty()) s.added(kept, kept) -= covariance(kept, scale);
+        if (numbers.size() == kept.size()) s.added.setZero();
+      }
+      ln_shares.push_back(ln_factor(own, scale));
+      states.emplace_back(0, std::move(s));
+    }
+    const double mean = ln_mean_exp(ln_shares);
+    for (std::size_t i = 0; i < states.size(); ++i)
+      states[i].first = std::exp(ln_shares[i] - mean) / static_cast<double>(states.size());
+    return states;
+  }
+
+  /// ln of the Bayes factor at one scale.
+  double ln_factor(const Score& own, double scale) const {
+    if (own.gradient.size() == 0) return 0;
+    return ln_bayes_factor_at(own, scale, whitened_, all_.by().knowledge);
+  }
+
+  const Explanations& all_;
+  const Score& score_;
+  const WhitenedModel& whitened_;
+  const std::map<std::size_t, Eigen::Index>& first_number_;
+  std::vector<bool> is_present_;  // of the numbers: in the model
+};
+
+/// How xi, the model's numbers and those of others move with the open numbers, in plausible sizes of these.
+class Movements {
+ public:
+  Movements(const Diagnosis& model, const Explanations& all, const OpenUnits& units, const OpenScore& score)
+      : fit_(model.model.fit), all_(all) {
+    const std::vector<Eigen::Index> open = all.numbers_of(units.open), fixed = all.numbers_of(units.fixed);
+    const Eigen::MatrixXd base = all.base_by_numbers();
+    base_ = base(Eigen::all, open);
+    if (!fixed.empty()) base_ += base(Eigen::all, fixed) * score.fixed_by_open;
+    for (std::size_t i = 0; i < open.size(); ++i) own_[open[i]] = static_cast<Eigen::Index>(i);
+    for (std::size_t i = 0; i < fixed.size(); ++i) fixed_[fixed[i]] = static_cast<Eigen::Index>(i);
+    fixed_by_open_ = score.fixed_by_open;
+    const std::optional<Rigid>& start = model.model_options.start_tcp_from_body;
+    frame_ = body_frame(fit_.sides, estimate(fit_).markers_in_tcp, start ? start->rotation : Matrix3::Identity());
+  }
+
+  /// With these units listed as others.
+  Eigen::MatrixXd by_open(const Chosen& others) const {
+    const Problem& p = fit_.problem;
+    const std::vector<Eigen::Index> first = first_numbers(p.terms, 6);
+    std::vector<Eigen::MatrixXd> of_others;
+    Eigen::Index rows = first.back();
+    for (const std::size_t u : others) rows += static_cast<Eigen::Index>(all_.units()[u].term.values.size());
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(rows, base_.cols());
+    by.topRows<6>() = frame_.motion_by_markers * base_.topRows(frame_.motion_by_markers.cols());
+    for (Eigen::Index c = 0; c < p.effect_count(); ++c) {
+      const EffectColumn& column = p.columns_of_effects[static_cast<std::size_t>(c)];
+      auto row = by.row(first[column.term] + static_cast<Eigen::Index>(column.parameter));
+      if (c < all_.base())
+        row = base_.row(p.effect_column() + c);
+      else
+        set_number(c - all_.base(), row);
+    }
+    Eigen::Index row = first.back();
+    for (const std::size_t u : others) {
+      const ExplanationUnit& unit = all_.units()[u];
+      const Effect& effect = effect_of(unit.term);
+      Eigen::Index number = unit.first;
+      for (std::size_t p_of = 0; p_of < effect.parameters.size(); ++p_of, ++row)
+        if (!effect.parameters[p_of].is_choice) set_number(number++, by.row(row));
+    }
+    return by;
+  }
+
+ private:
+  template <class Row>
+  void set_number(Eigen::Index number, Row&& row) const {
+    if (const auto own = own_.find(number); own != own_.end()) row[own->second] = all_.plausible(number);
+    if (const auto fixed = fixed_.find(number); fixed != fixed_.end())
+      row = all_.plausible(number) * fixed_by_open_.row(fixed->second);
+  }
+
+  const Fit& fit_;
+  const Explanations& all_;
+  BodyFrame frame_;
+  Eigen::MatrixXd base_, fixed_by_open_;
+  std::map<Eigen::Index, Eigen::Index> own_, fixed_;  // places among the open and the fixed numbers
+};
+
+/// Does the effect, which is at 0, move the hand or the body on it in any of some observations? What moves cameras
+/// alone says nothing of where the hand is.
+bool moves_the_hand(const EffectTerm& zero, const Problem& problem) {
+  constexpr std::size_t looked_at = 8;
+  EffectTerm moved = zero;
+  const Effect& effect = effect_of(zero);
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    if (!effect.parameters[p].is_choice) moved.values[p] = effect.parameters[p].sigma;
+  const std::size_t count = problem.observations.size(), stride = std::max<std::size_t>(1, count / looked_at);
+  for (std::size_t i = 0; i < count; i += stride) {
+    const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(problem.observations[i].index)];
+    const Sites before = moved_sites(c, {zero}), after = moved_sites(c, {moved});
+    const Rigid hand_before = observed_ends(c, before).ends.root_from_tcp;
+    const Rigid hand_after = observed_ends(c, after).ends.root_from_tcp;
+    if (matrix_from_rigid(hand_before) != matrix_from_rigid(hand_after) || before.body != after.body) return true;
+  }
+  return false;
+}
+
+/// The probability of each unit.
+std::vector<double> of_units(const Explanations& all, const OpenUnits& units, const Weights& weights) {
+  std::vector<double> probability(all.units().size(), 0.0);
+  for (const std::size_t u : units.fixed) probability[u] = 1;
+  for (const auto& [chosen, weight] : weights)
+    for (const std::size_t u : chosen) probability[u] += weight;
+  return probability;
+}
+
+double of_name(std::size_t name, const Explanations& all, const OpenUnits& units, const Weights& weights) {
+  const auto is_of_name = [&](std::size_t u) { return all.units()[u].name == name; };
+  if (std::any_of(units.fixed.begin(), units.fixed.end(), is_of_name)) return 1;
+  double probability = 0;
+  for (const auto& [chosen, weight] : weights)
+    if (std::any_of(chosen.begin(), chosen.end(), is_of_name)) probability += weight;
+  return std::min(probability, 1.0);
+}
+
+/// Where a name is likelier than not to be if it is there, else where it is likeliest.
+Chosen likely_units(std::size_t name, const Explanations& all, const std::vector<double>& probability, double of_name) {
+  Chosen likely;
+  std::size_t likeliest = all.units().size();
+  for (std::size_t u = 0; u < all.units().size(); ++u) {
+    if (all.units()[u].name != name) continue;
+    if (likeliest == all.units().size() || probability[u] > probability[likeliest]) likeliest = u;
+    if (probability[u] > 0.5 * of_name) likely.push_back(u);
+  }
+  if (likely.empty() && likeliest < all.units().size()) likely.push_back(likeliest);
+  return likely;
+}
+
+std::vector<std::string> places(const Chosen& units, const Explanations& all, const Session& session) {
+  std::vector<EffectTerm> terms;
+  for (const std::size_t u : units) terms.push_back(all.units()[u].term);
+  return places_of(terms, session);
+}
+
+/// The model's terms with these of a name beside them.
+std::vector<EffectTerm> estimated_with(const Explanations& all, const Chosen& units) {
+  Chosen chosen = all.present();
+  for (const std::size_t u : units) chosen = with_unit(chosen, u);
+  const std::vector<EffectTerm> terms = all.terms_of(chosen);
+  std::vector<EffectTerm> estimated, own;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    (all.units()[chosen[i]].is_present ? estimated : own).push_back(terms[i]);
+  estimated.insert(estimated.end(), own.begin(), own.end());
+  return estimated;
+}
+
+void set_names(const Explanations& all, const OpenUnits& units, const Weights& weights, const Session& session,
+               Certainty& certainty) {
+  const std::vector<double> probability = of_units(all, units, weights);
+  const std::set<std::string> in_model = all.names_of(all.present());
+  for (std::size_t n = 0; n < all.names().size(); ++n) {
+    NameCertainty name{all.names()[n].id, {}, of_name(n, all, units, weights), false};
+    name.is_in_model = in_model.contains(name.id);
+    if (!name.is_in_model && name.probability < Certainty::least_told) continue;
+    const Chosen where = likely_units(n, all, probability, name.probability);
+    name.where = places(where, all, session);
+    if (!name.is_in_model && name.probability >= Certainty::least_likely)
+      certainty.likely.push_back({name, estimated_with(all, where)});
+    certainty.names.push_back(std::move(name));
+  }
+  std::stable_sort(certainty.names.begin(), certainty.names.end(), [](const NameCertainty& a, const NameCertainty& b) {
+    return a.is_in_model != b.is_in_model ? a.is_in_model : a.probability > b.probability;
+  });
+  std::stable_sort(certainty.likely.begin(), certainty.likely.end(),
+                   [](const LikelyName& a, const LikelyName& b) { return a.name.probability > b.name.probability; });
+}
+
+}  // namespace
+
+Certainty certainty(const Diagnosis& model, std::size_t first, const std::function<bool()>& goes_on) {
+  Certainty c;
+  const Fit& fit = model.model.fit;
+  if (fit.fixed_markers || fit.sides.markers.empty()) return c;
+  const Explanations all(model, first, cost_of_a_name);
+  const OpenUnits units = open_units(all, goes_on);
+  const OpenScore score = open_score(all, units);
+  const Weights weights = likely_choices(all, units, score, goes_on);
+  if (!goes_on()) return c;
+  set_names(all, units, weights, model.model.session, c);
+  if (units.open.empty()) return c;
+
+  const std::vector<double> probability = of_units(all, units, weights);
+  Chosen others, of_model;
+  for (const std::size_t u : units.open) {
+    const ExplanationUnit& unit = all.units()[u];
+    if (unit.is_present) of_model.push_back(u);
+    if (unit.is_present || probability[u] < least_of_others || !moves_the_hand(unit.term, fit.problem)) continue;
+    others.push_back(u);
+    c.doubt.others.push_back(unit.term);
+  }
+  const Eigen::MatrixXd by_open = Movements(model, all, units, score).by_open(others);
+  c.doubt.covariance = by_open * Moments(all, units, score).of(weights, of_model) * by_open.transpose();
+  c.doubt.covariance = 0.5 * (c.doubt.covariance + c.doubt.covariance.transpose()).eval();
+  return c;
+}
+
+}  // namespace handsight

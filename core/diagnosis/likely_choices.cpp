@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/likely_choices.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace handsight {
+namespace {
+
+constexpr double open_until = 7;    // ln: what is a thousand times less likely is not looked at
+constexpr double least_shown = 30;  // chi-squared of the plausible size: of what shows less nothing is known
+constexpr int steps = 600;          // of the walk
+
+class Neighbours {
+ public:
+  Neighbours(const Explanations& all, const Score& score, const WhitenedModel& whitened,
+             const std::map<std::size_t, Eigen::Index>& first_number)
+      : all_(all), score_(score), whitened_(whitened), first_number_(first_number) {}
+
+  std::vector<Eigen::Index> numbers_of(const Chosen& chosen) const {
+    std::vector<Eigen::Index> numbers;
+    for (const std::size_t u : chosen)
+      for (Eigen::Index i = 0; i < all_.units()[u].count; ++i) numbers.push_back(first_number_.at(u) + i);
+    return numbers;
+  }
+
+  double ln_factor(const Chosen& chosen) const {
+    return ln_bayes_factor(part_of(score_, numbers_of(chosen)), whitened_, all_.by().knowledge);
+  }
+
+  /// ln of the Bayes factors of a choice with each of these units beside it.
+  std::vector<double> ln_factors_beside(const Chosen& chosen, const Chosen& coming) const {
+    std::vector<ParameterGroup> groups;
+    for (const std::size_t u : coming) groups.push_back({first_number_.at(u), all_.units()[u].count});
+    return ln_bayes_factors_beside(score_, numbers_of(chosen), groups, whitened_, all_.by().knowledge);
+  }
+
+ private:
+  const Explanations& all_;
+  const Score& score_;
+  const WhitenedModel& whitened_;
+  const std::map<std::size_t, Eigen::Index>& first_number_;
+};
+
+}  // namespace
+
+OpenUnits open_units(const Explanations& all, const std::function<bool()>& goes_on) {
+  std::map<std::size_t, Eigen::Index> first_number;
+  for (std::size_t u = 0; u < all.units().size(); ++u) first_number[u] = all.units()[u].first;
+  const Neighbours near(all, all.score(), all.whitened(), first_number);
+  const Chosen present = all.present();
+  const double least = near.ln_factor(present) - all.cost_of(present) - open_until;
+  std::set<std::size_t> open;
+  OpenUnits units;
+  const auto shows = [&](std::size_t u) {
+    const Eigen::Index first = all.units()[u].first, count = all.units()[u].count;
+    return all.units()[u].is_present ||
+           all.score().information.block(first, first, count, count).trace() >= least_shown;
+  };
+  const auto look_beside = [&](const Chosen& chosen, const std::optional<std::size_t>& in_place_of) {
+    Chosen coming;
+    for (std::size_t u = 0; u < all.units().size(); ++u)
+      if (u != in_place_of && shows(u) && all.can_come(u, chosen)) coming.push_back(u);
+    const std::vector<double> factors = near.ln_factors_beside(chosen, coming);
+    for (std::size_t i = 0; i < coming.size(); ++i) {
+      if (factors[i] - all.cost_of(with_unit(chosen, coming[i])) < least) continue;
+      open.insert(coming[i]);
+      if (!in_place_of) continue;
+      open.insert(*in_place_of);
+      units.instead[*in_place_of].push_back(coming[i]);
+      units.instead[coming[i]].push_back(*in_place_of);
+    }
+  };
+  look_beside(present, std::nullopt);
+  for (std::size_t i = 0; i < present.size() && goes_on(); ++i) {
+    const Chosen fewer = without_unit(present, i);
+    if (near.ln_factor(fewer) - all.cost_of(fewer) >= least) open.insert(present[i]);
+    look_beside(fewer, present[i]);
+  }
+  units.open.assign(open.begin(), open.end());
+  for (const std::size_t u : present)
+    if (!open.contains(u)) units.fixed.push_back(u);
+  return units;
+}
+
+OpenScore open_score(const Explanations& all, const OpenUnits& units) {
+  OpenScore s;
+  s.whitened = all.whitened();
+  Eigen::Index count = 0;
+  for (const std::size_t u : units.open) {
+    s.first_number[u] = count;
+    count += all.units()[u].count;
+  }
+  const std::vector<Eigen::Index> open = all.numbers_of(units.open), fixed = all.numbers_of(units.fixed);
+  s.score = part_of(all.score(), open);
+  s.fixed_by_open = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(fixed.size()), count);
+  if (fixed.empty()) return s;
+  const Score own = part_of(all.score(), fixed);
+  Eigen::MatrixXd information = own.information;
+  information.diagonal().array() += std::pow(plausible_scales.back(), -2);
+  const Eigen::LLT<Eigen::MatrixXd> llt(information);
+  const Eigen::MatrixXd shared = all.score().information(fixed, open);
+  s.fixed_by_open = -llt.solve(shared);
+  s.score.information += shared.transpose() * s.fixed_by_open;
+  s.score.gradient += s.fixed_by_open.transpose() * own.gradient;
+  s.whitened.residual_squares -= own.gradient.dot(llt.solve(own.gradient));
+  return s;
+}
+
+namespace {
+
+class Walk {
+ public:
+  Walk(const Explanations& all, const OpenUnits& units, const OpenScore& score)
+      : all_(all), units_(units), near_(all, score.score, score.whitened, score.first_number) {}
+
+  Weights weights(const std::function<bool()>& goes_on) {
+    std::mt19937_64 random(20261125);
+    Chosen here;
+    for (const std::size_t u : units_.open)
+      if (all_.units()[u].is_present) here.push_back(u);
+    Weights weights;
+    for (int step = 0; step < steps && goes_on(); ++step) {
+      const auto& [next, until] = beside(here);
+      if (next.empty()) return {{here, 1.0}};
+      weights[here] += 1 / until.back();
+      const double at = until.back() * static_cast<double>(random() >> 11) * 0x1.0p-53;
+      here = next[static_cast<std::size_t>(std::upper_bound(until.begin(), until.end() - 1, at) - until.begin())];
+    }
+    double total = 0;
+    for (const auto& [chosen, weight] : weights) total += weight;
+    for (auto& [chosen, weight] : weights) weight /= total;
+    return weights;
+  }
+
+ private:
+  struct Beside {
+    std::vector<Chosen> choices;
+    std::vector<double> until;  // sums of the square roots
+  };
+
+  double worth(const Chosen& chosen) { return near_.ln_factor(chosen) - cost_of(chosen); }
+
+  double cost_of(const Chosen& open) const {
+    Chosen chosen;
+    std::merge(open.begin(), open.end(), units_.fixed.begin(), units_.fixed.end(), std::back_inserter(chosen));
+    return all_.cost_of(chosen);
+  }
+
+  void add_beside(const Chosen& chosen, const Chosen& coming, double here, Beside& beside) const {
+    if (coming.empty()) return;
+    const std::vector<double> factors = near_.ln_factors_beside(chosen, coming);
+    for (std::size_t i = 0; i < coming.size(); ++i) {
+      Chosen next = with_unit(chosen, coming[i]);
+      add(std::move(next), factors[i], here, beside);
+    }
+  }
+
+  void add(Chosen next, double factor, double here, Beside& beside) const {
+    const double root = std::exp(0.5 * (factor - cost_of(next) - here));
+    beside.until.push_back(root + (beside.until.empty() ? 0 : beside.until.back()));
+    beside.choices.push_back(std::move(next));
+  }
+
+  Chosen that_can_come(const Chosen& of, const Chosen& chosen) const {
+    Chosen coming;
+    std::copy_if(of.begin(), of.end(), std::back_inserter(coming),
+                 [&](std::size_t u) { return all_.can_come(u, chosen) && all_.can_come(u, units_.fixed); });
+    return coming;
+  }
+
+  const Beside& beside(const Chosen& chosen) {
+    const auto [found, is_new] = known_.try_emplace(chosen);
+    Beside& b = found->second;
+    if (!is_new) return b;
+    const double here = worth(chosen);
+    add_beside(chosen, that_can_come(units_.open, chosen), here, b);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const Chosen fewer = without_unit(chosen, i);
+      add(fewer, near_.ln_factor(fewer), here, b);
+      if (const auto instead = units_.instead.find(chosen[i]); instead != units_.instead.end())
+        add_beside(fewer, that_can_come(instead->second, fewer), here, b);
+    }
+    return b;
+  }
+
+  const Explanations& all_;
+  const OpenUnits& units_;
+  Neighbours near_;
+  std::map<Chosen, Beside> known_;
+};
+
+}  // namespace
+
+Weights likely_choices(const Explanations& all, const OpenUnits& units, const OpenScore& score,
+                       const std::function<bool()>& goes_on) {
+  return Walk(all, units, score).weights(goes_on);
+}
+
+}  // namespace handsight
