@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -162,23 +163,45 @@ class Movements {
   std::map<Eigen::Index, Eigen::Index> own_, fixed_;  // places among the open and the fixed numbers
 };
 
-/// Does the effect, which is at 0, move the hand or the body on it in any of some observations? What moves cameras
-/// alone says nothing of where the hand is.
-bool moves_the_hand(const EffectTerm& zero, const Problem& problem) {
+/// Two points of the hand, TCP frame.
+const std::array<Vector3, 2> points_of_hand{Vector3(0, 0, 0), Vector3(0.1, 0.1, 0.1)};
+
+/// Where some terms put the hand's points (m): in the root's frame and in the sensor's link.
+std::array<Vector3, 4> places_of_hand(const Circumstances& c, const std::vector<EffectTerm>& terms) {
+  const Sites sites = moved_sites(c, terms);
+  const ObservedEnds at = observed_ends(c, sites);
+  const Rigid body_motion = small_motion<double>(sites.body), mount_from_root = inverse(at.ends.root_from_mount);
+  std::array<Vector3, 4> places;
+  for (std::size_t i = 0; i < 2; ++i) {
+    places[i] = at.ends.root_from_tcp * (body_motion * points_of_hand[i]);
+    places[i + 2] = mount_from_root * places[i];
+  }
+  return places;
+}
+
+/// Does a term, which is at 0, move the hand against the sensor beside the terms of a fit, over some observations? What
+/// moves cameras alone says nothing of where the hand is, and what moves hand and sensor alike nobody can measure.
+bool moves_the_hand(const EffectTerm& zero, const Fit& fit) {
   constexpr std::size_t looked_at = 8;
-  EffectTerm moved = zero;
+  constexpr double alike = 0.5;  // of what it moves in the root's frame
+  std::vector<EffectTerm> before = terms_of(fit), after = before;
+  before.push_back(zero);
+  after.push_back(zero);
   const Effect& effect = effect_of(zero);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-    if (!effect.parameters[p].is_choice) moved.values[p] = effect.parameters[p].sigma;
-  const std::size_t count = problem.observations.size(), stride = std::max<std::size_t>(1, count / looked_at);
+    if (!effect.parameters[p].is_choice) after.back().values[p] = effect.parameters[p].sigma;
+  const std::size_t count = fit.problem.observations.size(), stride = std::max<std::size_t>(1, count / looked_at);
+  double in_root = 0, against_sensor = 0;  // m^2
   for (std::size_t i = 0; i < count; i += stride) {
-    const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(problem.observations[i].index)];
-    const Sites before = moved_sites(c, {zero}), after = moved_sites(c, {moved});
-    const Rigid hand_before = observed_ends(c, before).ends.root_from_tcp;
-    const Rigid hand_after = observed_ends(c, after).ends.root_from_tcp;
-    if (matrix_from_rigid(hand_before) != matrix_from_rigid(hand_after) || before.body != after.body) return true;
+    const auto index = static_cast<std::size_t>(fit.problem.observations[i].index);
+    const Circumstances& c = fit.problem.source->circumstances[index];
+    const std::array<Vector3, 4> from = places_of_hand(c, before), to = places_of_hand(c, after);
+    for (std::size_t k = 0; k < 2; ++k) {
+      in_root += (to[k] - from[k]).squaredNorm();
+      against_sensor += (to[k + 2] - from[k + 2]).squaredNorm();
+    }
   }
-  return false;
+  return in_root > 0 && against_sensor >= alike * alike * in_root;
 }
 
 /// The probability of each unit.
@@ -270,7 +293,7 @@ Certainty certainty(const Diagnosis& model, std::size_t first, const std::functi
   for (const std::size_t u : units.open) {
     const ExplanationUnit& unit = all.units()[u];
     if (unit.is_present) of_model.push_back(u);
-    if (unit.is_present || probability[u] < least_of_others || !moves_the_hand(unit.term, fit.problem)) continue;
+    if (unit.is_present || probability[u] < least_of_others || !moves_the_hand(unit.term, fit)) continue;
     others.push_back(u);
     c.doubt.others.push_back(unit.term);
   }
