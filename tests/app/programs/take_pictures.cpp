@@ -174,6 +174,10 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   desk.window.grab().save(folder_of_pictures + "/explain_adding" + suffix + ".png");
   ASSERT_TRUE(explain.is_settled());
   photo.take_now("explain_added");
+  ASSERT_TRUE(desk.wait([&] { return !desk.document().model()->prediction.doubt.others.empty(); }, 30000));
+  desk.click(explain.cards()->why_not_button());
+  photo.take_now("explain_how_sure");
+  desk.press_button("table_back");
   desk.press_button("tab_versions");
   photo.take_now("explain_versions");
   desk.press_button("tab_fit");
