@@ -258,7 +258,8 @@ std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Ei
     const Eigen::VectorXd gradient = s.llt.matrixL().solve(scale * own.gradient);
     const Eigen::MatrixXd by_own = s.llt.matrixL().solve(scale * scale * shared);
     const double ln_volume = ln_determinant(s.llt);
-    each_part(static_cast<int>(groups.size()), true, [&](int g) {
+    const bool is_worth_it = static_cast<Eigen::Index>(groups.size()) * own.gradient.size() > 20000;
+    each_part(static_cast<int>(groups.size()), is_worth_it, [&](int g) {
       const auto [first, count] = groups[static_cast<std::size_t>(g)];
       const auto columns = by_own.middleCols(first, count);
       Eigen::MatrixXd rest = scale * scale * all.information.block(first, first, count, count);
