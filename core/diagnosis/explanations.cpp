@@ -5,6 +5,7 @@
 
 #include "base/combinations.h"
 #include "diagnosis/curves.h"
+#include "diagnosis/exchange.h"
 #include "diagnosis/refitting.h"
 #include "diagnosis/slips.h"
 
