@@ -124,7 +124,6 @@ class Movements {
   Eigen::MatrixXd by_open(const Chosen& others) const {
     const Problem& p = fit_.problem;
     const std::vector<Eigen::Index> first = first_numbers(p.terms, 6);
-    std::vector<Eigen::MatrixXd> of_others;
     Eigen::Index rows = first.back();
     for (const std::size_t u : others) rows += static_cast<Eigen::Index>(all_.units()[u].term.values.size());
     Eigen::MatrixXd by = Eigen::MatrixXd::Zero(rows, base_.cols());
