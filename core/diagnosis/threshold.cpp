@@ -12,7 +12,7 @@ namespace {
 
 constexpr int draws = 400;
 constexpr double false_alarms = 0.005;
-constexpr double least = 4;
+constexpr double least_threshold = 4;
 constexpr auto& scales = plausible_scales;
 
 /// One choice of places: under noise alone its score has independent normal components with these variances.
@@ -84,7 +84,7 @@ double simulated_threshold(const LinearModel& model, const Candidates& candidate
   for (std::size_t i = tail; i < largest.size(); ++i)
     excess += (largest[i] - largest[tail]) / static_cast<double>(largest.size() - tail);
   const double quantile = largest[tail] + excess * std::log(0.1 / false_alarms);
-  return std::max(quantile, least) + (scatter.is_any() ? more_with_scatter : 0);
+  return std::max(quantile, least_threshold) + (scatter.is_any() ? more_with_scatter : 0);
 }
 
 }  // namespace handsight

@@ -13,10 +13,13 @@ constexpr double kUsualReach = 24;   // px, where most have all their neighbours
 constexpr double kLeastSpacing = 3;  // px
 constexpr double kParallel = 0.3;    // sine, between edges of neighbours
 constexpr double kAlike = 2;         // times another's contrast
-constexpr double kNextButTwo = 2;    // times the spacing, at least
-constexpr double kStraight = 0.95;   // cosine, between a step and the edge along which it is
-constexpr double kMostUnequal = 6;   // times the other side of a cell, as steep views show it
-constexpr double kAside = 0.25;      // of the spacing, from the straight line along an edge
+// A shadow's edge between two changes contrast and grey level by the same: so many times, and how alike what is left.
+constexpr double kMostShadow = 5, kAlikeInShadow = 1.3;
+constexpr double kLeastShadow = 1.15;  // times: what changes less may be uneven light
+constexpr double kNextButTwo = 2;      // times the spacing, at least
+constexpr double kStraight = 0.95;     // cosine, between a step and the edge along which it is
+constexpr double kMostUnequal = 6;     // times the other side of a cell, as steep views show it
+constexpr double kAside = 0.25;        // of the spacing, from the straight line along an edge
 // Next cells that reach into a small one's disc turn its edges: so far aside a neighbour may lie all the same, where
 // the corners of other rows are farther.
 constexpr double kMostAside = 0.5, kAsideOfSmall = 3;  // of the spacing; px
@@ -35,7 +38,10 @@ Lattice::Node Lattice::node_of(const Suspect& s) {
 
 bool Lattice::are_of_one_board(const Node& a, const Node& b) {
   const double one = std::abs(a.half_contrast), other = std::abs(b.half_contrast);
-  return one < kAlike * other && other < kAlike * one && edges_go_on(a, b);
+  const auto within = [](double p, double q, double times) { return p < times * q && q < times * p; };
+  const bool alike = within(one, other, kAlike) ||
+                     (within(one, other, kMostShadow) && within(one * b.level, other * a.level, kAlikeInShadow));
+  return alike && edges_go_on(a, b);
 }
 
 bool Lattice::edges_go_on(const Node& a, const Node& b) {
@@ -51,12 +57,25 @@ bool Lattice::edges_go_on(const Node& a, const Node& b) {
 Lattice::Lattice(int width, int height)
     : across_(width / kCell + 1), down_(height / kCell + 1), first_(static_cast<std::size_t>(across_) * down_, -1) {}
 
+int& Lattice::first_near(const Eigen::Vector2d& position) {
+  const int u = std::clamp(static_cast<int>(position.x()) / kCell, 0, across_ - 1);
+  const int v = std::clamp(static_cast<int>(position.y()) / kCell, 0, down_ - 1);
+  return first_[static_cast<std::size_t>(v * across_ + u)];
+}
+
 void Lattice::add(const Suspect& suspect) {
-  const int u = std::clamp(static_cast<int>(suspect.position.x()) / kCell, 0, across_ - 1);
-  const int v = std::clamp(static_cast<int>(suspect.position.y()) / kCell, 0, down_ - 1);
-  int& first = first_[static_cast<std::size_t>(v * across_ + u)];
+  int& first = first_near(suspect.position);
   next_.push_back(first), first = size();
   nodes_.push_back(node_of(suspect));
+}
+
+void Lattice::replace(int number, const Suspect& suspect) {
+  int* link = &first_near(nodes_[number].position);
+  while (*link != number) link = &next_[*link];
+  *link = next_[number];
+  int& first = first_near(suspect.position);
+  next_[number] = first, first = number;
+  nodes_[number] = node_of(suspect);
 }
 
 template <class Act>
@@ -76,6 +95,29 @@ bool Lattice::has_near(const Eigen::Vector2d& position, double distance) const {
   each_near(position, distance,
             [&](int n) { has |= (nodes_[n].position - position).squaredNorm() < distance * distance; });
   return has;
+}
+
+int Lattice::nearest(const Eigen::Vector2d& position, double distance) const {
+  int nearest = -1;
+  double least = distance * distance;
+  each_near(position, distance, [&](int n) {
+    const double far = (nodes_[n].position - position).squaredNorm();
+    if (far < least) least = far, nearest = n;
+  });
+  return nearest;
+}
+
+bool Lattice::light_changes_at(const Foretold& foretold) const {
+  const Node& witness = nodes_[foretold.witness];
+  const Eigen::Vector2d step = foretold.position - witness.position, beyond = foretold.position + step;
+  const double reach = kAside * step.norm(), here = std::abs(witness.half_contrast);
+  bool changes = false;
+  each_near(beyond, reach, [&](int n) {
+    const double there = std::abs(nodes_[n].half_contrast);
+    const bool differs = there > kLeastShadow * here || here > kLeastShadow * there;
+    changes |= differs && (nodes_[n].position - beyond).squaredNorm() < reach * reach;
+  });
+  return changes;
 }
 
 CornerModel Lattice::expected(const Foretold& foretold) const {

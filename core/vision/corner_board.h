@@ -26,6 +26,8 @@ class Lattice {
   Lattice(int width, int height);
   /// Corners have numbers in the order in which they come.
   void add(const Suspect& suspect);
+  /// What lies elsewhere after all.
+  void replace(int number, const Suspect& suspect);
   int size() const { return static_cast<int>(nodes_.size()); }
   const Eigen::Vector2d& position(int number) const { return nodes_[number].position; }
 
@@ -35,6 +37,8 @@ class Lattice {
   /// What the neighbours of this corner foretell of those that it lacks: on the other side of one, or, where both are
   /// lacking, as far away as a neighbour's neighbour beside.
   std::vector<Foretold> foretold_by(int number) const;
+  /// Whether the corner beyond a foretold one stands in another light than its witness: a shadow's edge lies between.
+  bool light_changes_at(const Foretold& foretold) const;
   /// What a foretold corner looks like, if it is what its witness is.
   CornerModel expected(const Foretold& foretold) const;
   /// Whether a suspect may be a neighbour of this corner, wherever it is.
@@ -43,6 +47,8 @@ class Lattice {
   bool may_suit(int number, const Suspect& seen) const;
   /// Whether a corner is within `distance` px.
   bool has_near(const Eigen::Vector2d& position, double distance) const;
+  /// The nearest of these; -1 where there is none.
+  int nearest(const Eigen::Vector2d& position, double distance) const;
 
  private:
   struct Node {
@@ -52,6 +58,7 @@ class Lattice {
     double level, half_contrast, blur;
   };
   static Node node_of(const Suspect& suspect);
+  int& first_near(const Eigen::Vector2d& position);  // of the cell's corners
   static bool are_of_one_board(const Node& a, const Node& b);
   static bool edges_go_on(const Node& a, const Node& b);
   // px, to the neighbour at this place, by a neighbour across that has one there.

@@ -130,6 +130,17 @@ HANDSIGHT_INLINE float total(const Lanes& sum) {
   return (four[0] + four[2]) + (four[1] + four[3]);
 }
 
+// Whether any lane of either is below `bound`. Comparisons are not looked at themselves: of wide lanes they are slow.
+HANDSIGHT_INLINE void add_halves(const Lanes& lanes, Lanes& to) { to = lanes; }
+HANDSIGHT_INLINE void add_halves(const WideLanes& lanes, Lanes& to) { fold(Sum<WideLanes>{{lanes}}, to); }
+template <class Vector>
+HANDSIGHT_INLINE bool any_below(const Vector& a, const Vector& b, float bound) {
+  const Vector least = a < b ? a : b, zero{};
+  Lanes below;
+  add_halves(least < bound ? bound - least : zero, below);
+  return total(below) > 0;
+}
+
 // Four totals at once, each the same as alone.
 HANDSIGHT_INLINE void totals(const Lanes* sums, float* to) {
   Four a, b, c, d;

@@ -7,20 +7,15 @@
 #include <utility>
 
 #include "base/threads.h"
+#include "vision/corner_foretold.h"
 #include "vision/corner_pyramid.h"
-#include "vision/corner_structure.h"
+#include "vision/corner_shadow_rounds.h"
 
 namespace handsight {
 namespace {
 
-constexpr double kSame = 2;       // px: nearer ones are the same
-constexpr double kBlurred = 1.5;  // px, of a corner that may have neighbours too blurred for this image
 // More saddles near that are none than are corners: few enough to look again, and to look elsewhere too.
 constexpr double kFew = 4, kFewToCentre = 1;
-
-constexpr double kShadowReach = 64;   // px, to a corner that tells where a shadow's edge runs
-constexpr double kNearShadow = 12;    // px, from a corner that may be lost beside it
-constexpr double kThroughCorner = 4;  // px, of a shadow's edge that spoils a fit in even light most
 
 // Log-odds that a corner without a neighbour on a board must have, where it is found in a coarser image only: what is
 // out of focus behind makes many that look like it.
@@ -152,113 +147,8 @@ void take_likely(FirstLooks& looks, SaddleField& field, Level& level) {
     if (finds.suspects[i].log_odds > kLeastLogOdds) {
       level.found.push_back(finds.all[i]);
       level.found.back().suspect.log_odds = finds.suspects[i].log_odds;
-      if (has_shadow(finds.all[i].fit.model)) level.shaded.push_back(finds.all[i].fit.model);
+      add_if_seen(finds.all[i].fit, level.shadows);
     }
-}
-
-double reach_of(const Foretold& foretold) { return std::clamp(0.25 * foretold.spacing, 1.5, 6.0); }
-
-// Beyond a board's rim mostly nothing looks like a corner: there the small look, which knows what to look for, must do.
-bool may_be_there(const Sight& sight, const SaddleField& field, const Foretold& foretold) {
-  if (field.has_near(foretold.position, reach_of(foretold))) return true;
-  const Eigen::Vector2i pixel = (foretold.position.array() + 0.5).floor().cast<int>();
-  const auto inside = [](int at, int size) { return at >= 3 && at + 3 < size; };
-  return inside(pixel.x(), sight.image.width) && inside(pixel.y(), sight.image.height) &&
-         may_be_cross(sight.image, pixel, sight.options.min_contrast, sight.noise);
-}
-
-// What a foretold corner looks like beside the shadow's edge that a corner near was seen beside, if any runs there.
-std::optional<CornerModel> expected_in_shadow(const Lattice& lattice, const Foretold& foretold, const Level& level) {
-  CornerModel expected = lattice.expected(foretold);
-  const CornerModel* nearest = nullptr;
-  double least = kShadowReach;
-  for (const CornerModel& shaded : level.shaded) {
-    const double far = (shaded.position - expected.position).norm();
-    const ShadowEdge seen = seen_from(shaded.shadow, expected.position - shaded.position);
-    if (far < least && std::abs(seen.distance) < kNearShadow) least = far, nearest = &shaded;
-  }
-  if (!nearest) return std::nullopt;
-  const double light = light_at(nearest->shadow, lattice.position(foretold.witness) - nearest->position);
-  expected.level /= light, expected.half_contrast /= light;
-  expected.shadow = seen_from(nearest->shadow, expected.position - nearest->position);
-  return expected;
-}
-
-// What stands where it was foretold, if it is a corner of the same board.
-bool take_if_there(Lattice& lattice, const SaddleField& field, const Foretold& foretold, Level& level) {
-  const auto suits = [&](const CrossStructure& cross, const Eigen::Vector2d& position) {
-    Suspect seen;
-    seen.position = position, seen.edges = cross.edges, seen.half_contrast = cross.half_contrast;
-    return lattice.may_suit(foretold.witness, seen);
-  };
-  const auto is_right = [&](const std::optional<Found>& found) {
-    return found && lattice.suits(foretold.witness, found->suspect);
-  };
-  std::optional<Found> found;
-  if (may_be_there(level.sight, field, foretold))
-    found = foretold_look(level.sight, foretold.position, reach_of(foretold), suits);
-  if (!is_right(found)) found = small_look(level.sight, lattice.expected(foretold));
-  if (!is_right(found) && !level.shaded.empty()) {
-    const auto expected = expected_in_shadow(lattice, foretold, level);
-    found = expected ? shaded_look(level.sight, *expected) : std::nullopt;
-  }
-  if (!is_right(found)) return false;
-  if (lattice.has_near(found->suspect.position, kSame)) return true;
-  lattice.add(found->suspect), level.found.push_back(*found);
-  if (has_shadow(found->fit.model)) level.shaded.push_back(found->fit.model);
-  return true;
-}
-
-// What a sharp corner foretells is sharp too: where no saddle is near it is in no coarser image.
-void leave(const Foretold& foretold, const SaddleField& field, Level& level) {
-  if (foretold.blur > kBlurred || field.has_near(foretold.position, reach_of(foretold)))
-    level.missing.push_back(foretold);
-}
-
-// Takes what the corners from number `first` on foretell, until nothing more comes. What is new may be the neighbour
-// that others lacked to foretell on its other side.
-void take_foretold(Lattice& lattice, const SaddleField& field, int first, Level& level) {
-  const auto take_all_of = [&](int number) {
-    for (const Foretold& foretold : lattice.foretold_by(number)) {
-      if (lattice.has_near(foretold.position, reach_of(foretold))) continue;
-      if (!take_if_there(lattice, field, foretold, level)) leave(foretold, field, level);
-    }
-  };
-  const int known = lattice.size();
-  for (int number = first; number < lattice.size(); ++number) {
-    take_all_of(number);
-    if (number < known) continue;
-    for (const int neighbour : lattice.neighbours(number))
-      if (neighbour >= first && neighbour < number) take_all_of(neighbour);
-  }
-}
-
-// A corner between two neighbours, as one of them foretells it.
-std::optional<Foretold> foretold_between(const Lattice& lattice, int number, double blur) {
-  const std::array<int, 4> near = lattice.neighbours(number);
-  for (const int place : {0, 2}) {
-    if (near[place] < 0 || near[place + 1] < 0) continue;
-    const Eigen::Vector2d &one = lattice.position(near[place]), &other = lattice.position(near[place + 1]);
-    return Foretold{0.5 * (one + other), 0.5 * (one - other).norm(), near[place], blur};
-  }
-  return std::nullopt;
-}
-
-// Corners that were taken in even light although a shadow's edge runs through them: with it they lie elsewhere. Numbers
-// of the lattice begin at `first` with those of this level.
-void look_again_in_shadow(const Lattice& lattice, int first, Level& level) {
-  if (level.shaded.empty()) return;
-  for (std::size_t i = 0; i < level.found.size(); ++i) {
-    Found& found = level.found[i];
-    if (has_shadow(found.fit.model)) continue;
-    const auto foretold = foretold_between(lattice, first + static_cast<int>(i), found.fit.model.blur);
-    const auto expected = foretold ? expected_in_shadow(lattice, *foretold, level) : std::nullopt;
-    if (!expected || std::abs(expected->shadow.distance) > kThroughCorner) continue;
-    const auto again = shaded_look(level.sight, *expected);
-    if (!again || again->fit.noise > found.fit.noise || !lattice.suits(foretold->witness, again->suspect)) continue;
-    const double log_odds = found.suspect.log_odds;
-    found = *again, found.suspect.log_odds = log_odds;
-  }
 }
 
 // A corner that has no neighbour on a board, as a marker's, must be the likelier one by itself. Numbers of the lattice
@@ -313,7 +203,8 @@ void find_corners(Level& level, Image& half) {
   Lattice lattice(sight.image.width, sight.image.height);
   for (const Found& found : level.found) lattice.add(found.suspect);
   take_foretold(lattice, field, 0, level);
-  look_again_in_shadow(lattice, 0, level);
+  settle_shadows(lattice, field, 0, level);
+  keep_for_coarser(lattice, field, level.missing);
 }
 
 void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known, const std::vector<Foretold>& missing,
@@ -334,9 +225,10 @@ void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known,
   for (const Foretold& foretold : missing)
     if (field.has_near(foretold.position, reach_of(foretold)) &&
         !lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, field, foretold, level))
-      leave(foretold, field, level);
+      level.missing.push_back(foretold);
   take_foretold(lattice, field, first, level);
-  look_again_in_shadow(lattice, first, level);
+  settle_shadows(lattice, field, first, level);
+  keep_for_coarser(lattice, field, level.missing);
   mark_alone(lattice, first, level);
 }
 

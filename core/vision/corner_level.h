@@ -7,6 +7,7 @@
 #include "vision/corner_board.h"
 #include "vision/corner_candidates.h"
 #include "vision/corner_look.h"
+#include "vision/corner_shadow_lines.h"
 
 namespace handsight {
 
@@ -15,8 +16,8 @@ struct Level {
   Sight sight;
   std::vector<Candidate> candidates;
   std::vector<Found> found;
-  std::vector<Foretold> missing;    // what boards foretold in vain
-  std::vector<CornerModel> shaded;  // those found beside a shadow's edge
+  std::vector<Foretold> missing;  // what boards foretold in vain
+  ShadowLines shadows;
 };
 
 /// All corners of the whole image; `half`: becomes the image at half the resolution.

@@ -23,8 +23,6 @@ constexpr double kUsualShade = 0.0035,
                  kDoubtfulShade = 0.0015;     // 1/px: light's own; what beyond it doubles the variance
 constexpr double kDoubtfulAsymmetry = 0.022;  // half contrasts, of opposite points; doubles the variance
 constexpr double kOddsOfShadow = 2;           // log-odds: with four unknowns more much looks like a corner
-constexpr double kNearShadow = 4;      // px: a shadow's edge nearer than that is hard to tell from the corner's own
-constexpr double kShadowVariance = 2;  // what straight soft edges leave unsaid of real ones
 
 double in_half_turn(double angle) {
   const double turned = std::fmod(angle, M_PI);
@@ -69,6 +67,12 @@ bool has_possible_levels(const CornerFit& fit) {
   return black > -kMostBeyond * contrast && white < 255 + kMostBeyond * contrast;
 }
 
+// Grey levels, in the light at the corner.
+double contrast_of(const CornerModel& model) {
+  const double light = has_shadow(model) ? light_at(model.shadow, Eigen::Vector2d::Zero()) : 1;
+  return 2 * std::abs(model.half_contrast) * light;
+}
+
 // px, sigma of the largest window, as wide as asked for at most, that does not leave the image.
 constexpr int kLeastWindow = 3;  // px
 double sigma_with_room(const Sight& sight, const Eigen::Vector2d& position) {
@@ -79,7 +83,7 @@ double sigma_with_room(const Sight& sight, const Eigen::Vector2d& position) {
 
 // What the fit says is kept where the point of best symmetry, in the light that the fit found, agrees.
 std::optional<Found> checked(const Sight& sight, const CornerFit& fit, double sigma) {
-  if (2 * std::abs(fit.model.half_contrast) < sight.options.min_contrast) return std::nullopt;
+  if (contrast_of(fit.model) < sight.options.min_contrast) return std::nullopt;
   if (fit.covariance.trace() > 2 * kMostSigma * kMostSigma || !has_possible_levels(fit)) return std::nullopt;
   Found found;
   const double own = corner_log_odds(signs_of(fit, sight.noise)) - (has_shadow(fit.model) ? kOddsOfShadow : 0);
@@ -99,7 +103,7 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit, double si
   found.doubt = doubt_of(fit.model, found.asymmetry, sight.noise * sight.noise);
   corner.covariance = fit.covariance * found.doubt;
   corner.strength = symmetric->strength;
-  corner.contrast = 2 * std::abs(fit.model.half_contrast);
+  corner.contrast = contrast_of(fit.model);
   corner.edges = {in_half_turn(fit.model.edges[0]), in_half_turn(fit.model.edges[1])};
   return found;
 }
@@ -154,9 +158,8 @@ CrossStructure structure_of(const CornerModel& model) {
 double doubt_of(const CornerModel& model, double asymmetry, double variance) {
   const double unit = kDoubtfulAsymmetry * model.half_contrast,
                relative = std::max(asymmetry - variance, 0.0) / (unit * unit);
-  if (!has_shadow(model)) return 1 + relative + std::max(model.shade.norm() - kUsualShade, 0.0) / kDoubtfulShade;
-  const double near = std::max(kNearShadow - model.shadow.distance, 0.0);
-  return kShadowVariance * (1 + relative + near * near);
+  const double uneven = has_shadow(model) ? 0 : std::max(model.shade.norm() - kUsualShade, 0.0) / kDoubtfulShade;
+  return 1 + relative + uneven;
 }
 
 Look quick_look(const Sight& sight, const Candidate& candidate) {
@@ -214,7 +217,8 @@ std::optional<Found> small_look(const Sight& sight, const CornerModel& expected)
 }
 
 std::optional<Found> shaded_look(const Sight& sight, const CornerModel& expected) {
-  const auto fit = fit_in_known_shadow(sight.image, expected, sight.noise);
+  const auto fit =
+      (has_shadow(expected) ? fit_in_known_shadow : fit_in_unknown_shadow)(sight.image, expected, sight.noise);
   return fit && is_same(fit->model, expected) ? checked(sight, *fit) : std::nullopt;
 }
 

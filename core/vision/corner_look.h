@@ -71,7 +71,7 @@ std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& st
 /// image.
 std::optional<Found> small_look(const Sight& sight, const CornerModel& expected);
 
-/// Where a corner and a shadow's edge beside it are expected.
+/// Where a corner and a shadow's edge beside it are expected; without one the edge is looked for.
 std::optional<Found> shaded_look(const Sight& sight, const CornerModel& expected);
 
 /// A fit from numbers that are known well, as from a coarser image; nothing where what comes out is another corner.

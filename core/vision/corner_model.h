@@ -4,7 +4,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "vision/corner_structure.h"
@@ -37,6 +39,14 @@ struct CornerModel {
 };
 
 inline bool has_shadow(const CornerModel& model) { return model.shadow.depth != 0; }
+
+/// Grey levels, where more light falls.
+inline double half_contrast_in_light(const CornerModel& model) {
+  return std::abs(model.half_contrast) * std::max(1.0, 1 - model.shadow.depth);
+}
+
+/// The same image, told from where the corner lies: on this side of the shadow's edge.
+CornerModel told_from_corner(const CornerModel& model);
 
 /// The shadow's factor at x (px from the corner), 1 at the corner where the shadow's edge is far enough.
 double light_at(const ShadowEdge& shadow, const Eigen::Vector2d& from_corner);
@@ -83,5 +93,9 @@ std::optional<CornerFit> fit_beside_shadow(const Image& image, const Eigen::Vect
 /// The same from what a board and other corners beside the same shadow tell of both: however near its edge is. Nothing
 /// where the fit leads far from that.
 std::optional<CornerFit> fit_in_known_shadow(const Image& image, const CornerModel& expected, double image_noise);
+
+/// The same where only the board tells of the corner and the shadow's edge is looked for in what `expected`, which has
+/// none, leaves within 9 px.
+std::optional<CornerFit> fit_in_unknown_shadow(const Image& image, const CornerModel& expected, double image_noise);
 
 }  // namespace handsight

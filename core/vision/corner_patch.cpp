@@ -21,7 +21,7 @@ constexpr int kWhite = 249, kBlack = 2;
 // outermost pixels. Those have no weight in a fit with a rim half a pixel inside, wherever in its pixel the corner is,
 // and 77 pixels fit five groups where 81 do not.
 struct Disc {
-  std::vector<std::array<std::int8_t, 2>> offsets;
+  std::vector<std::array<int, 2>> offsets;
   std::array<int, kMostPatchRadius + 3> count{};
   CornerPatch::Row u, v;  // the offsets again; 1000 px where there are no more
   std::array<int, kMostPatchPixels> u_whole{}, v_whole{};
@@ -33,8 +33,7 @@ const Disc& disc() {
     constexpr int most = kMostPatchRadius + 2;
     for (int v = -most; v <= most; ++v)
       for (int u = -most; u <= most; ++u)
-        if (u * u + v * v <= most * most)
-          d.offsets.push_back({static_cast<std::int8_t>(u), static_cast<std::int8_t>(v)});
+        if (u * u + v * v <= most * most) d.offsets.push_back({u, v});
     const auto square = [](const auto& o) { return o[0] * o[0] + o[1] * o[1]; };
     const auto on_axis = [](const auto& o) { return o[0] == 0 || o[1] == 0; };
     const auto rank = [&](const auto& o) { return 2 * square(o) + on_axis(o); };
@@ -45,8 +44,8 @@ const Disc& disc() {
           std::count_if(d.offsets.begin(), d.offsets.end(), [&](const auto& o) { return rank(o) < 2 * r * r + 1; }));
     d.u.fill(1e3f), d.v.fill(1e3f);
     for (std::size_t n = 0; n < d.offsets.size(); ++n) {
-      d.u_whole[n] = static_cast<int>(d.offsets[n][0]), d.v_whole[n] = static_cast<int>(d.offsets[n][1]);
-      d.u[n] = d.offsets[n][0], d.v[n] = d.offsets[n][1];
+      d.u_whole[n] = d.offsets[n][0], d.v_whole[n] = d.offsets[n][1];
+      d.u[n] = static_cast<float>(d.offsets[n][0]), d.v[n] = static_cast<float>(d.offsets[n][1]);
     }
     return d;
   }();
@@ -196,14 +195,24 @@ HANDSIGHT_INLINE void evaluate_with(const EdgeShape& shape, const Constants& c, 
 // The numbers of a shadow's edge as the loop needs them.
 struct ShadowConstants {
   const Disc& disc;
-  float nu, nv, pu, pv, distance, half_depth, scale, slope, per_softness;
-  ShadowConstants(const ShadowEdge& shadow, const Eigen::Vector2d& corner) : disc(handsight::disc()) {
+  float nu, nv, pu, pv, distance, half_depth, scale, slope, per_softness, per_depth, per_half, per_blur;
+  SmoothEdge shape;
+  std::array<float, 2> sine, cosine;  // of the edges' directions
+  std::array<ShadowCrossing, 2> crossings;
+  bool shares;
+  ShadowConstants(const CornerModel& model, const Eigen::Vector2d& corner, Sharing sharing)
+      : disc(handsight::disc()), shape(model.blur), shares(sharing == Sharing::all) {
+    if (shares) crossings = crossings_of(model);
+    const ShadowEdge& shadow = model.shadow;
     const auto set = [](float& to, double value) { to = static_cast<float>(value); };
     set(nu, std::cos(shadow.direction)), set(nv, std::sin(shadow.direction));
     set(pu, corner.x()), set(pv, corner.y());
     set(distance, shadow.distance), set(half_depth, 0.5 * shadow.depth);
-    set(scale, M_SQRT1_2 / shadow.softness), set(per_softness, 1 / shadow.softness);
+    set(scale, M_SQRT1_2 / shadow.softness), set(per_softness, -1 / shadow.softness);
     set(slope, 0.5 * M_2_SQRTPI * M_SQRT1_2 * shadow.depth / shadow.softness);
+    set(per_depth, 1 / shadow.depth), set(per_half, 1 / model.half_contrast), set(per_blur, -1 / model.blur);
+    for (int i = 0; i < 2; ++i)
+      sine[i] = std::sin(static_cast<float>(model.edges[i])), cosine[i] = std::cos(static_cast<float>(model.edges[i]));
   }
 };
 
@@ -211,6 +220,10 @@ struct ShadowConstants {
 template <class Vector>
 HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, CornerPatch& patch) {
   const float *const all_u = c.disc.u.data(), *const all_v = c.disc.v.data();
+  const auto scale_and_add = [&](CornerPatch::Row& row, int n, const Vector& light, const Vector& more) {
+    Vector value;
+    load(&row[n], value), store(light * value + more, &row[n]);
+  };
   for (int n = begin; n < end; n += kLanesOf<Vector>) {
     Vector u, v, weight, value, residual, erf, bell;
     load(all_u + n, u), load(all_v + n, v);
@@ -219,13 +232,36 @@ HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, C
     erf_and_bell(c.scale * beyond, erf, bell);
     const Vector light = 1.f - c.half_depth * (1.f + erf), lit = weight * value - residual,
                  steep = c.slope * lit * bell;
-    store(weight * value - light * lit, &patch.residual[n]);
-    store(steep * (c.nv * x - c.nu * y), &patch.shadow[0][n]);
-    store(steep, &patch.shadow[1][n]);
-    store(-0.5f * (1.f + erf) * lit, &patch.shadow[2][n]);
-    store(steep * beyond * c.per_softness, &patch.shadow[3][n]);
-    for (CornerPatch::Row& row : patch.odd) load(&row[n], value), store(light * value, &row[n]);
-    for (CornerPatch::Row& row : patch.even) load(&row[n], value), store(light * value, &row[n]);
+    // What either edge of the corner shares with the shadow's, times the other edge.
+    const Vector d1 = c.cosine[0] * y - c.sine[0] * x, d2 = c.cosine[1] * y - c.sine[1] * x;
+    Vector both{}, by_first{}, by_second{}, by_beyond{}, q1{}, q2{};
+    if (c.shares) c.crossings[0].exponent(d1, beyond, q1), c.crossings[1].exponent(d2, beyond, q2);
+    if (c.shares && any_below<Vector>(q1, q2, ShadowCrossing::kNothing)) {
+      Edge<Vector> one, other;
+      Vector share1, share2, by1, by2, by_shadow1, by_shadow2;
+      c.shape(d1, d2, one, other);
+      c.crossings[0].share(d1, beyond, q1, share1, by1, by_shadow1);
+      c.crossings[1].share(d2, beyond, q2, share2, by2, by_shadow2);
+      both = weight * (share1 * other.value + share2 * one.value);
+      by_first = weight * (by1 * other.value + share2 * one.slope);
+      by_second = weight * (by2 * one.value + share1 * other.slope);
+      by_beyond = weight * (by_shadow1 * other.value + by_shadow2 * one.value);
+    }
+    store(weight * value - light * lit - both, &patch.residual[n]);
+    const Vector along = steep - by_beyond;  // by the distance
+    store(along * (c.nv * x - c.nu * y), &patch.shadow[0][n]);
+    store(along, &patch.shadow[1][n]);
+    store(c.per_depth * both - 0.5f * (1.f + erf) * lit, &patch.shadow[2][n]);
+    store(along * beyond * -c.per_softness, &patch.shadow[3][n]);
+    const Vector none{};
+    scale_and_add(patch.odd[0], n, light, c.sine[0] * by_first + c.sine[1] * by_second);
+    scale_and_add(patch.odd[1], n, light, -c.cosine[0] * by_first - c.cosine[1] * by_second);
+    scale_and_add(patch.odd[2], n, light, none), scale_and_add(patch.odd[3], n, light, none);
+    scale_and_add(patch.even[0], n, light, -(c.cosine[0] * x + c.sine[0] * y) * by_first);
+    scale_and_add(patch.even[1], n, light, -(c.cosine[1] * x + c.sine[1] * y) * by_second);
+    scale_and_add(patch.even[2], n, light, c.per_blur * (d1 * by_first + d2 * by_second));
+    scale_and_add(patch.even[3], n, light, none);
+    scale_and_add(patch.even[4], n, light, c.per_half * both);
   }
 }
 
@@ -294,62 +330,6 @@ HANDSIGHT_WIDE void shade_in_wide(const ShadowConstants& c, int begin, int end, 
   shade_with<WideLanes>(c, begin, end, patch);
 }
 
-// Products of the last row with all and with the residual: few enough sums to stay in registers.
-template <class Vector, int Rows>
-HANDSIGHT_INLINE void row_products(const CornerPatch::Row* rows, const CornerPatch::Row& residual, int count,
-                                   Lanes* triangle, Lanes* side) {
-  constexpr int kParts = Sum<Vector>::kParts, kStep = kLanesOf<Vector>;
-  Sum<Vector> sum[Rows], sides;
-  for (int n = 0; n < count; n += kWideLanes) {
-#pragma GCC unroll 2
-    for (int p = 0; p < kParts; ++p) {
-      Vector last, a;
-      load(&rows[Rows - 1][n + p * kStep], last);
-#pragma GCC unroll 8
-      for (int i = 0; i < Rows; ++i) load(&rows[i][n + p * kStep], a), sum[i].part[p] += last * a;
-      load(&residual[n + p * kStep], a);
-      sides.part[p] += last * a;
-    }
-  }
-#pragma GCC unroll 8
-  for (int i = 0; i < Rows; ++i) fold(sum[i], triangle[Rows * (Rows - 1) / 2 + i]);
-  fold(sides, side[Rows - 1]);
-}
-
-// All of the triangle, row by row, then those with the residual.
-template <class Vector, int Rows>
-HANDSIGHT_INLINE void all_row_products(const CornerPatch::Row* rows, const CornerPatch::Row& residual, int count,
-                                       Lanes* sums) {
-  constexpr int kTriangle = Rows * (Rows + 1) / 2;
-  row_products<Vector, 1>(rows, residual, count, sums, sums + kTriangle);
-  row_products<Vector, 2>(rows, residual, count, sums, sums + kTriangle);
-  row_products<Vector, 3>(rows, residual, count, sums, sums + kTriangle);
-  row_products<Vector, 4>(rows, residual, count, sums, sums + kTriangle);
-  if constexpr (Rows == 5) row_products<Vector, 5>(rows, residual, count, sums, sums + kTriangle);
-}
-
-constexpr int kOddSums = 10 + 4, kEvenSums = 15 + 5 + 1, kSums = 24;
-
-template <class Vector>
-HANDSIGHT_INLINE void add_up_odd(const CornerPatch& patch, float* results) {
-  Lanes sums[kSums]{};
-  all_row_products<Vector, 4>(patch.odd.data(), patch.residual, patch.padded, sums);
-  for (int i = 0; i < kOddSums; i += 4) totals(sums + i, results + i);
-}
-
-template <class Vector>
-HANDSIGHT_INLINE void add_up_even(const CornerPatch& patch, float* results) {
-  Lanes sums[kSums]{};
-  all_row_products<Vector, 5>(patch.even.data(), patch.residual, patch.padded, sums);
-  row_products<Vector, 1>(&patch.residual, patch.residual, patch.padded, sums + kEvenSums - 1, sums + kEvenSums);
-  for (int i = 0; i < kEvenSums; i += 4) totals(sums + i, results + i);
-}
-
-HANDSIGHT_LANES void odd_in_lanes(const CornerPatch& patch, float* results) { add_up_odd<Lanes>(patch, results); }
-HANDSIGHT_WIDE void odd_in_wide(const CornerPatch& patch, float* results) { add_up_odd<WideLanes>(patch, results); }
-HANDSIGHT_LANES void even_in_lanes(const CornerPatch& patch, float* results) { add_up_even<Lanes>(patch, results); }
-HANDSIGHT_WIDE void even_in_wide(const CornerPatch& patch, float* results) { add_up_even<WideLanes>(patch, results); }
-
 }  // namespace
 
 int pixels_in_disc(int radius) { return disc().count[radius]; }
@@ -377,7 +357,7 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   for (int n = patch.count; n < patch.padded; ++n) patch.value[n] = 0;
 }
 
-void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch) {
+void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch, Sharing sharing) {
   end = in_groups(end);
   const Constants constants(model, patch.centre, radius);
   if (model.blur < kSharp)
@@ -385,7 +365,7 @@ void evaluate(const CornerModel& model, double radius, int begin, int end, Corne
   else
     (has_wide_lanes() ? smooth_in_wide : smooth_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
   if (has_shadow(model)) {
-    const ShadowConstants shadow(model.shadow, model.position - patch.centre.cast<double>());
+    const ShadowConstants shadow(model, model.position - patch.centre.cast<double>(), sharing);
     (has_wide_lanes() ? shade_in_wide : shade_in_lanes)(shadow, begin, end, patch);
   }
   if (patch.is_clipped) leave_out_clipped(has_shadow(model), begin, end, patch);
@@ -396,37 +376,6 @@ void evaluate_residuals(const CornerModel& model, double radius, int begin, int 
   end = in_groups(end);
   const Constants constants(model, patch.centre, radius);
   (has_wide_lanes() ? residuals_in_wide : residuals_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
-}
-
-PatchSums sums(const CornerPatch& patch) {
-  PatchSums result;
-  std::array<float, kSums> odd, even;
-  (has_wide_lanes() ? odd_in_wide : odd_in_lanes)(patch, odd.data());
-  (has_wide_lanes() ? even_in_wide : even_in_lanes)(patch, even.data());
-  std::copy_n(odd.begin(), 10, result.odd.begin()), std::copy_n(odd.begin() + 10, 4, result.odd_side.begin());
-  std::copy_n(even.begin(), 15, result.even.begin()), std::copy_n(even.begin() + 15, 5, result.even_side.begin());
-  result.squares = even[20];
-  result.weights = result.even[9];  // level with level
-  return result;
-}
-
-HANDSIGHT_LANES float squared_weights(const CornerPatch& patch) {
-  constexpr Lanes kNumber{0, 1, 2, 3, 4, 5, 6, 7};
-  Lanes sum{}, weight, zero{};
-  for (int n = 0; n < patch.padded; n += kLanes) {
-    load(&patch.weight[n], weight);
-    weight = kNumber < static_cast<float>(patch.count - n) ? weight : zero;
-    sum += weight * weight;
-  }
-  return total(sum);
-}
-
-std::array<float, 10> odd_sums(const CornerPatch& patch) {
-  std::array<float, kSums> sums;
-  (has_wide_lanes() ? odd_in_wide : odd_in_lanes)(patch, sums.data());
-  std::array<float, 10> odd;
-  std::copy_n(sums.begin(), 10, odd.begin());
-  return odd;
 }
 
 }  // namespace handsight

@@ -58,8 +58,11 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
 
 /// Residuals and derivatives of the pixels from number `begin` (a multiple of 16) on, up to `end`. The weight is 1 in
 /// the disc of `radius` px and falls to 0 at radius + 1/2: a hard rim would jump as the position moves. A shadow's edge
-/// stays where it is as the position moves.
-void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch);
+/// stays where it is as the position moves. What it shares with the corner's own edges may be left out: a third of the
+/// time, for a first look.
+enum class Sharing { all, of_corner };
+void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch,
+              Sharing sharing = Sharing::all);
 
 /// The residuals and the derivatives by the half contrast alone; others may be overwritten or not.
 void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch);

@@ -11,11 +11,19 @@
 
 namespace handsight {
 
+constexpr double kPenumbra = 0.6;                        // px, of a usual shadow's edge before the lens
+constexpr double kMostDepth = 0.9, kMostLitBeyond = -4;  // of shadows
+
 /// The straight line that best splits the pixels of the patch into two of different light, by what `evaluate` left of a
 /// model without a shadow; pixels at the model's own edges count little. Nothing where the two lights tell less than
 /// a third of what the one leaves, or no more than noise of sigma `noise` grey levels would; nor where a model that was
 /// only guessed leaves more than a corner beside a shadow does.
 std::optional<ShadowEdge> likely_shadow(const CornerPatch& patch, const CornerModel& model, Guess guess, double noise);
+
+/// Where corner and shadow's edge lie tells of which four patterns the pixels of a disc are made: the light on this
+/// side, the cells, and both beyond. Grey levels and the shadow's depth follow from their shares, whatever `expected`
+/// says of them, which is returned as it is where the shares are of no shadow.
+CornerModel lit_as_seen(const Image& image, const CornerModel& expected, double radius, CornerPatch& patch);
 
 struct ShadowFit {
   CornerModel model;
@@ -26,6 +34,7 @@ struct ShadowFit {
 struct Patience {
   int steps = 5;
   double most_at_first = 1, most_on_the_way = 1;
+  Sharing sharing = Sharing::all;
 };
 
 /// Levenberg-Marquardt over all thirteen numbers of `start`, on the disc of `radius` px. Nothing where the disc leaves

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "base/error.h"
+#include "vision/corner_crossing.h"
 #include "vision/corner_lanes.h"
 
 namespace handsight {
@@ -77,20 +78,32 @@ HANDSIGHT_INLINE bool sample(const Image& image, const Eigen::Vector2d& centre, 
 template <int kStride>
 HANDSIGHT_INLINE void bring_to_light(const CornerModel& lit, const Eigen::Vector2d& centre, Window<kStride>& window) {
   const ShadowEdge& shadow = lit.shadow;
-  const Eigen::Vector2d normal(std::cos(shadow.direction), std::sin(shadow.direction));
-  const double scale = M_SQRT1_2 / shadow.softness;
-  const auto across = static_cast<float>(scale * normal.x()), down = static_cast<float>(scale * normal.y());
-  const auto middle = static_cast<float>(scale * (normal.dot(centre - lit.position) - shadow.distance));
+  const Eigen::Vector2d off = centre - lit.position, normal(std::cos(shadow.direction), std::sin(shadow.direction));
+  const auto across = static_cast<float>(normal.x()), down = static_cast<float>(normal.y());
+  const auto middle = static_cast<float>(normal.dot(off) - shadow.distance);
   const auto half_depth = static_cast<float>(0.5 * shadow.depth);
+  const auto scale = static_cast<float>(M_SQRT1_2 / shadow.softness), sharp = static_cast<float>(M_SQRT1_2 / lit.blur);
+  const std::array<ShadowCrossing, 2> crossings = crossings_of(lit);
+  std::array<float, 2> sine, cosine, from_edge;
+  for (int i = 0; i < 2; ++i) {
+    sine[i] = static_cast<float>(std::sin(lit.edges[i])), cosine[i] = static_cast<float>(std::cos(lit.edges[i]));
+    from_edge[i] = static_cast<float>(std::cos(lit.edges[i]) * off.y() - std::sin(lit.edges[i]) * off.x());
+  }
   constexpr Lanes kNumber{0, 1, 2, 3, 4, 5, 6, 7};
   for (int y = 0; y < window.side(); ++y)
     for (int x = 0; x < window.stride(); x += kLanes) {
-      Lanes erf, bell, value;
-      const Lanes column = kNumber + static_cast<float>(x - window.rim());
-      erf_and_bell(middle + across * column + down * static_cast<float>(y - window.rim()), erf, bell);
+      Lanes erf, bell, value, first, second, bell1, bell2;
+      const Lanes u = kNumber + static_cast<float>(x - window.rim());
+      const auto v = static_cast<float>(y - window.rim());
+      const Lanes beyond = middle + across * u + down * v;
+      erf_and_bell(scale * beyond, erf, bell);
+      const Lanes d = from_edge[0] + cosine[0] * v - sine[0] * u, e = from_edge[1] + cosine[1] * v - sine[1] * u;
+      erfs_and_bells<Lanes>(sharp * d, sharp * e, first, bell1, second, bell2);
+      crossings[0].share(d, beyond, bell1), crossings[1].share(e, beyond, bell2);
       const Lanes light = 1.f - half_depth * (1.f + erf);
       load(window.value.row(y) + x, value);
-      store(light, window.light.row(y) + x), store(value / light, window.value.row(y) + x);
+      store(light, window.light.row(y) + x);
+      store((value - bell1 * second - bell2 * first) / light, window.value.row(y) + x);
     }
 }
 

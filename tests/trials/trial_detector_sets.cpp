@@ -117,7 +117,8 @@ void sets(unsigned seed) {
   set("JPEG 60-95", 20, {.quality = {60, 95}});
   set("Bayer, bilinear", 20, {.mosaic = Mosaic::bilinear});
   set("Bayer, edge aware", 20, {.mosaic = Mosaic::edge_aware});
-  set("Bayer, frontal, little noise", 20,
+  // What a colour filter hides is common to a board: one picture is one draw.
+  set("Bayer, frontal, little noise", 80,
       {.tilt = {0, 0.1}, .blur = {0.3, 0.7}, .noise = {0.2, 0.5}, .mosaic = Mosaic::bilinear});
   set("Bayer, gamma, JPEG, sharpening", 20,
       {.gamma = {1.8, 2.4}, .sharpening = {0.3, 1}, .quality = {75, 97}, .mosaic = Mosaic::edge_aware});
@@ -128,6 +129,10 @@ void sets(unsigned seed) {
   set("white clipped", 20, {.contrast = {80, 200}, .exposure = {1.3, 2.2}});
   const Conditions shadow{.shade = {0.25, 0.7}};
   for (const Shadows& near : kShadows) set(near.name, 40, shadow, near.filter);
+  // Shadows of far and of round things.
+  const Filter any = [](const TrueCorner& c) { return is_shaded(c, -1, 12); };
+  set("soft shadow, 2-10 px, to 12 px off", 40, {.shade = {0.25, 0.7}, .penumbra = {2, 10}}, any);
+  set("bent shadow, 1/60-1/400 px", 40, {.shade = {0.25, 0.7}, .shade_bend = {0.0025, 0.0167}}, any);
   set("sharp, blur 0.2-0.4", 20, {.blur = {0.2, 0.4}});
   set("blur 2-3.5", 20, {.cell = {16, 34}, .blur = {2, 3.5}});
   set("blur 3.5-8", 12, {.width = 640, .height = 480, .cell = {34, 60}, .tilt = {0, 0.7}, .blur = {3.5, 8}});

@@ -93,5 +93,37 @@ TEST(CornerBoard, KnowsWhatIsNear) {
   EXPECT_FALSE(lattice.has_near({-50, 1e4}, 2));
 }
 
+// A shadow changes contrast and grey level by the same; another board does not.
+TEST(CornerBoard, AShadowBetweenNeighboursDividesNoBoard) {
+  Lattice lattice(320, 240);
+  Suspect lit = of_board(0, 0), dark = of_board(1, 0), other = of_board(-1, 0);
+  lit.level = 120, dark.level = 36, dark.half_contrast *= 0.3, other.level = 120, other.half_contrast *= 0.3;
+  lattice.add(lit), lattice.add(dark), lattice.add(other);
+  EXPECT_EQ(lattice.neighbours(0), (std::array<int, 4>{1, -1, -1, -1}));
+}
+
+TEST(CornerBoard, TellsWhereTheLightChangesFromOneCornerToTheNextButOne) {
+  Lattice lattice(320, 240);
+  Suspect beyond = of_board(2, 0);
+  beyond.half_contrast *= 0.5;
+  lattice.add(of_board(0, 0)), lattice.add(of_board(-1, 0)), lattice.add(beyond), lattice.add(of_board(0, 2));
+  EXPECT_TRUE(lattice.light_changes_at({of_board(1, 0).position, 20, 0, 1}));
+  EXPECT_FALSE(lattice.light_changes_at({of_board(0, 1).position, 20, 0, 1}));
+  EXPECT_FALSE(lattice.light_changes_at({of_board(0, -1).position, 20, 0, 1})) << "nothing is known there";
+}
+
+TEST(CornerBoard, WhatLiesElsewhereAfterAllIsFoundThere) {
+  Lattice lattice(320, 240);
+  for (int i = 0; i < 4; ++i) lattice.add(of_board(i, 0));
+  Suspect moved = of_board(1, 0);
+  const Eigen::Vector2d before = moved.position;
+  moved.position += Eigen::Vector2d(70, 40);  // in another cell of the lattice
+  lattice.replace(1, moved);
+  EXPECT_FALSE(lattice.has_near(before, 3));
+  EXPECT_EQ(lattice.nearest(moved.position, 3), 1);
+  for (const int i : {0, 2, 3}) EXPECT_EQ(lattice.nearest(of_board(i, 0).position, 3), i);
+  EXPECT_EQ(lattice.nearest({20, 200}, 5), -1);
+}
+
 }  // namespace
 }  // namespace handsight

@@ -32,6 +32,8 @@ struct Conditions {
   Range glare{0, 0};        // grey levels, of a soft spot of added light
   Range exposure{1, 1};     // more than 1 clips white
   Range shade{1, 1};        // light beyond a shadow's edge through the board
+  Range penumbra{2, 2};     // px, of that edge
+  Range shade_bend{0, 0};   // 1/px, of that edge
   Range quality{100, 100};  // of the JPEG; 100: none
   Mosaic mosaic = Mosaic::none;
   Ground ground = Ground::plain;
@@ -49,7 +51,7 @@ struct TrueCorner {
   Eigen::Vector2d in_cells{0, 0};  // on the board
 };
 
-/// A shadow's edge: light falls by `depth` of itself beyond a line, softly over 2 px.
+/// A shadow's straight edge: light falls by `depth` of itself beyond a line, softly.
 struct ShadowLine {
   double direction = 0, distance = 1e9, depth = 0;  // rad and px, from the corner
 };
@@ -249,6 +251,8 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
   light.gradient = within(conditions.gradient) * Eigen::Vector2d(std::cos(turn), std::sin(turn));
   light.shade = within(conditions.shade), light.shade_angle = within({0, 2 * M_PI});
   light.shade_distance = within({-.2, .2}) * height;
+  const auto drawn = [&](const Range& r) { return r[0] < r[1] ? within(r) : r[0]; };  // what all have is not drawn
+  light.penumbra = drawn(conditions.penumbra), light.shade_bend = drawn(conditions.shade_bend);
   const int fine = width * height > 1e6 ? 2 : 4;
   const cv::Mat ground = ground_of(conditions.ground, width, height, random);
   cv::Mat image = camera_detail::fine_image(taken, ground, fine);
@@ -331,8 +335,10 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
       corner.visible = corner.contrast / (exposure * lit * picture.contrast);
       if (light.shade != 1) {
         const Eigen::Vector2d off = corner.position - taken.view.corner;
-        corner.shadow_distance = std::abs(light.shade_distance - off.x() * std::cos(light.shade_angle) -
-                                          off.y() * std::sin(light.shade_angle));
+        const Eigen::Vector2d normal(std::cos(light.shade_angle), std::sin(light.shade_angle));
+        const double aside = normal.x() * off.y() - normal.y() * off.x();
+        corner.shadow_distance =
+            std::abs(light.shade_distance + 0.5 * light.shade_bend * aside * aside - normal.dot(off));
       }
       picture.corners.push_back(corner);
     }

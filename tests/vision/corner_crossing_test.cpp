@@ -61,5 +61,25 @@ TEST(Crossing, TurnsAsTheAngleBetweenTheEdgesDoes) {
       }
 }
 
+// The mean of sgn(d1) sgn(d2) over points that the lens moves, in the light of a shadow with a softness of its own:
+// what product and shares make of it where the three edges do not all meet.
+TEST(ShadowCrossing, IsWhatTheEdgesOfAShadowAndOfACornerShare) {
+  constexpr double kBlur = 1.2, kOwn = 0.6;
+  const double softness = std::hypot(kBlur, kOwn);
+  for (const double between : {0.0, 0.4, 0.9, 1.3})  // of the normals
+    for (double d = -3; d <= 3; d += 0.5)
+      for (double e = -3; e <= 3; e += 0.5) {
+        const double r = std::cos(between) * kBlur / softness;
+        const ShadowCrossing k(std::cos(between), kBlur, softness, 1);
+        Lanes shared;
+        k.share<Lanes>(Lanes{} + static_cast<float>(d), Lanes{} + static_cast<float>(e), shared);
+        const double product = std::erf(M_SQRT1_2 * d / kBlur) * std::erf(M_SQRT1_2 * e / softness);
+        // With the blur as the unit of either distance.
+        const double exact = blurred_together(d / kBlur, e / softness, r, 1);
+        EXPECT_NEAR(product + shared[0], exact, 0.06 * std::pow(std::abs(r), 3) + 3e-3)
+            << between << " rad, " << d << " and " << e;
+      }
+}
+
 }  // namespace
 }  // namespace handsight

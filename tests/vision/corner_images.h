@@ -88,13 +88,17 @@ struct Light {
   Eigen::Vector2d gradient{0, 0};                // 1/px, relative to the corner
   double shade = 1;                              // factor beyond the shadow's edge
   double shade_angle = 0, shade_distance = 0;    // rad, px: the shadow's edge as seen from the corner
+  double penumbra = 2;                           // px, over which light fades to shade
+  double shade_bend = 0;                         // 1/px, of the edge
 };
 
-/// The light's factor; the shadow's edge is soft over 2 px as is a real one's.
+/// The light's factor.
 inline double light_at(const Light& light, const Eigen::Vector2d& from_corner) {
-  const double along = light.shade_distance - from_corner.x() * std::cos(light.shade_angle) -
-                       from_corner.y() * std::sin(light.shade_angle);
-  const double shadow = light.shade == 1 ? 1 : light.shade + (1 - light.shade) * std::clamp(0.5 + along / 2, 0.0, 1.0);
+  const Eigen::Vector2d normal(std::cos(light.shade_angle), std::sin(light.shade_angle));
+  const double aside = normal.x() * from_corner.y() - normal.y() * from_corner.x();
+  const double along = light.shade_distance + 0.5 * light.shade_bend * aside * aside - normal.dot(from_corner);
+  const double lit = std::clamp(0.5 + along / light.penumbra, 0.0, 1.0);
+  const double shadow = light.shade == 1 ? 1 : light.shade + (1 - light.shade) * lit;
   return (1 + light.gradient.dot(from_corner)) * shadow;
 }
 

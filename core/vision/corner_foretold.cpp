@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/corner_foretold.h"
+
+#include <cmath>
+
+#include "vision/corner_structure.h"
+
+namespace handsight {
+namespace {
+
+constexpr double kSame = 2;       // px: nearer ones are the same
+constexpr double kBlurred = 1.5;  // px, of a corner that may have neighbours too blurred for this image
+
+// Beyond a board's rim mostly nothing looks like a corner: there the small look, which knows what to look for, must do.
+bool may_be_there(const Sight& sight, const SaddleField& field, const Foretold& foretold) {
+  if (field.has_near(foretold.position, reach_of(foretold))) return true;
+  const Eigen::Vector2i pixel = (foretold.position.array() + 0.5).floor().cast<int>();
+  const auto inside = [](int at, int size) { return at >= 3 && at + 3 < size; };
+  return inside(pixel.x(), sight.image.width) && inside(pixel.y(), sight.image.height) &&
+         may_be_cross(sight.image, pixel, sight.options.min_contrast, sight.noise);
+}
+
+// What a foretold corner looks like beside a shadow's edge.
+CornerModel beside_shadow(const Lattice& lattice, const Foretold& foretold, const ShadowEdge& edge) {
+  CornerModel expected = lattice.expected(foretold);
+  const double light = light_at(edge, lattice.position(foretold.witness) - expected.position);
+  expected.level /= light, expected.half_contrast /= light;
+  expected.shadow = edge;
+  return expected;
+}
+
+}  // namespace
+
+void add_if_seen(const CornerFit& fit, ShadowLines& lines) {
+  if (has_shadow(fit.model) && fit.model.shadow.distance < fit.radius) lines.add(fit.model);
+}
+
+std::optional<Found> look_in_shadow(const Lattice& lattice, const Foretold& foretold, const Level& level, int since) {
+  for (const ShadowEdge& edge : level.shadows.near(foretold.position, kNearShadow, since)) {
+    auto found = shaded_look(level.sight, beside_shadow(lattice, foretold, edge));
+    if (found && lattice.suits(foretold.witness, found->suspect)) return found;
+  }
+  if (since > 0 || !lattice.light_changes_at(foretold)) return std::nullopt;
+  auto found = shaded_look(level.sight, lattice.expected(foretold));
+  return found && lattice.suits(foretold.witness, found->suspect) ? found : std::nullopt;
+}
+
+bool take(const Found& found, Lattice& lattice, Level& level) {
+  if (lattice.has_near(found.suspect.position, kSame)) return false;
+  lattice.add(found.suspect), level.found.push_back(found);
+  add_if_seen(found.fit, level.shadows);
+  return true;
+}
+
+bool take_if_there(Lattice& lattice, const SaddleField& field, const Foretold& foretold, Level& level) {
+  const auto suits = [&](const CrossStructure& cross, const Eigen::Vector2d& position) {
+    Suspect seen;
+    seen.position = position, seen.edges = cross.edges, seen.half_contrast = cross.half_contrast;
+    return lattice.may_suit(foretold.witness, seen);
+  };
+  const auto is_right = [&](const std::optional<Found>& found) {
+    return found && lattice.suits(foretold.witness, found->suspect);
+  };
+  std::optional<Found> found;
+  if (may_be_there(level.sight, field, foretold))
+    found = foretold_look(level.sight, foretold.position, reach_of(foretold), suits);
+  if (!is_right(found)) found = small_look(level.sight, lattice.expected(foretold));
+  if (!is_right(found)) found = look_in_shadow(lattice, foretold, level);
+  if (!is_right(found)) return false;
+  take(*found, lattice, level);
+  return true;
+}
+
+void take_foretold(Lattice& lattice, const SaddleField& field, int first, Level& level) {
+  const auto take_all_of = [&](int number) {
+    for (const Foretold& foretold : lattice.foretold_by(number)) {
+      if (lattice.has_near(foretold.position, reach_of(foretold)) || !take_if_there(lattice, field, foretold, level))
+        level.missing.push_back(foretold);
+    }
+  };
+  const int known = lattice.size();
+  for (int number = first; number < lattice.size(); ++number) {
+    take_all_of(number);
+    if (number < known) continue;
+    for (const int neighbour : lattice.neighbours(number))
+      if (neighbour >= first && neighbour < number) take_all_of(neighbour);
+  }
+}
+
+void keep_for_coarser(const Lattice& lattice, const SaddleField& field, std::vector<Foretold>& missing) {
+  std::erase_if(missing, [&](const Foretold& foretold) {
+    const double reach = reach_of(foretold);
+    return lattice.has_near(foretold.position, reach) ||
+           !(foretold.blur > kBlurred || field.has_near(foretold.position, reach));
+  });
+}
+
+}  // namespace handsight

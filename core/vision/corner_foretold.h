@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Corners that boards foretell, looked for where they should be: in even light, and beside shadows' edges.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "vision/corner_level.h"
+
+namespace handsight {
+
+constexpr double kNearShadow = 12;  // px, from a corner that may be lost beside it
+
+/// px, within which a foretold corner must lie.
+inline double reach_of(const Foretold& foretold) { return std::clamp(0.25 * foretold.spacing, 1.5, 6.0); }
+
+/// The shadow's edge beside a corner, if it runs through the disc that was fitted.
+void add_if_seen(const CornerFit& fit, ShadowLines& lines);
+
+/// A foretold corner, if it is there, beside one of the shadows' edges that may run near, of which some corner told
+/// after the first `since`; with 0 beside any that makes the corners on both sides unlike, too.
+std::optional<Found> look_in_shadow(const Lattice& lattice, const Foretold& foretold, const Level& level,
+                                    int since = 0);
+
+/// Whether it is a new one.
+bool take(const Found& found, Lattice& lattice, Level& level);
+
+/// What stands where it was foretold, if it is a corner of the same board.
+bool take_if_there(Lattice& lattice, const SaddleField& field, const Foretold& foretold, Level& level);
+
+/// Takes what the corners from number `first` on foretell, until nothing more comes. What is new may be the neighbour
+/// that others lacked to foretell on its other side. What is not there, or where another lies, is missing.
+void take_foretold(Lattice& lattice, const SaddleField& field, int first, Level& level);
+
+/// What a sharp corner foretells is sharp too: where no saddle is near it is in no coarser image.
+void keep_for_coarser(const Lattice& lattice, const SaddleField& field, std::vector<Foretold>& missing);
+
+}  // namespace handsight
