@@ -36,8 +36,8 @@ void add_if_seen(const CornerFit& fit, ShadowLines& lines) {
 }
 
 std::optional<Found> look_in_shadow(const Lattice& lattice, const Foretold& foretold, const Level& level, int since) {
-  for (const ShadowEdge& edge : level.shadows.near(foretold.position, kNearShadow, since)) {
-    auto found = shaded_look(level.sight, beside_shadow(lattice, foretold, edge));
+  for (const NearShadow& near : level.shadows.near(foretold.position, kNearShadow, since)) {
+    auto found = shaded_look(level.sight, beside_shadow(lattice, foretold, near.edge));
     if (found && lattice.suits(foretold.witness, found->suspect)) return found;
   }
   if (since > 0 || !lattice.light_changes_at(foretold)) return std::nullopt;

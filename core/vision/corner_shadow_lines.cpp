@@ -63,7 +63,7 @@ ShadowEdge ShadowLines::edge_at(const Eigen::Vector2d& position, const Seen& one
   return edge;
 }
 
-std::vector<ShadowEdge> ShadowLines::near(const Eigen::Vector2d& position, double farthest, int since) const {
+std::vector<NearShadow> ShadowLines::near(const Eigen::Vector2d& position, double farthest, int since) const {
   const Seen *shared = nullptr, *nearest = nullptr;
   double to_shared = kReachOfSeveral * kReachOfSeveral, to_nearest = kReach * kReach;
   bool is_new = false;
@@ -74,12 +74,12 @@ std::vector<ShadowEdge> ShadowLines::near(const Eigen::Vector2d& position, doubl
     if (far < to_nearest) to_nearest = far, nearest = &seen;
     if (seen.agree > 0 && far < to_shared) to_shared = far, shared = &seen;
   }
-  std::vector<ShadowEdge> edges;
+  std::vector<NearShadow> edges;
   if (!is_new) return edges;
   const auto add = [&](const Seen* one) {
     if (!one) return;
     const ShadowEdge edge = edge_at(position, *one);
-    if (std::abs(edge.distance) < farthest) edges.push_back(edge);
+    if (std::abs(edge.distance) < farthest) edges.push_back({edge, one->agree > 0});
   };
   add(shared);
   if (nearest != shared && !(shared && nearest && agree(*shared, *nearest))) add(nearest);

@@ -9,6 +9,12 @@
 
 namespace handsight {
 
+/// A shadow's edge that should run near a place.
+struct NearShadow {
+  ShadowEdge edge;          // as seen from there
+  bool is_certain = false;  // several corners agree on it
+};
+
 class ShadowLines {
  public:
   /// A corner that was fitted beside a shadow's edge.
@@ -18,7 +24,7 @@ class ShadowLines {
   /// The edges that may run near `position` (px), as seen from there, the likelier first: that on which several corners
   /// nearest to it agree, then that which the nearest saw, if it is another. Those more than `farthest` px away are
   /// left out, and all where none of those that were added after the first `since` is near enough to tell anything.
-  std::vector<ShadowEdge> near(const Eigen::Vector2d& position, double farthest, int since = 0) const;
+  std::vector<NearShadow> near(const Eigen::Vector2d& position, double farthest, int since = 0) const;
 
  private:
   struct Seen {

@@ -56,10 +56,11 @@ enum class Doubt { none, near, far };
 Doubt doubt_about(const Level& level, const Found& found) {
   const double allowed = kMuchLeft * found.fit.model.half_contrast, noise = level.sight.noise;
   const bool leaves_much = found.fit.noise * found.fit.noise > kNoisier * noise * noise + allowed * allowed;
-  const auto edges = level.shadows.near(found.fit.model.position, kNearShadow);
-  if (edges.empty() || is_beside(found.fit.model, edges.front())) return Doubt::none;
+  const auto shadows = level.shadows.near(found.fit.model.position, kNearShadow);
+  if (shadows.empty() || is_beside(found.fit.model, shadows.front().edge)) return Doubt::none;
   if (leaves_much || found.corner.covariance.trace() > 2 * kUnsure * kUnsure) return Doubt::far;
-  return std::abs(edges.front().distance) < found.fit.radius ? Doubt::near : Doubt::none;
+  const bool runs_through = std::abs(shadows.front().edge.distance) < found.fit.radius;
+  return shadows.front().is_certain && runs_through ? Doubt::near : Doubt::none;
 }
 
 // Puts what was fitted beside a shadow in the place of the corner with this number, if it leaves less or is the surer.

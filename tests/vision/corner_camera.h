@@ -335,10 +335,10 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
       corner.visible = corner.contrast / (exposure * lit * picture.contrast);
       if (light.shade != 1) {
         const Eigen::Vector2d off = corner.position - taken.view.corner;
-        const Eigen::Vector2d normal(std::cos(light.shade_angle), std::sin(light.shade_angle));
-        const double aside = normal.x() * off.y() - normal.y() * off.x();
+        const Eigen::Vector2d to_shadow(std::cos(light.shade_angle), std::sin(light.shade_angle));
+        const double aside = to_shadow.x() * off.y() - to_shadow.y() * off.x();
         corner.shadow_distance =
-            std::abs(light.shade_distance + 0.5 * light.shade_bend * aside * aside - normal.dot(off));
+            std::abs(light.shade_distance + 0.5 * light.shade_bend * aside * aside - to_shadow.dot(off));
       }
       picture.corners.push_back(corner);
     }

@@ -32,8 +32,9 @@ TEST(ShadowLines, OneTellsThoseNearIt) {
   lines.add(beside(30, 3));
   const auto edges = lines.near(kMiddle, 12);
   ASSERT_EQ(edges.size(), 1u);
-  EXPECT_NEAR(edges[0].distance, kDistance, 1e-9);
-  EXPECT_NEAR(edges[0].depth, 0.5, 1e-9);
+  EXPECT_NEAR(edges[0].edge.distance, kDistance, 1e-9);
+  EXPECT_NEAR(edges[0].edge.depth, 0.5, 1e-9);
+  EXPECT_FALSE(edges[0].is_certain);
   EXPECT_TRUE(lines.near(kMiddle, 9).empty()) << "the edge is 10 px away";
   lines = {};
   lines.add(beside(90, 3));
@@ -47,8 +48,8 @@ TEST(ShadowLines, SeveralTellFartherAndBetter) {
     lines.add(beside(along, along == 100 ? -4 : 3, 0.04, 0.2 * std::sin(along)));
   const auto edges = lines.near(kMiddle, 14);
   ASSERT_EQ(edges.size(), 1u);
-  EXPECT_NEAR(distance_at(edges[0]), kDistance, 1.5);  // 3.2 by one alone
-  EXPECT_NEAR(std::remainder(edges[0].direction - kDirection, M_PI), 0, 0.02);
+  EXPECT_NEAR(distance_at(edges[0].edge), kDistance, 1.5);  // 3.2 by one alone
+  EXPECT_NEAR(std::remainder(edges[0].edge.direction - kDirection, M_PI), 0, 0.02);
 }
 
 TEST(ShadowLines, AnotherEdgeThatTheNearestSawComesAfterThatOfSeveral) {
@@ -59,8 +60,10 @@ TEST(ShadowLines, AnotherEdgeThatTheNearestSawComesAfterThatOfSeveral) {
   lines.add(other);
   const auto edges = lines.near(kMiddle, 20);
   ASSERT_EQ(edges.size(), 2u);
-  EXPECT_NEAR(edges[0].distance, kDistance, 1e-6);
-  EXPECT_NEAR(edges[1].direction, kDirection + 1.2, 1e-9);
+  EXPECT_TRUE(edges[0].is_certain);
+  EXPECT_FALSE(edges[1].is_certain);
+  EXPECT_NEAR(edges[0].edge.distance, kDistance, 1e-6);
+  EXPECT_NEAR(edges[1].edge.direction, kDirection + 1.2, 1e-9);
 }
 
 TEST(ShadowLines, WhatWasToldBeforeIsNoNews) {
