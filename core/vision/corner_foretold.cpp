@@ -36,20 +36,21 @@ void add_if_seen(const CornerFit& fit, ShadowLines& lines) {
 }
 
 std::optional<Found> look_in_shadow(const Lattice& lattice, const Foretold& foretold, const Level& level, int since) {
-  for (const NearShadow& near : level.shadows.near(foretold.position, kNearShadow, since)) {
-    auto found = shaded_look(level.sight, beside_shadow(lattice, foretold, near.edge));
-    if (found && lattice.suits(foretold.witness, found->suspect)) return found;
-  }
+  const auto look = [&](const CornerModel& expected) {
+    auto found = shaded_look(level.sight, expected);
+    if (found && !lattice.suits(foretold.witness, found->suspect)) found.reset();
+    return found;
+  };
+  for (const NearShadow& near : level.shadows.near(foretold.position, kNearShadow, since))
+    if (auto found = look(beside_shadow(lattice, foretold, near.edge))) return found;
   if (since > 0 || !lattice.light_changes_at(foretold)) return std::nullopt;
-  auto found = shaded_look(level.sight, lattice.expected(foretold));
-  return found && lattice.suits(foretold.witness, found->suspect) ? found : std::nullopt;
+  return look(lattice.expected(foretold));
 }
 
-bool take(const Found& found, Lattice& lattice, Level& level) {
-  if (lattice.has_near(found.suspect.position, kSame)) return false;
+void take(const Found& found, Lattice& lattice, Level& level) {
+  if (lattice.has_near(found.suspect.position, kSame)) return;
   lattice.add(found.suspect), level.found.push_back(found);
   add_if_seen(found.fit, level.shadows);
-  return true;
 }
 
 bool take_if_there(Lattice& lattice, const SaddleField& field, const Foretold& foretold, Level& level) {

@@ -23,8 +23,8 @@ void add_if_seen(const CornerFit& fit, ShadowLines& lines);
 std::optional<Found> look_in_shadow(const Lattice& lattice, const Foretold& foretold, const Level& level,
                                     int since = 0);
 
-/// Whether it is a new one.
-bool take(const Found& found, Lattice& lattice, Level& level);
+/// Nothing changes where it is there already.
+void take(const Found& found, Lattice& lattice, Level& level);
 
 /// What stands where it was foretold, if it is a corner of the same board.
 bool take_if_there(Lattice& lattice, const SaddleField& field, const Foretold& foretold, Level& level);

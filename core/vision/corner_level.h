@@ -17,7 +17,7 @@ struct Level {
   std::vector<Candidate> candidates;
   std::vector<Found> found;
   std::vector<Foretold> missing;  // what boards foretold in vain
-  ShadowLines shadows;
+  ShadowLines shadows;            // by those found beside their edges
 };
 
 /// All corners of the whole image; `half`: becomes the image at half the resolution.

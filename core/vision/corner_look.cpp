@@ -23,6 +23,7 @@ constexpr double kUsualShade = 0.0035,
                  kDoubtfulShade = 0.0015;     // 1/px: light's own; what beyond it doubles the variance
 constexpr double kDoubtfulAsymmetry = 0.022;  // half contrasts, of opposite points; doubles the variance
 constexpr double kOddsOfShadow = 2;           // log-odds: with four unknowns more much looks like a corner
+constexpr double kMuchSurer = 0.75;           // times the variance in even light, that a fit with a shadow may have
 
 double in_half_turn(double angle) {
   const double turned = std::fmod(angle, M_PI);
@@ -120,7 +121,7 @@ std::optional<Found> corner_in_light(const Sight& sight, const Eigen::Vector2d& 
   const auto beside = fit_beside_shadow(sight.image, start, cross, fit->model, Guess::fitted, sight.noise);
   const auto shaded = beside ? checked(sight, *beside) : std::nullopt;
   // Where the shadow explains little it only adds unknowns.
-  const bool better = shaded && shaded->corner.covariance.trace() < 1.5 * plain->corner.covariance.trace();
+  const bool better = shaded && shaded->corner.covariance.trace() < kMuchSurer * plain->corner.covariance.trace();
   return better ? shaded : plain;
 }
 

@@ -56,11 +56,13 @@ const float* pixel_rows();
 /// so that one patch serves one image only.
 void gather(const Image& image, const Eigen::Vector2i& centre, int radius, CornerPatch& patch);
 
+/// What a shadow's edge shares with the corner's own may be left out for a first look, in a third of the time.
+enum class Sharing { all, of_corner };
+
 /// Residuals and derivatives of the pixels from number `begin` (a multiple of 16) on, up to `end`. The weight is 1 in
 /// the disc of `radius` px and falls to 0 at radius + 1/2: a hard rim would jump as the position moves. A shadow's edge
-/// stays where it is as the position moves. What it shares with the corner's own edges may be left out: a third of the
-/// time, for a first look.
-enum class Sharing { all, of_corner };
+/// stays where it is as the position moves. How the angles and widths change what edges share beside it is left out of
+/// the derivatives.
 void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch,
               Sharing sharing = Sharing::all);
 
