@@ -57,9 +57,10 @@ function(handsight_join target count)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${HANDSIGHT_UNITY} UNITY_BUILD_BATCH_SIZE ${count})
 endfunction()
 
-# handsight_library(NAME [folders and libraries that it uses ...]): the folder's .cpp files as target handsight_NAME.
+# handsight_library(NAME [folders and libraries that it uses ...]): the .cpp files of the folder and its rooms as target
+# handsight_NAME.
 function(handsight_library name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/*.cpp)
   if(sources)
     add_library(handsight_${name} STATIC ${sources})
     target_include_directories(handsight_${name} PUBLIC ${CMAKE_SOURCE_DIR}/core)

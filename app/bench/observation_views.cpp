@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/chain.h"
+#include "chain/chain.h"
 
 namespace handsight::app {
 namespace {

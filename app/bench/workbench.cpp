@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/workbench.h"
 
-#include "estimation/second_look.h"
+#include "estimation/online/second_look.h"
 #include "words/counted.h"
 
 namespace handsight::app {

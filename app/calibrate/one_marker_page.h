@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "bench/workbench.h"
-#include "estimation/one_marker.h"
+#include "estimation/report/one_marker.h"
 
 class QComboBox;
 class QLabel;

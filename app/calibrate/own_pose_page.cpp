@@ -13,8 +13,8 @@
 #include "base/degrees.h"
 #include "base/numbers.h"
 #include "bench/observation_views.h"
-#include "model/chain.h"
-#include "ways/correction.h"
+#include "chain/chain.h"
+#include "correct/correction.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/workbench.h"
-#include "estimation/prediction.h"
+#include "estimation/report/prediction.h"
 
 class QDoubleSpinBox;
 class QGridLayout;

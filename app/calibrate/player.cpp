@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "model/chain.h"
-#include "session/target_finding.h"
+#include "chain/chain.h"
+#include "detection/target_finding.h"
 #include "words/core_words.h"
 
 namespace handsight::app {

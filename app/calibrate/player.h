@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/workbench.h"
-#include "estimation/online.h"
+#include "estimation/online/online.h"
 
 namespace handsight::app {
 

@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "base/text.h"
-#include "estimation/half_turns.h"
-#include "outputs.h"
+#include "detection/target_finding.h"
+#include "estimation/start/half_turns.h"
+#include "printing/outputs.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
-#include "session/target_finding.h"
 
 namespace handsight::cli {
 

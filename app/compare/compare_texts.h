@@ -6,7 +6,7 @@
 #include <QStringList>
 #include <vector>
 
-#include "ways/comparison.h"
+#include "compare/comparison.h"
 
 namespace handsight::app {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "estimation/half_turns.h"
+#include "detection/target_finding.h"
+#include "estimation/start/half_turns.h"
 #include "findings/recall.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
-#include "session/target_finding.h"
 
 namespace handsight::app {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <QStringList>
 
+#include "compare/comparison.h"
 #include "document/diagnosing.h"
 #include "jobs/jobs.h"
-#include "ways/comparison.h"
 #include "widgets/plots/convergence_plot.h"
 
 namespace handsight::app {

@@ -2,7 +2,7 @@
 // The robot as effects bend it.
 #pragma once
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight::app {
 

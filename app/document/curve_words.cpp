@@ -5,7 +5,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "diagnosis/curves.h"
+#include "diagnosis/ranking/curves.h"
 #include "document/effect_words.h"
 #include "effects/own_effect.h"
 #include "words/core_words.h"

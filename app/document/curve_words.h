@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight::app {
 

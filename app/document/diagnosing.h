@@ -6,9 +6,9 @@
 #include <QObject>
 #include <deque>
 
-#include "diagnosis/improvement.h"
-#include "diagnosis/proof.h"
-#include "diagnosis/residual_views.h"
+#include "diagnosis/proof/proof.h"
+#include "diagnosis/residuals/residual_views.h"
+#include "diagnosis/selection/improvement.h"
 #include "document/document.h"
 #include "jobs/jobs.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "document/robot_reading.h"
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 #include "session/session.h"
 
 namespace handsight::app {

@@ -27,7 +27,8 @@ QString number_title(const std::string& name) {
   // "x_slope", "ry_bow" of a curve: one of several motions.
   const std::size_t mark = name.find('_');
   const std::string motion = name.substr(0, mark);
-  if (mark != std::string::npos && std::find(std::begin(motion_axes), std::end(motion_axes), motion) != std::end(motion_axes))
+  if (mark != std::string::npos &&
+      std::find(std::begin(motion_axes), std::end(motion_axes), motion) != std::end(motion_axes))
     return (motion.size() > 1 ? QObject::tr("%1 about %2") : QObject::tr("%1 along %2"))
         .arg(translated(name.substr(mark + 1)), QString(QChar(motion.back())));
   return translated(name);

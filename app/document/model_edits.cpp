@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/refitting.h"
+#include "diagnosis/ranking/refitting.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "diagnosis/clean_model.h"
-#include "diagnosis/residual_views.h"
-#include "estimation/export.h"
+#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/residuals/residual_views.h"
+#include "estimation/report/export.h"
 #include "words/core_words.h"
 
 namespace handsight::app {

@@ -7,11 +7,11 @@
 #include <memory>
 #include <unordered_map>
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/inspection.h"
+#include "diagnosis/attribution/inspection.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "document/edit.h"
-#include "estimation/fit_report.h"
-#include "estimation/prediction.h"
+#include "estimation/report/fit_report.h"
+#include "estimation/report/prediction.h"
 #include "session/calibration.h"
 
 namespace handsight::app {

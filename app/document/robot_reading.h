@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "diagnosis/robot_check.h"
+#include "diagnosis/verdict/robot_check.h"
 
 namespace handsight::app {
 

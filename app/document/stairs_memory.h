@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/fit_report.h"
+#include "estimation/report/fit_report.h"
 
 namespace handsight::app {
 

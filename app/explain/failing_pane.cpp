@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "bench/link_selection.h"
-#include "diagnosis/common.h"
+#include "diagnosis/attribution/common.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/plots/scatter_plot.h"

@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "bench/workbench.h"
-#include "diagnosis/planning.h"
+#include "diagnosis/planning/planning.h"
 
 class QLabel;
 class QLineEdit;

@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "bench/workbench.h"
-#include "ways/correction.h"
+#include "correct/correction.h"
 
 class QLabel;
 

@@ -19,7 +19,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "diagnosis/fresh_poses.h"
+#include "diagnosis/attribution/fresh_poses.h"
 #include "export/correction_box.h"
 #include "export/report.h"
 #include "export/report_pictures.h"

@@ -2,8 +2,8 @@
 #include "findings/explain_texts.h"
 
 #include "bench/model_effects.h"
-#include "diagnosis/finding.h"
-#include "diagnosis/scatter_levels.h"
+#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/verdict/finding.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "widgets/base/number_text.h"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "bench/workbench.h"
-#include "diagnosis/weighing.h"
+#include "diagnosis/evidence/weighing.h"
 #include "document/refusal.h"
 #include "widgets/explain/candidate_card.h"
 #include "widgets/explain/effect_table.h"

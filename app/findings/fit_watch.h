@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "diagnosis/residual_views.h"
+#include "diagnosis/residuals/residual_views.h"
 #include "widgets/explain/residual_cloud.h"
 
 namespace handsight::app {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/trend.h"
+#include "diagnosis/residuals/trend.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "widgets/base/number_text.h"

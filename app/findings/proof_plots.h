@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/workbench.h"
-#include "diagnosis/proof.h"
+#include "diagnosis/proof/proof.h"
 #include "widgets/explain/pattern_page.h"
 
 namespace handsight::app {

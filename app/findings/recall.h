@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "estimation/online.h"
+#include "estimation/online/online.h"
 #include "widgets/plots/convergence_plot.h"
 
 namespace handsight::app {

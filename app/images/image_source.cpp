@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 #include "words/core_words.h"
 
 namespace handsight::app {

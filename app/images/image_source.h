@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "session/session.h"
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight::app {
 

@@ -2,7 +2,7 @@
 #include "inspect/snap.h"
 
 #include "images/image_source.h"
-#include "vision/corner_detector.h"
+#include "vision/corners/corner_detector.h"
 
 namespace handsight::app {
 

@@ -6,7 +6,7 @@
 #include <QLabel>
 
 #include "bench/observation_views.h"
-#include "vision/corner_detector.h"
+#include "vision/corners/corner_detector.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/images/image_view.h"

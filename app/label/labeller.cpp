@@ -4,8 +4,8 @@
 #include <QObject>
 #include <algorithm>
 
-#include "estimation/running_shape.h"
-#include "vision/marker_numbering.h"
+#include "estimation/problem/running_shape.h"
+#include "vision/markers/marker_numbering.h"
 
 namespace handsight::app {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "document/edit.h"
 #include "session/session.h"
-#include "vision/first_observation.h"
-#include "vision/following_observation.h"
+#include "vision/markers/first_observation.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight::app {
 

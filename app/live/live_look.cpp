@@ -10,7 +10,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "images/image_source.h"
-#include "session/csv.h"
+#include "readers/csv.h"
 #include "session/new_session.h"
 #include "words/core_words.h"
 

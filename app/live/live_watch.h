@@ -8,8 +8,8 @@
 #include <QTimer>
 
 #include "bench/workbench.h"
+#include "live/arrivals.h"
 #include "live/live_look.h"
-#include "ways/arrivals.h"
 
 namespace handsight::app {
 

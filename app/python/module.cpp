@@ -7,14 +7,14 @@
 #include <pybind11/stl.h>
 
 #include "base/error.h"
-#include "diagnosis/clean_model.h"
-#include "diagnosis_output.h"
-#include "fit_output.h"
-#include "predict_source.h"
+#include "diagnosis/ranking/clean_model.h"
+#include "options/predict_source.h"
+#include "printing/diagnosis_output.h"
+#include "printing/fit_output.h"
+#include "printing/told_json.h"
 #include "robot/urdf.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
-#include "told_json.h"
 
 namespace py = pybind11;
 

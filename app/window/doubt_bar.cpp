@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "estimation/session_doubts.h"
+#include "estimation/report/session_doubts.h"
 #include "widgets/base/theme.h"
 #include "words/core_words.h"
 

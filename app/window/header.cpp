@@ -103,7 +103,8 @@ Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QW
   numbers_ = new widgets::ThreeNumbers(this);
   numbers_->setObjectName("three_numbers");
   connect(numbers_, &widgets::ThreeNumbers::version_selected, this, [this](int stair) {
-    if (stair < static_cast<int>(stairs_.size())) bench_.document.show_version(stairs_[static_cast<std::size_t>(stair)]);
+    if (stair < static_cast<int>(stairs_.size()))
+      bench_.document.show_version(stairs_[static_cast<std::size_t>(stair)]);
   });
 
   auto* layout = new QHBoxLayout(this);

@@ -20,8 +20,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "readers/ros_bag.h"
 #include "session/new_session.h"
-#include "ways/ros_bag.h"
 #include "widgets/base/theme.h"
 #include "wizard/target_form.h"
 #include "wizard/wizard_paths.h"

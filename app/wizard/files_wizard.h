@@ -12,9 +12,9 @@
 #include <optional>
 #include <vector>
 
+#include "convert/convert.h"
 #include "jobs/jobs.h"
-#include "ways/convert.h"
-#include "ways/field_urdf.h"
+#include "readers/field_urdf.h"
 
 class QCheckBox;
 class QComboBox;

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "convert/brought.h"
+#include "readers/csv.h"
+#include "readers/stereo_calibration.h"
 #include "robot/urdf.h"
-#include "session/csv.h"
-#include "session/stereo_calibration.h"
-#include "ways/brought.h"
 #include "wizard/session_wizard.h"
 #include "wizard/wizard_paths.h"
 #include "words/core_words.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "targets/target.h"
+#include "print/target.h"
 
 class QComboBox;
 class QDoubleSpinBox;

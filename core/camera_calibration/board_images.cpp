@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "calibrating/board_images.h"
+#include "camera_calibration/board_images.h"
 
 #include <algorithm>
 
 #include "base/error.h"
 #include "base/text.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 
 namespace handsight {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "calibrating/bundle.h"
-#include "calibrating/camera_images.h"
+#include "camera_calibration/bundle.h"
+#include "camera_calibration/camera_images.h"
 
 namespace handsight {
 

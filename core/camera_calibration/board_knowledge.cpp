@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "calibrating/board_knowledge.h"
+#include "camera_calibration/board_knowledge.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
 
 #include "base/error.h"
 #include "base/text.h"
-#include "calibrating/camera_calibration.h"
+#include "camera_calibration/camera_calibration.h"
 
 namespace handsight {
 namespace {

@@ -2,8 +2,8 @@
 // What images of a board say of cameras that have numbers already.
 #pragma once
 
-#include "calibrating/board_images.h"
 #include "camera/camera_knowledge.h"
+#include "camera_calibration/board_images.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "calibrating/bundle.h"
+#include "camera_calibration/bundle.h"
 
 #include <ceres/ceres.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "calibrating/bundle.h"
+#include "camera_calibration/bundle.h"
 #include "targets/homography.h"
 
 namespace handsight {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "calibrating/camera_calibration.h"
+#include "camera_calibration/camera_calibration.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrating/bundle.h"
+#include "camera_calibration/bundle.h"
 
 namespace handsight {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
 #include "base/numbers.h"
-#include "calibrating/camera_calibration.h"
+#include "camera_calibration/camera_calibration.h"
 
 namespace handsight {
 namespace {

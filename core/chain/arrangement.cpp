@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/arrangement.h"
+#include "chain/arrangement.h"
 
 #include <algorithm>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "model/chain.h"
+#include "chain/chain.h"
 
 namespace handsight {
 

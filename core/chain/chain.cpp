@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/chain.h"
+#include "chain/chain.h"
 
 namespace handsight {
 namespace {

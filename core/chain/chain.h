@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "model/sites.h"
+#include "chain/sites.h"
 #include "session/session.h"
 
 namespace handsight {

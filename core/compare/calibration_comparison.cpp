@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "ways/change_verdict.h"
-#include "ways/number_changes.h"
+#include "compare/change_verdict.h"
+#include "compare/number_changes.h"
 
 namespace handsight {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/change_candidates.h"
+#include "compare/change_candidates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

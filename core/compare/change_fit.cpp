@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/change_fit.h"
+#include "compare/change_fit.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "diagnosis/candidates.h"
-#include "diagnosis/evidence.h"
+#include "compare/change_evidence.h"
+#include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/evidence.h"
 #include "effects/units.h"
-#include "ways/change_evidence.h"
 
 namespace handsight {
 namespace {

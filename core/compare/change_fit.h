@@ -3,9 +3,9 @@
 // comparison.cpp.
 #pragma once
 
-#include "ways/change_candidates.h"
-#include "ways/comparison.h"
-#include "ways/shared_model.h"
+#include "compare/change_candidates.h"
+#include "compare/comparison.h"
+#include "compare/shared_model.h"
 
 namespace handsight {
 

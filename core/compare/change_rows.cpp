@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/change_rows.h"
+#include "compare/change_rows.h"
 
 #include <Eigen/Dense>
 
-#include "estimation/column_products.h"
-#include "estimation/noise.h"
-#include "estimation/normal_equations.h"
+#include "estimation/fit/noise.h"
+#include "estimation/problem/column_products.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 namespace {

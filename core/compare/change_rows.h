@@ -3,7 +3,7 @@
 // may have changed on this side, do to them. Internal to comparison.cpp.
 #pragma once
 
-#include "ways/shared_curves.h"
+#include "compare/shared_curves.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/change_verdict.h"
+#include "compare/change_verdict.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // From two sides to what has changed between them, in words. Internal to comparison.cpp.
 #pragma once
 
-#include "ways/change_fit.h"
+#include "compare/change_fit.h"
 
 namespace handsight {
 

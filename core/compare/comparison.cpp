@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/comparison.h"
+#include "compare/comparison.h"
 
 #include "base/error.h"
 #include "base/text.h"
-#include "diagnosis/clean_model.h"
-#include "diagnosis/weighing.h"
-#include "ways/change_verdict.h"
-#include "ways/number_changes.h"
+#include "compare/change_verdict.h"
+#include "compare/number_changes.h"
+#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/ranking/clean_model.h"
 
 namespace handsight {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/residual_views.h"
-#include "ways/calibrated_robot.h"
+#include "correct/calibrated_robot.h"
+#include "diagnosis/residuals/residual_views.h"
 
 namespace handsight {
 

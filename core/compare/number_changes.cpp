@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/number_changes.h"
+#include "compare/number_changes.h"
 
 #include <algorithm>
 #include <cmath>

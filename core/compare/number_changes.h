@@ -2,7 +2,7 @@
 // Number by number, what two estimates of one model differ by. Internal to comparison.cpp.
 #pragma once
 
-#include "ways/comparison.h"
+#include "compare/comparison.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/shared_curves.h"
+#include "compare/shared_curves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // joint itself or shift the hand. Internal to comparison.cpp.
 #pragma once
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

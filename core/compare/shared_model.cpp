@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/shared_model.h"
+#include "compare/shared_model.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <map>
 
 #include "base/error.h"
-#include "diagnosis/candidates.h"
+#include "diagnosis/evidence/candidates.h"
 
 namespace handsight {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "ways/change_rows.h"
+#include "compare/change_rows.h"
 
 namespace handsight {
 

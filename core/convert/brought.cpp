@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/brought.h"
+#include "convert/brought.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "readers/ros_bag.h"
+#include "readers/stereo_calibration.h"
 #include "session/new_session.h"
-#include "session/stereo_calibration.h"
-#include "ways/ros_bag.h"
 
 namespace handsight {
 namespace {

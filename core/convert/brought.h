@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "ways/bag_contents.h"
-#include "ways/camera_files.h"
-#include "ways/pose_files.h"
+#include "readers/bag_contents.h"
+#include "readers/camera_files.h"
+#include "readers/pose_files.h"
 
 namespace handsight {
 

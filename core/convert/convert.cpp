@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/convert.h"
+#include "convert/convert.h"
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "estimation/session_doubts.h"
-#include "ways/convert_ways.h"
-#include "ways/ros_bag.h"
+#include "convert/convert_ways.h"
+#include "estimation/report/session_doubts.h"
+#include "readers/ros_bag.h"
 
 namespace handsight {
 namespace {

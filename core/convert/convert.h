@@ -5,8 +5,8 @@
 #include <exception>
 #include <functional>
 
+#include "convert/brought.h"
 #include "session/session.h"
-#include "ways/brought.h"
 
 namespace handsight {
 

@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "ways/convert_pairing.h"
-#include "ways/convert_ways.h"
-#include "ways/ros_bag.h"
+#include "convert/convert_pairing.h"
+#include "convert/convert_ways.h"
+#include "readers/ros_bag.h"
 
 namespace handsight {
 namespace {

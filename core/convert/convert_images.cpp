@@ -4,9 +4,9 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "session/stereo_calibration.h"
-#include "vision/image_header.h"
-#include "ways/convert_ways.h"
+#include "convert/convert_ways.h"
+#include "readers/stereo_calibration.h"
+#include "vision/image/image_header.h"
 
 namespace handsight {
 namespace {

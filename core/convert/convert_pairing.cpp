@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/convert_pairing.h"
+#include "convert/convert_pairing.h"
 
 #include <algorithm>
 #include <cmath>

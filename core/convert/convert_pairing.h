@@ -2,7 +2,7 @@
 // Which joint readings belong to which measurement. Internal to convert.
 #pragma once
 
-#include "ways/convert.h"
+#include "convert/convert.h"
 
 namespace handsight {
 

@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "ways/convert_pairing.h"
-#include "ways/convert_ways.h"
+#include "convert/convert_pairing.h"
+#include "convert/convert_ways.h"
 
 namespace handsight {
 namespace {

@@ -2,10 +2,10 @@
 // The ways from what was brought to a session, by the sensor that measured. Internal to convert.
 #pragma once
 
+#include "convert/convert.h"
+#include "convert/session_parts.h"
+#include "readers/field_urdf.h"
 #include "session/new_session.h"
-#include "ways/convert.h"
-#include "ways/field_urdf.h"
-#include "ways/session_parts.h"
 
 namespace handsight {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/session_parts.h"
+#include "convert/session_parts.h"
 
 #include <algorithm>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "convert/convert_ways.h"
 #include "robot/urdf.h"
 #include "session/session_xml.h"
-#include "ways/convert_ways.h"
 
 namespace handsight {
 namespace {

@@ -2,8 +2,8 @@
 // A converted session on its way into its folder. Internal to convert.cpp.
 #pragma once
 
+#include "convert/convert.h"
 #include "session/new_session.h"
-#include "ways/convert.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/calibrated_robot.h"
+#include "correct/calibrated_robot.h"
 
 #include <algorithm>
 

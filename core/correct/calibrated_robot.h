@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "estimation/export.h"
-#include "estimation/prediction.h"
+#include "estimation/report/export.h"
+#include "estimation/report/prediction.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/correction.h"
+#include "correct/correction.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/prediction.h"
+#include "estimation/report/prediction.h"
 
 namespace handsight {
 

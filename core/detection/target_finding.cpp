@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "session/target_finding.h"
+#include "detection/target_finding.h"
 
 #include <map>
 
 #include "base/error.h"
 #include "session/session_xml.h"
 #include "targets/target_detection.h"
-#include "vision/corner_pairs.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
+#include "vision/markers/corner_pairs.h"
 
 namespace handsight {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/chain.h"
+#include "chain/chain.h"
 
 namespace handsight {
 

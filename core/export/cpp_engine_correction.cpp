@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/cpp_engine.h"
+#include "export/cpp_engine.h"
 
 namespace handsight {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/cpp_file.h"
+#include "export/cpp_file.h"
 
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "ways/cpp_engine.h"
+#include "export/cpp_engine.h"
 
 namespace handsight {
 namespace {

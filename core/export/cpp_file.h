@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "ways/hand_program.h"
+#include "export/hand_program.h"
 
 namespace handsight {
 

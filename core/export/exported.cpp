@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/exported.h"
+#include "export/exported.h"
 
 #include <algorithm>
 
 #include "base/text.h"
-#include "ways/cpp_file.h"
-#include "ways/number_files.h"
-#include "ways/python_file.h"
-#include "ways/urdf_file.h"
+#include "export/cpp_file.h"
+#include "export/number_files.h"
+#include "export/python_file.h"
+#include "export/urdf_file.h"
 
 namespace handsight {
 namespace {

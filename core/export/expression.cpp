@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/expression.h"
+#include "export/expression.h"
 
 #include <algorithm>
 #include <array>

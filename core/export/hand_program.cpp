@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/hand_program.h"
+#include "export/hand_program.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
-#include "ways/program_moves.h"
+#include "export/program_moves.h"
 
 namespace handsight {
 namespace {

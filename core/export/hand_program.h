@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "ways/calibrated_robot.h"
-#include "ways/expression.h"
+#include "correct/calibrated_robot.h"
+#include "export/expression.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/number_files.h"
+#include "export/number_files.h"
 
 #include <algorithm>
 

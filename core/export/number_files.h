@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "ways/calibrated_robot.h"
+#include "correct/calibrated_robot.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/program_moves.h"
+#include "export/program_moves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // What the effects of a model add to the numbers of a HandProgram.
 #pragma once
 
-#include "ways/hand_program.h"
+#include "export/hand_program.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/python_engine.h"
+#include "export/python_engine.h"
 
 namespace handsight {
 

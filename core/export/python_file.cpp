@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/python_file.h"
+#include "export/python_file.h"
 
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "ways/cpp_file.h"
-#include "ways/python_engine.h"
+#include "export/cpp_file.h"
+#include "export/python_engine.h"
 
 namespace handsight {
 namespace {

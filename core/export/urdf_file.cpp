@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/urdf_file.h"
+#include "export/urdf_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ways/calibrated_robot.h"
+#include "correct/calibrated_robot.h"
 
 namespace handsight {
 

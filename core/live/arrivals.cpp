@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/arrivals.h"
+#include "live/arrivals.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,8 +13,8 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "session/pose_points.h"
-#include "vision/image_file.h"
-#include "vision/image_header.h"
+#include "vision/image/image_file.h"
+#include "vision/image/image_header.h"
 
 namespace handsight {
 namespace {

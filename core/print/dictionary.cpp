@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "targets/dictionary.h"
+#include "print/dictionary.h"
 
 #include <array>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "targets/target.h"
+#include "print/target.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "base/bounds.h"
 #include "base/error.h"
-#include "targets/dictionary.h"
+#include "print/dictionary.h"
 
 namespace handsight {
 namespace {

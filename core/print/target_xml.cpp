@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "targets/target_xml.h"
+#include "print/target_xml.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/xml.h"
-#include "targets/target.h"
+#include "print/target.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/bag_contents.h"
+#include "readers/bag_contents.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "ways/cdr.h"
-#include "ways/ros_bag.h"
+#include "readers/cdr.h"
+#include "readers/ros_bag.h"
 
 namespace handsight {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "readers/camera_files.h"
+#include "readers/series.h"
 #include "robot/robot.h"
-#include "ways/camera_files.h"
-#include "ways/series.h"
 
 namespace handsight {
 

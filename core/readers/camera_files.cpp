@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/camera_files.h"
+#include "readers/camera_files.h"
 
 #include <algorithm>
 #include <cctype>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "camera/rig.h"
-#include "ways/cdr.h"
-#include "ways/yaml_text.h"
+#include "readers/cdr.h"
+#include "readers/yaml_text.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/cdr.h"
+#include "readers/cdr.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "session/csv.h"
+#include "readers/csv.h"
 
 #include <algorithm>
 #include <optional>

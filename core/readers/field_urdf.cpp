@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/field_urdf.h"
+#include "readers/field_urdf.h"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 #include "base/bounds.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "session/new_session.h"
-#include "ways/pose_files.h"
+#include "readers/pose_files.h"
+#include "robot/robot.h"
 
 namespace handsight {
 namespace {

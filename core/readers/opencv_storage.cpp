@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "session/opencv_storage.h"
+#include "readers/opencv_storage.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "ways/pose_files.h"
+#include "readers/pose_files.h"
 
 namespace handsight {
 namespace {

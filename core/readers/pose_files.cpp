@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/pose_files.h"
+#include "readers/pose_files.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "readers/series.h"
+#include "readers/table.h"
+#include "readers/yaml_text.h"
 #include "robot/robot.h"
-#include "ways/series.h"
-#include "ways/table.h"
-#include "ways/yaml_text.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/ros_bag.h"
+#include "readers/ros_bag.h"
 
 #include <sqlite3.h>
 

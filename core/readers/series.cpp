@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/series.h"
+#include "readers/series.h"
 
 #include <algorithm>
 #include <cmath>

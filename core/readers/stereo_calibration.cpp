@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "session/stereo_calibration.h"
+#include "readers/stereo_calibration.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "session/opencv_storage.h"
+#include "readers/opencv_storage.h"
 
 namespace handsight {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/table.h"
+#include "readers/table.h"
 
 #include <algorithm>
 #include <cctype>

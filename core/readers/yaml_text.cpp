@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/yaml_text.h"
+#include "readers/yaml_text.h"
 
 #include <algorithm>
 #include <cmath>

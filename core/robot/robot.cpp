@@ -41,6 +41,19 @@ int find_named(const std::vector<Named>& all, const std::string& name) {
 
 }  // namespace
 
+std::vector<std::string> link_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Link& link : robot.links) names.push_back(link.name);
+  return names;
+}
+
+std::vector<std::string> joint_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Joint& joint : robot.joints)
+    if (joint.moves() && !joint.is_mimic()) names.push_back(joint.name);
+  return names;
+}
+
 int find_link(const Robot& robot, const std::string& name) { return find_named(robot.links, name); }
 
 int find_joint(const Robot& robot, const std::string& name) { return find_named(robot.joints, name); }

@@ -74,6 +74,11 @@ Robot poses_robot();
 Rigid base_from_flange(const Eigen::VectorXd& position);
 Eigen::Matrix<double, 6, 1> position_of(const Rigid& base_from_flange);
 
+/// The links of a robot that can be the TCP or carry the cameras, and the joints that a position names: those that
+/// move and mimic no other.
+std::vector<std::string> link_names(const Robot& robot);
+std::vector<std::string> joint_names(const Robot& robot);
+
 /// Index of the link or joint of that name, -1 where there is none.
 int find_link(const Robot& robot, const std::string& name);
 int find_joint(const Robot& robot, const std::string& name);

@@ -259,19 +259,6 @@ std::string bring_into(const fs::path& file, const fs::path& folder, const fs::p
   return name.generic_string();
 }
 
-std::vector<std::string> link_names(const Robot& robot) {
-  std::vector<std::string> names;
-  for (const Link& link : robot.links) names.push_back(link.name);
-  return names;
-}
-
-std::vector<std::string> joint_names(const Robot& robot) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints)
-    if (joint.moves() && !joint.is_mimic()) names.push_back(joint.name);
-  return names;
-}
-
 std::vector<std::string> joints_of_table(const fs::path& table, const Robot& robot) {
   const std::string text = read_file(table);
   std::string line;

@@ -68,11 +68,6 @@ Session make_session(const NewSession& parts, std::vector<std::string>* notes = 
 std::string bring_into(const std::filesystem::path& file, const std::filesystem::path& session_folder,
                        const std::filesystem::path& into);
 
-/// The links of a robot that can be the TCP or carry the cameras, and the joints that a position names: those that
-/// move and mimic no other.
-std::vector<std::string> link_names(const Robot& robot);
-std::vector<std::string> joint_names(const Robot& robot);
-
 /// Those of joint_names that the table's first line names, in its order; all of them where it names none (a table
 /// without a header).
 std::vector<std::string> joints_of_table(const std::filesystem::path& table, const Robot& robot);

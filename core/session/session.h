@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "camera/rig.h"
+#include "print/target.h"
 #include "robot/robot.h"
 #include "session/effect_definition.h"
-#include "targets/target.h"
 
 namespace handsight {
 

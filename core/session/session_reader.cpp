@@ -5,11 +5,11 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "print/target_xml.h"
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
 #include "session/pose_points.h"
 #include "session/session_xml.h"
-#include "targets/target_xml.h"
 
 namespace handsight {
 

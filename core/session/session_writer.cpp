@@ -4,10 +4,10 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/numbers.h"
+#include "print/target_xml.h"
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
 #include "session/session_xml.h"
-#include "targets/target_xml.h"
 
 namespace handsight {
 

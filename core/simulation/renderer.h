@@ -8,7 +8,7 @@
 
 #include "camera/camera.h"
 #include "simulation/scene.h"
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

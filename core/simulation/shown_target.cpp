@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/arrangement.h"
+#include "chain/arrangement.h"
 #include "targets/pattern.h"
 
 namespace handsight {

@@ -9,7 +9,7 @@
 #include "session/session_xml.h"
 #include "simulation/renderer.h"
 #include "simulation/shown_target.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 
 namespace handsight {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/bounds.h"
-#include "estimation/body_frame.h"
+#include "chain/body_frame.h"
 #include "session/pose_points.h"
 #include "simulation/poses.h"
 #include "simulation/shown_target.h"

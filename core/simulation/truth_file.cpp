@@ -3,8 +3,8 @@
 
 #include "base/files.h"
 #include "base/numbers.h"
+#include "chain/body_frame.h"
 #include "effects/units.h"
-#include "estimation/body_frame.h"
 #include "simulation/simulated_session.h"
 
 namespace handsight {

@@ -6,7 +6,7 @@
 
 #include "targets/sampling.h"
 #include "targets/tag_fit.h"
-#include "vision/corner_noise.h"
+#include "vision/corners/corner_noise.h"
 
 namespace handsight {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "targets/board_detection.h"
 #include "targets/sampling.h"
-#include "vision/corner_detector.h"
+#include "vision/corners/corner_detector.h"
 
 namespace handsight {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "targets/dictionary.h"
-#include "targets/target.h"
+#include "print/dictionary.h"
+#include "print/target.h"
 
 namespace handsight {
 

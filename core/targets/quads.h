@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/rigid.h"
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "geometry/rigid.h"
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

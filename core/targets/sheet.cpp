@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "targets/target_xml.h"
+#include "print/target_xml.h"
 
 namespace handsight {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/bounds.h"
 #include "base/error.h"
 #include "targets/sheet.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 
 namespace handsight {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "targets/dictionary.h"
+#include "print/dictionary.h"
 #include "targets/quads.h"
 
 namespace handsight {

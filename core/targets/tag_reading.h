@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "targets/dictionary.h"
+#include "print/dictionary.h"
 #include "targets/quads.h"
 
 namespace handsight {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/rigid.h"
-#include "targets/dictionary.h"
+#include "print/dictionary.h"
 
 namespace handsight {
 

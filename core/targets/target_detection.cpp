@@ -8,8 +8,8 @@
 #include "targets/board_detection.h"
 #include "targets/sampling.h"
 #include "targets/tag_fit.h"
-#include "vision/corner_detector.h"
-#include "vision/corner_noise.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_noise.h"
 
 namespace handsight {
 namespace {

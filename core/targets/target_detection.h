@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "print/target.h"
 #include "targets/tag_reading.h"
-#include "targets/target.h"
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

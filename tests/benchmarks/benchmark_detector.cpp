@@ -4,8 +4,8 @@
 
 #include <opencv2/calib3d.hpp>
 
-#include "vision/corner_detector.h"
-#include "vision/corner_truth.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_truth.h"
 
 namespace handsight {
 namespace {

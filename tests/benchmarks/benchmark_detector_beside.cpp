@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "vision/corner_camera.h"
-#include "vision/corner_truth.h"
+#include "vision/corners/corner_camera.h"
+#include "vision/corners/corner_truth.h"
 
 namespace {
 

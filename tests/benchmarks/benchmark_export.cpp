@@ -2,9 +2,9 @@
 // How long an exported C++ file takes for a hand pose: written, compiled by c++ -O2 and run.
 #include <benchmark/benchmark.h>
 
+#include "export/exported.h"
 #include "fixtures/trial_sessions.h"
-#include "ways/exported.h"
-#include "ways/ways_fixtures.h"
+#include "fixtures/ways_fixtures.h"
 
 namespace handsight {
 namespace {

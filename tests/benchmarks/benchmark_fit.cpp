@@ -9,10 +9,10 @@
 #include <chrono>
 #include <map>
 
-#include "estimation/fit.h"
-#include "estimation/online.h"
-#include "estimation/start.h"
-#include "estimation/trust_region.h"
+#include "estimation/fit/fit.h"
+#include "estimation/online/online.h"
+#include "estimation/solvers/trust_region.h"
+#include "estimation/start/start.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -14,9 +14,9 @@
 #include <opencv2/calib3d.hpp>
 #include <random>
 
-#include "estimation/body_frame.h"
-#include "estimation/body_pose.h"
-#include "estimation/fit.h"
+#include "chain/body_frame.h"
+#include "estimation/fit/fit.h"
+#include "estimation/problem/body_pose.h"
 #include "fixtures/targets.h"
 #include "session/pose_points.h"
 

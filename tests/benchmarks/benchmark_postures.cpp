@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "estimation/column_products.h"
-#include "estimation/problem.h"
+#include "estimation/problem/column_products.h"
+#include "estimation/problem/problem.h"
 #include "fixtures/arms.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_session.h"

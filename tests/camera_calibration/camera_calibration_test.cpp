@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "calibrating/camera_calibration.h"
+#include "camera_calibration/camera_calibration.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "base/error.h"
-#include "calibrating/board_images.h"
-#include "session/stereo_calibration.h"
+#include "camera_calibration/board_images.h"
+#include "readers/stereo_calibration.h"
 
 namespace handsight {
 namespace {

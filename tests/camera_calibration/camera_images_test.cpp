@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "calibrating/camera_images.h"
+#include "camera_calibration/camera_images.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/arrangement.h"
+#include "chain/arrangement.h"
 
 #include <gmock/gmock.h>
 
@@ -17,8 +17,7 @@ TEST(Arrangement, SaysWhoCarriesWhat) {
             "The camera on stand sees a board that the robot moves on hand.");
   const Session hand = fixture::eye_in_hand_session(fixture::tags());
   EXPECT_EQ(arrangement_of(chain_of(hand)), Arrangement::sensor_on_hand);
-  EXPECT_EQ(arrangement_sentence(hand, chain_of(hand)),
-            "The robot moves the camera on hand over tags on stand.");
+  EXPECT_EQ(arrangement_sentence(hand, chain_of(hand)), "The robot moves the camera on hand over tags on stand.");
 }
 
 TEST(Arrangement, CamerasOnALinkBetweenAreMovedWithTheTarget) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/body_frame.h"
+#include "chain/body_frame.h"
 
 #include <gtest/gtest.h>
 

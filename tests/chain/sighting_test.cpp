@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/sighting.h"
+#include "chain/sighting.h"
 
 #include <gtest/gtest.h>
 

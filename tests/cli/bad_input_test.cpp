@@ -212,7 +212,8 @@ TEST_F(BadInput, EveryCommandIsListedAndRefusesWhatIsNoSession) {
     EXPECT_EQ(run_cli(folder.path, {command, (folder.path / "no_such_session").string()}).exit_code, 2) << command;
   }
   for (const std::string command : {"fit", "diagnose", "improve"}) {
-    const auto refused = run_cli(folder.path, {command, (folder.path / "session").string(), "--effects", "no_such_effect"});
+    const auto refused =
+        run_cli(folder.path, {command, (folder.path / "session").string(), "--effects", "no_such_effect"});
     EXPECT_EQ(refused.exit_code, 2) << command;
     EXPECT_NE(refused.errors.find("not in the catalogue"), std::string::npos) << refused.errors;
   }

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "base/numbers.h"
+#include "chain/body_frame.h"
 #include "cli/cli_runner.h"
-#include "estimation/body_frame.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"

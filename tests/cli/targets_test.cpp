@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_runner.h"
+#include "readers/stereo_calibration.h"
 #include "session/session_xml.h"
-#include "session/stereo_calibration.h"
 
 namespace handsight {
 namespace {

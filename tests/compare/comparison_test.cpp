@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways/comparison.h"
+#include "compare/comparison.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "estimation/fit_report.h"
+#include "compare/change_evidence.h"
+#include "estimation/report/fit_report.h"
 #include "fixtures/random_robot.h"
 #include "simulation/simulated_session.h"
-#include "ways/change_evidence.h"
 
 namespace handsight {
 namespace {

@@ -2,8 +2,8 @@
 // Sessions from bags of ROS 2.
 #include <limits>
 
-#include "ways/bag_fixture.h"
-#include "ways/convert_fixture.h"
+#include "convert/bag_fixture.h"
+#include "convert/convert_fixture.h"
 
 namespace handsight {
 namespace {

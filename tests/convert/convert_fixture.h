@@ -4,11 +4,11 @@
 
 #include <gmock/gmock.h>
 
-#include "estimation/fit.h"
+#include "convert/convert.h"
+#include "estimation/fit/fit.h"
+#include "fixtures/robot_texts.h"
+#include "fixtures/ways_fixtures.h"
 #include "session/session_xml.h"
-#include "ways/convert.h"
-#include "ways/robot_texts.h"
-#include "ways/ways_fixtures.h"
 
 namespace handsight {
 

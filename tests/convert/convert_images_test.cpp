@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions from images, and from what other programs know of cameras.
+#include "convert/convert_fixture.h"
 #include "fixtures/targets.h"
-#include "ways/convert_fixture.h"
 
 namespace handsight {
 namespace {

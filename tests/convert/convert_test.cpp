@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions from what users have: recognised by content, wrong units and orders found and said, the same calibration at
 // the end.
-#include "ways/convert_fixture.h"
+#include "convert/convert_fixture.h"
 
 namespace handsight {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corrected joint angles bring the modelled hand where it was meant to be; limits hold; files correct as the core does.
-#include "ways/correction.h"
+#include "correct/correction.h"
 
 #include <gtest/gtest.h>
 
-#include "ways/exported.h"
-#include "ways/ways_fixtures.h"
+#include "export/exported.h"
+#include "fixtures/ways_fixtures.h"
 
 namespace handsight {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "diagnosis/clean_model.h"
-#include "diagnosis/inspection.h"
+#include "diagnosis/attribution/inspection.h"
+#include "diagnosis/ranking/clean_model.h"
 #include "simulated_stand.h"
 
 namespace handsight {

@@ -2,9 +2,9 @@
 // What is missing is named with one camera and with three as it is with two.
 #include <gtest/gtest.h>
 
-#include "diagnosis/blame.h"
-#include "diagnosis/improvement.h"
-#include "diagnosis/snooping.h"
+#include "diagnosis/attribution/blame.h"
+#include "diagnosis/outliers/snooping.h"
+#include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
 #include "fixtures/rigs.h"
 

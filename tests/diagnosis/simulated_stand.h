@@ -15,7 +15,7 @@ inline Session like_stand() {
 
 /// What it measures where these effects are hidden: noise 0.2 px (0.2 mm with a tracker), not declared.
 inline Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t seed, int observations = 60,
-                  const Session& like = like_stand()) {
+                         const Session& like = like_stand()) {
   SimulationOptions o;
   o.effects = effects;
   o.seed = seed;

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "diagnosis/improvement.h"
-#include "estimation/export.h"
-#include "estimation/normal_equations.h"
-#include "estimation/prediction.h"
+#include "diagnosis/selection/improvement.h"
+#include "estimation/report/export.h"
+#include "estimation/report/prediction.h"
+#include "estimation/solvers/normal_equations.h"
 #include "fixtures/arms.h"
 #include "session/calibration_xml.h"
 #include "simulation/simulated_session.h"

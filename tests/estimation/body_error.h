@@ -2,8 +2,8 @@
 // How far a fit's TCP->Body is from the truth of a simulated session.
 #pragma once
 
-#include "estimation/body_frame.h"
-#include "estimation/fit.h"
+#include "chain/body_frame.h"
+#include "estimation/fit/fit.h"
 #include "simulation/simulated_session.h"
 
 namespace handsight {

@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "calibrating/board_knowledge.h"
+#include "camera_calibration/board_knowledge.h"
+#include "chain/body_frame.h"
 #include "effects/own_effect.h"
-#include "estimation/body_frame.h"
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/rigs.h"
 
 namespace handsight {

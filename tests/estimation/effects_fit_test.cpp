@@ -4,11 +4,11 @@
 
 #include <random>
 
-#include "estimation/body_shape.h"
-#include "estimation/fit_report.h"
-#include "estimation/normal_equations.h"
-#include "estimation/objectives.h"
-#include "estimation/start.h"
+#include "estimation/fit/objectives.h"
+#include "estimation/problem/body_shape.h"
+#include "estimation/report/fit_report.h"
+#include "estimation/solvers/normal_equations.h"
+#include "estimation/start/start.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "body_error.h"
-#include "estimation/fit_report.h"
+#include "estimation/report/fit_report.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

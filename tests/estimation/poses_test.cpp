@@ -4,12 +4,12 @@
 
 #include <random>
 
-#include "diagnosis/improvement.h"
+#include "chain/body_frame.h"
+#include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
-#include "estimation/body_frame.h"
-#include "estimation/fit.h"
-#include "estimation/fit_report.h"
-#include "estimation/session_check.h"
+#include "estimation/fit/fit.h"
+#include "estimation/report/fit_report.h"
+#include "estimation/report/session_check.h"
 #include "fixtures/arms.h"
 #include "session/pose_points.h"
 #include "session/session_xml.h"
@@ -56,8 +56,8 @@ TEST(PosePoints, SixResidualsAreThePose) {
   const PoseError error = pose_error(residuals, lever);
   EXPECT_LT((error.place - motion.head<3>()).norm(), 1e-10);
   EXPECT_LT((error.turn - motion.tail<3>()).norm(), 1e-10);
-  EXPECT_NEAR(residuals.squaredNorm(),
-              motion.head<3>().squaredNorm() + lever * lever * motion.tail<3>().squaredNorm(), 1e-15);
+  EXPECT_NEAR(residuals.squaredNorm(), motion.head<3>().squaredNorm() + lever * lever * motion.tail<3>().squaredNorm(),
+              1e-15);
 }
 
 TEST(Poses, TheTargetIsWhereItIsAndAsSureAsIsSaid) {

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "chain/body_frame.h"
 #include "effects/own_effect.h"
-#include "estimation/body_frame.h"
-#include "estimation/export.h"
-#include "estimation/fit_report.h"
-#include "estimation/prediction.h"
-#include "estimation/session_check.h"
+#include "estimation/report/export.h"
+#include "estimation/report/fit_report.h"
+#include "estimation/report/prediction.h"
+#include "estimation/report/session_check.h"
 #include "session/calibration_xml.h"
 
 namespace handsight {

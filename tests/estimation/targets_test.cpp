@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/improvement.h"
-#include "estimation/export.h"
-#include "estimation/fit.h"
-#include "estimation/fit_report.h"
-#include "estimation/half_turns.h"
-#include "estimation/online.h"
-#include "estimation/target_pose.h"
+#include "diagnosis/selection/improvement.h"
+#include "estimation/fit/fit.h"
+#include "estimation/online/online.h"
+#include "estimation/problem/target_pose.h"
+#include "estimation/report/export.h"
+#include "estimation/report/fit_report.h"
+#include "estimation/start/half_turns.h"
 #include "session/calibration_xml.h"
 
 namespace handsight {

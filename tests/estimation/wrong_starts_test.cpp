@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "estimation/competition.h"
-#include "estimation/sure_fit.h"
+#include "estimation/fit/sure_fit.h"
+#include "estimation/start/competition.h"
 
 namespace handsight {
 namespace {

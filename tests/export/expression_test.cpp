@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Formulas mean the same as muParser's wherever they are written.
-#include "ways/expression.h"
+#include "export/expression.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "effects/formula.h"
-#include "ways/ways_fixtures.h"
+#include "fixtures/ways_fixtures.h"
 
 namespace handsight {
 namespace {

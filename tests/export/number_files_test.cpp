@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exports read back by other readers: the same hand pose where the format can say it, and a word where it cannot.
-#include "ways/number_files.h"
+#include "export/number_files.h"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
 #include <opencv2/core.hpp>
 
+#include "export/exported.h"
+#include "export/urdf_file.h"
+#include "fixtures/robot_texts.h"
+#include "fixtures/ways_fixtures.h"
 #include "robot/urdf.h"
-#include "ways/exported.h"
-#include "ways/robot_texts.h"
-#include "ways/urdf_file.h"
-#include "ways/ways_fixtures.h"
 
 namespace handsight {
 namespace {

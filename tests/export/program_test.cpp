@@ -2,11 +2,11 @@
 // Exported C++ and Python files, compiled and run: the hand where predict has it.
 #include <gtest/gtest.h>
 
+#include "export/cpp_file.h"
+#include "export/exported.h"
+#include "export/python_file.h"
+#include "fixtures/ways_fixtures.h"
 #include "session/session_xml.h"
-#include "ways/cpp_file.h"
-#include "ways/exported.h"
-#include "ways/python_file.h"
-#include "ways/ways_fixtures.h"
 
 namespace handsight {
 namespace {

@@ -11,8 +11,8 @@
 #include <regex>
 
 #include "base/files.h"
+#include "chain/chain.h"
 #include "cli/cli_runner.h"
-#include "model/chain.h"
 #include "robot/urdf.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"

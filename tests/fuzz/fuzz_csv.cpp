@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A table of poses is read to whole finite poses, or refused with a sentence.
 #include "fuzz.h"
-#include "session/csv.h"
+#include "readers/csv.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace handsight;

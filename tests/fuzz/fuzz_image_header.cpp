@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whatever an image file begins with: its header tells a size above nothing, or nothing.
 #include "fuzz.h"
-#include "vision/image_header.cpp"
+#include "vision/image/image_header.cpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto told = handsight::image_size({reinterpret_cast<const char*>(data), size});

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fuzz.h"
-#include "session/stereo_calibration.h"
+#include "readers/stereo_calibration.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace handsight;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What arrives in a folder: whole lines and images alone, each once, whoever starts again.
-#include "ways/arrivals.h"
+#include "live/arrivals.h"
 
 #include <gmock/gmock.h>
 
 #include <thread>
 
+#include "fixtures/ways_fixtures.h"
 #include "session/pose_points.h"
-#include "ways/ways_fixtures.h"
 
 namespace handsight {
 namespace {

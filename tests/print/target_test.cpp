@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "targets/target.h"
+#include "print/target.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 
 #include "base/error.h"
-#include "targets/dictionary.h"
+#include "print/dictionary.h"
+#include "print/target_xml.h"
 #include "targets/pattern.h"
-#include "targets/target_xml.h"
 
 namespace handsight {
 namespace {

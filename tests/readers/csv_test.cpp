@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "session/csv.h"
+#include "readers/csv.h"
 
 #include <gmock/gmock.h>
 
 #include "base/files.h"
-#include "session_texts.h"
+#include "session/session_texts.h"
 #include "temporary_folder.h"
 
 namespace handsight {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "session/stereo_calibration.h"
+#include "readers/stereo_calibration.h"
 
 #include <gtest/gtest.h>
 

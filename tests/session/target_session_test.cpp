@@ -2,10 +2,10 @@
 // <target> in sessions: in, out and what is refused.
 #include <gmock/gmock.h>
 
+#include "detection/target_finding.h"
+#include "print/target_xml.h"
 #include "session/sample.h"
 #include "session/session_texts.h"
-#include "session/target_finding.h"
-#include "targets/target_xml.h"
 #include "temporary_folder.h"
 
 namespace handsight {

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "targets/target_detection.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 
 namespace handsight {
 namespace {

@@ -8,9 +8,9 @@
 #include <functional>
 #include <string>
 
-#include "diagnosis/improvement.h"
+#include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/targets.h"
 #include "session/pose_points.h"
 

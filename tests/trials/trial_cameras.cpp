@@ -9,9 +9,9 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "calibrating/board_images.h"
-#include "calibrating/camera_calibration.h"
-#include "vision/image_file.h"
+#include "camera_calibration/board_images.h"
+#include "camera_calibration/camera_calibration.h"
+#include "vision/image/image_file.h"
 
 namespace {
 

@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <map>
 
-#include "estimation/export.h"
-#include "estimation/fit_report.h"
+#include "compare/comparison.h"
+#include "estimation/report/export.h"
+#include "estimation/report/fit_report.h"
 #include "fixtures/trial_sessions.h"
-#include "ways/comparison.h"
 
 namespace handsight::trials {
 namespace {

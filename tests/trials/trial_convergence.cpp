@@ -7,7 +7,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cstdlib>
 
-#include "estimation/online.h"
+#include "estimation/online/online.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_session.h"
 

@@ -6,10 +6,10 @@
 #include <Eigen/Cholesky>
 #include <cstdlib>
 
-#include "vision/corner_likelihood.h"
-#include "vision/corner_noise.h"
-#include "vision/corner_structure.h"
-#include "vision/corner_truth.h"
+#include "vision/corners/corner_likelihood.h"
+#include "vision/corners/corner_noise.h"
+#include "vision/corners/corner_structure.h"
+#include "vision/corners/corner_truth.h"
 
 namespace handsight {
 namespace {

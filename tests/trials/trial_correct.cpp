@@ -11,11 +11,11 @@
 #include <numeric>
 
 #include "base/numbers.h"
+#include "correct/correction.h"
 #include "effects/own_effect.h"
+#include "export/exported.h"
 #include "fixtures/trial_sessions.h"
-#include "ways/correction.h"
-#include "ways/exported.h"
-#include "ways/ways_fixtures.h"
+#include "fixtures/ways_fixtures.h"
 
 namespace handsight::trials {
 namespace {

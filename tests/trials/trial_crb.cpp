@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -9,9 +9,9 @@
 #include <ctime>
 #include <filesystem>
 
-#include "vision/corner_boards.h"
-#include "vision/corner_detector.h"
-#include "vision/corner_truth.h"
+#include "vision/corners/corner_boards.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_truth.h"
 
 namespace handsight {
 namespace {

@@ -7,14 +7,14 @@
 #include <map>
 #include <string>
 
-#include "vision/corner_camera.h"
-#include "vision/corner_candidates.h"
-#include "vision/corner_detector.h"
-#include "vision/corner_likelihood.h"
-#include "vision/corner_model.h"
-#include "vision/corner_noise.h"
-#include "vision/corner_structure.h"
-#include "vision/corner_symmetry.h"
+#include "vision/corners/corner_camera.h"
+#include "vision/corners/corner_candidates.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_likelihood.h"
+#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_noise.h"
+#include "vision/corners/corner_structure.h"
+#include "vision/corners/corner_symmetry.h"
 
 namespace handsight {
 namespace {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The detector before a camera with all the habits of real ones (tests/vision/corner_camera.h): recall, errors and
-// whether the covariance is right, set by set; recall as curves over blur, cell size, tilt and contrast; false corners.
-// Usage: trial_detector_sets [SEED [PART [FOLDER]]]: PART is sets, curves, large, false, oracle or all; FOLDER holds
-// photographs without boards, in which every corner counts as a false one. PART oracle: of the sets whose recall falls
-// short, which share of what is in scope a perfect program could tell (tests/vision/corner_oracle.h).
+// The detector before a camera with all the habits of real ones (tests/vision/corners/corner_camera.h): recall, errors
+// and whether the covariance is right, set by set; recall as curves over blur, cell size, tilt and contrast; false
+// corners. Usage: trial_detector_sets [SEED [PART [FOLDER]]]: PART is sets, curves, large, false, oracle or all; FOLDER
+// holds photographs without boards, in which every corner counts as a false one. PART oracle: of the sets whose recall
+// falls short, which share of what is in scope a perfect program could tell (tests/vision/corners/corner_oracle.h).
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 
-#include "vision/corner_camera.h"
-#include "vision/corner_detector.h"
-#include "vision/corner_oracle.h"
-#include "vision/corner_truth.h"
+#include "vision/corners/corner_camera.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_oracle.h"
+#include "vision/corners/corner_truth.h"
 
 namespace handsight {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "diagnosis/curves.h"
+#include "diagnosis/ranking/curves.h"
 #include "effects/own_effect.h"
 #include "fixtures/trial_sessions.h"
 

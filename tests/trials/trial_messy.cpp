@@ -9,9 +9,9 @@
 #include <functional>
 #include <set>
 
-#include "diagnosis/curves.h"
-#include "estimation/fit_report.h"
-#include "estimation/prediction.h"
+#include "diagnosis/ranking/curves.h"
+#include "estimation/report/fit_report.h"
+#include "estimation/report/prediction.h"
 #include "fixtures/gaussian_process.h"
 #include "fixtures/trial_sessions.h"
 

@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "diagnosis/improvement.h"
+#include "chain/body_frame.h"
+#include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
-#include "estimation/body_frame.h"
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/rigs.h"
 
 namespace handsight {

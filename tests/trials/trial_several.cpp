@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-#include "diagnosis/refitting.h"
-#include "estimation/normal_equations.h"
+#include "diagnosis/ranking/refitting.h"
+#include "estimation/solvers/normal_equations.h"
 #include "fixtures/trial_sessions.h"
 
 namespace handsight::trials {

@@ -2,8 +2,8 @@
 // The thesis's simulation (section 5.1): six poses, every marker measured 1 cm nearer along the camera's z.
 #include <fmt/format.h>
 
-#include "estimation/fit_report.h"
-#include "estimation/one_marker.h"
+#include "estimation/report/fit_report.h"
+#include "estimation/report/one_marker.h"
 #include "session/session_xml.h"
 
 namespace handsight {

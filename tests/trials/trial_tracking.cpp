@@ -8,10 +8,10 @@
 #include <set>
 
 #include "base/numbers.h"
-#include "estimation/online.h"
+#include "estimation/online/online.h"
 #include "session/session_xml.h"
-#include "vision/first_observation.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
+#include "vision/markers/first_observation.h"
 
 namespace handsight {
 namespace {

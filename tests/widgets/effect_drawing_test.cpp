@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every effect of the catalogue has a drawing, and no two are the same picture.
-#include "widgets/explain/effect_drawing.h"
+#include "widgets/drawings/effect_drawing.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "effects/effect.h"
+#include "widgets/drawings/effect_drawing.h"
 #include "widgets/explain/candidate_list.h"
 #include "widgets/explain/cost_curve.h"
-#include "widgets/explain/effect_drawing.h"
 #include "widgets/explain_samples.h"
 
 namespace handsight::test {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "estimation/online.h"
-#include "model/chain.h"
+#include "chain/chain.h"
+#include "estimation/online/online.h"
 #include "robot/posture.h"
 #include "session/session_xml.h"
 

@@ -5,7 +5,7 @@
 #include <QImage>
 #include <vector>
 
-#include "estimation/fit_report.h"
+#include "estimation/report/fit_report.h"
 #include "widgets/base/cells.h"
 #include "widgets/images/image_view.h"
 #include "widgets/lists/observation_table.h"

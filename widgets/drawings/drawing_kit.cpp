@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/explain/drawing_kit.h"
+#include "widgets/drawings/drawing_kit.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/explain/effect_drawing.h"
+#include "widgets/drawings/effect_drawing.h"
 
 #include <algorithm>
 
-#include "widgets/explain/effect_drawings.h"
+#include "widgets/drawings/effect_drawings.h"
 
 namespace handsight::widgets {
 namespace {

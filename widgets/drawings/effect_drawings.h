@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "widgets/explain/drawing_kit.h"
+#include "widgets/drawings/drawing_kit.h"
 
 namespace handsight::widgets {
 

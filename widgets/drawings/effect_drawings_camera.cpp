@@ -2,7 +2,7 @@
 // Effects of the cameras and of time.
 #include <cmath>
 
-#include "widgets/explain/effect_drawings.h"
+#include "widgets/drawings/effect_drawings.h"
 
 namespace handsight::widgets {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "widgets/explain/effect_drawings.h"
+#include "widgets/drawings/effect_drawings.h"
 
 namespace handsight::widgets {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Effects of the robot's base, its load and its coupled joints.
-#include "widgets/explain/effect_drawings.h"
+#include "widgets/drawings/effect_drawings.h"
 
 namespace handsight::widgets {
 namespace {

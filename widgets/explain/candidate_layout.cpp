@@ -8,7 +8,7 @@
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
-#include "widgets/explain/effect_drawing.h"
+#include "widgets/drawings/effect_drawing.h"
 #include "widgets/explain/text_lines.h"
 
 namespace handsight::widgets {

@@ -83,8 +83,7 @@ void place(const Ghost& ghost, const std::vector<Rigid>& root_from_link) {
 }
 
 void set_visible(const Ghost& ghost, std::size_t part, bool visible) {
-  for (const RobotActors* actors : {&ghost.surface, &ghost.outline})
-    actors->parts[part].actor->SetVisibility(visible);
+  for (const RobotActors* actors : {&ghost.surface, &ghost.outline}) actors->parts[part].actor->SetVisibility(visible);
 }
 
 void add_to(vtkRenderer& renderer, const Ghost& ghost) {  // drawn in this order

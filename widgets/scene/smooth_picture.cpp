@@ -5,7 +5,8 @@ namespace handsight::widgets {
 namespace {
 
 /// Sixteenths of a pixel: no two in a row or a column, as graphics cards place eight samples.
-constexpr int offsets[SmoothPicture::pictures][2] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+constexpr int offsets[SmoothPicture::pictures][2] = {{1, -3}, {-1, 3},  {5, 1}, {-3, -5},
+                                                     {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
 
 }  // namespace
 

@@ -13,8 +13,8 @@
 #include "base/text.h"
 #include "base/threads.h"
 #include "command.h"
-#include "diagnosis/improvement.h"
-#include "outputs.h"
+#include "diagnosis/selection/improvement.h"
+#include "printing/outputs.h"
 #include "session/session_xml.h"
 
 namespace handsight::cli {

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <memory>
 
-#include "calibrating/board_images.h"
-#include "calibrating/camera_calibration.h"
+#include "camera_calibration/board_images.h"
+#include "camera_calibration/camera_calibration.h"
 #include "command.h"
-#include "json_values.h"
-#include "outputs.h"
-#include "target_option.h"
-#include "targets/target_xml.h"
+#include "options/target_option.h"
+#include "print/target_xml.h"
+#include "printing/json_values.h"
+#include "printing/outputs.h"
 
 namespace handsight::cli {
 namespace {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "told_json.h"
+#include "printing/told_json.h"
 
 namespace handsight::cli {
 namespace {

@@ -3,13 +3,13 @@
 
 #include "base/files.h"
 #include "command.h"
-#include "diagnosis_output.h"
-#include "json_values.h"
-#include "outputs.h"
-#include "predict_source.h"
+#include "compare/comparison.h"
+#include "options/predict_source.h"
+#include "printing/diagnosis_output.h"
+#include "printing/json_values.h"
+#include "printing/outputs.h"
 #include "robot/urdf.h"
 #include "session/calibration_xml.h"
-#include "ways/comparison.h"
 
 namespace handsight::cli {
 namespace {

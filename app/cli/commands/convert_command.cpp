@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "option_limits.h"
-#include "outputs.h"
-#include "target_option.h"
-#include "ways/convert.h"
+#include "convert/convert.h"
+#include "options/option_limits.h"
+#include "options/target_option.h"
+#include "printing/outputs.h"
 
 namespace handsight::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include "base/bounds.h"
 #include "base/numbers.h"
 #include "command.h"
-#include "driven_poses.h"
-#include "outputs.h"
-#include "told_json.h"
+#include "options/driven_poses.h"
+#include "printing/outputs.h"
+#include "printing/told_json.h"
 
 namespace handsight::cli {
 namespace {

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "json_values.h"
-#include "outputs.h"
-#include "vision/corner_pairs.h"
-#include "vision/image_file.h"
+#include "printing/json_values.h"
+#include "printing/outputs.h"
+#include "vision/image/image_file.h"
+#include "vision/markers/corner_pairs.h"
 
 namespace handsight::cli {
 namespace {

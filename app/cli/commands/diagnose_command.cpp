@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.h"
-#include "diagnosis_output.h"
-#include "outputs.h"
-#include "proof_output.h"
+#include "printing/diagnosis_output.h"
+#include "printing/outputs.h"
+#include "printing/proof_output.h"
 
 namespace handsight::cli {
 namespace {

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "estimation/one_marker.h"
-#include "json_values.h"
-#include "option_limits.h"
+#include "estimation/report/one_marker.h"
+#include "options/option_limits.h"
+#include "printing/json_values.h"
 
 namespace handsight::cli {
 namespace {

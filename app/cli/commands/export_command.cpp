@@ -5,9 +5,9 @@
 
 #include "base/error.h"
 #include "command.h"
-#include "outputs.h"
-#include "predict_source.h"
-#include "ways/exported.h"
+#include "export/exported.h"
+#include "options/predict_source.h"
+#include "printing/outputs.h"
 
 namespace handsight::cli {
 namespace {

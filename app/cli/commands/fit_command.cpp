@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "camera_images_option.h"
 #include "command.h"
-#include "diagnosis/clean_model.h"
-#include "diagnosis_output.h"
-#include "estimation/export.h"
-#include "estimation/fit_report.h"
-#include "fit_output.h"
+#include "diagnosis/ranking/clean_model.h"
+#include "estimation/report/export.h"
+#include "estimation/report/fit_report.h"
+#include "options/camera_images_option.h"
+#include "printing/diagnosis_output.h"
+#include "printing/fit_output.h"
 
 namespace handsight::cli {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.h"
-#include "diagnosis_output.h"
-#include "estimation/export.h"
-#include "fit_output.h"
+#include "estimation/report/export.h"
+#include "printing/diagnosis_output.h"
+#include "printing/fit_output.h"
 
 namespace handsight::cli {
 namespace {

@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "command.h"
-#include "diagnosis/clean_model.h"
-#include "diagnosis/fresh_poses.h"
-#include "diagnosis/inspection.h"
-#include "diagnosis_output.h"
-#include "json_values.h"
-#include "vision/image_file.h"
+#include "diagnosis/attribution/fresh_poses.h"
+#include "diagnosis/attribution/inspection.h"
+#include "diagnosis/ranking/clean_model.h"
+#include "printing/diagnosis_output.h"
+#include "printing/json_values.h"
+#include "vision/image/image_file.h"
 
 namespace handsight::cli {
 namespace {

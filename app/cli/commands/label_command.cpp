@@ -6,10 +6,10 @@
 
 #include "base/numbers.h"
 #include "command.h"
-#include "json_values.h"
+#include "printing/json_values.h"
 #include "session/session_xml.h"
-#include "vision/first_observation.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
+#include "vision/markers/first_observation.h"
 
 namespace handsight::cli {
 namespace {

@@ -11,14 +11,14 @@
 
 #include "base/degrees.h"
 #include "command.h"
-#include "estimation/online.h"
-#include "json_values.h"
-#include "option_limits.h"
-#include "outputs.h"
+#include "detection/target_finding.h"
+#include "estimation/online/online.h"
+#include "live/arrivals.h"
+#include "options/option_limits.h"
+#include "printing/json_values.h"
+#include "printing/outputs.h"
 #include "session/session_xml.h"
-#include "session/target_finding.h"
-#include "vision/image_file.h"
-#include "ways/arrivals.h"
+#include "vision/image/image_file.h"
 
 namespace handsight::cli {
 namespace {

@@ -4,10 +4,10 @@
 #include "base/degrees.h"
 #include "base/numbers.h"
 #include "command.h"
-#include "diagnosis/planning.h"
-#include "diagnosis_output.h"
-#include "json_values.h"
-#include "outputs.h"
+#include "diagnosis/planning/planning.h"
+#include "printing/diagnosis_output.h"
+#include "printing/json_values.h"
+#include "printing/outputs.h"
 
 namespace handsight::cli {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "base/degrees.h"
 #include "command.h"
-#include "driven_poses.h"
-#include "outputs.h"
-#include "told_json.h"
+#include "options/driven_poses.h"
+#include "printing/outputs.h"
+#include "printing/told_json.h"
 
 namespace handsight::cli {
 namespace {

@@ -3,12 +3,12 @@
 
 #include "command.h"
 #include "effects/own_effect.h"
-#include "option_limits.h"
-#include "outputs.h"
+#include "options/option_limits.h"
+#include "options/target_option.h"
+#include "printing/outputs.h"
 #include "robot/urdf.h"
 #include "simulate_live.h"
 #include "simulation/simulated_files.h"
-#include "target_option.h"
 
 namespace handsight::cli {
 namespace {

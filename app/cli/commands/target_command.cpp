@@ -4,9 +4,9 @@
 
 #include "base/text.h"
 #include "command.h"
-#include "option_limits.h"
-#include "outputs.h"
-#include "target_option.h"
+#include "options/option_limits.h"
+#include "options/target_option.h"
+#include "printing/outputs.h"
 #include "targets/sheet.h"
 
 namespace handsight::cli {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "calibrating/board_knowledge.h"
+#include "camera_calibration/board_knowledge.h"
 #include "command.h"
 
 namespace handsight::cli {

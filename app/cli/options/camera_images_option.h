@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "camera/camera_knowledge.h"
-#include "json_values.h"
-#include "outputs.h"
+#include "printing/json_values.h"
+#include "printing/outputs.h"
 #include "session/session.h"
 #include "target_option.h"
 

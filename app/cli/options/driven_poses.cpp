@@ -5,8 +5,8 @@
 
 #include "base/bounds.h"
 #include "base/numbers.h"
-#include "outputs.h"
-#include "session/csv.h"
+#include "printing/outputs.h"
+#include "readers/csv.h"
 
 namespace handsight::cli {
 namespace {

@@ -2,9 +2,9 @@
 #include "predict_source.h"
 
 #include "base/files.h"
-#include "diagnosis_output.h"
-#include "estimation/fit_report.h"
-#include "outputs.h"
+#include "estimation/report/fit_report.h"
+#include "printing/diagnosis_output.h"
+#include "printing/outputs.h"
 #include "robot/urdf.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command.h"
-#include "ways/calibrated_robot.h"
+#include "correct/calibrated_robot.h"
 
 namespace handsight::cli {
 

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "targets/target_xml.h"
+#include "print/target_xml.h"
 
 namespace handsight::cli {
 namespace {

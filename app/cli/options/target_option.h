@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "targets/target.h"
+#include "print/target.h"
 
 namespace handsight::cli {
 

@@ -3,17 +3,17 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/curves.h"
-#include "diagnosis/explanation.h"
-#include "diagnosis/refitting.h"
-#include "diagnosis/robot_check.h"
-#include "diagnosis/scatter_levels.h"
-#include "diagnosis/trend.h"
+#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/residuals/trend.h"
+#include "diagnosis/verdict/explanation.h"
+#include "diagnosis/verdict/robot_check.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
 #include "fit_output.h"
 #include "json_values.h"
-#include "option_limits.h"
+#include "options/option_limits.h"
 
 namespace handsight::cli {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command.h"
-#include "diagnosis/improvement.h"
+#include "diagnosis/selection/improvement.h"
 
 namespace handsight::cli {
 

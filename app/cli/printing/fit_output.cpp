@@ -8,7 +8,7 @@
 
 #include "base/degrees.h"
 #include "effects/units.h"
-#include "estimation/sure_fit.h"
+#include "estimation/fit/sure_fit.h"
 #include "json_values.h"
 
 namespace handsight::cli {

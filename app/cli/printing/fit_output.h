@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command.h"
-#include "estimation/fit_report.h"
+#include "estimation/report/fit_report.h"
 
 namespace handsight::cli {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command.h"
-#include "diagnosis/proof.h"
+#include "diagnosis/proof/proof.h"
 
 namespace handsight::cli {
 

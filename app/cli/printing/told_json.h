@@ -2,10 +2,10 @@
 // Checks, predictions and corrections as JSON: what the command line writes and the Python module gives.
 #pragma once
 
-#include "estimation/prediction.h"
-#include "estimation/session_check.h"
+#include "correct/correction.h"
+#include "estimation/report/prediction.h"
+#include "estimation/report/session_check.h"
 #include "json_values.h"
-#include "ways/correction.h"
 
 namespace handsight::cli {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/blame.h"
+#include "diagnosis/attribution/blame.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/body_pose.h"
-#include "estimation/noise.h"
+#include "estimation/fit/noise.h"
+#include "estimation/problem/body_pose.h"
 
 namespace handsight {
 namespace {

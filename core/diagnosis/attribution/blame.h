@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "diagnosis/snooping.h"
+#include "diagnosis/outliers/snooping.h"
 
 namespace handsight {
 

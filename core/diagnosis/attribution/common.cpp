@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/common.h"
+#include "diagnosis/attribution/common.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // the rest.
 #pragma once
 
-#include "diagnosis/variables.h"
+#include "diagnosis/curves/variables.h"
 
 namespace handsight {
 

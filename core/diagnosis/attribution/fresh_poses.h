@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "diagnosis/inspection.h"
+#include "diagnosis/attribution/inspection.h"
 
 namespace handsight {
 

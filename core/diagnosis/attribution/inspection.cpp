@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/inspection.h"
+#include "diagnosis/attribution/inspection.h"
 
 #include <algorithm>
 
-#include "estimation/pose_residuals.h"
+#include "estimation/problem/pose_residuals.h"
 #include "session/by_time.h"
 #include "session/sample.h"
 

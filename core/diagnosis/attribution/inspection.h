@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <string>
 
-#include "diagnosis/blame.h"
-#include "diagnosis/lone_observations.h"
-#include "estimation/fit_report.h"
-#include "estimation/second_look.h"
+#include "diagnosis/attribution/blame.h"
+#include "diagnosis/outliers/lone_observations.h"
+#include "estimation/online/second_look.h"
+#include "estimation/report/fit_report.h"
 
 namespace handsight {
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/shown_number.h"
-#include "diagnosis/blame.h"
-#include "estimation/body_pose.h"
+#include "diagnosis/attribution/blame.h"
+#include "estimation/problem/body_pose.h"
 
 namespace handsight {
 namespace {

@@ -6,8 +6,8 @@
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
 
-#include "diagnosis/blame.h"
-#include "diagnosis/body_rows.h"
+#include "diagnosis/attribution/blame.h"
+#include "diagnosis/evidence/body_rows.h"
 #include "geometry/orthonormal_columns.h"
 
 namespace handsight {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/curve_shapes.h"
+#include "diagnosis/curves/curve_shapes.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagnosis/formula_numbers.h"
-#include "diagnosis/place_formulas.h"
+#include "diagnosis/curves/formula_numbers.h"
+#include "diagnosis/curves/place_formulas.h"
 
 namespace handsight {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/variables.h"
+#include "diagnosis/curves/variables.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/localisers.h"
+#include "diagnosis/curves/localisers.h"
 
 #include <optional>
 

@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "diagnosis/curve_shapes.h"
-#include "diagnosis/site_scores.h"
+#include "diagnosis/curves/curve_shapes.h"
+#include "diagnosis/curves/site_scores.h"
 
 namespace handsight {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/place_formulas.h"
+#include "diagnosis/curves/place_formulas.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 
-#include "diagnosis/formula_numbers.h"
+#include "diagnosis/curves/formula_numbers.h"
 #include "effects/formula.h"
 
 namespace handsight {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/site_scores.h"
+#include "diagnosis/curves/site_scores.h"
 
 #include "base/threads.h"
-#include "estimation/column_products.h"
+#include "estimation/problem/column_products.h"
 
 namespace handsight {
 namespace {

@@ -3,7 +3,7 @@
 // hand, the mount.
 #pragma once
 
-#include "diagnosis/evidence.h"
+#include "diagnosis/evidence/evidence.h"
 
 namespace handsight {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/variables.h"
+#include "diagnosis/curves/variables.h"
 
 #include <fmt/format.h>
 
-#include "diagnosis/place_formulas.h"
+#include "diagnosis/curves/place_formulas.h"
 #include "effects/own_effect.h"
 
 namespace handsight {

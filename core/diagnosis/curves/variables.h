@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/linear_model.h"
+#include "diagnosis/evidence/linear_model.h"
 
 namespace handsight {
 

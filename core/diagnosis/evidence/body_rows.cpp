@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/body_rows.h"
+#include "diagnosis/evidence/body_rows.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/candidates.h"
+#include "diagnosis/evidence/candidates.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // Everything of the catalogue that a model may lack, as columns beside the model's own.
 #pragma once
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/evidence.h"
+#include "diagnosis/evidence/evidence.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/threads.h"
-#include "estimation/column_products.h"
+#include "estimation/problem/column_products.h"
 
 namespace handsight {
 namespace {

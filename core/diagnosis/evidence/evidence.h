@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "diagnosis/linear_model.h"
+#include "diagnosis/evidence/linear_model.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/lack_of_fit.h"
+#include "diagnosis/evidence/lack_of_fit.h"
 
 namespace handsight {
 

@@ -2,8 +2,8 @@
 // Does the model leave more than noise of what an effect could explain?
 #pragma once
 
-#include "estimation/fit.h"
-#include "estimation/noise.h"
+#include "estimation/fit/fit.h"
+#include "estimation/fit/noise.h"
 
 namespace handsight {
 

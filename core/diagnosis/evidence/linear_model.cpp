@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/linear_model.h"
+#include "diagnosis/evidence/linear_model.h"
 
 #include <Eigen/QR>
 #include <cmath>
 
 #include "base/threads.h"
-#include "estimation/column_products.h"
-#include "estimation/priors.h"
+#include "estimation/problem/column_products.h"
+#include "estimation/solvers/priors.h"
 
 namespace handsight {
 namespace {

@@ -4,7 +4,7 @@
 // two: the external ones, which anything may explain, and the internal ones, which only cameras and markers can.
 #pragma once
 
-#include "estimation/least_squares.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 

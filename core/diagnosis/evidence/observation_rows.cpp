@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/observation_rows.h"
+#include "diagnosis/evidence/observation_rows.h"
 
 #include <cmath>
 

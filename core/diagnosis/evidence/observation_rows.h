@@ -2,7 +2,7 @@
 // All measured coordinates of one observation and how they follow from every column of a problem.
 #pragma once
 
-#include "estimation/normal_equations.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 

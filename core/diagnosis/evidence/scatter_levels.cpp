@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/scatter_levels.h"
+#include "diagnosis/evidence/scatter_levels.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -2,7 +2,7 @@
 // How much may differ from pose to pose and follow nothing: assumptions of it under which evidence is weighed.
 #pragma once
 
-#include "diagnosis/evidence.h"
+#include "diagnosis/evidence/evidence.h"
 
 namespace handsight {
 

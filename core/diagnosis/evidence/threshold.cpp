@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/threshold.h"
+#include "diagnosis/evidence/threshold.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Which evidence counts: by simulating nothing missing on the session's own poses.
 #pragma once
 
-#include "diagnosis/candidates.h"
-#include "diagnosis/evidence.h"
+#include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/evidence.h"
 
 namespace handsight {
 

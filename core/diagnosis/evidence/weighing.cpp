@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/weighing.h"
+#include "diagnosis/evidence/weighing.h"
 
 #include <algorithm>
 

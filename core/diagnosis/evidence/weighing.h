@@ -2,8 +2,8 @@
 // What is known of the noise of a fit's rows, and the noise that weighs them.
 #pragma once
 
-#include "diagnosis/evidence.h"
-#include "estimation/fit.h"
+#include "diagnosis/evidence/evidence.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

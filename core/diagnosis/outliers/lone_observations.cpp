@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/lone_observations.h"
+#include "diagnosis/outliers/lone_observations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/text.h"
-#include "estimation/fit_report.h"
+#include "estimation/report/fit_report.h"
 
 namespace handsight {
 namespace {

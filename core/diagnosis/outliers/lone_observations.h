@@ -2,7 +2,7 @@
 // Observations of which each alone is wrong: a reading that slipped, an image of another pose.
 #pragma once
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

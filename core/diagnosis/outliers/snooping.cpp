@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/snooping.h"
+#include "diagnosis/outliers/snooping.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnosis/body_rows.h"
-#include "diagnosis/weighing.h"
-#include "estimation/fit_noise.h"
-#include "estimation/problem_part.h"
+#include "diagnosis/evidence/body_rows.h"
+#include "diagnosis/evidence/weighing.h"
+#include "estimation/fit/fit_noise.h"
+#include "estimation/problem/problem_part.h"
 #include "geometry/orthonormal_columns.h"
 
 namespace handsight {

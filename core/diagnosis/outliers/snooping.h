@@ -3,8 +3,8 @@
 // errors as random effects (Baarda 1968; docs/method.md, "Wrong points").
 #pragma once
 
-#include "diagnosis/lone_observations.h"
-#include "estimation/fit.h"
+#include "diagnosis/outliers/lone_observations.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/expected_poses.h"
+#include "diagnosis/planning/expected_poses.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // What a fitted model expects to see in poses that were not measured yet, and what measuring them would teach it.
 #pragma once
 
-#include "diagnosis/pose_pool.h"
+#include "diagnosis/planning/pose_pool.h"
 
 namespace handsight {
 

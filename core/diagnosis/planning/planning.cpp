@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/planning.h"
+#include "diagnosis/planning/planning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "diagnosis/refitting.h"
-#include "diagnosis/rivalry.h"
+#include "diagnosis/planning/rivalry.h"
+#include "diagnosis/ranking/refitting.h"
 
 namespace handsight {
 namespace {

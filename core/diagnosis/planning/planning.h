@@ -2,7 +2,7 @@
 // The poses to measure next: those that settle the estimate best, or those that best tell two effects apart.
 #pragma once
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/pose_pool.h"
+#include "diagnosis/planning/pose_pool.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

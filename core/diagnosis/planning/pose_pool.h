@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/rivalry.h"
+#include "diagnosis/planning/rivalry.h"
 
 #include <Eigen/QR>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "diagnosis/expected_poses.h"
+#include "diagnosis/planning/expected_poses.h"
 
 namespace handsight {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/proof.h"
+#include "diagnosis/proof/proof.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/candidates.h"
-#include "diagnosis/observation_rows.h"
-#include "diagnosis/proof_sites.h"
-#include "diagnosis/weighing.h"
+#include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/observation_rows.h"
+#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/proof/proof_sites.h"
 #include "effects/units.h"
 
 namespace handsight {

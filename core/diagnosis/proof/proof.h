@@ -6,7 +6,7 @@
 // share of each number is that number as it was estimated.
 #pragma once
 
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 

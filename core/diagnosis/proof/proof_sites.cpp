@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/proof_sites.h"
+#include "diagnosis/proof/proof_sites.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <regex>
 
-#include "diagnosis/curves.h"
-#include "diagnosis/place_formulas.h"
+#include "diagnosis/curves/place_formulas.h"
+#include "diagnosis/ranking/curves.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
 

@@ -3,7 +3,7 @@
 // moves, whatever it is called.
 #pragma once
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

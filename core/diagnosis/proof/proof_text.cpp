@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "diagnosis/proof.h"
+#include "diagnosis/proof/proof.h"
 
 namespace handsight {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/clean_model.h"
+#include "diagnosis/ranking/clean_model.h"
 
 #include <algorithm>
 
-#include "diagnosis/refitting.h"
+#include "diagnosis/ranking/refitting.h"
 
 namespace handsight {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/curves.h"
+#include "diagnosis/ranking/curves.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "base/combinations.h"
-#include "diagnosis/place_formulas.h"
+#include "diagnosis/curves/place_formulas.h"
 #include "effects/own_effect.h"
 
 namespace handsight {

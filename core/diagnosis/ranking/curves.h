@@ -3,7 +3,7 @@
 // effect (effects/own_effect.h).
 #pragma once
 
-#include "diagnosis/ranking.h"
+#include "diagnosis/ranking/ranking.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/ranking.h"
+#include "diagnosis/ranking/ranking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "base/combinations.h"
 #include "base/threads.h"
-#include "diagnosis/scatter_levels.h"
+#include "diagnosis/evidence/scatter_levels.h"
 
 namespace handsight {
 namespace {

@@ -3,8 +3,8 @@
 // out and a choice of joints inside every effect (docs/method.md, "Ranking what is missing").
 #pragma once
 
-#include "diagnosis/candidates.h"
-#include "diagnosis/localisers.h"
+#include "diagnosis/curves/localisers.h"
+#include "diagnosis/evidence/candidates.h"
 
 namespace handsight {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/refitting.h"
+#include "diagnosis/ranking/refitting.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "diagnosis/scatter_levels.h"
+#include "diagnosis/evidence/scatter_levels.h"
 
 namespace handsight {
 namespace {

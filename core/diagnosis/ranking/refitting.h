@@ -2,9 +2,9 @@
 // A candidate fitted in full, and what that says of its evidence.
 #pragma once
 
-#include "diagnosis/ranking.h"
-#include "diagnosis/snooping.h"
-#include "diagnosis/weighing.h"
+#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/outliers/snooping.h"
+#include "diagnosis/ranking/ranking.h"
 
 namespace handsight {
 

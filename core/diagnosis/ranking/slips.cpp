@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/slips.h"
+#include "diagnosis/ranking/slips.h"
 
 #include <algorithm>
 #include <cmath>

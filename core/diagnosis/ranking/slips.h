@@ -2,7 +2,7 @@
 // Is a slip at one moment believable? It is cheap to add and costly when wrong.
 #pragma once
 
-#include "estimation/fit_report.h"
+#include "estimation/report/fit_report.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/patterns.h"
+#include "diagnosis/residuals/patterns.h"
 
 #include <fmt/format.h>
 

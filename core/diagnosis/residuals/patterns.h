@@ -2,7 +2,7 @@
 // See where a model fails: residual motions of the body that follow something, by a statistic that assumes no shape.
 #pragma once
 
-#include "diagnosis/variables.h"
+#include "diagnosis/curves/variables.h"
 
 namespace handsight {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/residual_views.h"
+#include "diagnosis/residuals/residual_views.h"
 
 #include <algorithm>
 #include <random>
 
 #include "base/error.h"
-#include "diagnosis/candidates.h"
-#include "diagnosis/observation_rows.h"
-#include "estimation/fit_report.h"
+#include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/observation_rows.h"
+#include "estimation/report/fit_report.h"
 
 namespace handsight {
 namespace {

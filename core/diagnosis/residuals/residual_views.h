@@ -3,9 +3,9 @@
 // residuals in the images, and how both would look with noise alone or with an effect of any size.
 #pragma once
 
-#include "diagnosis/patterns.h"
-#include "diagnosis/snooping.h"
-#include "diagnosis/weighing.h"
+#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/outliers/snooping.h"
+#include "diagnosis/residuals/patterns.h"
 
 namespace handsight {
 

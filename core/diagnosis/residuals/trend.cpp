@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/trend.h"
+#include "diagnosis/residuals/trend.h"
 
 #include <algorithm>
 #include <cmath>

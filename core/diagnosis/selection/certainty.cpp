@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/certainty.h"
+#include "diagnosis/selection/certainty.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "diagnosis/likely_choices.h"
+#include "chain/body_frame.h"
+#include "diagnosis/selection/likely_choices.h"
 #include "effects/term_numbers.h"
-#include "estimation/body_frame.h"
 
 namespace handsight {
 namespace {

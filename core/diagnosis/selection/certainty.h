@@ -3,8 +3,8 @@
 // over models (Hoeting, Madigan, Raftery and Volinsky 1999, Bayesian model averaging).
 #pragma once
 
-#include "diagnosis/diagnosis.h"
-#include "estimation/doubt.h"
+#include "diagnosis/verdict/diagnosis.h"
+#include "estimation/report/doubt.h"
 
 namespace handsight {
 

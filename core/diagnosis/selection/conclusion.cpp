@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/conclusion.h"
+#include "diagnosis/selection/conclusion.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/curves.h"
-#include "diagnosis/explanation.h"
-#include "diagnosis/judging.h"
-#include "diagnosis/lack_of_fit.h"
-#include "diagnosis/refitting.h"
-#include "diagnosis/upkeep.h"
-#include "estimation/sure_fit.h"
+#include "diagnosis/evidence/lack_of_fit.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/upkeep.h"
+#include "diagnosis/verdict/explanation.h"
+#include "diagnosis/verdict/judging.h"
+#include "estimation/fit/sure_fit.h"
 
 namespace handsight {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/exchange.h"
+#include "diagnosis/selection/exchange.h"
 
 #include <algorithm>
 
-#include "diagnosis/candidate_report.h"
-#include "diagnosis/curves.h"
-#include "diagnosis/refitting.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/verdict/candidate_report.h"
 
 namespace handsight {
 namespace {

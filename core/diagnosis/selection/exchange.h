@@ -2,7 +2,7 @@
 // A name that was given early may have stood in for another, which shows once the rest is in the model.
 #pragma once
 
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 

@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
-#include "diagnosis/candidates.h"
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/weighing.h"
+#include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/improvement.h"
+#include "diagnosis/selection/improvement.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <cmath>
 #include <set>
 
-#include "diagnosis/conclusion.h"
-#include "diagnosis/curves.h"
-#include "diagnosis/other_names.h"
-#include "diagnosis/sampled.h"
-#include "diagnosis/slips.h"
-#include "diagnosis/upkeep.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/slips.h"
+#include "diagnosis/selection/conclusion.h"
+#include "diagnosis/selection/other_names.h"
+#include "diagnosis/selection/upkeep.h"
+#include "diagnosis/verdict/sampled.h"
 #include "effects/units.h"
-#include "estimation/sure_fit.h"
+#include "estimation/fit/sure_fit.h"
 
 namespace handsight {
 namespace {

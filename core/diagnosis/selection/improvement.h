@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "diagnosis/certainty.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/selection/certainty.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 

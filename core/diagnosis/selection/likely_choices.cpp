@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/likely_choices.h"
+#include "diagnosis/selection/likely_choices.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-#include "diagnosis/explanations.h"
+#include "diagnosis/selection/explanations.h"
 
 namespace handsight {
 

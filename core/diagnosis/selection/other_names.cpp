@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/other_names.h"
+#include "diagnosis/selection/other_names.h"
 
 #include <algorithm>
 #include <array>
 
 #include "base/threads.h"
-#include "diagnosis/explanations.h"
-#include "diagnosis/refitting.h"
-#include "diagnosis/upkeep.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/explanations.h"
+#include "diagnosis/selection/upkeep.h"
 
 namespace handsight {
 namespace {

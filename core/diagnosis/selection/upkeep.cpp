@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/upkeep.h"
+#include "diagnosis/selection/upkeep.h"
 
 #include <algorithm>
 #include <set>
 
-#include "diagnosis/curves.h"
-#include "diagnosis/exchange.h"
-#include "diagnosis/refitting.h"
-#include "diagnosis/slips.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/ranking/slips.h"
+#include "diagnosis/selection/exchange.h"
 
 namespace handsight {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/candidate_report.h"
+#include "diagnosis/verdict/candidate_report.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/lack_of_fit.h"
-#include "estimation/noise.h"
+#include "diagnosis/evidence/lack_of_fit.h"
+#include "estimation/fit/noise.h"
 
 namespace handsight {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/refitting.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "diagnosis/candidate_report.h"
-#include "diagnosis/clean_model.h"
-#include "diagnosis/curves.h"
-#include "diagnosis/explanation.h"
-#include "diagnosis/finding.h"
-#include "diagnosis/judging.h"
-#include "diagnosis/lack_of_fit.h"
-#include "diagnosis/refitting.h"
-#include "diagnosis/robot_check.h"
-#include "diagnosis/sampled.h"
-#include "diagnosis/threshold.h"
+#include "diagnosis/evidence/lack_of_fit.h"
+#include "diagnosis/evidence/threshold.h"
+#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/verdict/candidate_report.h"
+#include "diagnosis/verdict/explanation.h"
+#include "diagnosis/verdict/finding.h"
+#include "diagnosis/verdict/judging.h"
+#include "diagnosis/verdict/robot_check.h"
+#include "diagnosis/verdict/sampled.h"
 
 namespace handsight {
 namespace {

@@ -2,11 +2,11 @@
 // Compare the model with the measurements, see where it fails, learn what is missing.
 #pragma once
 
-#include "diagnosis/blame.h"
-#include "diagnosis/patterns.h"
-#include "diagnosis/ranking.h"
-#include "diagnosis/snooping.h"
-#include "estimation/fit_report.h"
+#include "diagnosis/attribution/blame.h"
+#include "diagnosis/outliers/snooping.h"
+#include "diagnosis/ranking/ranking.h"
+#include "diagnosis/residuals/patterns.h"
+#include "estimation/report/fit_report.h"
 
 namespace handsight {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/explanation.h"
+#include "diagnosis/verdict/explanation.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "diagnosis/robot_check.h"
-#include "diagnosis/scatter_levels.h"
+#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/verdict/robot_check.h"
 #include "effects/units.h"
 
 namespace handsight {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/finding.h"
+#include "diagnosis/verdict/finding.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/judging.h"
+#include "diagnosis/verdict/judging.h"
 
 #include <algorithm>
 
-#include "diagnosis/explanation.h"
-#include "diagnosis/lack_of_fit.h"
+#include "diagnosis/evidence/lack_of_fit.h"
+#include "diagnosis/verdict/explanation.h"
 
 namespace handsight {
 namespace {

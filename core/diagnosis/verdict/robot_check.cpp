@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/robot_check.h"
+#include "diagnosis/verdict/robot_check.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "diagnosis/robot_readings.h"
+#include "diagnosis/verdict/robot_readings.h"
 #include "effects/units.h"
 
 namespace handsight {

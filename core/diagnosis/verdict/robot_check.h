@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 

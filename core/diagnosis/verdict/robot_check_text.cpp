@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/robot_check.h"
+#include "diagnosis/verdict/robot_check.h"
 
 namespace handsight {
 namespace {

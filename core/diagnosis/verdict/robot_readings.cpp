@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/robot_readings.h"
+#include "diagnosis/verdict/robot_readings.h"
 
 namespace handsight {
 namespace {

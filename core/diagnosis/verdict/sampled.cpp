@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/sampled.h"
+#include "diagnosis/verdict/sampled.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/explanation.h"
+#include "diagnosis/verdict/explanation.h"
 
 namespace handsight {
 namespace {

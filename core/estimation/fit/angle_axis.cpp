@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/angle_axis.h"
+#include "estimation/fit/angle_axis.h"
 
 #include <cmath>
 
-#include "estimation/body_pose.h"
+#include "estimation/problem/body_pose.h"
 
 namespace handsight {
 namespace {

@@ -2,7 +2,7 @@
 // The angle-axis objective (thesis 4.39-4.40): body poses of single observations against the chain.
 #pragma once
 
-#include "estimation/least_squares.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 

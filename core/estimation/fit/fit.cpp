@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "effects/term_numbers.h"
-#include "estimation/competition.h"
-#include "estimation/fit_covariance.h"
-#include "estimation/fit_noise.h"
-#include "estimation/objectives.h"
-#include "estimation/pose_residuals.h"
-#include "estimation/start.h"
-#include "estimation/sure_fit.h"
+#include "estimation/fit/fit_covariance.h"
+#include "estimation/fit/fit_noise.h"
+#include "estimation/fit/objectives.h"
+#include "estimation/fit/sure_fit.h"
+#include "estimation/problem/pose_residuals.h"
+#include "estimation/start/competition.h"
+#include "estimation/start/start.h"
 #include "session/pose_points.h"
 
 namespace handsight {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "estimation/body_frame.h"
-#include "estimation/least_squares.h"
-#include "estimation/noise.h"
+#include "chain/body_frame.h"
+#include "estimation/fit/noise.h"
+#include "estimation/solvers/least_squares.h"
 #include "session/session.h"
 
 namespace handsight {

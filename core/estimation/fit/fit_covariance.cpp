@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/fit_covariance.h"
+#include "estimation/fit/fit_covariance.h"
 
 #include <cmath>
 
-#include "estimation/column_products.h"
-#include "estimation/noise.h"
-#include "estimation/objectives.h"
-#include "estimation/priors.h"
+#include "estimation/fit/noise.h"
+#include "estimation/fit/objectives.h"
+#include "estimation/problem/column_products.h"
+#include "estimation/solvers/priors.h"
 
 namespace handsight {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/fit_noise.h"
+#include "estimation/fit/fit_noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // The noise that a fit goes by: declared, seen in the measurements, or neither.
 #pragma once
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/noise.h"
+#include "estimation/fit/noise.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -8,9 +8,9 @@
 #include <map>
 #include <numeric>
 
-#include "estimation/body_pose.h"
-#include "estimation/column_products.h"
-#include "estimation/least_squares.h"
+#include "estimation/problem/body_pose.h"
+#include "estimation/problem/column_products.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 namespace {

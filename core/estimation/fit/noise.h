@@ -2,7 +2,7 @@
 // The noise of one coordinate, from what no motion of the body can explain.
 #pragma once
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

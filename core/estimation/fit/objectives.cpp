@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/objectives.h"
+#include "estimation/fit/objectives.h"
 
-#include "estimation/angle_axis.h"
-#include "estimation/body_shape.h"
-#include "estimation/shape_start.h"
-#include "estimation/trust_region.h"
+#include "estimation/fit/angle_axis.h"
+#include "estimation/problem/body_shape.h"
+#include "estimation/solvers/trust_region.h"
+#include "estimation/start/shape_start.h"
 
 namespace handsight {
 namespace {

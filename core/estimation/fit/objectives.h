@@ -2,7 +2,7 @@
 // How each of the three objectives is brought to its minimum, on all observations or on a part of them.
 #pragma once
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

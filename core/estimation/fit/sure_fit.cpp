@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/sure_fit.h"
+#include "estimation/fit/sure_fit.h"
 
 #include <cmath>
 
-#include "estimation/competition.h"
-#include "estimation/effect_starts.h"
-#include "estimation/objectives.h"
+#include "estimation/fit/objectives.h"
+#include "estimation/start/competition.h"
+#include "estimation/start/effect_starts.h"
 
 namespace handsight {
 namespace {

@@ -3,7 +3,7 @@
 // gives way.
 #pragma once
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/online.h"
+#include "estimation/online/online.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "estimation/body_pose.h"
-#include "estimation/noise.h"
-#include "estimation/start.h"
+#include "estimation/fit/noise.h"
+#include "estimation/problem/body_pose.h"
+#include "estimation/start/start.h"
 
 namespace handsight {
 namespace {

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "estimation/incremental_fit.h"
-#include "estimation/mount_search.h"
-#include "estimation/online_target.h"
-#include "estimation/running_shape.h"
-#include "vision/following_observation.h"
+#include "estimation/online/online_target.h"
+#include "estimation/problem/running_shape.h"
+#include "estimation/solvers/incremental_fit.h"
+#include "estimation/start/mount_search.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight {
 

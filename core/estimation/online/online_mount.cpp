@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "estimation/body_pose.h"
-#include "estimation/online.h"
-#include "estimation/start.h"
+#include "estimation/online/online.h"
+#include "estimation/problem/body_pose.h"
+#include "estimation/start/start.h"
 
 namespace handsight {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/online_step.h"
+#include "estimation/online/online_step.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "chain/body_frame.h"
+#include "chain/chain.h"
 #include "effects/effect.h"
-#include "estimation/body_frame.h"
-#include "model/chain.h"
-#include "vision/corner_detector.h"
-#include "vision/following_observation.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight {
 

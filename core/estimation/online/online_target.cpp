@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/online_target.h"
+#include "estimation/online/online_target.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "estimation/half_turns.h"
-#include "estimation/noise.h"
-#include "estimation/shape_start.h"
-#include "estimation/target_pose.h"
+#include "estimation/fit/noise.h"
+#include "estimation/problem/target_pose.h"
+#include "estimation/start/half_turns.h"
+#include "estimation/start/shape_start.h"
 
 namespace handsight {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "estimation/held_fit.h"
-#include "estimation/online_step.h"
+#include "estimation/online/online_step.h"
+#include "estimation/solvers/held_fit.h"
 
 namespace handsight {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/second_look.h"
+#include "estimation/online/second_look.h"
 
 #include <algorithm>
 
-#include "vision/following_observation.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "estimation/fit.h"
-#include "estimation/online.h"
+#include "estimation/fit/fit.h"
+#include "estimation/online/online.h"
 
 namespace handsight {
 

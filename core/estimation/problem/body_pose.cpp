@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/body_pose.h"
+#include "estimation/problem/body_pose.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

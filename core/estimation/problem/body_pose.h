@@ -2,7 +2,7 @@
 // Where the marker body is in the sensor's frame, from one observation alone (thesis 4.24).
 #pragma once
 
-#include "model/sighting.h"
+#include "chain/sighting.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/body_shape.h"
+#include "estimation/problem/body_shape.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -2,7 +2,7 @@
 // The body's shape as the average of all observations, by principal component analysis (thesis 4.19-4.23).
 #pragma once
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/column_products.h"
+#include "estimation/problem/column_products.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ struct Product {
 };
 
 namespace in_quarters {
-#include "estimation/column_tiles.inc"
+#include "estimation/problem/column_tiles.inc"
 void add(const Product& p) { add_tiles<2, 1>(p); }
 }  // namespace in_quarters
 
@@ -38,7 +38,7 @@ void add(const Product& p) { add_tiles<2, 1>(p); }
 #pragma GCC push_options
 #pragma GCC target("avx512f")
 namespace in_32_registers {
-#include "estimation/column_tiles.inc"
+#include "estimation/problem/column_tiles.inc"
 void add(const Product& p) { add_tiles<4, 4>(p); }
 }  // namespace in_32_registers
 #pragma GCC pop_options
@@ -46,7 +46,7 @@ void add(const Product& p) { add_tiles<4, 4>(p); }
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace in_halves {
-#include "estimation/column_tiles.inc"
+#include "estimation/problem/column_tiles.inc"
 void add(const Product& p) { add_tiles<2, 2>(p); }
 }  // namespace in_halves
 #pragma GCC pop_options

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/threads.h"
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 #include "robot/posture_tangent.h"
 
 namespace handsight {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/pose_residuals.h"
+#include "estimation/problem/pose_residuals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // What measured poses leave, as places and turns.
 #pragma once
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 #include "session/pose_points.h"
 
 namespace handsight {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 #include <algorithm>
 

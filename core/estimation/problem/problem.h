@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "camera/camera_knowledge.h"
+#include "chain/sighting.h"
 #include "effects/effect.h"
-#include "model/sighting.h"
 
 namespace handsight {
 

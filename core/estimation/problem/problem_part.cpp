@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/problem_part.h"
+#include "estimation/problem/problem_part.h"
 
 #include <algorithm>
 #include <iterator>

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

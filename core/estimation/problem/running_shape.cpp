@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/running_shape.h"
+#include "estimation/problem/running_shape.h"
 
 #include <cmath>
 

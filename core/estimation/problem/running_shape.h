@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/sighting.h"
+#include "chain/sighting.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/target_pose.h"
+#include "estimation/problem/target_pose.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -2,7 +2,7 @@
 // Where a target of known shape is, from what one observation saw of it and without any guess.
 #pragma once
 
-#include "estimation/body_pose.h"
+#include "estimation/problem/body_pose.h"
 
 namespace handsight {
 

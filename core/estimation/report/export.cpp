@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/export.h"
+#include "estimation/report/export.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "effects/term_numbers.h"
 #include "effects/units.h"
-#include "estimation/prediction.h"
+#include "estimation/report/prediction.h"
 
 namespace handsight {
 

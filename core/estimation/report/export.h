@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "estimation/doubt.h"
-#include "estimation/fit_report.h"
+#include "estimation/report/doubt.h"
+#include "estimation/report/fit_report.h"
 #include "session/calibration.h"
 
 namespace handsight {

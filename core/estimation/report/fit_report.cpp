@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/fit_report.h"
+#include "estimation/report/fit_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,12 @@
 #include <mutex>
 
 #include "base/threads.h"
-#include "estimation/body_pose.h"
-#include "estimation/noise.h"
-#include "estimation/objectives.h"
-#include "estimation/pose_residuals.h"
-#include "estimation/problem_part.h"
-#include "estimation/shape_start.h"
+#include "estimation/fit/noise.h"
+#include "estimation/fit/objectives.h"
+#include "estimation/problem/body_pose.h"
+#include "estimation/problem/pose_residuals.h"
+#include "estimation/problem/problem_part.h"
+#include "estimation/start/shape_start.h"
 
 namespace handsight {
 namespace {

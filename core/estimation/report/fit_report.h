@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 
@@ -57,8 +57,8 @@ FitReport report(const Session& session, const Fit& fit, const FitOptions& optio
 /// the same robot, sensors and hand. Fitted errors; no folds.
 ErrorSummary error_on(const Session& others, const Fit& fit);
 
-/// The mean square of the coordinates (px^2, m^2) of each observation of the fit, in order of time; and of each used one
-/// of another session, as `error_on`.
+/// The mean square of the coordinates (px^2, m^2) of each observation of the fit, in order of time; and of each used
+/// one of another session, as `error_on`.
 std::vector<double> mean_squares(const Fit& fit);
 std::vector<double> mean_squares_on(const Session& others, const Fit& fit);
 

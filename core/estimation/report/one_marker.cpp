@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/one_marker.h"
+#include "estimation/report/one_marker.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // One marker (thesis 4.2): the force at the TCP that pulls the springs of the arm toward the measured marker.
 #pragma once
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 

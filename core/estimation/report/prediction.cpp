@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/prediction.h"
+#include "estimation/report/prediction.h"
 
 #include <Eigen/Eigenvalues>
 

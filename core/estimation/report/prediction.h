@@ -2,8 +2,8 @@
 // Where the TCP really is in poses that were not measured: the purpose of it all.
 #pragma once
 
-#include "estimation/doubt.h"
-#include "estimation/fit_report.h"
+#include "estimation/report/doubt.h"
+#include "estimation/report/fit_report.h"
 #include "session/calibration.h"
 
 namespace handsight {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/session_check.h"
+#include "estimation/report/session_check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/session_doubts.h"
-#include "model/arrangement.h"
-#include "model/chain.h"
-#include "model/sighting.h"
-#include "vision/image_file.h"
+#include "chain/arrangement.h"
+#include "chain/chain.h"
+#include "chain/sighting.h"
+#include "estimation/report/session_doubts.h"
+#include "vision/image/image_file.h"
 
 namespace handsight {
 namespace {

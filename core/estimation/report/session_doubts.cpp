@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/session_doubts.h"
+#include "estimation/report/session_doubts.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/chain.h"
+#include "chain/chain.h"
 
 namespace handsight {
 namespace {

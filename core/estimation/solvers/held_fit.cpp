@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/held_fit.h"
+#include "estimation/solvers/held_fit.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
-#include "estimation/least_squares.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 

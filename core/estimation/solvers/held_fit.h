@@ -3,7 +3,7 @@
 // however many points there are.
 #pragma once
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

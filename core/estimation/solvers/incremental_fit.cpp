@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/incremental_fit.h"
+#include "estimation/solvers/incremental_fit.h"
 
 #include <algorithm>
 #include <cmath>

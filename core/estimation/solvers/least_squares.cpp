@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/least_squares.h"
+#include "estimation/solvers/least_squares.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

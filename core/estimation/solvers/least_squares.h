@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "estimation/loss.h"
+#include "estimation/solvers/loss.h"
 
 namespace handsight {
 

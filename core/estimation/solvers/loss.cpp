@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/loss.h"
+#include "estimation/solvers/loss.h"
 
 #include <algorithm>
 #include <cmath>

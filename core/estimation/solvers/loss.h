@@ -2,7 +2,7 @@
 // Robust losses: how much a sighting with a long residual counts.
 #pragma once
 
-#include "estimation/normal_equations.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/normal_equations.h"
+#include "estimation/solvers/normal_equations.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "base/threads.h"
-#include "estimation/column_products.h"
-#include "estimation/priors.h"
+#include "estimation/problem/column_products.h"
+#include "estimation/solvers/priors.h"
 
 namespace handsight {
 

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "estimation/problem.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/priors.h"
+#include "estimation/solvers/priors.h"
 
 #include <cmath>
 

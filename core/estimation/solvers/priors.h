@@ -3,7 +3,7 @@
 // images of a board.
 #pragma once
 
-#include "estimation/normal_equations.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 

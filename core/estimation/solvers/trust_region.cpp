@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/trust_region.h"
+#include "estimation/solvers/trust_region.h"
 
 #include <ceres/ceres.h>
 #include <glog/logging.h>
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-#include "estimation/priors.h"
+#include "estimation/solvers/priors.h"
 
 namespace handsight {
 namespace {

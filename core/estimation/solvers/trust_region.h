@@ -2,7 +2,7 @@
 // The same minimum as `solve`, by Ceres' trust region with our derivatives: for fits that must not get lost.
 #pragma once
 
-#include "estimation/least_squares.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/competition.h"
+#include "estimation/start/competition.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

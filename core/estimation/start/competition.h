@@ -2,7 +2,7 @@
 // Starts in competition, for a fit that a plain start has led nowhere.
 #pragma once
 
-#include "estimation/start.h"
+#include "estimation/start/start.h"
 
 namespace handsight {
 

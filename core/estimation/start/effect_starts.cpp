@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/effect_starts.h"
+#include "estimation/start/effect_starts.h"
 
 #include <cmath>
 #include <random>

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "estimation/least_squares.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 

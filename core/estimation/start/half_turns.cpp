@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/half_turns.h"
+#include "estimation/start/half_turns.h"
 
 #include <algorithm>
 
-#include "estimation/start.h"
-#include "estimation/target_pose.h"
+#include "estimation/problem/target_pose.h"
+#include "estimation/start/start.h"
 
 namespace handsight {
 namespace {

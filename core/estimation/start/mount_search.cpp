@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/mount_search.h"
+#include "estimation/start/mount_search.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/least_squares.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 namespace {

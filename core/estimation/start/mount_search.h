@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/problem.h"
-#include "vision/body_candidates.h"
+#include "estimation/problem/problem.h"
+#include "vision/markers/body_candidates.h"
 
 namespace handsight {
 

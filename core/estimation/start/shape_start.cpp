@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/shape_start.h"
+#include "estimation/start/shape_start.h"
 
-#include "estimation/target_pose.h"
+#include "estimation/problem/target_pose.h"
 
 namespace handsight {
 namespace {

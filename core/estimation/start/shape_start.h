@@ -3,7 +3,7 @@
 // piece in place of all.
 #pragma once
 
-#include "estimation/start.h"
+#include "estimation/start/start.h"
 
 namespace handsight {
 

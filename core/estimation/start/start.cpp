@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/start.h"
+#include "estimation/start/start.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numbers>
 
-#include "estimation/competition.h"
-#include "estimation/problem_part.h"
-#include "estimation/shape_start.h"
+#include "estimation/problem/problem_part.h"
+#include "estimation/start/competition.h"
+#include "estimation/start/shape_start.h"
 
 namespace handsight {
 namespace {

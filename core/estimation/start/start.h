@@ -2,7 +2,7 @@
 // Start values in closed form, for markers seen by two cameras, by one, or as points, and for any unknown mount.
 #pragma once
 
-#include "estimation/least_squares.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_accuracy.h"
+#include "vision/corners/corner_accuracy.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "vision/corner_patch.h"
+#include "vision/corners/corner_patch.h"
 
 namespace handsight {
 namespace {

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "vision/corner_habits.h"
-#include "vision/corner_odd_system.h"
+#include "vision/corners/corner_habits.h"
+#include "vision/corners/corner_odd_system.h"
 
 namespace handsight {
 

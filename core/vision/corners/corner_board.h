@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "vision/corner_likelihood.h"
-#include "vision/corner_model.h"
+#include "vision/corners/corner_likelihood.h"
+#include "vision/corners/corner_model.h"
 
 namespace handsight {
 

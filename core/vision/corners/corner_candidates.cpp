@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_candidates.h"
+#include "vision/corners/corner_candidates.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/threads.h"
-#include "vision/corner_lanes.h"
+#include "vision/corners/corner_lanes.h"
 
 namespace handsight {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "vision/corner_structure.h"
-#include "vision/image.h"
+#include "vision/corners/corner_structure.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

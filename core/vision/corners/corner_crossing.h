@@ -12,8 +12,8 @@
 #include <array>
 #include <cmath>
 
-#include "vision/corner_lanes.h"
-#include "vision/corner_model.h"
+#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_model.h"
 
 namespace handsight {
 

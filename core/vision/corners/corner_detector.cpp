@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_detector.h"
+#include "vision/corners/corner_detector.h"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "base/threads.h"
-#include "vision/corner_accuracy.h"
-#include "vision/corner_level.h"
-#include "vision/corner_mosaic.h"
-#include "vision/corner_noise.h"
-#include "vision/corner_patch.h"
-#include "vision/corner_pyramid.h"
+#include "vision/corners/corner_accuracy.h"
+#include "vision/corners/corner_level.h"
+#include "vision/corners/corner_mosaic.h"
+#include "vision/corners/corner_noise.h"
+#include "vision/corners/corner_patch.h"
+#include "vision/corners/corner_pyramid.h"
 
 namespace handsight {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

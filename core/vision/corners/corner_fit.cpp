@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_fit.h"
+#include "vision/corners/corner_fit.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "vision/corner_lanes.h"
+#include "vision/corners/corner_lanes.h"
 
 namespace handsight {
 namespace {

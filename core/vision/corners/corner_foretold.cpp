@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_foretold.h"
+#include "vision/corners/corner_foretold.h"
 
 #include <cmath>
 
-#include "vision/corner_structure.h"
+#include "vision/corners/corner_structure.h"
 
 namespace handsight {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "vision/corner_level.h"
+#include "vision/corners/corner_level.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_habits.h"
+#include "vision/corners/corner_habits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "vision/corner_odd_system.h"
+#include "vision/corners/corner_odd_system.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_level.h"
+#include "vision/corners/corner_level.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/threads.h"
-#include "vision/corner_foretold.h"
-#include "vision/corner_pyramid.h"
-#include "vision/corner_shadow_rounds.h"
+#include "vision/corners/corner_foretold.h"
+#include "vision/corners/corner_pyramid.h"
+#include "vision/corners/corner_shadow_rounds.h"
 
 namespace handsight {
 namespace {

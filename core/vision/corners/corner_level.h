@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "vision/corner_board.h"
-#include "vision/corner_candidates.h"
-#include "vision/corner_look.h"
-#include "vision/corner_shadow_lines.h"
+#include "vision/corners/corner_board.h"
+#include "vision/corners/corner_candidates.h"
+#include "vision/corners/corner_look.h"
+#include "vision/corners/corner_shadow_lines.h"
 
 namespace handsight {
 

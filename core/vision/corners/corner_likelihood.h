@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "vision/corner_candidates.h"
-#include "vision/corner_model.h"
+#include "vision/corners/corner_candidates.h"
+#include "vision/corners/corner_model.h"
 
 namespace handsight {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_look.h"
+#include "vision/corners/corner_look.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "vision/corner_model.h"
-#include "vision/corner_structure.h"
-#include "vision/corner_symmetry.h"
+#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_structure.h"
+#include "vision/corners/corner_symmetry.h"
 
 namespace handsight {
 namespace {

@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 
-#include "vision/corner_detector.h"
-#include "vision/corner_likelihood.h"
-#include "vision/corner_structure.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_likelihood.h"
+#include "vision/corners/corner_structure.h"
 
 namespace handsight {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_model.h"
+#include "vision/corners/corner_model.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "vision/corner_fit.h"
-#include "vision/corner_patch.h"
-#include "vision/corner_solve.h"
+#include "vision/corners/corner_fit.h"
+#include "vision/corners/corner_patch.h"
+#include "vision/corners/corner_solve.h"
 
 namespace handsight {
 namespace {

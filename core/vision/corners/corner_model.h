@@ -9,8 +9,8 @@
 #include <cmath>
 #include <optional>
 
-#include "vision/corner_structure.h"
-#include "vision/image.h"
+#include "vision/corners/corner_structure.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

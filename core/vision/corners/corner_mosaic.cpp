@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_mosaic.h"
+#include "vision/corners/corner_mosaic.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "vision/corner_odd_grid.h"
-#include "vision/corner_odd_rows.h"
+#include "vision/corners/corner_odd_grid.h"
+#include "vision/corners/corner_odd_rows.h"
 
 namespace handsight {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "vision/corner_odd_system.h"
+#include "vision/corners/corner_odd_system.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_noise.h"
+#include "vision/corners/corner_noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

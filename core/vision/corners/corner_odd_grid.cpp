@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_odd_grid.h"
+#include "vision/corners/corner_odd_grid.h"
 
 #include <algorithm>
 

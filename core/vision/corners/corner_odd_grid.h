@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "vision/corner_lanes.h"
-#include "vision/corner_patch.h"
+#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_patch.h"
 
 namespace handsight {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_odd_rows.h"
+#include "vision/corners/corner_odd_rows.h"
 
 #include <cmath>
 
-#include "vision/corner_crossing.h"
+#include "vision/corners/corner_crossing.h"
 
 namespace handsight {
 namespace {

@@ -2,9 +2,9 @@
 // The patch of a fit with its derivatives by all odd unknowns.
 #pragma once
 
-#include "vision/corner_odd_system.h"
-#include "vision/corner_patch.h"
-#include "vision/corner_products.h"
+#include "vision/corners/corner_odd_system.h"
+#include "vision/corners/corner_patch.h"
+#include "vision/corners/corner_products.h"
 
 namespace handsight {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_odd_system.h"
+#include "vision/corners/corner_odd_system.h"
 
 #include <algorithm>
 
-#include "vision/corner_mosaic.h"
-#include "vision/corner_odd_grid.h"
-#include "vision/corner_odd_rows.h"
-#include "vision/corner_patch.h"
-#include "vision/corner_solve.h"
+#include "vision/corners/corner_mosaic.h"
+#include "vision/corners/corner_odd_grid.h"
+#include "vision/corners/corner_odd_rows.h"
+#include "vision/corners/corner_patch.h"
+#include "vision/corners/corner_solve.h"
 
 namespace handsight {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "vision/corner_model.h"
+#include "vision/corners/corner_model.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_patch.h"
+#include "vision/corners/corner_patch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <cstring>
 #include <vector>
 
-#include "vision/corner_crossing.h"
-#include "vision/corner_lanes.h"
+#include "vision/corners/corner_crossing.h"
+#include "vision/corners/corner_lanes.h"
 
 namespace handsight {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "vision/corner_lanes.h"
-#include "vision/corner_patch.h"
+#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_patch.h"
 
 namespace handsight {
 namespace {

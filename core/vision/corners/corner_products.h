@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "vision/corner_lanes.h"
+#include "vision/corners/corner_lanes.h"
 
 namespace handsight {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_shadow.h"
+#include "vision/corners/corner_shadow.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "vision/corner_lanes.h"
-#include "vision/corner_products.h"
-#include "vision/corner_solve.h"
+#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_products.h"
+#include "vision/corners/corner_solve.h"
 
 namespace handsight {
 namespace {

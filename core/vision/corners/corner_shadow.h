@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "vision/corner_model.h"
-#include "vision/corner_patch.h"
-#include "vision/image.h"
+#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_patch.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

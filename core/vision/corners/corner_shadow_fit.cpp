@@ -6,10 +6,10 @@
 #include <cmath>
 #include <span>
 
-#include "vision/corner_fit.h"
-#include "vision/corner_model.h"
-#include "vision/corner_patch.h"
-#include "vision/corner_shadow.h"
+#include "vision/corners/corner_fit.h"
+#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_patch.h"
+#include "vision/corners/corner_shadow.h"
 
 namespace handsight {
 namespace {

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <cstring>
 
-#include "vision/corner_lanes.h"
-#include "vision/corner_products.h"
-#include "vision/corner_shadow.h"
-#include "vision/corner_solve.h"
+#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_products.h"
+#include "vision/corners/corner_shadow.h"
+#include "vision/corners/corner_solve.h"
 
 namespace handsight {
 namespace {

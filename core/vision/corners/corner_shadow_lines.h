@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "vision/corner_model.h"
+#include "vision/corners/corner_model.h"
 
 namespace handsight {
 

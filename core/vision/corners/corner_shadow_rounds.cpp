@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_shadow_rounds.h"
+#include "vision/corners/corner_shadow_rounds.h"
 
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "vision/corner_foretold.h"
+#include "vision/corners/corner_foretold.h"
 
 namespace handsight {
 namespace {

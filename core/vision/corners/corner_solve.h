@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "vision/corner_lanes.h"
+#include "vision/corners/corner_lanes.h"
 
 namespace handsight {
 

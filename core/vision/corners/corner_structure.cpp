@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_structure.h"
+#include "vision/corners/corner_structure.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "vision/corner_lanes.h"
+#include "vision/corners/corner_lanes.h"
 
 namespace handsight {
 namespace {

@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_symmetry.h"
+#include "vision/corners/corner_symmetry.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "base/error.h"
-#include "vision/corner_crossing.h"
-#include "vision/corner_lanes.h"
+#include "vision/corners/corner_crossing.h"
+#include "vision/corners/corner_lanes.h"
 
 namespace handsight {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "vision/corner_model.h"
-#include "vision/image.h"
+#include "vision/corners/corner_model.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

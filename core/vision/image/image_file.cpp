@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 
 #include <dlfcn.h>
 
@@ -13,7 +13,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "codec/image_codec.h"
-#include "vision/image_header.h"
+#include "vision/image/image_header.h"
 
 namespace handsight {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "camera/camera.h"
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

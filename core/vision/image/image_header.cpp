@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/image_header.h"
+#include "vision/image/image_header.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/body_candidates.h"
+#include "vision/markers/body_candidates.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "vision/body_hypothesis.h"
+#include "vision/markers/body_hypothesis.h"
 
 namespace handsight {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "vision/following_observation.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/body_hypothesis.h"
+#include "vision/markers/body_hypothesis.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // One guess which corner pair is which marker, and the body pose that follows.
 #pragma once
 
-#include "vision/following_observation.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight {
 

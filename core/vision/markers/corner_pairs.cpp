@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_pairs.h"
+#include "vision/markers/corner_pairs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "camera/camera.h"
-#include "vision/corner_detector.h"
+#include "vision/corners/corner_detector.h"
 
 namespace handsight {
 

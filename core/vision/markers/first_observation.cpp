@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/first_observation.h"
+#include "vision/markers/first_observation.h"
 
 #include <fmt/format.h>
 

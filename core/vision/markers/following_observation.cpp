@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/following_observation.h"
+#include "vision/markers/following_observation.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "vision/body_hypothesis.h"
+#include "vision/markers/body_hypothesis.h"
 
 namespace handsight {
 namespace {

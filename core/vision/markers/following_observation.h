@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "vision/corner_pairs.h"
+#include "vision/markers/corner_pairs.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/marker_numbering.h"
+#include "vision/markers/marker_numbering.h"
 
 #include <algorithm>
 #include <cmath>

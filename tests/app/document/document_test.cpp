@@ -18,7 +18,7 @@
 #include "images/image_source.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 
 namespace handsight::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <QCoreApplication>
 
 #include "base/files.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "document/curve_words.h"
 #include "document/document.h"
 #include "document/model_edits.h"

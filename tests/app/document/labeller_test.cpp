@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "session/session_xml.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 
 namespace handsight::app {
 namespace {

@@ -12,8 +12,8 @@
 #include <QUrl>
 
 #include "app/window/wizard_page.h"
-#include "estimation/fit.h"
-#include "ways/bag_fixture.h"
+#include "convert/bag_fixture.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight::test {
 namespace {
@@ -275,7 +275,8 @@ TEST_F(StoppedWizard, WhoClosesItWaitsForNothingAndNothingIsMade) {
 
 TEST_F(StoppedWizard, WhatHasNotBegunIsStoppedAtOnce) {
   jobs().hold(true);
-  jobs().start<int>("other", "Something long", [](app::JobControl&) { return 0; }, [](int) {});
+  jobs().start<int>(
+      "other", "Something long", [](app::JobControl&) { return 0; }, [](int) {});
   ASSERT_TRUE(begin_making());
   desk.click(stop());
   EXPECT_EQ(files.said(), "Stopped; nothing was made.");

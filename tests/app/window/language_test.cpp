@@ -14,9 +14,9 @@
 #include "app/window/desk.h"
 #include "base/error.h"
 #include "base/files.h"
-#include "diagnosis/common.h"
+#include "diagnosis/attribution/common.h"
 #include "document/effect_words.h"
-#include "targets/target_xml.h"
+#include "print/target_xml.h"
 #include "widgets/plots/convergence_plot.h"
 #include "window/rail_button.h"
 #include "words/core_words.h"
@@ -204,28 +204,28 @@ TEST(Language, EveryRefusalOfTheReadersIsTranslated) {
   app::Translation german("de");
   ASSERT_TRUE(QCoreApplication::installTranslator(&german));
   std::size_t found = 0;
-  for (const char* name : {"ways/ros_bag",
-                           "ways/bag_contents",
-                           "ways/cdr",
-                           "ways/brought",
-                           "ways/camera_files",
-                           "ways/convert",
-                           "ways/convert_bag",
-                           "ways/convert_images",
-                           "ways/convert_pairing",
-                           "ways/convert_points",
-                           "ways/joint_file",
-                           "ways/point_file",
-                           "ways/pose_files",
-                           "ways/table",
-                           "ways/yaml_text",
-                           "ways/session_parts",
-                           "session/stereo_calibration",
-                           "session/opencv_storage",
-                           "calibrating/board_images",
-                           "calibrating/board_knowledge",
-                           "calibrating/bundle_start",
-                           "calibrating/camera_images"})
+  for (const char* name : {"readers/ros_bag",
+                           "readers/bag_contents",
+                           "readers/cdr",
+                           "convert/brought",
+                           "readers/camera_files",
+                           "convert/convert",
+                           "convert/convert_bag",
+                           "convert/convert_images",
+                           "convert/convert_pairing",
+                           "convert/convert_points",
+                           "readers/joint_file",
+                           "readers/point_file",
+                           "readers/pose_files",
+                           "readers/table",
+                           "readers/yaml_text",
+                           "convert/session_parts",
+                           "readers/stereo_calibration",
+                           "readers/opencv_storage",
+                           "camera_calibration/board_images",
+                           "camera_calibration/board_knowledge",
+                           "camera_calibration/bundle_start",
+                           "camera_calibration/camera_images"})
     for (const auto& [sentence, file] : refusals_of(core / (std::string(name) + ".cpp"))) {
       ++found;
       EXPECT_NE(app::translated_of_file(sentence.toStdString()), sentence) << file << ": " << sentence.toStdString();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "vision/corner_detector.h"
+#include "vision/corners/corner_detector.h"
 
 extern "C" {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/blame.h"
+#include "diagnosis/attribution/blame.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "diagnosis/finding.h"
-#include "estimation/fit.h"
+#include "diagnosis/verdict/finding.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

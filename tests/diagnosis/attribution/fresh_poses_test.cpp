@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/fresh_poses.h"
+#include "diagnosis/attribution/fresh_poses.h"
 
 #include <gtest/gtest.h>
 

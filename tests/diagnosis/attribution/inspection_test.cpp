@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every observation against the model: the three bad poses of hundred_poses, each with the right blame.
-#include "diagnosis/inspection.h"
+#include "diagnosis/attribution/inspection.h"
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/clean_model.h"
+#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/simulated_stand.h"
 #include "fixtures/arms.h"
 #include "session/pose_points.h"
 #include "session/session_xml.h"
-#include "simulated_stand.h"
-#include "vision/first_observation.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
+#include "vision/markers/first_observation.h"
 
 namespace handsight {
 namespace {

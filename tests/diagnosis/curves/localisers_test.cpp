@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/localisers.h"
+#include "diagnosis/curves/localisers.h"
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/candidates.h"
-#include "diagnosis/ranking.h"
+#include "diagnosis/evidence/candidates.h"
+#include "diagnosis/ranking/ranking.h"
+#include "diagnosis/simulated_stand.h"
 #include "effects/own_effect.h"
-#include "estimation/fit.h"
-#include "simulated_stand.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 namespace {

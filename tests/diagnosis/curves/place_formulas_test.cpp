@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What follows the place of the hand before the sensor has a formula, and a curve of it is a member of the model.
-#include "diagnosis/place_formulas.h"
+#include "diagnosis/curves/place_formulas.h"
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/curves.h"
-#include "diagnosis/improvement.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/simulated_stand.h"
 #include "effects/own_effect.h"
-#include "estimation/fit.h"
-#include "estimation/prediction.h"
-#include "simulated_stand.h"
+#include "estimation/fit/fit.h"
+#include "estimation/report/prediction.h"
 
 namespace handsight {
 namespace {

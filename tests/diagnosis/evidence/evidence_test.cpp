@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/evidence.h"
+#include "diagnosis/evidence/evidence.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "diagnosis/candidates.h"
-#include "estimation/fit.h"
+#include "diagnosis/evidence/candidates.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

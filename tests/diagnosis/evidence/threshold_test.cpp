@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/threshold.h"
+#include "diagnosis/evidence/threshold.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/ranking.h"
+#include "diagnosis/ranking/ranking.h"
+#include "diagnosis/simulated_stand.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "effects/own_effect.h"
-#include "estimation/fit.h"
-#include "simulated_stand.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // One reading that slipped is said to be one, and nothing is added to the model for it.
-#include "diagnosis/lone_observations.h"
+#include "diagnosis/outliers/lone_observations.h"
 
 #include <gmock/gmock.h>
 
-#include "diagnosis/clean_model.h"
-#include "diagnosis/improvement.h"
-#include "simulated_stand.h"
+#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

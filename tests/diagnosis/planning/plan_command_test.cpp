@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/cli_runner.h"
-#include "diagnosis/planning_sessions.h"
-#include "session/csv.h"
+#include "diagnosis/planning/planning_sessions.h"
+#include "readers/csv.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
 

@@ -2,8 +2,8 @@
 // What planned poses bring when they are measured, against random ones and against what the plan expects.
 #include <gtest/gtest.h>
 
-#include "diagnosis/planning_sessions.h"
-#include "diagnosis/refitting.h"
+#include "diagnosis/planning/planning_sessions.h"
+#include "diagnosis/ranking/refitting.h"
 
 namespace handsight {
 namespace {

@@ -2,7 +2,7 @@
 // Sessions of a known truth that can be measured in further poses.
 #pragma once
 
-#include "diagnosis/planning.h"
+#include "diagnosis/planning/planning.h"
 #include "fixtures/arms.h"
 #include "simulation/simulated_session.h"
 

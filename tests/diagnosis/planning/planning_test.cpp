@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/planning.h"
+#include "diagnosis/planning/planning.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diagnosis/planning_sessions.h"
+#include "diagnosis/planning/planning_sessions.h"
 
 namespace handsight {
 namespace {

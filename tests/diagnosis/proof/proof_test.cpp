@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/proof.h"
+#include "diagnosis/proof/proof.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "diagnosis/improvement.h"
+#include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
 #include "fixtures/arms.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/clean_model.h"
+#include "diagnosis/ranking/clean_model.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "simulated_stand.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

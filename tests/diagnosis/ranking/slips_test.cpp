@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/slips.h"
+#include "diagnosis/ranking/slips.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "diagnosis/improvement.h"
-#include "simulated_stand.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/residual_views.h"
+#include "diagnosis/residuals/residual_views.h"
 
 #include <gtest/gtest.h>
 

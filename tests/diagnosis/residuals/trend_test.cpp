@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The curve through what a residual follows.
-#include "diagnosis/trend.h"
+#include "diagnosis/residuals/trend.h"
 
 #include <gtest/gtest.h>
 

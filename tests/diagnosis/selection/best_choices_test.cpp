@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "diagnosis/refitting.h"
-#include "simulated_stand.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

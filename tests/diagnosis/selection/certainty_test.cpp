@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/certainty.h"
+#include "diagnosis/selection/certainty.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "diagnosis/improvement.h"
-#include "diagnosis/likely_choices.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/likely_choices.h"
+#include "diagnosis/simulated_stand.h"
 #include "effects/term_numbers.h"
-#include "estimation/export.h"
-#include "estimation/prediction.h"
+#include "estimation/report/export.h"
+#include "estimation/report/prediction.h"
 #include "session/calibration_xml.h"
-#include "simulated_stand.h"
 
 namespace handsight {
 namespace {

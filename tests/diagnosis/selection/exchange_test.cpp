@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/exchange.h"
+#include "diagnosis/selection/exchange.h"
 
 #include <gtest/gtest.h>
 
-#include "simulated_stand.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/other_names.h"
+#include "diagnosis/selection/other_names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diagnosis/improvement.h"
-#include "simulated_stand.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a model is kept up to once a name has come in: what only made up for the name goes.
-#include "diagnosis/upkeep.h"
+#include "diagnosis/selection/upkeep.h"
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/improvement.h"
-#include "simulated_stand.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "base/threads.h"
-#include "diagnosis/improvement.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/simulated_stand.h"
 #include "effects/own_effect.h"
-#include "simulated_stand.h"
 
 namespace handsight {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/judging.h"
+#include "diagnosis/verdict/judging.h"
 
 #include <gtest/gtest.h>
 
-#include "simulated_stand.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

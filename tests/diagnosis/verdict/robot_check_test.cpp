@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/robot_check.h"
+#include "diagnosis/verdict/robot_check.h"
 
 #include <gtest/gtest.h>
 

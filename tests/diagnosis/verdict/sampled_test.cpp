@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/sampled.h"
+#include "diagnosis/verdict/sampled.h"
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/improvement.h"
-#include "simulated_stand.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/simulated_stand.h"
 
 namespace handsight {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 
 #include <gtest/gtest.h>
 
-#include "estimation/fit_report.h"
+#include "estimation/report/fit_report.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/noise.h"
+#include "estimation/fit/noise.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/online.h"
+#include "estimation/online/online.h"
 
 #include <gtest/gtest.h>
 
-#include "estimation/fit.h"
-#include "estimation/start.h"
+#include "estimation/fit/fit.h"
+#include "estimation/start/start.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/column_products.h"
+#include "estimation/problem/column_products.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every model that can be built can be written, read and predicted with.
-#include "estimation/export.h"
+#include "estimation/report/export.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "estimation/prediction.h"
+#include "estimation/report/prediction.h"
 #include "fixtures/arms.h"
 #include "session/calibration_xml.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Predictions: right on average, with a covariance that says how far they are off; the same from an exported file.
-#include "estimation/prediction.h"
+#include "estimation/report/prediction.h"
 
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <random>
 
-#include "estimation/export.h"
+#include "estimation/report/export.h"
 #include "fixtures/arms.h"
 #include "session/calibration_xml.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/session_check.h"
+#include "estimation/report/session_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/session_doubts.h"
+#include "estimation/report/session_doubts.h"
 
 #include <gmock/gmock.h>
 

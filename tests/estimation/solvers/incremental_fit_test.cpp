@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/incremental_fit.h"
+#include "estimation/solvers/incremental_fit.h"
 
 #include <gtest/gtest.h>
 
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/loss.h"
+#include "estimation/solvers/loss.h"
 
 #include <gtest/gtest.h>
 
-#include "body_error.h"
-#include "estimation/fit_report.h"
+#include "estimation/body_error.h"
+#include "estimation/report/fit_report.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/normal_equations.h"
+#include "estimation/solvers/normal_equations.h"
 
 #include <gtest/gtest.h>
 
 #include "base/threads.h"
-#include "estimation/fit.h"
+#include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

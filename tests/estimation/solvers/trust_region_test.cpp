@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "estimation/trust_region.h"
+#include "estimation/solvers/trust_region.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "estimation/normal_equations.h"
-#include "estimation/start.h"
+#include "estimation/solvers/normal_equations.h"
+#include "estimation/start/start.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Models whose cost has more than one valley: the effects' sizes are tried from several starts.
-#include "estimation/effect_starts.h"
+#include "estimation/start/effect_starts.h"
 
 #include <gtest/gtest.h>
 
-#include "estimation/normal_equations.h"
+#include "estimation/solvers/normal_equations.h"
 #include "fixtures/wrong_starts.h"
 #include "session/session_xml.h"
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // One labelled observation, images of the others, nothing known of the mount.
-#include "estimation/mount_search.h"
+#include "estimation/start/mount_search.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 
-#include "estimation/online.h"
+#include "estimation/online/online.h"
 #include "fixtures/arms.h"
 #include "session/session_xml.h"
-#include "vision/first_observation.h"
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
+#include "vision/markers/first_observation.h"
 
 namespace handsight {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_accuracy.h"
+#include "vision/corners/corner_accuracy.h"
 
 #include <gtest/gtest.h>
 
-#include "vision/corner_camera.h"
-#include "vision/corner_structure.h"
+#include "vision/corners/corner_camera.h"
+#include "vision/corners/corner_structure.h"
 
 namespace handsight {
 namespace {

@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-#include "vision/corner_images.h"
+#include "vision/corners/corner_images.h"
 
 namespace handsight::corner_images {
 

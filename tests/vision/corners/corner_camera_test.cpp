@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The detector before boards that a camera with real ones' habits looks at.
-#include "vision/corner_camera.h"
+#include "vision/corners/corner_camera.h"
 
 #include <gtest/gtest.h>
 
-#include "vision/corner_detector.h"
-#include "vision/corner_oracle.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_oracle.h"
 
 namespace handsight {
 namespace {

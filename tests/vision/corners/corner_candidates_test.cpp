@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_candidates.h"
+#include "vision/corners/corner_candidates.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "vision/corner_structure.h"
-#include "vision/corner_truth.h"
+#include "vision/corners/corner_structure.h"
+#include "vision/corners/corner_truth.h"
 
 namespace handsight {
 namespace {

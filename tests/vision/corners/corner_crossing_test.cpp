@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_crossing.h"
+#include "vision/corners/corner_crossing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_detector.h"
+#include "vision/corners/corner_detector.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "vision/corner_boards.h"
-#include "vision/corner_camera.h"
-#include "vision/corner_truth.h"
+#include "vision/corners/corner_boards.h"
+#include "vision/corners/corner_camera.h"
+#include "vision/corners/corner_truth.h"
 
 namespace handsight {
 namespace {

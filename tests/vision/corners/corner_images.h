@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "vision/image.h"
+#include "vision/image/image.h"
 
 namespace handsight::corner_images {
 

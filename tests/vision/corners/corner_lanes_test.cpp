@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_lanes.h"
+#include "vision/corners/corner_lanes.h"
 
 #include <gtest/gtest.h>
 
 #include "base/threads.h"
-#include "vision/corner_camera.h"
-#include "vision/corner_candidates.h"
-#include "vision/corner_detector.h"
-#include "vision/corner_truth.h"
+#include "vision/corners/corner_camera.h"
+#include "vision/corners/corner_candidates.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_truth.h"
 
 namespace handsight {
 namespace {

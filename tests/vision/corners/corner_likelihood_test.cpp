@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_likelihood.h"
+#include "vision/corners/corner_likelihood.h"
 
 #include <gtest/gtest.h>
 

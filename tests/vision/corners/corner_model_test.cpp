@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_model.h"
+#include "vision/corners/corner_model.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 
-#include "vision/corner_images.h"
-#include "vision/corner_structure.h"
+#include "vision/corners/corner_images.h"
+#include "vision/corners/corner_structure.h"
 
 namespace handsight {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "vision/corner_camera.h"
+#include "vision/corners/corner_camera.h"
 
 namespace handsight::corner_images {
 

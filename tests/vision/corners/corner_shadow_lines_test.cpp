@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_shadow_lines.h"
+#include "vision/corners/corner_shadow_lines.h"
 
 #include <gtest/gtest.h>
 

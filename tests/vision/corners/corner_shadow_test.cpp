@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_shadow.h"
+#include "vision/corners/corner_shadow.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "vision/corner_images.h"
-#include "vision/corner_model.h"
-#include "vision/corner_patch.h"
-#include "vision/corner_structure.h"
+#include "vision/corners/corner_images.h"
+#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_patch.h"
+#include "vision/corners/corner_structure.h"
 
 namespace handsight {
 namespace {

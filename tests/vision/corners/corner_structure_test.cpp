@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/corner_structure.h"
+#include "vision/corners/corner_structure.h"
 
 #include <gtest/gtest.h>
 
-#include "vision/corner_images.h"
+#include "vision/corners/corner_images.h"
 
 namespace handsight {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "vision/corner_images.h"
+#include "vision/corners/corner_images.h"
 
 namespace handsight::corner_images {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/image_file.h"
+#include "vision/image/image_file.h"
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "temporary_folder.h"
-#include "vision/image_header.h"
+#include "vision/image/image_header.h"
 
 namespace handsight {
 namespace {

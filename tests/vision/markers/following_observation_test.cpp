@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Matching of corners to markers, on corners made by projection: no image is needed to try every confusion.
-#include "vision/following_observation.h"
+#include "vision/markers/following_observation.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
 #include "fixtures/arms.h"
-#include "vision/first_observation.h"
+#include "vision/markers/first_observation.h"
 
 namespace handsight {
 namespace {

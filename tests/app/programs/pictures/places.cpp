@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/programs/pictures/photographer.h"
-#include "diagnosis/place_formulas.h"
+#include "diagnosis/curves/place_formulas.h"
 #include "effects/own_effect.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_session.h"
