@@ -305,11 +305,7 @@ void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
   for (const ObservationEdit& o : edit.observations) {
     const int index = index_of(o.id);
     if (index < 0) continue;
-    const ObservationState& state = forward ? o.after : o.before;
-    Observation& observation = own_session().observations[static_cast<std::size_t>(index)];
-    observation.sightings = state.sightings;
-    observation.decision = state.decision;
-    observation.reason = state.reason;
+    set_state(own_session().observations[static_cast<std::size_t>(index)], forward ? o.after : o.before);
     ids.push_back(o.id);
   }
   const ModelVersionPointer shown = shown_;

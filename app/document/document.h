@@ -10,9 +10,9 @@
 #include <unordered_map>
 
 #include "document/edit.h"
-#include "document/foreign.h"
 #include "document/journal.h"
 #include "document/model_version.h"
+#include "session/merge.h"
 #include "session/session.h"
 
 namespace handsight::app {

@@ -24,6 +24,13 @@ Session decided_session(const Merge& merge, const std::vector<Collision>& decide
   return session;
 }
 
+/// The action that makes one session of the other; nothing where it cannot be told as one.
+std::optional<Edit> action_between(const Session& from, const Session& to) {
+  auto edit = edit_between(from, to);
+  if (!edit) return std::nullopt;
+  return Edit{.observations = std::move(edit->observations), .added = std::move(edit->added)};
+}
+
 /// What stood in a journal that belongs to another content of the file, net.
 struct Unsaved {
   std::vector<DoneEdit> done;  // since the last save
@@ -39,7 +46,7 @@ void put(Map& map, const Key& key, const std::optional<Value>& value) {
 }
 
 void walk(const Edit& edit, bool forward, Unsaved& unsaved) {
-  unsaved.done.push_back({edit, forward});
+  unsaved.done.push_back({{edit.observations, edit.added}, forward});
   if (edit.settings) unsaved.settings = forward ? edit.settings->after : edit.settings->before;
   if (edit.reading) put(unsaved.readings, edit.reading->effect, forward ? edit.reading->after : edit.reading->before);
   if (edit.draft) put(unsaved.drafts, edit.draft->observation, forward ? edit.draft->after : edit.draft->before);
@@ -170,7 +177,7 @@ std::string Document::set_aside(const std::string& theirs) const {
 /// The document becomes what the merge made: by one more action where that can tell it, else begun anew with what was
 /// done here on top. False where it cannot be written down.
 bool Document::take_over(const Merge& merge, Session theirs, const std::string& digest) {
-  auto edit = edit_between(*session_, merge.session);
+  auto edit = action_between(*session_, merge.session);
   if (!edit) return begin_anew(std::move(theirs), merge.session, digest);
   const auto changed = static_cast<qint64>(edit->observations.size() + edit->added.size());
   edit->sentence = tr("took over %1 from another program").arg(counted(changed, "%n observation(s)"));
@@ -181,7 +188,7 @@ bool Document::take_over(const Merge& merge, Session theirs, const std::string& 
 }
 
 bool Document::begin_anew(Session theirs, const Session& merged, const std::string& digest) {
-  std::optional<Edit> own = edit_between(theirs, merged);
+  std::optional<Edit> own = action_between(theirs, merged);
   check(own.has_value(), "what was done here cannot be told as an action on what another program wrote");
   emit closing();
   const ModelSettings settings = settings_;
@@ -223,7 +230,7 @@ void Document::put_on_top(const JournalContents& contents) {
   const Unsaved unsaved = unsaved_of(contents.from_before);
   Merge merge = merged(own_changes(unsaved.done), nullptr, *session_);
   const bool fits = merge.collisions.empty() || merge.collisions.front().what != Collision::What::session;
-  auto edit = fits ? edit_between(*session_, merge.session) : std::nullopt;
+  auto edit = fits ? action_between(*session_, merge.session) : std::nullopt;
   if (!edit) return emit noticed(QString::fromStdString(contents.notice));
   bool is_whole = perform_before_another(std::move(*edit), unsaved.settings) && merge.lost == 0;
   is_whole = perform_notes(unsaved.readings, unsaved.drafts) && is_whole;
@@ -267,7 +274,7 @@ bool Document::decide_collisions(const std::vector<bool>& mine) {
     Session session = *session_;
     for (std::size_t i = 0; i < decided.size(); ++i)
       if (mine[i]) take_mine(decided[i], session);
-    if (auto edit = edit_between(*session_, session)) {
+    if (auto edit = action_between(*session_, session)) {
       edit->sentence = tr("kept what was done here against another program");
       perform(std::move(*edit));
     }

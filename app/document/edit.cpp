@@ -13,11 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class Vector>
-bool same_point(const std::optional<Vector>& a, const std::optional<Vector>& b) {
-  return a.has_value() == b.has_value() && (!a || *a == *b);
-}
-
-template <class Vector>
 Json point_json(const Vector& v) {
   Json list = Json::array();
   for (Eigen::Index i = 0; i < v.size(); ++i) list.push_back(v[i]);
@@ -237,29 +232,6 @@ bool ModelSettings::operator==(const ModelSettings& o) const {
   };
   return objective == o.objective && fix_markers == o.fix_markers && same(estimated, o.estimated) &&
          same(held, o.held) && by_hand == o.by_hand;
-}
-
-namespace {
-
-bool same_cameras(const Sighting& x, const Sighting& y) {
-  return std::equal(x.in_cameras.begin(), x.in_cameras.end(), y.in_cameras.begin(), y.in_cameras.end(),
-                    [](const CameraPoint& a, const CameraPoint& b) {
-                      return a.camera == b.camera && same_point(std::optional(a.pixel), std::optional(b.pixel));
-                    });
-}
-
-}  // namespace
-
-ObservationState state_of(const Observation& observation) {
-  return {observation.sightings, observation.decision, observation.reason};
-}
-
-bool same_state(const ObservationState& a, const ObservationState& b) {
-  const auto same_sighting = [](const Sighting& x, const Sighting& y) {
-    return x.marker == y.marker && x.by == y.by && same_cameras(x, y) && same_point(x.point, y.point);
-  };
-  return a.decision == b.decision && a.reason == b.reason &&
-         std::equal(a.sightings.begin(), a.sightings.end(), b.sightings.begin(), b.sightings.end(), same_sighting);
 }
 
 Edit joined(Edit earlier, const Edit& later) {

@@ -9,24 +9,9 @@
 
 #include "document/robot_reading.h"
 #include "estimation/fit/fit.h"
-#include "session/session.h"
+#include "session/edit.h"
 
 namespace handsight::app {
-
-/// What a user can change of one observation.
-struct ObservationState {
-  std::vector<Sighting> sightings;
-  Decision decision = Decision::none;
-  std::string reason;
-};
-
-ObservationState state_of(const Observation& observation);
-bool same_state(const ObservationState& a, const ObservationState& b);
-
-struct ObservationEdit {
-  std::int64_t id = 0;
-  ObservationState before, after;
-};
 
 /// How the model is fitted: what the user chose.
 struct ModelSettings {

@@ -12,7 +12,7 @@ namespace handsight::test {
 inline app::Edit numbered_action(const app::Document& document, int n) {
   const auto& observations = document.session().observations;
   const Observation& o = observations[static_cast<std::size_t>(n) % observations.size()];
-  app::ObservationState after = app::state_of(o);
+  ObservationState after = state_of(o);
   after.decision = Decision::excluded;
   after.reason = "action " + std::to_string(n);
   return document.edit_of("action " + QString::number(n), {{o.id, after}});

@@ -81,7 +81,7 @@ TEST_F(Label, ACorrectionMadeInInspectIsWhatLabelShows) {
   label.use();
   // As Inspect moves a marker of the observation that Label shows.
   const Observation& o = desk.document().session().observations[0];
-  app::ObservationState after = app::state_of(o);
+  ObservationState after = state_of(o);
   seen_by(after.sightings[1], 0)->pixel += Vector2(3, 0);
   const Vector2 moved = seen_by(after.sightings[1], 0)->pixel;
   desk.document().perform(desk.document().edit_of("moved marker 1 of observation 0", {{0, after}}));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two writers of one session: what does not collide is put together, what does is asked, and nothing disappears.
-#include "document/foreign.h"
-
+// A document and another program write one session: what does not collide is put together, what does is asked, and
+// nothing disappears.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -47,11 +46,6 @@ class TwoWriters : public testing::Test {
     Session s = read_session(session);
     change(s);
     replace_session(s);
-  }
-  static void set(Observation& o, const ObservationState& state) {
-    o.sightings = state.sightings;
-    o.decision = state.decision;
-    o.reason = state.reason;
   }
   void exclude_there(std::size_t index, const std::string& reason) {
     there([&](Session& s) {
@@ -117,7 +111,7 @@ TEST_F(TwoWriters, WhatCollidesIsAskedAndNothingIsWrittenBefore) {
   exclude(5, "only here");
   perform(3, moved(document.session().observations[3], 0.5));
   exclude_there(1, "there");
-  there([&](Session& s) { set(s.observations[3], moved(s.observations[3], -1)); });
+  there([&](Session& s) { set_state(s.observations[3], moved(s.observations[3], -1)); });
   const std::string theirs = read_file(session / "session.xml");
   const std::string mine = session_text(document.session());
   document.save();

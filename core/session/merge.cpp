@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/foreign.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "session/merge.h"
 
 #include <algorithm>
 #include <map>
 
 #include "session/session_xml.h"
 
-namespace handsight::app {
+namespace handsight {
 namespace {
 
 using Places = std::map<std::int64_t, std::size_t>;
@@ -26,12 +26,6 @@ bool same_labels(const ObservationState& a, const ObservationState& b) { return 
 
 bool same_decision(const ObservationState& a, const ObservationState& b) {
   return a.decision == b.decision && a.reason == b.reason;
-}
-
-void set_state(Observation& o, const ObservationState& state) {
-  o.sightings = state.sightings;
-  o.decision = state.decision;
-  o.reason = state.reason;
 }
 
 bool same_vector(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -106,32 +100,32 @@ void put_in(const ObservationEdit& own, Observation& theirs, Merge& merge) {
 }
 
 /// At its place in the order of time, behind those of the same time.
-void insert(Session& session, const Observation& o) {
+void insert_by_time(Session& session, const Observation& o) {
   auto& all = session.observations;
   all.insert(std::upper_bound(all.begin(), all.end(), o.time,
                               [](double time, const Observation& other) { return time < other.time; }),
              o);
 }
 
-const Observation* find(const std::vector<Observation>& all, std::int64_t id) {
+const Observation* find_observation(const std::vector<Observation>& all, std::int64_t id) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Observation& o) { return o.id == id; });
   return found == all.end() ? nullptr : &*found;
 }
 
 /// One that came here, beside one that may have come there under its number.
-void add(const Observation& own, Merge& merge) {
+void add_new(const Observation& own, Merge& merge) {
   Observation o = own;
-  if (const Observation* same = find(merge.session.observations, o.id)) {
+  if (const Observation* same = find_observation(merge.session.observations, o.id)) {
     if (same_measurement(o, *same) && same_state(state_of(o), state_of(*same))) return;
     for (const Observation& other : merge.session.observations) o.id = std::max(o.id, other.id + 1);
     merge.renumbered.emplace_back(own.id, o.id);
   }
-  insert(merge.session, o);
+  insert_by_time(merge.session, o);
   ++merge.kept;
 }
 
 /// Do all labels name markers and cameras of the session, all positions its joints?
-bool fit_into(const OwnChanges& own, const Session& session) {
+bool fit_into(const SessionEdit& own, const Session& session) {
   const auto labels_fit = [&](const std::vector<Sighting>& sightings) {
     return std::all_of(sightings.begin(), sightings.end(), [&](const Sighting& s) {
       const bool cameras_fit = std::all_of(s.in_cameras.begin(), s.in_cameras.end(), [&](const CameraPoint& c) {
@@ -149,8 +143,8 @@ bool fit_into(const OwnChanges& own, const Session& session) {
 
 }  // namespace
 
-OwnChanges own_changes(const Session& base, const Session& now) {
-  OwnChanges own;
+SessionEdit own_changes(const Session& base, const Session& now) {
+  SessionEdit own;
   const Places before = places_of(base.observations);
   for (const Observation& o : now.observations) {
     const auto known = before.find(o.id);
@@ -164,7 +158,7 @@ OwnChanges own_changes(const Session& base, const Session& now) {
   return own;
 }
 
-OwnChanges own_changes(const std::vector<DoneEdit>& done) {
+SessionEdit own_changes(const std::vector<DoneEdit>& done) {
   std::map<std::int64_t, ObservationEdit> net;
   std::map<std::int64_t, Observation> added;
   for (const auto& [edit, forward] : done) {
@@ -178,7 +172,7 @@ OwnChanges own_changes(const std::vector<DoneEdit>& done) {
     if (!forward)
       for (const Observation& o : edit.added) added.erase(o.id);
   }
-  OwnChanges own;
+  SessionEdit own;
   for (auto& [id, edit] : net) {
     const auto is_new = added.find(id);
     if (is_new != added.end()) set_state(is_new->second, edit.after);
@@ -188,7 +182,7 @@ OwnChanges own_changes(const std::vector<DoneEdit>& done) {
   return own;
 }
 
-Merge merged(const OwnChanges& own, const Session* here, Session theirs) {
+Merge merged(const SessionEdit& own, const Session* here, Session theirs) {
   Merge merge;
   merge.session = std::move(theirs);
   if (own.is_empty()) return merge;
@@ -203,11 +197,11 @@ Merge merged(const OwnChanges& own, const Session* here, Session theirs) {
       put_in(edit, merge.session.observations[found->second], merge);
       continue;
     }
-    const Observation* mine = here ? find(here->observations, edit.id) : nullptr;
+    const Observation* mine = here ? find_observation(here->observations, edit.id) : nullptr;
     if (mine) merge.collisions.push_back({Collision::What::gone, edit.id, *mine, {}});
     merge.lost += mine == nullptr;
   }
-  for (const Observation& o : own.added) add(o, merge);
+  for (const Observation& o : own.added) add_new(o, merge);
   return merge;
 }
 
@@ -215,7 +209,7 @@ void take_mine(const Collision& c, Session& session) {
   const auto found = std::find_if(session.observations.begin(), session.observations.end(),
                                   [&](const Observation& o) { return o.id == c.id; });
   if (c.what == Collision::What::gone) {
-    if (found == session.observations.end()) insert(session, c.mine);
+    if (found == session.observations.end()) insert_by_time(session, c.mine);
     return;
   }
   if (found == session.observations.end()) return;
@@ -226,13 +220,13 @@ void take_mine(const Collision& c, Session& session) {
   }
 }
 
-std::optional<Edit> edit_between(const Session& from, const Session& to) {
+std::optional<SessionEdit> edit_between(const Session& from, const Session& to) {
   if (frame_text(from) != frame_text(to)) return std::nullopt;
-  Edit edit;
+  SessionEdit edit;
   std::size_t place = 0;  // in `from`
   for (const Observation& after : to.observations) {
     if (place == from.observations.size() || from.observations[place].id != after.id) {
-      if (find(from.observations, after.id)) return std::nullopt;  // in another order
+      if (find_observation(from.observations, after.id)) return std::nullopt;  // in another order
       edit.added.push_back(after);
       continue;
     }
@@ -245,4 +239,4 @@ std::optional<Edit> edit_between(const Session& from, const Session& to) {
   return edit;
 }
 
-}  // namespace handsight::app
+}  // namespace handsight

@@ -1,32 +1,26 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Apache-2.0
 // What was done here and what another program wrote meanwhile, to one session: put together where the two do not
 // collide. Labels and the decision of an observation are two parts, each as a whole.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
-#include "document/edit.h"
+#include "session/edit.h"
 
-namespace handsight::app {
+namespace handsight {
 
-/// What was done here since the session was read or written, net.
-struct OwnChanges {
-  std::vector<ObservationEdit> observations;
-  std::vector<Observation> added;  // as they are now
-
-  bool is_empty() const { return observations.empty() && added.empty(); }
-};
-
-/// From the session as it was read or written to the one as it is. What has gone is not told: here nothing can be
-/// removed but what was added.
-OwnChanges own_changes(const Session& base, const Session& now);
+/// What was done here, net, from the session as it was read or written to the one as it is; what came is told as it is
+/// now. What has gone is not told: here nothing can be removed but what was added.
+SessionEdit own_changes(const Session& base, const Session& now);
 
 /// The same of a list of actions, some of them undone again: `forward` false.
 struct DoneEdit {
-  Edit edit;
+  SessionEdit edit;
   bool forward = true;
 };
-OwnChanges own_changes(const std::vector<DoneEdit>& done);
+SessionEdit own_changes(const std::vector<DoneEdit>& done);
 
 /// Where both have changed the same to something else.
 struct Collision {
@@ -52,13 +46,13 @@ struct Merge {
 
 /// Puts the changes into what another program wrote. `here`: the session they were made in; null where it is no longer
 /// known: changes are then taken as ones of a session like theirs.
-Merge merged(const OwnChanges& own, const Session* here, Session theirs);
+Merge merged(const SessionEdit& own, const Session* here, Session theirs);
 
 /// The session with one collision decided for what was done here. Not for What::session.
 void take_mine(const Collision& collision, Session& session);
 
-/// The action that makes one session of the other, where it can be told as one: observations that changed their labels
-/// or decision, and new ones. Nothing where more differs.
-std::optional<Edit> edit_between(const Session& from, const Session& to);
+/// What makes one session of the other, where it can be told: observations that changed their labels or decision, and
+/// new ones. Nothing where more differs.
+std::optional<SessionEdit> edit_between(const Session& from, const Session& to);
 
-}  // namespace handsight::app
+}  // namespace handsight

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be changed of a session's observations once they are measured, and a change of them as data.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "session/session.h"
+
+namespace handsight {
+
+/// What a user can change of one observation.
+struct ObservationState {
+  std::vector<Sighting> sightings;
+  Decision decision = Decision::none;
+  std::string reason;
+};
+
+ObservationState state_of(const Observation& observation);
+void set_state(Observation& observation, const ObservationState& state);
+bool same_state(const ObservationState& a, const ObservationState& b);
+
+struct ObservationEdit {
+  std::int64_t id = 0;
+  ObservationState before, after;
+};
+
+/// Of the observations of one session: those that were changed, and those that came.
+struct SessionEdit {
+  std::vector<ObservationEdit> observations;
+  std::vector<Observation> added;
+
+  bool is_empty() const { return observations.empty() && added.empty(); }
+};
+
+}  // namespace handsight
