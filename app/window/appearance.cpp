@@ -6,6 +6,7 @@
 #include <QMenu>
 
 #include "bench/preferences.h"
+#include "widgets/base/apply_theme.h"
 #include "window/language.h"
 
 namespace handsight::app {

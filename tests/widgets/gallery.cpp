@@ -7,6 +7,7 @@
 #include <QTest>
 #include <functional>
 
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/read_out_line.h"
 #include "widgets/base/theme.h"
 #include "widgets/gallery_explain.h"

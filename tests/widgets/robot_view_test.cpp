@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "robot/urdf.h"
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/theme.h"
 #include "widgets/mouse.h"
 #include "widgets/sample_data.h"

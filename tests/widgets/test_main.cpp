@@ -4,6 +4,7 @@
 
 #include <QApplication>
 
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/theme.h"
 #include "widgets/scene/robot_view.h"
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/theme.h"
 
-#include <QApplication>
 #include <QFontDatabase>
 #include <QFontMetricsF>
-#include <QPalette>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <map>
-
-#include "widgets/base/control_style.h"
 
 namespace handsight::widgets {
 namespace {
@@ -17,35 +13,6 @@ namespace {
 ThemeKind& current() {
   static ThemeKind kind = ThemeKind::light;
   return kind;
-}
-
-QPalette palette_of(const Colors& c) {
-  QPalette p;
-  p.setColor(QPalette::Window, c.window);
-  p.setColor(QPalette::WindowText, c.ink1);
-  p.setColor(QPalette::Base, c.panel);
-  p.setColor(QPalette::AlternateBase, c.window);
-  p.setColor(QPalette::Text, c.ink1);
-  p.setColor(QPalette::PlaceholderText, c.ink3);
-  p.setColor(QPalette::Button, c.panel);
-  p.setColor(QPalette::ButtonText, c.ink1);
-  p.setColor(QPalette::BrightText, c.bad);
-  p.setColor(QPalette::Light, c.panel);
-  p.setColor(QPalette::Midlight, c.sunken);
-  p.setColor(QPalette::Mid, c.hairline);
-  p.setColor(QPalette::Dark, c.control_edge);
-  p.setColor(QPalette::Shadow, c.control_edge);
-  p.setColor(QPalette::Highlight, c.accent);
-  p.setColor(QPalette::HighlightedText, c.panel);
-  p.setColor(QPalette::Link, c.accent);
-  p.setColor(QPalette::LinkVisited, c.accent);
-  p.setColor(QPalette::ToolTipBase, c.panel);
-  p.setColor(QPalette::ToolTipText, c.ink1);
-  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    p.setColor(QPalette::Disabled, role, c.ink3);
-  p.setColor(QPalette::Disabled, QPalette::Highlight, c.sunken);
-  p.setColor(QPalette::Disabled, QPalette::HighlightedText, c.ink3);
-  return p;
 }
 
 int pixels_of(TextRole role) {
@@ -77,21 +44,6 @@ const Colors& colors() { return colors_of(current()); }
 ThemeKind theme() { return current(); }
 
 void set_colors(ThemeKind kind) { current() = kind; }
-
-void apply_theme(QApplication& application, ThemeKind kind) {
-  current() = kind;
-  QApplication::setStyle(new ControlStyle);
-  const QPalette palette = palette_of(colors_of(kind));
-  // Tool tips of Fusion read the application's palette; a style sheet would switch off the style's own drawing.
-  QApplication::setPalette(palette);
-  // What is chosen in a list is a row that is tinted, in tables and menus of choices alike.
-  QPalette lists = palette;
-  lists.setColor(QPalette::Highlight, colors().selected_row);
-  lists.setColor(QPalette::HighlightedText, colors().ink1);
-  QApplication::setPalette(lists, "QAbstractItemView");
-  QApplication::setFont(text_font(TextRole::body));
-  application.setProperty("handsight_theme", kind == ThemeKind::dark ? "dark" : "light");
-}
 
 QFont text_font(TextRole role) {
   QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);

@@ -9,8 +9,6 @@
 #include <array>
 #include <optional>
 
-class QApplication;
-
 namespace handsight::widgets {
 
 enum class ThemeKind { light, dark };
@@ -37,10 +35,6 @@ const Colors& colors_of(ThemeKind kind);
 ThemeKind theme();
 /// Changes them without a word to anybody: for pictures on paper, painted and done with before the window paints again.
 void set_colors(ThemeKind kind);
-
-/// Fusion style, palette and fonts for the whole application; before the first show(), and again to change the theme.
-/// Every widget gets a PaletteChange.
-void apply_theme(QApplication& application, ThemeKind kind);
 
 /// What the desktop prefers, and word of changes: org.freedesktop.appearance color-scheme from the portal by D-Bus;
 /// where there is no portal, text that is lighter than the window means dark.

@@ -2,10 +2,11 @@
 // Where the parts of a card lie, and how they are painted. Internal to candidate_*.cpp.
 #pragma once
 
+#include <QPainter>
 #include <QRectF>
 #include <vector>
 
-#include "widgets/explain/candidate_card.h"
+#include "widgets/explain/card_state.h"
 
 namespace handsight::widgets {
 

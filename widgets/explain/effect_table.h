@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "widgets/explain/effect_rows.h"
+
 class QLabel;
 class QLineEdit;
 class QTableView;
@@ -13,18 +15,6 @@ namespace handsight::widgets {
 
 class EffectTableModel;
 class EffectTableFilter;
-
-enum class EffectVerdict { in_model, would_help, may_be_there, worse, no_sign, cannot_be_seen, same_as, unknown };
-/// "in the model", "would help", "may be there", "fits, but worse", "no sign", "unseen on these poses", "same as", "-".
-QString effect_verdict_text(EffectVerdict verdict);
-
-struct EffectRow {
-  QString id, name;
-  QString where;  // joints, for the second column; may be empty
-  EffectVerdict verdict = EffectVerdict::unknown;
-  QString same_as;  // with same_as: the other's name
-  QString reason;   // a sentence
-};
 
 /// Model and view, rows of 24 px. Rows of the same ids keep their order; Enter or a double click chooses.
 class EffectTable : public QWidget {

@@ -72,28 +72,6 @@ QColor ink_of(EffectVerdict verdict) {
 
 }  // namespace
 
-QString effect_verdict_text(EffectVerdict verdict) {
-  switch (verdict) {
-    case EffectVerdict::in_model:
-      return said("in the model");
-    case EffectVerdict::would_help:
-      return said("would help");
-    case EffectVerdict::may_be_there:
-      return said("may be there");
-    case EffectVerdict::worse:
-      return said("fits, but worse");
-    case EffectVerdict::no_sign:
-      return said("no sign");
-    case EffectVerdict::cannot_be_seen:
-      return said("unseen on these poses");
-    case EffectVerdict::same_as:
-      return said("same as");
-    case EffectVerdict::unknown:
-      break;
-  }
-  return QStringLiteral("-");
-}
-
 int EffectTableModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }

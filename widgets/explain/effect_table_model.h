@@ -5,8 +5,9 @@
 #include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
+#include <vector>
 
-#include "widgets/explain/effect_table.h"
+#include "widgets/explain/effect_rows.h"
 
 namespace handsight::widgets {
 

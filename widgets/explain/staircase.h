@@ -5,22 +5,12 @@
 #include <QVariantAnimation>
 #include <QWidget>
 #include <optional>
-#include <vector>
 
-#include "widgets/lists/three_numbers.h"
+#include "widgets/explain/staircase_state.h"
 
 namespace handsight::widgets {
 
 struct StaircaseScene;
-
-struct StaircaseState {
-  std::vector<VersionStep> versions;  // oldest first
-  std::optional<double> noise;        // the floor
-  QString unit = "px";
-  int current = -1;                    // shown in the window; -1: the last that was not refused
-  std::optional<VersionStep> preview;  // what is being tried: a dashed purple step after the current one
-  int compared_a = -1, compared_b = -1;
-};
 
 /// Log axis with unit. A click (or left, right, Home, End) takes a step; Ctrl and click (or A and B) marks two for a
 /// comparison; hover reads it out. The gap between the two lines is filled: over-fitting has a width.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "widgets/explain/log_axis.h"
-#include "widgets/explain/staircase.h"
+#include "widgets/explain/staircase_state.h"
 
 namespace handsight::widgets {
 

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 #include <vector>
+
+#include "widgets/explain/version_entry.h"
 
 class QLabel;
 class QListView;
@@ -13,14 +14,6 @@ class QPushButton;
 namespace handsight::widgets {
 
 class VersionListModel;
-
-struct VersionEntry {
-  QString name;    // "+ joint elasticity of arm_2"
-  QString detail;  // why it was refused, or what was excluded
-  std::optional<double> held_out, fitted;
-  std::optional<double> change, change_sigma;  // of the held-out error against the version before
-  bool is_refused = false;
-};
 
 /// Oldest first. A click shows a version; A and B (keys, or the letters in the row) pick two to compare.
 class VersionList : public QWidget {

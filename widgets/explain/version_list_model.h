@@ -4,8 +4,9 @@
 
 #include <QAbstractListModel>
 #include <QStyledItemDelegate>
+#include <vector>
 
-#include "widgets/explain/version_list.h"
+#include "widgets/explain/version_entry.h"
 
 namespace handsight::widgets {
 

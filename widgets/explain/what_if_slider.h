@@ -3,8 +3,8 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
-#include <vector>
+
+#include "widgets/explain/what_if_state.h"
 
 class QComboBox;
 class QLabel;
@@ -12,22 +12,6 @@ class QLineEdit;
 class QPushButton;
 
 namespace handsight::widgets {
-
-struct WhatIfParameter {
-  QString name, unit;
-  double plausible = 1;                    // one standard deviation of what is plausible, in `unit`
-  std::optional<double> best, best_sigma;  // the size that fits best
-  double value = 0;
-};
-
-struct WhatIfState {
-  QString id, title;
-  std::vector<QString> places;  // joints or markers; empty: the effect sits at one place only
-  int place = 0;
-  std::vector<WhatIfParameter> parameters;
-  int parameter = 0;
-  QString answer;  // "With this the error would be 3.1 px."
-};
 
 class WhatIfTrack;
 

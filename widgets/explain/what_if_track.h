@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "widgets/explain/what_if_slider.h"
+#include "widgets/explain/what_if_state.h"
 
 namespace handsight::widgets {
 

@@ -11,8 +11,11 @@
 
 #include "geometry/rigid.h"
 #include "widgets/base/cells.h"
+#include "widgets/images/image_viewport.h"
 
 namespace handsight::widgets {
+
+struct ImageDrag;
 
 enum class MarkRole {
   measured,   // a ring with the marker's number
@@ -51,12 +54,6 @@ struct ImageCandidate {
   Vector2 position{0, 0};
   QString label;  // "0.3 px, 1.24 m"
   bool is_taken = false;
-};
-
-/// The image point at the view's centre and screen px per image px.
-struct ImageViewport {
-  Vector2 center{0, 0};
-  double zoom = 1;
 };
 
 /// Wheel zooms at the pointer, dragging pans (with the left button where nothing is grabbed, always with the middle
@@ -129,7 +126,6 @@ class ImageView : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  struct Drag;
   QSizeF frame_size() const;
   int mark_at(const QPointF& position) const;       // index into marks_, measured ones only; -1
   int candidate_at(const QPointF& position) const;  // index into candidates_; -1
@@ -166,7 +162,7 @@ class ImageView : public QWidget {
   bool is_labelling_ = false, has_loupe_ = false, is_fitted_ = true, is_stretched_ = false;
   ImageViewport viewport_;
   std::optional<QPointF> pointer_;
-  std::unique_ptr<Drag> drag_;
+  std::unique_ptr<ImageDrag> drag_;
 };
 
 }  // namespace handsight::widgets

@@ -4,11 +4,11 @@
 
 #include <QPointF>
 
-#include "widgets/images/image_view.h"
+#include "widgets/images/image_viewport.h"
 
 namespace handsight::widgets {
 
-struct ImageView::Drag {
+struct ImageDrag {
   enum Kind { pan, marker } kind = pan;
   Qt::MouseButton button = Qt::LeftButton;
   QPointF from;

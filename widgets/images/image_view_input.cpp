@@ -33,7 +33,7 @@ void ImageView::wheelEvent(QWheelEvent* event) {
 
 void ImageView::mousePressEvent(QMouseEvent* event) {
   if (frame_size().isEmpty() || event->button() == Qt::RightButton) return;
-  drag_ = std::make_unique<Drag>();
+  drag_ = std::make_unique<ImageDrag>();
   drag_->button = event->button();
   drag_->from = event->position();
   drag_->viewport = viewport_;
@@ -41,7 +41,7 @@ void ImageView::mousePressEvent(QMouseEvent* event) {
   if (mark < 0) return;
   const ImageMark& m = marks_[static_cast<std::size_t>(mark)];
   if (is_labelling_) {
-    drag_->kind = Drag::marker;
+    drag_->kind = ImageDrag::marker;
     drag_->grip = to_screen(m.position) - event->position();
   }
   drag_->number = m.marker;
@@ -59,7 +59,7 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF d = event->position() - drag_->from;
   if (!drag_->has_moved && std::hypot(d.x(), d.y()) < 4) return;
   drag_->has_moved = true;
-  if (drag_->kind == Drag::marker) {
+  if (drag_->kind == ImageDrag::marker) {
     const Vector2 to = nearest_inside(to_image(event->position() + drag_->grip));
     emit marker_dragged(drag_->number, to, false, event->modifiers());
     return;
@@ -71,8 +71,8 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
 
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
   if (!drag_ || event->button() != drag_->button) return;
-  const std::unique_ptr<Drag> drag = std::move(drag_);
-  if (drag->kind == Drag::marker && drag->has_moved) {
+  const std::unique_ptr<ImageDrag> drag = std::move(drag_);
+  if (drag->kind == ImageDrag::marker && drag->has_moved) {
     const Vector2 to = nearest_inside(to_image(event->position() + drag->grip));
     emit marker_dragged(drag->number, to, true, event->modifiers());
     return;

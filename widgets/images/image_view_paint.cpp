@@ -218,7 +218,8 @@ void ImageView::paint_candidates(QPainter& painter) const {
 }
 
 void ImageView::paint_pointer_loupe(QPainter& painter) const {
-  if (!has_loupe_ || !pointer_ || image_.isNull() || (drag_ && drag_->kind == Drag::pan && drag_->has_moved)) return;
+  if (!has_loupe_ || !pointer_ || image_.isNull() || (drag_ && drag_->kind == ImageDrag::pan && drag_->has_moved))
+    return;
   constexpr double side = 136, gap = 24;
   const QRectF area = image_area();
   if (area.width() < 2 * side || area.height() < 1.5 * side) return;

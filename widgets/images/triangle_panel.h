@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/rigid.h"
+#include "widgets/images/triangle_state.h"
 
 class QLabel;
 class QPushButton;
@@ -15,37 +15,6 @@ class QTableWidget;
 namespace handsight::widgets {
 
 class TriangleSketch;
-
-/// One marker as it stands: where it is in each image and in space.
-struct TriangleMarker {
-  int number = 0;
-  bool has_left = false, has_right = false;
-  std::optional<Vector3> in_left_camera;  // m; absent: not triangulated
-  std::optional<double> depth_sigma_m;
-  std::optional<double> epipolar_distance;  // px
-};
-
-struct TriangleSide {
-  int from = 0, to = 0;
-  double length_mm = 0;
-  std::optional<double> sigma_mm;
-};
-
-/// How good the triangle is, in words.
-enum class TriangleVerdict { waiting, good, care, bad };
-
-struct TriangleState {
-  std::vector<TriangleMarker> markers;
-  std::vector<TriangleSide> sides;
-  TriangleVerdict verdict = TriangleVerdict::waiting;
-  QString sentence;  // what is next, or why it will not do
-  QString action;    // a button beside it; empty: none
-  std::vector<TriangleMarker>
-      known;                // how the markers are numbered elsewhere, in any frame; drawn while few are placed
-  bool can_use = false;     // the main button
-  bool can_discard = true;  // the other one
-  int selected_marker = -1;
-};
 
 /// A corner of the right image that may be the partner of the selected marker.
 struct TriangleCandidate {

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "widgets/images/triangle_panel.h"
+#include "widgets/images/triangle_state.h"
 
 namespace handsight::widgets {
 

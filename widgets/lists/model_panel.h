@@ -4,8 +4,9 @@
 
 #include <QFrame>
 #include <QHash>
-#include <optional>
 #include <vector>
+
+#include "widgets/lists/model_parameter.h"
 
 class QLabel;
 class QScrollArea;
@@ -13,17 +14,6 @@ class QToolButton;
 class QVBoxLayout;
 
 namespace handsight::widgets {
-
-struct ModelParameter {
-  QString of;  // joint, marker or camera that it belongs to; may be empty
-  QString name;
-  std::optional<double> value, sigma;  // in `unit`
-  QString unit;
-  std::optional<double> plausible;  // one standard deviation of what is plausible; absent: no bar
-  bool can_hold = false;            // offers to hold it, or to estimate it again
-  bool is_held = false;             // typed, not estimated
-  bool is_choice = false;           // a choice (from which observation on): neither estimated nor typed
-};
 
 struct ModelEffect {
   QString id;     // what signals say; unique in the panel

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "widgets/base/cells.h"
+#include "widgets/lists/observation_rows.h"
 
 class QLabel;
 class QLineEdit;
@@ -18,20 +19,6 @@ namespace handsight::widgets {
 
 class ObservationTableModel;
 class ObservationTableFilter;
-
-struct ObservationRow {
-  ObservationId id = kNoObservation;
-  CellState state = CellState::waiting;
-  std::optional<double> rms_pixel, rms_mm, angle_deg;
-  std::optional<double> rms_over_sigma;
-  int coordinates = 12;
-  QString worst;  // "2, right": the worst marker
-  std::optional<double> worst_over_sigma;
-  bool is_odd = false;  // stands out: what the filter "odd" shows
-  QString reason;
-};
-
-enum class RowFilter { all, odd, excluded, rejected };
 
 /// Model, view and delegate, no widget a row; 10,000 rows are quick. The order is kept when rows change: a chip offers
 /// to sort again. Delete excludes the chosen, Insert includes them; Enter asks to relabel.

@@ -6,8 +6,9 @@
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
 #include <array>
+#include <vector>
 
-#include "widgets/lists/observation_table.h"
+#include "widgets/lists/observation_rows.h"
 
 namespace handsight::widgets {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lists/parameter_row.h"
 
+#include <QCoreApplication>
 #include <QLineEdit>
 #include <QPainter>
 #include <QToolButton>
@@ -14,6 +15,9 @@
 namespace handsight::widgets {
 namespace {
 
+/// In the context of the panel.
+QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::ModelPanel", text); }
+
 /// A lock, closed where the number is held.
 class HoldButton : public QToolButton {
  public:
@@ -22,8 +26,8 @@ class HoldButton : public QToolButton {
     setCheckable(true);
     setChecked(is_held);
     setFixedSize(kHoldWidth, 24);
-    setToolTip(is_held ? ModelPanel::tr("Held: the fit leaves it where it is. Press to estimate it again")
-                       : ModelPanel::tr("Hold this number: the fit leaves it where it is, and it can be typed"));
+    setToolTip(is_held ? said("Held: the fit leaves it where it is. Press to estimate it again")
+                       : said("Hold this number: the fit leaves it where it is, and it can be typed"));
   }
   static constexpr int kHoldWidth = 24;
 
@@ -135,7 +139,7 @@ QString ParameterRow::value() const {
 
 QString ParameterRow::plausible() const {
   if (!parameter_.plausible) return {};
-  return ModelPanel::tr(", plausible within about ± %1").arg(with_unit_text(parameter_.plausible, parameter_.unit));
+  return said(", plausible within about ± %1").arg(with_unit_text(parameter_.plausible, parameter_.unit));
 }
 
 }  // namespace handsight::widgets

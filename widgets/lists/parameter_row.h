@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "widgets/lists/model_panel.h"
+#include "widgets/lists/model_parameter.h"
 
 class QLineEdit;
 class QPainter;

@@ -13,7 +13,7 @@
 
 namespace handsight::widgets {
 
-ResidualMap::ResidualMap(QWidget* parent) : PlotWidget(parent), layers_(std::make_shared<Layers>()) {
+ResidualMap::ResidualMap(QWidget* parent) : PlotWidget(parent), layers_(std::make_shared<ResidualMapLayers>()) {
   allow_brush();
   const auto scatter = [this] {
     QCPGraph* graph = plot_->addGraph();

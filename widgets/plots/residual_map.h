@@ -12,6 +12,8 @@
 
 namespace handsight::widgets {
 
+struct ResidualMapLayers;
+
 struct MapPoint {
   ObservationId observation = kNoObservation;
   int marker = 0;
@@ -62,7 +64,6 @@ class ResidualMap : public PlotWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Layers;
   void fill();
   void fill_arrows();
   void fill_regions();
@@ -78,7 +79,7 @@ class ResidualMap : public PlotWidget {
   SizeUnit unit_ = SizeUnit::pixel;
   bool has_regions_ = true;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
-  std::shared_ptr<Layers> layers_;
+  std::shared_ptr<ResidualMapLayers> layers_;
 };
 
 }  // namespace handsight::widgets

@@ -6,6 +6,7 @@
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/plots/residual_map.h"
 #include "widgets/plots/residual_map_layers.h"
 
 namespace handsight::widgets {

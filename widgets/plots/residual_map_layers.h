@@ -5,14 +5,13 @@
 #include <qcustomplot.h>
 
 #include <array>
-
-#include "widgets/plots/residual_map.h"
+#include <vector>
 
 namespace handsight::widgets {
 
 inline constexpr int kColumns = 6, kRows = 4, kDirections = 16;
 
-struct ResidualMap::Layers {
+struct ResidualMapLayers {
   std::array<QCPGraph*, 6> discs{};
   std::array<QCPCurve*, 6> arrows{};
   std::array<QCPGraph*, kDirections> directions{};

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "widgets/scene/robot_view.h"
+#include "widgets/scene/scene_marks.h"
 #include "widgets/scene/vtk_tools.h"
 
 namespace handsight::widgets {

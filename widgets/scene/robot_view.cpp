@@ -29,7 +29,7 @@ void set_surface_format() {
   vtkObject::GlobalWarningDisplayOff();
 }
 
-RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
+RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<RobotViewParts>()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -78,7 +78,7 @@ QSize RobotView::sizeHint() const { return {460, 400}; }
 QSize RobotView::minimumSizeHint() const { return {240, 200}; }
 
 void RobotView::set_robot(const Robot& robot, const std::filesystem::path& mesh_folder) {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   p.robot = robot;
   p.posture.clear();
   p.bent.reset();
@@ -92,7 +92,7 @@ void RobotView::set_robot(const Robot& robot, const std::filesystem::path& mesh_
 }
 
 void RobotView::take_meshes(const ReadMeshes& meshes) {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   p.read_links = make_robot_actors(p.robot, meshes);  // shown at the next picture
   p.links.notes = p.read_links.notes;
   p.robot_changed = p.wants_fit = true;
@@ -100,7 +100,7 @@ void RobotView::take_meshes(const ReadMeshes& meshes) {
 }
 
 void RobotView::finish_reading() {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   const auto is_ready = [](const std::future<ReadMeshes>& f) {
     return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   };
@@ -246,7 +246,7 @@ void RobotView::change() {
 }
 
 void RobotView::draw(const QSize& size) {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   if (!p.is_stale && p.picture.size() == size) return;
   if (!p.gl.make_ready()) {
     p.empty_text = QObject::tr("The 3D view needs OpenGL 3.2, which this display does not offer.");
@@ -263,14 +263,14 @@ void RobotView::draw(const QSize& size) {
 }
 
 void RobotView::smooth() {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   if (p.gl.is_smooth() || p.smooth.is_done() || p.picture.isNull()) return;
   p.smooth.add(p.moved_picture(p.smooth.next_offset()));
   if (p.smooth.is_done()) p.picture = p.smooth.mean();
 }
 
 void RobotView::smooth_on() {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   if (p.is_stale || !isVisible()) return;
   smooth();
   if (p.smooth.is_done()) return update();

@@ -9,48 +9,16 @@
 #include <optional>
 #include <vector>
 
-#include "camera/camera.h"
 #include "robot/robot.h"
 #include "widgets/base/cells.h"
+#include "widgets/scene/scene_marks.h"
+#include "widgets/scene/standard_view.h"
 
 namespace handsight::widgets {
 
+struct RobotViewParts;
 struct ReadMesh;
 using ReadMeshes = std::map<std::string, ReadMesh>;
-
-/// Everything in the root link's frame, m.
-struct SceneCamera {
-  QString name;
-  Rigid root_from_camera;
-  Camera camera;
-};
-
-enum class SceneMarkerRole { measured, predicted };
-
-struct SceneMarker {
-  int marker = 0;
-  Vector3 in_root{0, 0, 0};
-  SceneMarkerRole role = SceneMarkerRole::measured;
-  std::optional<double> rms_over_sigma;
-};
-
-/// The residual of a past observation at its TCP, magnified by the view.
-struct SceneArrow {
-  ObservationId observation = kNoObservation;
-  Vector3 from{0, 0, 0};
-  Vector3 residual{0, 0, 0};  // m, true size
-  std::optional<double> rms_over_sigma;
-  int coordinates = 12;
-};
-
-/// Where something is with this probability: the ellipsoid of a covariance.
-struct SceneEllipsoid {
-  Vector3 center{0, 0, 0};
-  Matrix3 covariance = Matrix3::Zero();  // m^2
-  double probability = 0.95;
-};
-
-enum class StandardView { front, back, left, right, top, camera, tcp, all };
 
 /// What goes before QApplication: the surface format that the 3D view needs (3.2 core, depth 24, stencil 8).
 void set_surface_format();
@@ -120,7 +88,6 @@ class RobotView : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  struct Parts;
   void take_meshes(const ReadMeshes& meshes);
   void finish_reading();
   void change();  // the scene: the next painting draws it anew
@@ -130,7 +97,7 @@ class RobotView : public QWidget {
   void show_menu(const QPoint& position);
   void pick(const QPointF& position, bool take);
   void paint_labels(QPainter& painter);
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<RobotViewParts> parts_;
 };
 
 }  // namespace handsight::widgets

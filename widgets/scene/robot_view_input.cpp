@@ -8,12 +8,13 @@
 #include <cmath>
 
 #include "widgets/base/number_text.h"
+#include "widgets/scene/robot_view.h"
 #include "widgets/scene/robot_view_parts.h"
 
 namespace handsight::widgets {
 
 void RobotView::pick(const QPointF& position, bool take) {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   if (!p.has_robot()) return;
   const ObservationId id = p.arrow_at(position, size());
   if (!take && id != p.hovered) {
@@ -47,7 +48,7 @@ void RobotView::pick(const QPointF& position, bool take) {
 }
 
 void RobotView::mousePressEvent(QMouseEvent* event) {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   p.button = event->button();
   if (p.button == Qt::LeftButton && event->modifiers() & Qt::ShiftModifier) p.button = Qt::MiddleButton;
   p.pressed_at = p.last_at = event->position();
@@ -55,7 +56,7 @@ void RobotView::mousePressEvent(QMouseEvent* event) {
 }
 
 void RobotView::mouseMoveEvent(QMouseEvent* event) {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   if (!event->buttons()) {
     pick(event->position(), false);
     return;
@@ -98,7 +99,7 @@ void RobotView::leaveEvent(QEvent*) {
 }
 
 void RobotView::keyPressEvent(QKeyEvent* event) {
-  Parts& p = *parts_;
+  RobotViewParts& p = *parts_;
   const bool is_plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
   if (!is_plain) return QWidget::keyPressEvent(event);
   switch (event->key()) {

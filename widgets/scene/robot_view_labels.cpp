@@ -9,6 +9,7 @@
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/scene/robot_view.h"
 #include "widgets/scene/robot_view_parts.h"
 
 namespace handsight::widgets {
@@ -94,7 +95,7 @@ double length_on_screen(const RobotView& view, const Rigid& root_from_frame) {
 void RobotView::paint_labels(QPainter& painter) {
   static const std::array<QString, 3> letters = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
   const Colors& c = colors();
-  const Parts& p = *parts_;
+  const RobotViewParts& p = *parts_;
   if (!p.has_robot()) {
     draw_sentence(painter, rect(), p.empty_text);
     return;

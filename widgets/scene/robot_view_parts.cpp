@@ -41,13 +41,13 @@ QColor off_the_ground(const QColor& color) {
 
 }  // namespace
 
-const SceneArrow* RobotView::Parts::arrow_of(ObservationId id) const {
+const SceneArrow* RobotViewParts::arrow_of(ObservationId id) const {
   if (id == kNoObservation) return nullptr;
   const auto found = std::find_if(arrows.begin(), arrows.end(), [id](const auto& a) { return a.observation == id; });
   return found == arrows.end() ? nullptr : &*found;
 }
 
-void RobotView::Parts::make_ready() {
+void RobotViewParts::make_ready() {
   if (robot_changed) make_robot();
   if (theme_changed) set_colors();
   const bool has_moved_robot = posture_changed;
@@ -68,7 +68,7 @@ void RobotView::Parts::make_ready() {
   set_clipping_range();
 }
 
-void RobotView::Parts::set_clipping_range() {
+void RobotViewParts::set_clipping_range() {
   vtkBoundingBox all(renderer->ComputeVisiblePropBounds());
   all.AddBounds(after->ComputeVisiblePropBounds());
   double bounds[6];
@@ -76,7 +76,7 @@ void RobotView::Parts::set_clipping_range() {
   renderer->ResetCameraClippingRange(bounds);
 }
 
-QImage RobotView::Parts::moved_picture(const QPointF& px) {
+QImage RobotViewParts::moved_picture(const QPointF& px) {
   vtkCamera& camera = *renderer->GetActiveCamera();
   camera.SetWindowCenter(2 * px.x() / picture.width(), 2 * px.y() / picture.height());
   QImage moved = gl.picture(picture.size());
@@ -84,7 +84,7 @@ QImage RobotView::Parts::moved_picture(const QPointF& px) {
   return moved;
 }
 
-void RobotView::Parts::make_robot() {
+void RobotViewParts::make_robot() {
   remove_from(*renderer, links);
   remove_from(*after, ghost);
   remove_from(*renderer, shadow);
@@ -100,7 +100,7 @@ void RobotView::Parts::make_robot() {
   posture_changed = ghost_changed = theme_changed = true;
 }
 
-void RobotView::Parts::set_colors() {
+void RobotViewParts::set_colors() {
   const QColor ground = colors().panel;
   renderer->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
   set_color(ghost, colors().candidate);
@@ -113,7 +113,7 @@ void RobotView::Parts::set_colors() {
   marks_changed = arrows_changed = posture_changed = true;
 }
 
-void RobotView::Parts::place_robot() {
+void RobotViewParts::place_robot() {
   set_visible(links, !posture.empty());
   place_links(links, posture);
   const bool has_ghost = bent.has_value() && !posture.empty();
@@ -131,7 +131,7 @@ void RobotView::Parts::place_robot() {
   posture_changed = ghost_changed = false;
 }
 
-void RobotView::Parts::make_marks() {
+void RobotViewParts::make_marks() {
   for (ActorGroup* group : {&camera_actors, &axes, &marker_actors, &ellipsoid_actors}) group->clear(*renderer);
   for (const SceneCamera& camera : cameras) show_camera(*renderer, camera_actors, camera);
   if (tcp) show_axes(*renderer, axes, *tcp, false);
@@ -141,11 +141,11 @@ void RobotView::Parts::make_marks() {
   marks_changed = false;
 }
 
-double RobotView::Parts::metres_per_px() const {
+double RobotViewParts::metres_per_px() const {
   return 2 * orbit.distance * std::tan(Orbit::view_angle / 2 * M_PI / 180) / std::max(shown_size.height(), 1.0);
 }
 
-void RobotView::Parts::hide_ghost_within_robot() {
+void RobotViewParts::hide_ghost_within_robot() {
   constexpr double least_px = 3;
   const auto moves = [&](const LinkActor& part) {
     const auto link = static_cast<std::size_t>(part.link);
@@ -165,7 +165,7 @@ void RobotView::Parts::hide_ghost_within_robot() {
   after->SetDraw(!ghost_posture.empty());
 }
 
-void RobotView::Parts::make_arrows() {
+void RobotViewParts::make_arrows() {
   if (arrows_changed) {
     arrow_scale = metres_per_px();
     arrow_actors.clear(*renderer);
@@ -179,7 +179,7 @@ void RobotView::Parts::make_arrows() {
   arrows_changed = rings_changed = false;
 }
 
-std::vector<Vector3> RobotView::Parts::points_of_interest() const {
+std::vector<Vector3> RobotViewParts::points_of_interest() const {
   std::vector<Vector3> points = interest;
   for (const SceneArrow& arrow : arrows) points.push_back(arrow.from);
   for (const SceneCamera& camera : cameras) points.push_back(camera.root_from_camera.translation);
@@ -208,7 +208,7 @@ std::vector<Vector3> RobotView::Parts::points_of_interest() const {
   return points;
 }
 
-bool RobotView::Parts::is_in_sight() const {
+bool RobotViewParts::is_in_sight() const {
   constexpr double enough = 0.85;
   const std::vector<Vector3> points = points_of_interest();
   const auto seen = std::count_if(points.begin(), points.end(), [&](const Vector3& point) {
@@ -218,7 +218,7 @@ bool RobotView::Parts::is_in_sight() const {
   return static_cast<double>(seen) >= enough * static_cast<double>(points.size());
 }
 
-void RobotView::Parts::look(StandardView view) {
+void RobotViewParts::look(StandardView view) {
   is_framed = view == StandardView::all;
   const auto from = [this](double azimuth, double elevation) {
     orbit.azimuth = azimuth;
@@ -259,13 +259,13 @@ void RobotView::Parts::look(StandardView view) {
   orbit.turn(0, 0);
 }
 
-std::vector<CubeFace> RobotView::Parts::cube(const QSizeF& size) const {
+std::vector<CubeFace> RobotViewParts::cube(const QSizeF& size) const {
   constexpr double wide_enough = 340;
   if (size.width() < wide_enough || !has_robot()) return {};
   return cube_faces(orbit, {84, size.height() - 34}, 34);
 }
 
-std::optional<QPointF> RobotView::Parts::to_screen(const Vector3& in_root, const QSizeF& size) const {
+std::optional<QPointF> RobotViewParts::to_screen(const Vector3& in_root, const QSizeF& size) const {
   const Vector3 forward = orbit.direction();
   const Vector3 right = forward.cross(Vector3::UnitZ()).normalized();
   const Vector3 up = right.cross(forward);
@@ -276,7 +276,7 @@ std::optional<QPointF> RobotView::Parts::to_screen(const Vector3& in_root, const
   return QPointF(size.width() / 2 + scale * d.dot(right), size.height() / 2 - scale * d.dot(up));
 }
 
-ObservationId RobotView::Parts::arrow_at(const QPointF& position, const QSizeF& size) const {
+ObservationId RobotViewParts::arrow_at(const QPointF& position, const QSizeF& size) const {
   ObservationId best = kNoObservation;
   double nearest = 8;
   for (const SceneArrow& arrow : arrows) {
@@ -290,7 +290,7 @@ ObservationId RobotView::Parts::arrow_at(const QPointF& position, const QSizeF& 
   return best;
 }
 
-int RobotView::Parts::link_at(double x, double y) {
+int RobotViewParts::link_at(double x, double y) {
   vtkNew<vtkCellPicker> picker;
   picker->SetTolerance(0.0005);
   if (!picker->Pick(x, y, 0, renderer)) return -1;

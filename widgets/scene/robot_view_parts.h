@@ -15,15 +15,16 @@
 #include "widgets/scene/marks.h"
 #include "widgets/scene/orbit.h"
 #include "widgets/scene/robot_actors.h"
-#include "widgets/scene/robot_view.h"
+#include "widgets/scene/scene_marks.h"
 #include "widgets/scene/smooth_picture.h"
+#include "widgets/scene/standard_view.h"
 #include "widgets/scene/view_cube.h"
 
 class QToolButton;
 
 namespace handsight::widgets {
 
-struct RobotView::Parts {
+struct RobotViewParts {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderer> after;  // draws the ghost over the scene, by the same eye and depths
   GlWindow gl;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "widgets/scene/orbit.h"
-#include "widgets/scene/robot_view.h"
+#include "widgets/scene/standard_view.h"
 
 namespace handsight::widgets {
 

@@ -13,6 +13,7 @@
 #include "explain/missing_pane.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/scene/robot_view.h"

@@ -7,6 +7,7 @@
 #include <QApplication>
 
 #include "temporary_folder.h"
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/theme.h"
 #include "widgets/scene/robot_view.h"
 

@@ -10,6 +10,7 @@
 #include "app/window/pages.h"
 #include "bench/preferences.h"
 #include "temporary_folder.h"
+#include "widgets/base/apply_theme.h"
 
 namespace handsight::test {
 namespace {

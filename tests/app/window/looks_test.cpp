@@ -9,6 +9,7 @@
 
 #include "app/window/pages.h"
 #include "temporary_folder.h"
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/theme.h"
 
 namespace handsight::test {

@@ -8,6 +8,7 @@
 
 #include "app/window/working_window.h"
 #include "temporary_folder.h"
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/theme.h"
 #include "widgets/scene/robot_view.h"
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is shown beside the robot, as plain data: cameras, markers, arrows, ellipsoid.
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "camera/camera.h"
+#include "widgets/base/cells.h"
+
+namespace handsight::widgets {
+
+/// Everything in the root link's frame, m.
+struct SceneCamera {
+  QString name;
+  Rigid root_from_camera;
+  Camera camera;
+};
+
+enum class SceneMarkerRole { measured, predicted };
+
+struct SceneMarker {
+  int marker = 0;
+  Vector3 in_root{0, 0, 0};
+  SceneMarkerRole role = SceneMarkerRole::measured;
+  std::optional<double> rms_over_sigma;
+};
+
+/// The residual of a past observation at its TCP, magnified by the view.
+struct SceneArrow {
+  ObservationId observation = kNoObservation;
+  Vector3 from{0, 0, 0};
+  Vector3 residual{0, 0, 0};  // m, true size
+  std::optional<double> rms_over_sigma;
+  int coordinates = 12;
+};
+
+/// Where something is with this probability: the ellipsoid of a covariance.
+struct SceneEllipsoid {
+  Vector3 center{0, 0, 0};
+  Matrix3 covariance = Matrix3::Zero();  // m^2
+  double probability = 0.95;
+};
+
+}  // namespace handsight::widgets
