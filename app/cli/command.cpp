@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/text.h"
@@ -117,16 +118,16 @@ Session open_searched_session(const std::string& path, const Output& output) {
   return open_searched_session(path);
 }
 
-void add_session_option(CLI::App& app, std::string& session) {
-  app.add_option("SESSION", session, "A session's folder or its session.xml")->required();
+void add_session_option(const CommandLine& command, std::string& session) {
+  command.option("SESSION", session, "A session's folder or its session.xml").required();
 }
 
-void add_json_option(CLI::App& app, Output& output) {
-  app.add_option("--json", output.json_file, "Write the whole result as JSON to this file; - is standard output");
+void add_json_option(const CommandLine& command, Output& output) {
+  command.option("--json", output.json_file, "Write the whole result as JSON to this file; - is standard output");
 }
 
-void add_export_option(CLI::App& app, Output& output) {
-  app.add_option("--export", output.export_file, "Write the calibration XML to this file; - is standard output");
+void add_export_option(const CommandLine& command, Output& output) {
+  command.option("--export", output.export_file, "Write the calibration XML to this file; - is standard output");
 }
 
 void require_pair(const Session& session, const char* command) {

@@ -2,12 +2,12 @@
 // What every command of handsight-cli shares: where results go, exit codes, and how sessions are opened.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "base/error.h"
+#include "options/command_line.h"
 #include "session/calibration.h"
 #include "session/session.h"
 
@@ -54,7 +54,7 @@ class Progress {
 
 /// One command: its name in the list, how it declares its options, what it does.
 struct Command {
-  CLI::App* app = nullptr;
+  CommandLine line;
   std::function<int()> run;
 };
 
@@ -70,30 +70,30 @@ Session open_searched_session(const std::string& path);
 Session open_searched_session(const std::string& path, const Output& output);
 
 /// Adds `SESSION` and `--json` to a command.
-void add_session_option(CLI::App& app, std::string& session);
-void add_json_option(CLI::App& app, Output& output);
-void add_export_option(CLI::App& app, Output& output);
+void add_session_option(const CommandLine& command, std::string& session);
+void add_json_option(const CommandLine& command, Output& output);
+void add_export_option(const CommandLine& command, Output& output);
 
-Command add_check(CLI::App& app);
-Command add_detect(CLI::App& app);
-Command add_label(CLI::App& app);
-Command add_online(CLI::App& app);
-Command add_fit(CLI::App& app);
-Command add_inspect(CLI::App& app);
-Command add_diagnose(CLI::App& app);
-Command add_improve(CLI::App& app);
-Command add_predict(CLI::App& app);
-Command add_convert(CLI::App& app);
-Command add_export(CLI::App& app);
-Command add_correct(CLI::App& app);
-Command add_compare(CLI::App& app);
-Command add_batch(CLI::App& app);
-Command add_plan(CLI::App& app);
-Command add_effective_mass(CLI::App& app);
-Command add_simulate(CLI::App& app);
-Command add_effects(CLI::App& app);
-Command add_target(CLI::App& app);
-Command add_cameras(CLI::App& app);
+Command add_check(const CommandLine& program);
+Command add_detect(const CommandLine& program);
+Command add_label(const CommandLine& program);
+Command add_online(const CommandLine& program);
+Command add_fit(const CommandLine& program);
+Command add_inspect(const CommandLine& program);
+Command add_diagnose(const CommandLine& program);
+Command add_improve(const CommandLine& program);
+Command add_predict(const CommandLine& program);
+Command add_convert(const CommandLine& program);
+Command add_export(const CommandLine& program);
+Command add_correct(const CommandLine& program);
+Command add_compare(const CommandLine& program);
+Command add_batch(const CommandLine& program);
+Command add_plan(const CommandLine& program);
+Command add_effective_mass(const CommandLine& program);
+Command add_simulate(const CommandLine& program);
+Command add_effects(const CommandLine& program);
+Command add_target(const CommandLine& program);
+Command add_cameras(const CommandLine& program);
 
 /// InputError where the session has not two cameras, whose images `command` needs.
 void require_pair(const Session& session, const char* command);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <vector>
 
@@ -133,7 +134,8 @@ std::string fish_completion(const CLI::App& app) {
 
 }  // namespace
 
-std::string manual_page(const CLI::App& app, const std::string& version) {
+std::string manual_page(const CommandLine& program, const std::string& version) {
+  const CLI::App& app = *program.parser;
   std::string text = fmt::format(
       ".TH HANDSIGHT\\-CLI 1 \"\" \"handsight {}\" \"User Commands\"\n.SH NAME\nhandsight\\-cli \\- {}\n.SH "
       "SYNOPSIS\n.B "
@@ -152,7 +154,8 @@ std::string manual_page(const CLI::App& app, const std::string& version) {
          "lie\n";
 }
 
-std::string completion(const CLI::App& app, const std::string& shell) {
+std::string completion(const CommandLine& program, const std::string& shell) {
+  const CLI::App& app = *program.parser;
   return shell == "zsh" ? zsh_completion(app) : shell == "fish" ? fish_completion(app) : bash_completion(app);
 }
 

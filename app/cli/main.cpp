@@ -3,7 +3,6 @@
 #include <csignal>
 #include <iostream>
 #include <new>
-#include <sstream>
 
 #include "base/text.h"
 #include "base/threads.h"
@@ -15,38 +14,30 @@ namespace {
 using namespace handsight;
 
 int run(int argc, char** argv) {
-  CLI::App app("Find out where a robot's hand really is, and why it is not where the model says.", "handsight-cli");
-  app.set_version_flag("--version", "handsight " HANDSIGHT_VERSION);
-  app.require_subcommand(1);
-  app.add_option("--threads", most_threads(),
-                 "At most so many at once (as many as the processor runs); results are the same")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  const auto program = cli::make_program(
+      "handsight-cli", "Find out where a robot's hand really is, and why it is not where the model says.",
+      "handsight " HANDSIGHT_VERSION);
+  const cli::CommandLine line{program.get()};
+  line.option("--threads", most_threads(),
+              "At most so many at once (as many as the processor runs); results are the same")
+      .from_to(1, 1024)
+      .shown_as("N");
   std::string described;  // for packages: the manual page, completions of shells
-  CLI::App* const describe =
-      app.add_subcommand("describe", "Writes the manual page or a shell's completion")->group("");
-  describe->add_option("WHAT", described)->required()->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+  const cli::CommandLine describe = line.command("describe", "Writes the manual page or a shell's completion").hidden();
+  describe.option("WHAT", described).required().one_of({"man", "bash", "zsh", "fish"});
   const std::vector<cli::Command> commands = {
-      cli::add_check(app),   cli::add_detect(app),  cli::add_label(app),          cli::add_online(app),
-      cli::add_fit(app),     cli::add_inspect(app), cli::add_diagnose(app),       cli::add_improve(app),
-      cli::add_predict(app), cli::add_convert(app), cli::add_export(app),         cli::add_correct(app),
-      cli::add_compare(app), cli::add_batch(app),   cli::add_effective_mass(app), cli::add_simulate(app),
-      cli::add_effects(app), cli::add_plan(app),    cli::add_target(app),         cli::add_cameras(app)};
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::ostringstream out, err;
-    const int code = app.exit(error, out, err);
-    std::cout << printable(out.str());
-    std::cerr << printable(err.str());
-    return code == 0 ? cli::done : cli::wrong_input;
-  }
-  if (describe->parsed()) {
-    std::cout << (described == "man" ? cli::manual_page(app, HANDSIGHT_VERSION) : cli::completion(app, described));
+      cli::add_check(line),   cli::add_detect(line),  cli::add_label(line),          cli::add_online(line),
+      cli::add_fit(line),     cli::add_inspect(line), cli::add_diagnose(line),       cli::add_improve(line),
+      cli::add_predict(line), cli::add_convert(line), cli::add_export(line),         cli::add_correct(line),
+      cli::add_compare(line), cli::add_batch(line),   cli::add_effective_mass(line), cli::add_simulate(line),
+      cli::add_effects(line), cli::add_plan(line),    cli::add_target(line),         cli::add_cameras(line)};
+  if (const std::optional<int> ended = cli::parse(*program, argc, argv)) return *ended;
+  if (describe.is_given()) {
+    std::cout << (described == "man" ? cli::manual_page(line, HANDSIGHT_VERSION) : cli::completion(line, described));
     return cli::done;
   }
   for (const cli::Command& command : commands)
-    if (command.app->parsed()) return command.run();
+    if (command.line.is_given()) return command.run();
   return cli::wrong_input;
 }
 

@@ -176,15 +176,14 @@ int run(const BatchArguments& o) {
 
 }  // namespace
 
-Command add_batch(CLI::App& app) {
+Command add_batch(const CommandLine& program) {
   auto options = std::make_shared<BatchArguments>();
-  CLI::App* command =
-      app.add_subcommand("batch", "Fits and diagnoses many sessions, a line each; a failure is a line too");
-  command->add_option("SESSION", options->sessions, "Sessions: folders or session.xml files")->required();
-  command->add_option("--jobs", options->jobs, "How many at once; the results do not depend on it")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--csv", options->csv, "The table to write; - is standard output");
-  command->add_flag("--improve", options->improves, "Improve each model first; the verdict is of what is left");
+  const CommandLine command =
+      program.command("batch", "Fits and diagnoses many sessions, a line each; a failure is a line too");
+  command.option("SESSION", options->sessions, "Sessions: folders or session.xml files").required();
+  command.option("--jobs", options->jobs, "How many at once; the results do not depend on it").from_to(1, 1024);
+  command.option("--csv", options->csv, "The table to write; - is standard output");
+  command.flag("--improve", options->improves, "Improve each model first; the verdict is of what is left");
   return {command, [options] { return run(*options); }};
 }
 

@@ -171,18 +171,16 @@ int run(const CamerasArguments& o) {
 
 }  // namespace
 
-Command add_cameras(CLI::App& app) {
+Command add_cameras(const CommandLine& program) {
   auto options = std::make_shared<CamerasArguments>();
-  CLI::App* command = app.add_subcommand("cameras", "Lenses and placement of cameras from images of a board");
-  command
-      ->add_option("IMAGES", options->images,
-                   "Folders (one a camera) or files; camera and moment are told by the names")
-      ->required();
-  add_target_options(*command, options->target, true);
-  command->add_option("--out", options->out, "The rig, as OpenCV's FileStorage (YAML)");
-  command->add_option("--model", options->model, "best (by the held-out error), brown, rational or fisheye")
-      ->check(CLI::IsMember({"best", "brown", "rational", "fisheye"}));
-  add_json_option(*command, options->output);
+  const CommandLine command = program.command("cameras", "Lenses and placement of cameras from images of a board");
+  command.option("IMAGES", options->images, "Folders (one a camera) or files; camera and moment are told by the names")
+      .required();
+  add_target_options(command, options->target, true);
+  command.option("--out", options->out, "The rig, as OpenCV's FileStorage (YAML)");
+  command.option("--model", options->model, "best (by the held-out error), brown, rational or fisheye")
+      .one_of({"best", "brown", "rational", "fisheye"});
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -29,12 +29,12 @@ int run(const CheckArguments& o) {
 
 }  // namespace
 
-Command add_check(CLI::App& app) {
+Command add_check(const CommandLine& program) {
   auto options = std::make_shared<CheckArguments>();
-  CLI::App* command =
-      app.add_subcommand("check", "Reads everything, images too, and says what is there and what would not work");
-  add_session_option(*command, options->session);
-  add_json_option(*command, options->output);
+  const CommandLine command =
+      program.command("check", "Reads everything, images too, and says what is there and what would not work");
+  add_session_option(command, options->session);
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

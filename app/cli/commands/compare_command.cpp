@@ -126,17 +126,16 @@ int run(const CompareArguments& o) {
 
 }  // namespace
 
-Command add_compare(CLI::App& app) {
+Command add_compare(const CommandLine& program) {
   auto options = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand(
+  const CommandLine command = program.command(
       "compare", "What has changed between two sessions of one robot, or since a calibration, by evidence");
-  command->add_option("BEFORE", options->before, "A session or a calibration XML")->required();
-  command
-      ->add_option("AFTER", options->after, "A later session (a few poses will do for a calibration), or calibration")
-      ->required();
-  command->add_option("--robot", options->robot, "URDF; needed with two calibrations");
-  command->add_option("--effects", options->effects, "Effects in the model of both sessions, estimated");
-  add_json_option(*command, options->output);
+  command.option("BEFORE", options->before, "A session or a calibration XML").required();
+  command.option("AFTER", options->after, "A later session (a few poses will do for a calibration), or calibration")
+      .required();
+  command.option("--robot", options->robot, "URDF; needed with two calibrations");
+  command.option("--effects", options->effects, "Effects in the model of both sessions, estimated");
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

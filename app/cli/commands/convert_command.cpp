@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "command.h"
 #include "convert/convert.h"
-#include "options/option_limits.h"
 #include "options/target_option.h"
 #include "printing/outputs.h"
 
@@ -55,33 +56,32 @@ int run(const ConvertArguments& o) {
 
 }  // namespace
 
-Command add_convert(CLI::App& app) {
+Command add_convert(const CommandLine& program) {
   auto o = std::make_shared<ConvertArguments>();
-  CLI::App* command =
-      app.add_subcommand("convert", "Makes a session of what you have: each file is known by its content");
+  const CommandLine command =
+      program.command("convert", "Makes a session of what you have: each file is known by its content");
   command
-      ->add_option(
-          "WHAT", o->files,
-          "Image folders, joint tables, calibrations of OpenCV, ROS or Kalibr, easy_handeye samples, tables of "
-          "poses or points, ROS 2 bags, a URDF")
-      ->required();
-  command->add_option("--out", o->out, "Folder to make; it must not hold a session already")->required();
-  command->add_option("--robot", o->robot, "URDF");
-  command->add_option("--tcp", o->convert.tcp, "The link that is the hand");
-  command->add_option("--mount", o->convert.mount, "The link that carries the sensor; the root link where it stands");
-  command->add_option("--title", o->convert.title, "Title of the session");
-  command->add_option("--markers", o->convert.markers, "How many markers the images show")->check(CLI::Range(1, 64));
-  command->add_flag("--degrees", o->convert.degrees, "Joint tables are in degrees");
-  command->add_flag("--eye-on-base", o->convert.eye_on_base,
-                    "Poses of the flange in place of a robot: the camera stands, the flange carries the target");
-  command->add_option("--target-frame", o->convert.target_frame, "The target's frame in /tf of a bag");
-  command->add_option("--lag", o->convert.pairing.lag, "s: how much later the sensor's times are than the joints'")
-      ->check(within(-100, 100));
-  command->add_flag("--estimate-lag", o->convert.estimate_lag, "Find the lag from movements that both show");
-  command->add_option("--still", o->convert.pairing.still_for, "s for which the robot must stand; 0: it may move")
-      ->check(within(0, 60));
-  add_target_options(*command, o->target, true);
-  add_json_option(*command, o->output);
+      .option("WHAT", o->files,
+              "Image folders, joint tables, calibrations of OpenCV, ROS or Kalibr, easy_handeye samples, tables of "
+              "poses or points, ROS 2 bags, a URDF")
+      .required();
+  command.option("--out", o->out, "Folder to make; it must not hold a session already").required();
+  command.option("--robot", o->robot, "URDF");
+  command.option("--tcp", o->convert.tcp, "The link that is the hand");
+  command.option("--mount", o->convert.mount, "The link that carries the sensor; the root link where it stands");
+  command.option("--title", o->convert.title, "Title of the session");
+  command.option("--markers", o->convert.markers, "How many markers the images show").from_to(1, 64);
+  command.flag("--degrees", o->convert.degrees, "Joint tables are in degrees");
+  command.flag("--eye-on-base", o->convert.eye_on_base,
+               "Poses of the flange in place of a robot: the camera stands, the flange carries the target");
+  command.option("--target-frame", o->convert.target_frame, "The target's frame in /tf of a bag");
+  command.option("--lag", o->convert.pairing.lag, "s: how much later the sensor's times are than the joints'")
+      .within(-100, 100);
+  command.flag("--estimate-lag", o->convert.estimate_lag, "Find the lag from movements that both show");
+  command.option("--still", o->convert.pairing.still_for, "s for which the robot must stand; 0: it may move")
+      .within(0, 60);
+  add_target_options(command, o->target, true);
+  add_json_option(command, o->output);
   return {command, [o] { return run(*o); }};
 }
 

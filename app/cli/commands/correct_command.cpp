@@ -90,19 +90,18 @@ int run(const CorrectArguments& o) {
 
 }  // namespace
 
-Command add_correct(CLI::App& app) {
+Command add_correct(const CommandLine& program) {
   auto options = std::make_shared<CorrectArguments>();
-  CLI::App* command =
-      app.add_subcommand("correct", "The joint angles to command so that the hand arrives where it was meant to be");
-  add_source_options(*command, options->source);
-  add_pose_options(*command, options->poses);
-  command->add_option("--target", options->target,
-                      "Where the hand is meant to be: \"x y z roll pitch yaw\" (m, rad) of the TCP in the root frame; "
-                      "without it where the nominal model puts it for these joints");
-  command
-      ->add_option("--gain", options->gain, "Instead: what correcting buys over so many poses like the measured ones")
-      ->check(CLI::Range(1, 100000));
-  add_json_option(*command, options->output);
+  const CommandLine command =
+      program.command("correct", "The joint angles to command so that the hand arrives where it was meant to be");
+  add_source_options(command, options->source);
+  add_pose_options(command, options->poses);
+  command.option("--target", options->target,
+                 "Where the hand is meant to be: \"x y z roll pitch yaw\" (m, rad) of the TCP in the root frame; "
+                 "without it where the nominal model puts it for these joints");
+  command.option("--gain", options->gain, "Instead: what correcting buys over so many poses like the measured ones")
+      .from_to(1, 100000);
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -65,13 +65,13 @@ int run(const DetectArguments& o) {
 
 }  // namespace
 
-Command add_detect(CLI::App& app) {
+Command add_detect(const CommandLine& program) {
   auto options = std::make_shared<DetectArguments>();
-  CLI::App* command = app.add_subcommand("detect", "X-corners of both images and their epipolar pairs");
-  command->add_option("LEFT", options->left, "Left image")->required();
-  command->add_option("RIGHT", options->right, "Right image")->required();
-  command->add_option("--session", options->session, "The session that has the cameras")->required();
-  add_json_option(*command, options->output);
+  const CommandLine command = program.command("detect", "X-corners of both images and their epipolar pairs");
+  command.option("LEFT", options->left, "Left image").required();
+  command.option("RIGHT", options->right, "Right image").required();
+  command.option("--session", options->session, "The session that has the cameras").required();
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

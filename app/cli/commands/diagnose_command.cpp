@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
 #include "command.h"
 #include "printing/diagnosis_output.h"
 #include "printing/outputs.h"
@@ -42,17 +44,16 @@ int run(const DiagnoseArguments& o) {
 
 }  // namespace
 
-Command add_diagnose(CLI::App& app) {
+Command add_diagnose(const CommandLine& program) {
   auto options = std::make_shared<DiagnoseArguments>();
-  CLI::App* command =
-      app.add_subcommand("diagnose", "Compares the model with the measurements and ranks what is missing");
-  add_session_option(*command, options->session);
-  command->add_option(
-      "--effects", options->effects,
-      "Effects already in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
-  command->add_option("--proof", options->proof_file,
-                      "Writes the proof plots of all candidates that count as a CSV: what each observation says of it");
-  add_json_option(*command, options->output);
+  const CommandLine command =
+      program.command("diagnose", "Compares the model with the measurements and ranks what is missing");
+  add_session_option(command, options->session);
+  command.option("--effects", options->effects,
+                 "Effects already in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
+  command.option("--proof", options->proof_file,
+                 "Writes the proof plots of all candidates that count as a CSV: what each observation says of it");
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -3,7 +3,6 @@
 
 #include "command.h"
 #include "estimation/report/one_marker.h"
-#include "options/option_limits.h"
 #include "printing/json_values.h"
 
 namespace handsight::cli {
@@ -55,20 +54,20 @@ int run(const EffectiveMassArguments& o) {
 
 }  // namespace
 
-Command add_effective_mass(CLI::App& app) {
+Command add_effective_mass(const CommandLine& program) {
   auto options = std::make_shared<EffectiveMassArguments>();
-  CLI::App* command =
-      app.add_subcommand("effective-mass", "One marker: the mass that pulls the TCP toward it, per observation");
-  add_session_option(*command, options->session);
-  command->add_option("--marker", options->one_marker.marker, "Which marker");
-  command->add_option("--stiffness", options->one_marker.default_stiffness, "N m/rad, of joints that declare none")
-      ->check(within(bounds::stiffness));
+  const CommandLine command =
+      program.command("effective-mass", "One marker: the mass that pulls the TCP toward it, per observation");
+  add_session_option(command, options->session);
+  command.option("--marker", options->one_marker.marker, "Which marker");
+  command.option("--stiffness", options->one_marker.default_stiffness, "N m/rad, of joints that declare none")
+      .within(bounds::stiffness);
   command
-      ->add_option("--marker-in-tcp", options->marker_in_tcp,
-                   "m, x y z: the initial guess; a fit of the session where it is left out")
-      ->expected(3)
-      ->check(within(-10, 10));
-  add_json_option(*command, options->output);
+      .option("--marker-in-tcp", options->marker_in_tcp,
+              "m, x y z: the initial guess; a fit of the session where it is left out")
+      .takes(3)
+      .within(-10, 10);
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "command.h"
 #include "effects/own_effect.h"
 
@@ -86,11 +88,11 @@ int run(const EffectsArguments& o) {
 
 }  // namespace
 
-Command add_effects(CLI::App& app) {
+Command add_effects(const CommandLine& program) {
   auto options = std::make_shared<EffectsArguments>();
-  CLI::App* command = app.add_subcommand("effects", "The catalogue of physical effects, and a session's own");
-  command->add_option("--session", options->session, "A session folder: its own effects are told too");
-  add_json_option(*command, options->output);
+  const CommandLine command = program.command("effects", "The catalogue of physical effects, and a session's own");
+  command.option("--session", options->session, "A session folder: its own effects are told too");
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

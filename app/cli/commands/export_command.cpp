@@ -34,18 +34,18 @@ int run(const ExportArguments& o) {
 
 }  // namespace
 
-Command add_export(CLI::App& app) {
+Command add_export(const CommandLine& program) {
   auto options = std::make_shared<ExportArguments>();
-  CLI::App* command =
-      app.add_subcommand("export", "Takes a calibration to the robot: URDF, YAML, ROS 2, OpenCV, C++, Python, CSV");
-  add_source_options(*command, options->source);
+  const CommandLine command =
+      program.command("export", "Takes a calibration to the robot: URDF, YAML, ROS 2, OpenCV, C++, Python, CSV");
+  add_source_options(command, options->source);
   command
-      ->add_option("--as", options->kind,
-                   "urdf, yaml, static_tf (a ROS 2 launch file), opencv, cpp or python (the corrected hand pose in one "
-                   "file), csv")
-      ->required()
-      ->check(CLI::IsMember(std::vector<std::string>(export_kinds.begin(), export_kinds.end())));
-  command->add_option("--out", options->file, "The file to write; - is standard output")->required();
+      .option("--as", options->kind,
+              "urdf, yaml, static_tf (a ROS 2 launch file), opencv, cpp or python (the corrected hand pose in one "
+              "file), csv")
+      .required()
+      .one_of(std::vector<std::string>(export_kinds.begin(), export_kinds.end()));
+  command.option("--out", options->file, "The file to write; - is standard output").required();
   return {command, [options] { return run(*options); }};
 }
 

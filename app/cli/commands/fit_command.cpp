@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "command.h"
 #include "diagnosis/ranking/clean_model.h"
 #include "estimation/report/export.h"
@@ -56,22 +58,21 @@ int run(const FitArguments& o) {
 
 }  // namespace
 
-Command add_fit(CLI::App& app) {
+Command add_fit(const CommandLine& program) {
   auto options = std::make_shared<FitArguments>();
-  CLI::App* command = app.add_subcommand("fit", "Estimates tcp_from_body from the labelled markers");
-  add_session_option(*command, options->session);
-  command->add_option("--objective", options->objective, "image (px), camera (3D points) or angle-axis (body poses)")
-      ->check(CLI::IsMember({"image", "camera", "angle-axis"}));
-  command->add_option("--loss", options->loss, "Robust loss: none, huber or cauchy")
-      ->check(CLI::IsMember({"none", "huber", "cauchy"}));
-  command->add_flag("--fix-markers", options->fix_markers, "Hold the body's shape at the average of the observations");
-  command->add_flag("--without-wrong-points", options->without_wrong_points,
-                    "Leave out single points that are wrong whatever the robot does, as diagnose and the window do");
-  command->add_option("--effects", options->effects,
-                      "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
-  add_camera_images_options(*command, options->camera_images);
-  add_export_option(*command, options->output);
-  add_json_option(*command, options->output);
+  const CommandLine command = program.command("fit", "Estimates tcp_from_body from the labelled markers");
+  add_session_option(command, options->session);
+  command.option("--objective", options->objective, "image (px), camera (3D points) or angle-axis (body poses)")
+      .one_of({"image", "camera", "angle-axis"});
+  command.option("--loss", options->loss, "Robust loss: none, huber or cauchy").one_of({"none", "huber", "cauchy"});
+  command.flag("--fix-markers", options->fix_markers, "Hold the body's shape at the average of the observations");
+  command.flag("--without-wrong-points", options->without_wrong_points,
+               "Leave out single points that are wrong whatever the robot does, as diagnose and the window do");
+  command.option("--effects", options->effects,
+                 "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
+  add_camera_images_options(command, options->camera_images);
+  add_export_option(command, options->output);
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
 #include "command.h"
 #include "estimation/report/export.h"
 #include "printing/diagnosis_output.h"
@@ -37,15 +39,15 @@ int run(const ImproveArguments& o) {
 
 }  // namespace
 
-Command add_improve(CLI::App& app) {
+Command add_improve(const CommandLine& program) {
   auto options = std::make_shared<ImproveArguments>();
-  CLI::App* command = app.add_subcommand(
+  const CommandLine command = program.command(
       "improve", "Diagnoses, adds what is missing, refits, until the model is adequate or nothing helps");
-  add_session_option(*command, options->session);
-  command->add_option("--effects", options->effects, "Effects in the model from the start");
-  add_export_option(*command, options->output);
-  command->add_flag("--names-only", options->names_only, "Take in effects alone, no curves without a name");
-  add_json_option(*command, options->output);
+  add_session_option(command, options->session);
+  command.option("--effects", options->effects, "Effects in the model from the start");
+  add_export_option(command, options->output);
+  command.flag("--names-only", options->names_only, "Take in effects alone, no curves without a name");
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -219,19 +219,17 @@ int run(const InspectArguments& o) {
 
 }  // namespace
 
-Command add_inspect(CLI::App& app) {
+Command add_inspect(const CommandLine& program) {
   auto options = std::make_shared<InspectArguments>();
-  CLI::App* command = app.add_subcommand(
+  const CommandLine command = program.command(
       "inspect", "Every observation against the model: how far off, whose fault, what would make it right");
-  add_session_option(*command, options->session);
-  command->add_option("--effects", options->effects,
-                      "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
-  command->add_option("--count", options->count, "So many are shown, the worst first")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  command->add_flag("--second-look", options->second_look,
-                    "Look for the markers of rejected observations again, with wider gates, to say whose fault it was");
-  add_json_option(*command, options->output);
+  add_session_option(command, options->session);
+  command.option("--effects", options->effects,
+                 "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
+  command.option("--count", options->count, "So many are shown, the worst first").from_to(1, 1000000).shows_default();
+  command.flag("--second-look", options->second_look,
+               "Look for the markers of rejected observations again, with wider gates, to say whose fault it was");
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -116,18 +116,16 @@ int run(const LabelArguments& options) {
 
 }  // namespace
 
-Command add_label(CLI::App& app) {
+Command add_label(const CommandLine& program) {
   auto options = std::make_shared<LabelArguments>();
-  CLI::App* command =
-      app.add_subcommand("label", "Labels the first observation: snaps to corners, finds the right image's");
-  add_session_option(*command, options->session);
-  command->add_option("--observation", options->observation, "Id of the observation")->required();
-  command->add_option("--left", options->left, "\"u,v\" in the left image, one for each marker")
-      ->required()
-      ->expected(1, 64);
-  command->add_option("--markers", options->markers,
-                      "Their numbers, where not every marker is seen: 0 1 2 ... where left out");
-  add_json_option(*command, options->output);
+  const CommandLine command =
+      program.command("label", "Labels the first observation: snaps to corners, finds the right image's");
+  add_session_option(command, options->session);
+  command.option("--observation", options->observation, "Id of the observation").required();
+  command.option("--left", options->left, "\"u,v\" in the left image, one for each marker").required().takes(1, 64);
+  command.option("--markers", options->markers,
+                 "Their numbers, where not every marker is seen: 0 1 2 ... where left out");
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

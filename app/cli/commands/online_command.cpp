@@ -14,7 +14,6 @@
 #include "detection/target_finding.h"
 #include "estimation/online/online.h"
 #include "live/arrivals.h"
-#include "options/option_limits.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
 #include "session/session_xml.h"
@@ -260,21 +259,19 @@ int run(const OnlineArguments& options) {
 
 }  // namespace
 
-Command add_online(CLI::App& app) {
+Command add_online(const CommandLine& program) {
   auto options = std::make_shared<OnlineArguments>();
-  CLI::App* command =
-      app.add_subcommand("online", "Online calibration: observation by observation, each taken or rejected");
-  add_session_option(*command, options->session);
-  command->add_flag(
-      "--watch", options->watch,
-      "Go on with what arrives in the session's folder: joints.csv, and images/, points.csv or poses.csv");
-  command->add_option("--for", options->watch_for, "s: how long to watch; 0 until interrupted")->check(within(0, 1e9));
-  command->add_flag("--save", options->save, "Save decisions and found markers in the session");
+  const CommandLine command =
+      program.command("online", "Online calibration: observation by observation, each taken or rejected");
+  add_session_option(command, options->session);
+  command.flag("--watch", options->watch,
+               "Go on with what arrives in the session's folder: joints.csv, and images/, points.csv or poses.csv");
+  command.option("--for", options->watch_for, "s: how long to watch; 0 until interrupted").within(0, 1e9);
+  command.flag("--save", options->save, "Save decisions and found markers in the session");
   command
-      ->add_option("--body-gate", options->body_gate_mm,
-                   "mm: how far the markers as a whole may be from their prediction")
-      ->check(within(0.001, 10000));
-  add_json_option(*command, options->output);
+      .option("--body-gate", options->body_gate_mm, "mm: how far the markers as a whole may be from their prediction")
+      .within(0.001, 10000);
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -130,17 +130,16 @@ int run(const PlanArguments& o) {
 
 }  // namespace
 
-Command add_plan(CLI::App& app) {
+Command add_plan(const CommandLine& program) {
   auto options = std::make_shared<PlanArguments>();
-  CLI::App* command = app.add_subcommand("plan", "Next poses: for precision, or to tell two effects apart");
-  add_session_option(*command, options->session);
-  command->add_option("--count", options->count, "How many poses, 1 to 100")->capture_default_str();
-  command->add_option("--effects", options->effects,
-                      "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
-  command->add_option("--between", options->between, "Two effects to tell apart: a,b, each id or id:joint+joint");
-  command->add_option("--csv", options->csv_file,
-                      "Write the poses as a table: a header of joint names, one pose a line");
-  add_json_option(*command, options->output);
+  const CommandLine command = program.command("plan", "Next poses: for precision, or to tell two effects apart");
+  add_session_option(command, options->session);
+  command.option("--count", options->count, "How many poses, 1 to 100").shows_default();
+  command.option("--effects", options->effects,
+                 "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
+  command.option("--between", options->between, "Two effects to tell apart: a,b, each id or id:joint+joint");
+  command.option("--csv", options->csv_file, "Write the poses as a table: a header of joint names, one pose a line");
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

@@ -45,12 +45,12 @@ int run(const PredictArguments& o) {
 
 }  // namespace
 
-Command add_predict(CLI::App& app) {
+Command add_predict(const CommandLine& program) {
   auto options = std::make_shared<PredictArguments>();
-  CLI::App* command = app.add_subcommand("predict", "Where the TCP really is in poses that were not measured");
-  add_source_options(*command, options->source);
-  add_pose_options(*command, options->poses);
-  add_json_option(*command, options->output);
+  const CommandLine command = program.command("predict", "Where the TCP really is in poses that were not measured");
+  add_source_options(command, options->source);
+  add_pose_options(command, options->poses);
+  add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }
 

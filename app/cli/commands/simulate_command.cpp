@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "command.h"
 #include "effects/own_effect.h"
 #include "options/option_limits.h"
@@ -92,50 +94,46 @@ int run(const SimulateArguments& o) {
 
 }  // namespace
 
-Command add_simulate(CLI::App& app) {
+Command add_simulate(const CommandLine& program) {
   auto o = std::make_shared<SimulateArguments>();
-  CLI::App* command = app.add_subcommand("simulate", "Makes a session with known truth");
-  command->add_option("--robot", o->robot, "URDF of the robot; the session's own where it is left out");
-  command->add_option("--like", o->like, "The session that gives cameras or tracker, mount, joints and markers")
-      ->required();
-  CLI::Option* const out = command->add_option("--out", o->out, "Folder to make; it must not hold a session already");
-  command->add_option("--live", o->live, "Instead: a new folder into which the observations arrive one by one")
-      ->excludes(out);
-  command->add_option("--rate", o->rate, "Arrivals a second")->check(within(0.01, 1000));
-  command->add_option("--effect", o->effects, "What is hidden in it: id:joint.parameter=value");
-  command->add_option("--curve", o->curves,
-                      "A deviation of a joint's angle that no effect describes: \"JOINT: SIZE*sin(ORDERq)\", or cos");
+  const CommandLine command = program.command("simulate", "Makes a session with known truth");
+  command.option("--robot", o->robot, "URDF of the robot; the session's own where it is left out");
+  command.option("--like", o->like, "The session that gives cameras or tracker, mount, joints and markers").required();
+  const Option out = command.option("--out", o->out, "Folder to make; it must not hold a session already");
+  command.option("--live", o->live, "Instead: a new folder into which the observations arrive one by one")
+      .excludes(out);
+  command.option("--rate", o->rate, "Arrivals a second").within(0.01, 1000);
+  command.option("--effect", o->effects, "What is hidden in it: id:joint.parameter=value");
+  command.option("--curve", o->curves,
+                 "A deviation of a joint's angle that no effect describes: \"JOINT: SIZE*sin(ORDERq)\", or cos");
   command
-      ->add_option("--wrong-corners", o->simulation.wrong_corners,
-                   "Share of the image points displaced by N(0, 8 px) in u and in v")
-      ->check(within(0, 1));
-  command->add_option("--unseen", o->simulation.unseen, "Share of the markers that are missing")->check(within(0, 1));
-  command->add_option("--observations", o->simulation.observations, "How many")->check(CLI::Range(1, 100000));
-  command->add_option("--seed", o->simulation.seed, "Every random thing follows from it");
-  command->add_option("--title", o->simulation.title, "Title of the session");
-  command->add_option("--noise", o->noise, "px (m with a tracker) of one coordinate")->check(within(0, 1000));
-  command->add_flag("--undeclared", o->undeclared, "Do not write the noise into the session");
-  command->add_option("--joint-range", o->simulation.joint_range, "Share of the joint limits that poses are drawn from")
-      ->check(within(0.01, 1));
-  command->add_option("--body-size", o->simulation.body_size, "m: longest side of the markers, about")
-      ->check(within(1e-4, 10));
-  command->add_option("--nearest", o->simulation.nearest, "m: from the left camera")->check(within(1e-3, 1000));
-  command->add_option("--farthest", o->simulation.farthest, "m: from the left camera")->check(within(1e-3, 1000));
-  command->add_flag("--follow", o->simulation.follow, "Neighbouring observations are neighbours in posture");
-  command->add_option("--shift", o->shift, "m, x y z: every marker is measured off by this in the sensor's frame")
-      ->expected(3)
-      ->check(within(-10, 10));
-  command->add_option("--disturb", o->disturbances,
-                      "ID:joint:NAME=RAD, ID:marker:INDEX=METRES or ID:right_image:NAME=RAD");
-  command->add_option("--images", o->images, "all, none, or how many observations get images")
-      ->expected(0, 1)
-      ->default_str("all");
-  command->add_option("--image-noise", o->image.noise_grey, "grey levels")->check(within(0, 255));
-  command->add_option("--image-blur", o->image.blur_px, "px")->check(within(0, 20));
-  command->add_option("--distractors", o->image.distractors, "corners in the scene that are no markers")
-      ->check(CLI::Range(0, 500));
-  add_target_options(*command, o->target, true);
-  add_json_option(*command, o->output);
+      .option("--wrong-corners", o->simulation.wrong_corners,
+              "Share of the image points displaced by N(0, 8 px) in u and in v")
+      .within(0, 1);
+  command.option("--unseen", o->simulation.unseen, "Share of the markers that are missing").within(0, 1);
+  command.option("--observations", o->simulation.observations, "How many").from_to(1, 100000);
+  command.option("--seed", o->simulation.seed, "Every random thing follows from it");
+  command.option("--title", o->simulation.title, "Title of the session");
+  command.option("--noise", o->noise, "px (m with a tracker) of one coordinate").within(0, 1000);
+  command.flag("--undeclared", o->undeclared, "Do not write the noise into the session");
+  command.option("--joint-range", o->simulation.joint_range, "Share of the joint limits that poses are drawn from")
+      .within(0.01, 1);
+  command.option("--body-size", o->simulation.body_size, "m: longest side of the markers, about").within(1e-4, 10);
+  command.option("--nearest", o->simulation.nearest, "m: from the left camera").within(1e-3, 1000);
+  command.option("--farthest", o->simulation.farthest, "m: from the left camera").within(1e-3, 1000);
+  command.flag("--follow", o->simulation.follow, "Neighbouring observations are neighbours in posture");
+  command.option("--shift", o->shift, "m, x y z: every marker is measured off by this in the sensor's frame")
+      .takes(3)
+      .within(-10, 10);
+  command.option("--disturb", o->disturbances, "ID:joint:NAME=RAD, ID:marker:INDEX=METRES or ID:right_image:NAME=RAD");
+  command.option("--images", o->images, "all, none, or how many observations get images")
+      .takes(0, 1)
+      .shows_default("all");
+  command.option("--image-noise", o->image.noise_grey, "grey levels").within(0, 255);
+  command.option("--image-blur", o->image.blur_px, "px").within(0, 20);
+  command.option("--distractors", o->image.distractors, "corners in the scene that are no markers").from_to(0, 500);
+  add_target_options(command, o->target, true);
+  add_json_option(command, o->output);
   return {command, [o] { return run(*o); }};
 }
 

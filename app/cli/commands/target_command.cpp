@@ -4,7 +4,6 @@
 
 #include "base/text.h"
 #include "command.h"
-#include "options/option_limits.h"
 #include "options/target_option.h"
 #include "printing/outputs.h"
 #include "targets/sheet.h"
@@ -50,12 +49,12 @@ int run(const TargetArguments& o) {
 
 }  // namespace
 
-Command add_target(CLI::App& app) {
+Command add_target(const CommandLine& program) {
   auto options = std::make_shared<TargetArguments>();
-  CLI::App* command = app.add_subcommand("target", "A board or tags to print: PDF, SVG or PNG, true to scale");
-  add_target_options(*command, options->target, false);
-  command->add_option("--out", options->out, "The file: .pdf, .svg or .png")->required();
-  command->add_option("--dpi", options->dots_per_inch, "Dots per inch of a PNG")->check(within(20, 2400));
+  const CommandLine command = program.command("target", "A board or tags to print: PDF, SVG or PNG, true to scale");
+  add_target_options(command, options->target, false);
+  command.option("--out", options->out, "The file: .pdf, .svg or .png").required();
+  command.option("--dpi", options->dots_per_inch, "Dots per inch of a PNG").within(20, 2400);
   return {command, [options] { return run(*options); }};
 }
 

@@ -9,11 +9,11 @@
 
 namespace handsight::cli {
 
-void add_camera_images_options(CLI::App& app, CameraImagesOptions& options) {
-  app.add_option("--camera-images", options.images,
+void add_camera_images_options(const CommandLine& command, CameraImagesOptions& options) {
+  command.option("--camera-images", options.images,
                  "Images of a board by the session's cameras: what they say of the cameras counts too; a folder a "
                  "camera, or files");
-  add_target_options(app, options.target, true);
+  add_target_options(command, options.target, true);
 }
 
 std::shared_ptr<const CameraKnowledge> camera_images_of(const CameraImagesOptions& options, const Session& session,

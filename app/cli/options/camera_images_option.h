@@ -18,7 +18,7 @@ struct CameraImagesOptions {
 };
 
 /// --camera-images FOLDER... and --target, what they show (else the session's own target).
-void add_camera_images_options(CLI::App& app, CameraImagesOptions& options);
+void add_camera_images_options(const CommandLine& command, CameraImagesOptions& options);
 
 /// Null where no images are named; InputError where they are not of the session's cameras. What was taken for what is
 /// told once they are of use, in `notes`.

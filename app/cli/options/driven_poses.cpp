@@ -40,11 +40,11 @@ std::vector<Circumstances> table_poses(const std::string& file, const Calibrated
 
 }  // namespace
 
-void add_pose_options(CLI::App& command, PoseOptions& options) {
-  command.add_option("--position", options.positions,
-                     "Joint angles in the session's order, in quotes; several times for several");
-  command.add_option("--positions", options.file,
-                     "CSV with one pose a line; columns time and velocity_JOINT say how the robot comes there");
+void add_pose_options(const CommandLine& command, PoseOptions& options) {
+  command.option("--position", options.positions,
+                 "Joint angles in the session's order, in quotes; several times for several");
+  command.option("--positions", options.file,
+                 "CSV with one pose a line; columns time and velocity_JOINT say how the robot comes there");
 }
 
 std::vector<Circumstances> driven_poses(const PoseOptions& o, const CalibratedRobot& source) {

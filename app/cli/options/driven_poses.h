@@ -10,7 +10,7 @@ struct PoseOptions {
   std::vector<std::string> positions;
   std::string file;
 };
-void add_pose_options(CLI::App& command, PoseOptions& options);
+void add_pose_options(const CommandLine& command, PoseOptions& options);
 
 /// What the options name, those of --position first, each at rest and from nowhere. InputError where there is none or
 /// one is wrong. Prints what of the table was used.

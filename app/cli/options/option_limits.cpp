@@ -3,24 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "base/bounds.h"
 #include "base/error.h"
-#include "base/numbers.h"
-#include "base/text.h"
 
 namespace handsight::cli {
-
-CLI::Validator within(double lowest, double highest) { return within(Bounds{lowest, highest}); }
-
-CLI::Validator within(const Bounds& bounds) {
-  const std::string range = fmt::format("{:g} to {:g}", bounds.lowest, bounds.highest);
-  return CLI::Validator(
-      [bounds, range](std::string& text) -> std::string {
-        const std::optional<double> number = parse_number(text);
-        if (number && bounds.hold(*number)) return {};
-        return fmt::format("{} is no number from {}", in_quotes(text), range);
-      },
-      range);
-}
 
 void check_terms(const std::vector<EffectTerm>& terms, int marker_count) {
   if (const int needed = markers_of(terms); needed > marker_count)

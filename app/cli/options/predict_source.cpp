@@ -48,12 +48,11 @@ CalibratedRobot predict_source(const std::string& source, const std::string& rob
   return from_calibration(source, robot_file);
 }
 
-void add_source_options(CLI::App& command, SourceOptions& options) {
-  command.add_option("SESSION", options.source, "A session, or a calibration XML")->required();
-  command.add_option("--robot", options.robot, "URDF; needed with a calibration");
-  command.add_option(
-      "--effects", options.effects,
-      "Effects in a session's model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
+void add_source_options(const CommandLine& command, SourceOptions& options) {
+  command.option("SESSION", options.source, "A session, or a calibration XML").required();
+  command.option("--robot", options.robot, "URDF; needed with a calibration");
+  command.option("--effects", options.effects,
+                 "Effects in a session's model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
 }
 
 CalibratedRobot predict_source(const SourceOptions& options) {

@@ -16,7 +16,7 @@ struct SourceOptions {
   std::string source, robot;
   std::vector<std::string> effects;
 };
-void add_source_options(CLI::App& command, SourceOptions& options);
+void add_source_options(const CommandLine& command, SourceOptions& options);
 CalibratedRobot predict_source(const SourceOptions& options);
 
 }  // namespace handsight::cli

@@ -67,12 +67,12 @@ constexpr TargetWord target_words[] = {
 
 bool is_given(const TargetOptions& o) { return !o.whole.empty() || !o.kind.empty(); }
 
-void add_target_options(CLI::App& app, TargetOptions& o, bool whole_too) {
+void add_target_options(const CommandLine& command, TargetOptions& o, bool whole_too) {
   if (whole_too)
-    app.add_option(
+    command.option(
         "--target", o.whole,
         "The target: its kind and NAME=VALUE of the options below, or the element <target .../> of a session");
-  for (const TargetWord& word : target_words) app.add_option(word.option, o.*word.value, word.text);
+  for (const TargetWord& word : target_words) command.option(word.option, o.*word.value, word.text);
 }
 
 Target target_from(const TargetOptions& o) {

@@ -2,10 +2,10 @@
 // Targets on the command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "print/target.h"
 
 namespace handsight::cli {
@@ -17,7 +17,7 @@ struct TargetOptions {
 };
 
 /// --kind --columns --rows ... ; with `whole_too` also --target.
-void add_target_options(CLI::App& app, TargetOptions& options, bool whole_too);
+void add_target_options(const CommandLine& command, TargetOptions& options, bool whole_too);
 
 /// Was anything of a target given?
 bool is_given(const TargetOptions& options);
