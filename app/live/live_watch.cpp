@@ -4,17 +4,25 @@
 #include <algorithm>
 
 #include "bench/preferences.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int between_looks = 400;  // ms: what has not grown in that time is written to its end
-constexpr int after_news = 50;      // ms: several files tend to come together
+constexpr int between_looks = 400;                 // ms
+constexpr int after_news = 50;                     // ms: several files tend to come together
+constexpr std::chrono::milliseconds settled{300};  // what has not grown in that time is written to its end
 
 QString preference_of(const fs::path& session_file) {
   return "watch " + QString::fromStdString(fs::weakly_canonical(session_file).string());
+}
+
+/// "left" is translated, file names are not.
+QString translated_remark(const std::string& english) {
+  const QString whole = translated(english);
+  return whole == QString::fromStdString(english) ? translated_of_file(english) : whole;
 }
 
 /// A path as the user would name it: relative to the session where it is inside.
@@ -50,6 +58,7 @@ LiveWatch::LiveWatch(Workbench& bench, QObject* parent) : QObject(parent), bench
   };
   connect(&files_, &QFileSystemWatcher::directoryChanged, this, news);
   connect(&files_, &QFileSystemWatcher::fileChanged, this, news);
+  connect(&bench.document, &Document::edited, this, [this] { is_session_changed_ = true; });
   connect(&bench.document, &Document::closed, this, [this] { set_watching(false); });
 }
 
@@ -60,14 +69,13 @@ void LiveWatch::set_watching(bool watching) {
   jobs_.cancel();
   if (!files_.directories().isEmpty()) files_.removePaths(files_.directories());
   if (!files_.files().isEmpty()) files_.removePaths(files_.files());
-  stamps_.clear();
+  arrivals_.reset();
   remarks_.clear();
   early_.clear();
   if (watching) {
     sources_ = live_sources(bench_.document.session());
-    taken_.clear();
-    arrivals_.reset();
-    if (!bench_.document.session().rig) arrivals_ = std::make_shared<Arrivals>(bench_.document.session());
+    arrivals_ = std::make_shared<Arrivals>(bench_.document.session(), sources_, settled);
+    is_session_changed_ = false;
     arrived_ = 0;
     look();
   }
@@ -98,40 +106,31 @@ void LiveWatch::look() {
   if (!is_watching_) return;
   if (jobs_.is_busy()) return timer_.start(between_looks);  // a look of the watch before, at a slow drive
   watch_paths();
-  if (arrivals_)
-    look_for_measurements();
-  else
-    look_for_images_now();
-}
-
-void LiveWatch::look_for_images_now() {
-  LiveTask task = task_of(bench_.document.session(), sources_);
-  task.passed_over = taken_;
-  task.stamps = stamps_;
-  jobs_.start<std::shared_ptr<LiveLook>>(
-      "look", tr("Looking for new images"),
-      [task = std::move(task)](JobControl&) { return std::make_shared<LiveLook>(look_for_images(task)); },
-      [this](const std::shared_ptr<LiveLook>& found) { take(std::move(*found)); },
-      [this](const QString& sentence) { take({.remarks = {sentence}}); });
-}
-
-void LiveWatch::look_for_measurements() {
-  jobs_.start<std::shared_ptr<Arrivals::Look>>(
-      "look", tr("Looking for new measurements"),
-      [arrivals = arrivals_](JobControl&) { return std::make_shared<Arrivals::Look>(arrivals->look()); },
-      [this](const std::shared_ptr<Arrivals::Look>& found) { take_measured(std::move(*found)); },
-      [this](const QString& sentence) {
-        take_measured({{}, {sentence.toStdString()}});
-      });
+  if (std::exchange(is_session_changed_, false)) arrivals_->know(bench_.document.session());
+  struct Found {
+    std::vector<Observation> arrived;
+    std::vector<std::string> standing;
+  };
+  jobs_.start<std::shared_ptr<Found>>(
+      "look", bench_.document.session().rig ? tr("Looking for new images") : tr("Looking for new measurements"),
+      [arrivals = arrivals_](JobControl&) {
+        auto found = std::make_shared<Found>();
+        found->arrived = arrivals->look().arrived;
+        found->standing = arrivals->standing();
+        return found;
+      },
+      [this](const std::shared_ptr<Found>& found) { take(std::move(found->arrived), found->standing); },
+      [this](const QString& sentence) { take({}, {sentence.toStdString()}); });
 }
 
 /// What was measured is not replaced by something invented: it is left out and named.
-bool LiveWatch::is_early(const std::string& name, double time, double last) {
-  if (time >= last) return false;
+bool LiveWatch::is_early(const Observation& arrived, double last) {
+  if (arrived.time >= last) return false;
+  const QString image = QString::fromStdString(fs::path(arrived.images[0]).filename().string());
   early_ << tr("%1 was left out: its time, %2 s, is before that of the observation in front of it, %3 s. Mend the "
                "table and watch anew.")
-                .arg(QString::fromStdString(name))
-                .arg(time)
+                .arg(image.isEmpty() ? tr("A pose") : image)
+                .arg(arrived.time)
                 .arg(last);
   return true;
 }
@@ -147,67 +146,44 @@ std::pair<std::int64_t, double> end_of(const Session& session) {
 
 }  // namespace
 
-void LiveWatch::take(LiveLook look) {
+void LiveWatch::take(std::vector<Observation> arrived, const std::vector<std::string>& remarks) {
   if (!is_watching_) return;
-  stamps_ = std::move(look.stamps);
-  std::vector<Observation> observations;
-  std::vector<std::string> names;
-  auto [id, time] = end_of(bench_.document.session());
-  for (LiveInstant& instant : look.instants) {
-    taken_.insert(instant.name);
-    if (instant.time && is_early(instant.name, *instant.time, time)) continue;
-    Observation o;
-    o.id = id++;
-    o.time = time = instant.time ? *instant.time : time + 1;
-    o.position = std::move(instant.position);
-    for (std::size_t c = 0; c < instant.images.size(); ++c) o.images[c] = std::move(instant.images[c]);
-    observations.push_back(std::move(o));
-    names.push_back(instant.name);
-  }
-  hand_over(std::move(observations), names, std::move(look.remarks));
-}
-
-void LiveWatch::take_measured(Arrivals::Look look) {
-  if (!is_watching_) return;
-  for (const std::string& remark : look.remarks) early_ << QString::fromStdString(remark);  // each is said once
   std::vector<Observation> observations;
   auto [id, time] = end_of(bench_.document.session());
-  for (Observation& o : look.arrived) {
-    if (is_early(tr("A pose").toStdString(), o.time, time)) continue;
+  for (Observation& o : arrived) {
+    if (is_early(o, time)) continue;
     o.id = id++;
     time = o.time;
     observations.push_back(std::move(o));
   }
-  const std::vector<std::string> names(observations.size());
-  hand_over(std::move(observations), names, {});
+  QStringList said = early_;
+  for (const std::string& remark : remarks) said << QString::fromStdString(remark);
+  const bool has_news = !observations.empty() || said != remarks_;
+  remarks_ = std::move(said);
+  timer_.start(between_looks);
+  hand_over(observations);
+  if (has_news) emit state_changed();
 }
 
-void LiveWatch::hand_over(std::vector<Observation> observations, const std::vector<std::string>& names,
-                          QStringList remarks) {
-  timer_.start(between_looks);
-  remarks = early_ + remarks;
-  const bool has_news = !observations.empty() || remarks != remarks_;
-  remarks_ = std::move(remarks);
-  if (!observations.empty()) emit arrived_now(observations);
-  // What could not be written down has not arrived: it is looked for again.
-  bool is_lost = false;
-  for (std::size_t i = 0; i < observations.size(); ++i)
-    if (bench_.document.find(observations[i].id)) {
+/// What could not be written down has not arrived: it is looked for again.
+void LiveWatch::hand_over(const std::vector<Observation>& observations) {
+  if (observations.empty()) return;
+  emit arrived_now(observations);
+  if (!arrivals_) return;
+  for (const Observation& o : observations)
+    if (bench_.document.find(o.id))
       ++arrived_;
-    } else {
-      taken_.erase(names[i]);
-      is_lost = true;
-    }
-  if (is_lost && arrivals_) arrivals_ = std::make_shared<Arrivals>(bench_.document.session());
-  if (has_news) emit state_changed();
+    else
+      arrivals_->forget(o);
+  is_session_changed_ = true;
 }
 
 QString LiveWatch::state_text() const {
   if (!is_watching_) return {};
   const fs::path home = folder(bench_.document.session());
-  QString text = arrivals_ ? measured_text() : images_text(home);
+  QString text = bench_.document.session().rig ? images_text(home) : measured_text();
   constexpr qsizetype most = 2;
-  for (const QString& remark : remarks_.mid(0, most)) text += ' ' + remark;
+  for (const QString& remark : remarks_.mid(0, most)) text += ' ' + translated_remark(remark.toStdString());
   if (remarks_.size() > most) text += tr(" And %1 more.").arg(remarks_.size() - most);
   return text;
 }

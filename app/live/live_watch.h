@@ -9,7 +9,6 @@
 
 #include "bench/workbench.h"
 #include "live/arrivals.h"
-#include "live/live_look.h"
 
 namespace handsight::app {
 
@@ -41,22 +40,18 @@ class LiveWatch : public QObject {
   QString images_text(const std::filesystem::path& home) const;
   void watch_paths();
   void look();
-  void look_for_images_now();
-  void look_for_measurements();
-  void take(LiveLook look);
-  void take_measured(Arrivals::Look look);
-  void hand_over(std::vector<Observation> observations, const std::vector<std::string>& names, QStringList remarks);
-  bool is_early(const std::string& name, double time, double last);
+  void take(std::vector<Observation> arrived, const std::vector<std::string>& remarks);
+  void hand_over(const std::vector<Observation>& observations);
+  bool is_early(const Observation& arrived, double last);
 
   Workbench& bench_;
   Jobs jobs_;  // of its own: what else is in the background may take long
   QFileSystemWatcher files_;
   QTimer timer_;
   LiveSources sources_;
-  std::set<std::string> taken_;         // left images that arrived in this watch
-  std::shared_ptr<Arrivals> arrivals_;  // of a session without cameras; in the worker's hands while it looks
-  std::map<std::string, FileStamp> stamps_;
-  QStringList remarks_, early_;  // early_: what is left out for good, as because its time runs back
+  std::shared_ptr<Arrivals> arrivals_;  // in the worker's hands while it looks
+  bool is_session_changed_ = false;     // since arrivals_ knows it
+  QStringList remarks_, early_;         // early_: what is left out for good, as because its time runs back
   int arrived_ = 0;
   bool is_watching_ = false;
 };

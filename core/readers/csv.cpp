@@ -31,25 +31,6 @@ std::string_view trimmed(std::string_view text) {
   return {words.front().data(), static_cast<std::size_t>(end - words.front().data())};
 }
 
-std::string_view unquoted(std::string_view cell) {
-  const bool has_quotes =
-      cell.size() >= 2 && (cell.front() == '"' || cell.front() == '\'') && cell.back() == cell.front();
-  return has_quotes ? cell.substr(1, cell.size() - 2) : cell;
-}
-
-Cells split_cells(std::string_view line) {
-  const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
-  if (line.find(separator) == std::string_view::npos) return split_words(line);
-  Cells cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, begin), line.size());
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  if (cells.back().empty()) cells.pop_back();  // many programs end each line with a separator
-  return cells;
-}
-
 Columns plain_columns(std::size_t joints) {
   Columns columns{std::vector<std::size_t>(joints), {}, {}, joints};
   for (std::size_t i = 0; i < joints; ++i) columns.of_joint[i] = i;
@@ -120,10 +101,6 @@ void read_line(const Cells& cells, const std::string& file, int line, const Colu
   table.velocities.push_back(std::move(velocity));
 }
 
-bool is_header(const Cells& cells) {
-  return std::none_of(cells.begin(), cells.end(), [](std::string_view cell) { return parse_number(cell).has_value(); });
-}
-
 PoseTable parse_table(const std::string& text, const std::string& file, const std::vector<std::string>& joints,
                       bool with_motion, std::vector<std::string>* notes) {
   std::string_view rest = text;
@@ -132,11 +109,11 @@ PoseTable parse_table(const std::string& text, const std::string& file, const st
   PoseTable table;
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view content = trimmed(rest.substr(0, std::min(rest.substr(0, end).find('#'), end)));
+    Cells cells = cells_of_line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (content.empty()) continue;
-    const Cells cells = split_cells(content);
-    if (!columns && is_header(cells)) {
+    if (cells.empty()) continue;
+    if (cells.back().empty()) cells.pop_back();  // many programs end each line with a separator
+    if (!columns && names_columns(cells)) {
       columns = read_header(cells, file, line, joints, with_motion, notes);
       continue;
     }
@@ -149,6 +126,30 @@ PoseTable parse_table(const std::string& text, const std::string& file, const st
 }
 
 }  // namespace
+
+std::vector<std::string_view> cells_of_line(std::string_view line) {
+  line = trimmed(line.substr(0, line.find('#')));
+  if (line.empty()) return {};
+  const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
+  if (line.find(separator) == std::string_view::npos) return split_words(line);
+  Cells cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    cells.push_back(trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return cells;
+}
+
+std::string_view unquoted(std::string_view cell) {
+  const bool has_quotes =
+      cell.size() >= 2 && (cell.front() == '"' || cell.front() == '\'') && cell.back() == cell.front();
+  return has_quotes ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+bool names_columns(const std::vector<std::string_view>& cells) {
+  return std::none_of(cells.begin(), cells.end(), [](std::string_view cell) { return parse_number(cell).has_value(); });
+}
 
 PoseTable parse_pose_table(const std::string& text, const std::string& file, const std::vector<std::string>& joints,
                            std::vector<std::string>* notes) {

@@ -5,9 +5,19 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handsight {
+
+/// What stands in a line of a table between commas, semicolons or white space (one kind a line), without what follows a
+/// '#'; views into `line`. None where nothing stands in it; the last is empty where the line ends with a separator, as
+/// many programs have it.
+std::vector<std::string_view> cells_of_line(std::string_view line);
+std::string_view unquoted(std::string_view cell);
+
+/// Does a line name columns: is none of its cells a number?
+bool names_columns(const std::vector<std::string_view>& cells);
 
 /// Poses and what is known of how the robot comes there.
 struct PoseTable {

@@ -2,8 +2,6 @@
 #include "session/new_session.h"
 
 #include <algorithm>
-#include <cctype>
-#include <map>
 #include <optional>
 
 #include "base/error.h"
@@ -18,66 +16,6 @@ namespace handsight {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-bool is_image(const fs::path& file) {
-  const std::string ending = lower(file.extension().string());
-  const auto endings = {".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff"};
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
-}
-
-/// The last number in a name; nothing without one.
-std::optional<std::int64_t> number_of(const fs::path& file) {
-  const std::string stem = file.stem().string();
-  std::size_t end = stem.size();
-  while (end > 0 && !std::isdigit(static_cast<unsigned char>(stem[end - 1]))) --end;
-  std::size_t begin = end;
-  while (begin > 0 && std::isdigit(static_cast<unsigned char>(stem[begin - 1])) && end - begin < 15) --begin;
-  if (begin == end) return std::nullopt;
-  return std::stoll(stem.substr(begin, end - begin));
-}
-
-enum class Side { left, right, unknown };
-
-Side side_of(const fs::path& file) {
-  const std::string stem = lower(file.stem().string());
-  if (stem.find("left") != std::string::npos) return Side::left;
-  if (stem.find("right") != std::string::npos) return Side::right;
-  std::string letters;
-  for (const char c : stem)
-    if (std::isalpha(static_cast<unsigned char>(c))) letters += c;
-  if (!letters.empty() && letters.back() == 'l') return Side::left;
-  if (!letters.empty() && letters.back() == 'r') return Side::right;
-  return Side::unknown;
-}
-
-std::map<std::int64_t, fs::path> images_by_number(const fs::path& folder, std::optional<Side> wanted) {
-  std::error_code error;
-  std::map<std::int64_t, fs::path> found;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (!entry.is_regular_file() || !is_image(entry.path())) continue;
-    if (wanted && side_of(entry.path()) != *wanted) continue;
-    const auto number = number_of(entry.path());
-    if (!number) continue;
-    const auto [place, is_new] = found.emplace(*number, entry.path());
-    if (!is_new)
-      throw InputError(fmt::format("{}: {} and {} have the same number; one image an instant and side is wanted.",
-                                   shown_path(folder), in_quotes(place->second.filename().string()),
-                                   in_quotes(entry.path().filename().string())));
-  }
-  if (error) throw InputError(fmt::format("{}: the folder cannot be read ({}).", shown_path(folder), error.message()));
-  if (found.empty())
-    throw InputError(fmt::format("{}: has no {}images with a number in their names (PNG, JPEG, PGM, BMP or TIFF).",
-                                 shown_path(folder),
-                                 !wanted                 ? ""
-                                 : *wanted == Side::left ? "left "
-                                                         : "right "));
-  return found;
-}
 
 bool is_inside(const fs::path& file, const fs::path& folder) {
   const fs::path relative = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
@@ -180,74 +118,6 @@ Session observed_session(const NewSession& parts, const Robot& robot, std::vecto
 }
 
 }  // namespace
-
-std::vector<ImageFiles> find_image_pairs(const fs::path& left_folder, const fs::path& right_folder) {
-  std::error_code error;
-  const bool same = fs::equivalent(left_folder, right_folder, error);
-  const auto left = images_by_number(left_folder, same ? std::optional(Side::left) : std::nullopt);
-  const auto right = images_by_number(right_folder, same ? std::optional(Side::right) : std::nullopt);
-  std::map<std::int64_t, ImageFiles> pairs;
-  for (const auto& [number, file] : left) pairs[number] = {number, file, {}};
-  for (const auto& [number, file] : right) {
-    pairs[number].number = number;
-    pairs[number].right = file;
-  }
-  std::vector<ImageFiles> list;
-  for (auto& [number, pair] : pairs) list.push_back(std::move(pair));
-  return list;
-}
-
-std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs) {
-  std::vector<InstantImages> list;
-  for (const ImageFiles& pair : pairs) list.push_back({pair.number, {pair.left, pair.right}});
-  return list;
-}
-
-namespace {
-
-/// The images of one of several cameras whose files lie in one folder, by number; a camera's name may end in a number
-/// of its own. Where one name is part of another the longer one counts.
-std::map<std::int64_t, fs::path> images_of_camera(const fs::path& folder, const std::vector<std::string>& names,
-                                                  std::size_t camera) {
-  std::error_code error;
-  std::map<std::int64_t, fs::path> found;
-  const std::string own = lower(names[camera]);
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (!entry.is_regular_file() || !is_image(entry.path())) continue;
-    std::string stem = lower(entry.path().stem().string());
-    const std::size_t at = stem.find(own);
-    const bool is_longer = std::any_of(names.begin(), names.end(), [&](const std::string& other) {
-      const std::string name = lower(other);
-      return name.size() > own.size() && name.find(own) != std::string::npos && stem.find(name) != std::string::npos;
-    });
-    if (at == std::string::npos || is_longer) continue;
-    stem = fmt::format("{}_{}", stem.substr(0, at), stem.substr(at + own.size()));
-    if (const auto number = number_of(stem + ".png")) found.emplace(*number, entry.path());
-  }
-  if (error) throw InputError(fmt::format("{}: the folder cannot be read ({}).", shown_path(folder), error.message()));
-  return found;
-}
-
-}  // namespace
-
-std::vector<InstantImages> find_images(const std::vector<fs::path>& folders, const std::vector<std::string>& names) {
-  if (folders.size() == 2) return instants_of(find_image_pairs(folders[0], folders[1]));
-  std::map<std::int64_t, InstantImages> instants;
-  const auto is_shared = [&](std::size_t c) {
-    return names.size() == folders.size() && std::count(folders.begin(), folders.end(), folders[c]) > 1;
-  };
-  for (std::size_t c = 0; c < folders.size(); ++c)
-    for (const auto& [number, file] :
-         is_shared(c) ? images_of_camera(folders[c], names, c) : images_by_number(folders[c], std::nullopt)) {
-      InstantImages& instant = instants[number];
-      instant.number = number;
-      instant.files.resize(folders.size());
-      instant.files[c] = file;
-    }
-  std::vector<InstantImages> list;
-  for (auto& [number, instant] : instants) list.push_back(std::move(instant));
-  return list;
-}
 
 std::string bring_into(const fs::path& file, const fs::path& folder, const fs::path& into) {
   if (is_inside(file, folder))

@@ -7,35 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "session/find_images.h"
 #include "session/session.h"
 
 namespace handsight {
-
-/// The two images of one instant; one may be missing (empty).
-struct ImageFiles {
-  std::int64_t number = 0;  // the last number in the files' names
-  std::filesystem::path left, right;
-};
-
-/// Pairs the images of two folders by the last number in their names, ascending. With both folders the same, names
-/// tell the sides apart: "left" or "right" in them, else a last letter l or r. InputError where there is no image, or a
-/// side has a number twice.
-std::vector<ImageFiles> find_image_pairs(const std::filesystem::path& left_folder,
-                                         const std::filesystem::path& right_folder);
-
-/// The images of one instant by camera; missing ones are empty.
-struct InstantImages {
-  std::int64_t number = 0;  // the last number in the files' names
-  std::vector<std::filesystem::path> files;
-};
-
-std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs);
-
-/// The images of each camera's folder, by the last number in their names, ascending; two folders as `find_image_pairs`
-/// has it. Where more cameras share a folder, the camera's name must be in the file's (`names`, by camera). InputError
-/// where a folder has no image or a number twice.
-std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>& folders,
-                                       const std::vector<std::string>& names = {});
 
 struct NewSession {
   std::filesystem::path folder;  // where the session is made; may be there, but without a session.xml

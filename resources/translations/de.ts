@@ -65,14 +65,6 @@
         <translation> (Marker vom zweiten Blick mit weiteren Grenzen; nicht in der Anpassung.)</translation>
     </message>
     <message>
-        <source> (line %1)</source>
-        <translation> (Zeile %1)</translation>
-    </message>
-    <message>
-        <source> (number %1)</source>
-        <translation> (Nummer %1)</translation>
-    </message>
-    <message>
         <source> An error of one corner under %1 here could not be seen.</source>
         <translation> Ein Fehler einer Ecke unter %1 wäre hier nicht zu sehen.</translation>
     </message>
@@ -185,14 +177,6 @@
         <translation>%1 h %2 min</translation>
     </message>
     <message>
-        <source>%1 has %2 lines for %3 images: it waits until they are as many. With a column "number" each image finds its own line.</source>
-        <translation>%1 hat %2 Zeilen für %3 Bilder: es wartet, bis es gleich viele sind. Mit einer Spalte „number“ findet jedes Bild seine Zeile.</translation>
-    </message>
-    <message>
-        <source>%1 has %2 lines for %3 image pairs: it waits until they are as many. With a column "number" each pair finds its own line.</source>
-        <translation>%1 hat %2 Zeilen für %3 Bildpaare: es wartet, bis es gleich viele sind. Mit einer Spalte „number“ findet jedes Paar seine Zeile.</translation>
-    </message>
-    <message>
         <source>%1 is %2 x %3 px, the %4 camera says %5 x %6: images of another size are left out.</source>
         <translation>%1 ist %2 x %3 px, die Kamera %4 sagt %5 x %6: Bilder anderer Größe bleiben weg.</translation>
     </message>
@@ -203,14 +187,6 @@
     <message>
         <source>%1 is cut off after %2 bytes. Copy it again from where it came.</source>
         <translation>%1 ist nach %2 Bytes abgeschnitten. Kopiere es nochmals von dort, wo es herkam.</translation>
-    </message>
-    <message>
-        <source>%1 is not there yet: the joint angles, a line for each new image.</source>
-        <translation>%1 ist noch nicht da: die Gelenkwinkel, eine Zeile je neuem Bild.</translation>
-    </message>
-    <message>
-        <source>%1 is not there yet: the joint angles of the new images, a line for each pair.</source>
-        <translation>%1 ist noch nicht da: die Gelenkwinkel der neuen Bilder, eine Zeile je Paar.</translation>
     </message>
     <message>
         <source>%1 is not there. Put it back, or leave the observation out.</source>
@@ -343,14 +319,6 @@
     <message>
         <source>%1 to play</source>
         <translation>%1 abzuspielen</translation>
-    </message>
-    <message>
-        <source>%1 waits for its %2 image, with the number %3 in its name.</source>
-        <translation>%1 wartet auf sein Bild %2, mit der Nummer %3 im Namen.</translation>
-    </message>
-    <message>
-        <source>%1 waits for its joint angles in %2%3.</source>
-        <translation>%1 wartet auf seine Gelenkwinkel in %2%3.</translation>
     </message>
     <message>
         <source>%1 wanted</source>
@@ -1486,10 +1454,6 @@
     <message>
         <source>Left out, it is found from the observations.</source>
         <translation>Ohne dies wird es aus den Beobachtungen gefunden.</translation>
-    </message>
-    <message>
-        <source>Line %1 of %2 is not the posture that the session has for %3. Name the images' numbers in a column "number".</source>
-        <translation>Zeile %1 von %2 ist nicht die Stellung, die die Sitzung für %3 hat. Nenne die Nummern der Bilder in einer Spalte „number“.</translation>
     </message>
     <message>
         <source>Links</source>
@@ -6113,6 +6077,10 @@
         <source>The model misses what both sessions measured. What the catalogue has and smooth curves of the joints' angles, the same in both, were fitted beside the change; a change that looks like them is not seen.</source>
         <translation>Das Modell verfehlt, was beide Sitzungen gemessen haben. Was der Katalog hat und glatte Kurven der Gelenkwinkel, in beiden gleich, wurden neben der Änderung angepasst; eine Änderung, die ihnen gleicht, wird nicht gesehen.</translation>
     </message>
+    <message>
+        <source>%1 waits for its %2 image, with the number %3 in its name.</source>
+        <translation>%1 wartet auf sein Bild %2, mit der Nummer %3 im Namen.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -7300,6 +7268,106 @@
     <message>
         <source>the times are taken for %1.</source>
         <translation>die Zeiten werden genommen für %1.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 lines for %3 images: it waits until they are as many. With a column "number" each image finds its own line.</source>
+        <translation>%1 hat %2 Zeilen für %3 Bilder: es wartet, bis es gleich viele sind. Mit einer Spalte „number“ findet jedes Bild seine Zeile.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 lines for %3 image pairs: it waits until they are as many. With a column "number" each pair finds its own line.</source>
+        <translation>%1 hat %2 Zeilen für %3 Bildpaare: es wartet, bis es gleich viele sind. Mit einer Spalte „number“ findet jedes Paar seine Zeile.</translation>
+    </message>
+    <message>
+        <source>%1 is not there yet: the joint angles, a line for each new image.</source>
+        <translation>%1 ist noch nicht da: die Gelenkwinkel, eine Zeile je neuem Bild.</translation>
+    </message>
+    <message>
+        <source>%1 is not there yet: the joint angles of the new images, a line for each pair.</source>
+        <translation>%1 ist noch nicht da: die Gelenkwinkel der neuen Bilder, eine Zeile je Paar.</translation>
+    </message>
+    <message>
+        <source>Line %1 of %2 is not the posture that the session has for %3. Name the images' numbers in a column "number".</source>
+        <translation>Zeile %1 von %2 ist nicht die Stellung, die die Sitzung für %3 hat. Nenne die Nummern der Bilder in einer Spalte „number“.</translation>
+    </message>
+    <message>
+        <source>%1 waits for its joint angles in %2 (number %3).</source>
+        <translation>%1 wartet auf seine Gelenkwinkel in %2 (Nummer %3).</translation>
+    </message>
+    <message>
+        <source>%1 waits for its joint angles in %2 (line %3).</source>
+        <translation>%1 wartet auf seine Gelenkwinkel in %2 (Zeile %3).</translation>
+    </message>
+    <message>
+        <source>%1 is set aside: %2.</source>
+        <translation>%1 ist beiseitegelegt: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is set aside until it is written again: %2.</source>
+        <translation>%1 ist beiseitegelegt, bis es neu geschrieben wird: %2.</translation>
+    </message>
+    <message>
+        <source>it is cut off after %1 bytes</source>
+        <translation>es bricht nach %1 Bytes ab</translation>
+    </message>
+    <message>
+        <source>it is %1 x %2, the camera says %3 x %4</source>
+        <translation>es ist %1 x %2, die Kamera sagt %3 x %4</translation>
+    </message>
+    <message>
+        <source>The line %1 of %2</source>
+        <translation>Die Zeile %1 von %2</translation>
+    </message>
+    <message>
+        <source>The line of number %1 of %2</source>
+        <translation>Die Zeile der Nummer %1 von %2</translation>
+    </message>
+    <message>
+        <source>A line of %1 (number %2)</source>
+        <translation>Eine Zeile von %1 (Nummer %2)</translation>
+    </message>
+    <message>
+        <source>Line %1 of %2</source>
+        <translation>Zeile %1 von %2</translation>
+    </message>
+    <message>
+        <source>The file %1</source>
+        <translation>Die Datei %1</translation>
+    </message>
+    <message>
+        <source>it has %1 columns, expected %2</source>
+        <translation>sie hat %1 Spalten, erwartet werden %2</translation>
+    </message>
+    <message>
+        <source>it has not a finite number for each joint of the session</source>
+        <translation>sie hat nicht für jedes Gelenk der Sitzung eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>it has no whole pose of the flange (x y z qx qy qz qw)</source>
+        <translation>sie hat keine ganze Lage des Flansches (x y z qx qy qz qw)</translation>
+    </message>
+    <message>
+        <source>it has no whole point</source>
+        <translation>sie hat keinen ganzen Punkt</translation>
+    </message>
+    <message>
+        <source>it has no finite x y z and no qx qy qz qw of length 1</source>
+        <translation>sie hat kein endliches x y z und kein qx qy qz qw der Länge 1</translation>
+    </message>
+    <message>
+        <source>its first line names no column `number`, by which poses and measurements are paired</source>
+        <translation>ihre erste Zeile nennt keine Spalte `number`, nach der Posen und Messungen zusammengehören</translation>
+    </message>
+    <message>
+        <source>its first line names no column %1</source>
+        <translation>ihre erste Zeile nennt keine Spalte %1</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device, which may never end</source>
+        <translation>es ist eine Pipe oder ein Gerät, die nie enden könnten</translation>
+    </message>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>sie lässt sich nicht öffnen</translation>
     </message>
 </context>
 <context>

@@ -32,9 +32,11 @@ class ArrivalsInAFolder : public testing::Test {
   Session cameras() {
     Session s = fixture::stand_session(3);
     s.file = folder.path / "session.xml";
+    for (RigCamera& c : s.rig->cameras) c.camera.width = 8, c.camera.height = 6;
     s.observations.clear();
     return s;
   }
+  const std::string image = "P5\n8 6\n255\n" + std::string(48, 'x');
   static constexpr char header[] = "number,time,a1,a2,a3,a4,a5,a6\n";
   TemporaryFolder folder;
 };
@@ -90,7 +92,6 @@ TEST_F(ArrivalsInAFolder, EitherSideMayStartAgain) {
 }
 
 TEST_F(ArrivalsInAFolder, ImagesAreTakenWhole) {
-  const std::string image = "P5\n8 6\n255\n" + std::string(48, 'x');
   Arrivals arrivals(cameras());
   append("joints.csv", std::string(header) + "12,1,0,0,0,0,0,0\n");
   append("images/cam_012_left.pgm", image);
@@ -105,7 +106,6 @@ TEST_F(ArrivalsInAFolder, ImagesAreTakenWhole) {
 }
 
 TEST_F(ArrivalsInAFolder, AnImageThatStaysHalfIsSetAsideWithASentence) {
-  const std::string image = "P5\n8 6\n255\n" + std::string(48, 'x');
   Arrivals arrivals(cameras());
   append("joints.csv", std::string(header) + "1,1,0,0,0,0,0,0\n2,2,0,0,0,0,0,0\n");
   append("images/001_left.pgm", image);
@@ -124,7 +124,6 @@ TEST_F(ArrivalsInAFolder, ImagesGoToTheCameraThatTheirNameNames) {
   session.rig->at(1).name = "cam12";
   Arrivals arrivals(session);
   append("joints.csv", std::string(header) + "7,1,0,0,0,0,0,0\n");
-  const std::string image = "P5\n2 2\n255\nabcd";
   append("images/0007_cam12.pgm", image);
   EXPECT_THAT(arrivals.look().arrived, IsEmpty()) << "cam1 has none yet";
   append("images/cam1_0007.pgm", image);
@@ -139,7 +138,7 @@ TEST_F(ArrivalsInAFolder, OfOneCameraAnyNameWithANumberWillDo) {
   session.rig->cameras.resize(1);
   Arrivals arrivals(session);
   append("joints.csv", std::string(header) + "12,1,0,0,0,0,0,0\n");
-  append("images/frame 0012.pgm", "P5\n2 2\n255\nabcd");
+  append("images/frame 0012.pgm", image);
   const Arrivals::Look look = arrivals.look();
   ASSERT_THAT(look.arrived, SizeIs(1));
   EXPECT_EQ(look.arrived[0].images[0], "images/frame 0012.pgm");
