@@ -65,10 +65,6 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, con
 
 }  // namespace
 
-void ask_whether_to_go_on(const ConvertOptions& o) {
-  if (o.goes_on && !o.goes_on()) throw ConversionStopped();
-}
-
 Conversion convert(const std::vector<fs::path>& given, const ConvertOptions& o) {
   if (fs::exists(o.out / "session.xml"))
     throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(o.out)));

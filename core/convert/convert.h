@@ -2,39 +2,12 @@
 // A session from what a user has. One sensor measures in each: images of cameras, points, or poses of a target.
 #pragma once
 
-#include <exception>
-#include <functional>
+#include <filesystem>
+#include <vector>
 
-#include "convert/brought.h"
-#include "session/session.h"
+#include "convert/conversion.h"
 
 namespace handsight {
-
-struct ConvertOptions {
-  std::filesystem::path out;    // the folder to make
-  std::filesystem::path robot;  // URDF; empty: among the files, in the bag, or none (poses of the flange alone)
-  std::string tcp, mount;       // links; mount empty: the root link
-  std::string title;
-  bool degrees = false;          // joint tables whose header does not say so
-  bool eye_on_base = false;      // easy_handeye's files that do not say where the camera is
-  int markers = 3;               // of sessions with images and anonymous markers
-  std::optional<Target> target;  // what images show, where its points name themselves
-  std::string target_frame;      // of a bag's /tf: the target that a detector publishes
-  bool estimate_lag = false;
-  PairingOptions pairing;
-  std::function<bool()> goes_on;  // asked from time to time before session.xml is written: is it still wanted?
-};
-
-/// Where ConvertOptions::goes_on said no: nothing that was written stays.
-struct ConversionStopped : std::exception {
-  const char* what() const noexcept override { return "The conversion was stopped."; }
-};
-
-struct Conversion {
-  Session session;
-  std::vector<std::string> took;   // what each file was taken for
-  std::vector<std::string> notes;  // what was understood, what is missing, what was left out
-};
 
 /// Makes the session's folder. InputError where the files do not make a session: what is missing and what to do;
 /// ConversionStopped.

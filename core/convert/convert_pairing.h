@@ -2,7 +2,7 @@
 // Which joint readings belong to which measurement. Internal to convert.
 #pragma once
 
-#include "convert/convert.h"
+#include "convert/conversion.h"
 
 namespace handsight {
 

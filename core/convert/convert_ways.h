@@ -2,15 +2,12 @@
 // The ways from what was brought to a session, by the sensor that measured. Internal to convert.
 #pragma once
 
-#include "convert/convert.h"
+#include "convert/conversion.h"
 #include "convert/session_parts.h"
 #include "readers/field_urdf.h"
 #include "session/new_session.h"
 
 namespace handsight {
-
-/// Throws ConversionStopped where it is no longer wanted.
-void ask_whether_to_go_on(const ConvertOptions& options);
 
 /// Is one of these words in the name, in capitals or not?
 bool says(const std::string& name, std::initializer_list<const char*> words);

@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "convert/convert_ways.h"
 #include "robot/urdf.h"
 #include "session/session_xml.h"
 

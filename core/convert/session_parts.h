@@ -2,7 +2,7 @@
 // A converted session on its way into its folder. Internal to convert.cpp.
 #pragma once
 
-#include "convert/convert.h"
+#include "convert/conversion.h"
 #include "session/new_session.h"
 
 namespace handsight {

@@ -2,7 +2,10 @@
 // What the effects of a model add to the numbers of a HandProgram.
 #pragma once
 
-#include "export/hand_program.h"
+#include <vector>
+
+#include "correct/calibrated_robot.h"
+#include "export/program_types.h"
 
 namespace handsight {
 

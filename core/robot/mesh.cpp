@@ -12,7 +12,7 @@
 #include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "robot/collada.h"
+#include "robot/collada_text.h"
 
 namespace handsight {
 namespace {

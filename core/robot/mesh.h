@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces of links from mesh files: STL (binary and text), OBJ, and Collada (collada.h). A reader of our own, because
-// a file that lies about its own content must not reach a library that believes it.
+// Surfaces of links from mesh files: STL (binary and text), OBJ, and Collada (collada_text.h). A reader of our own,
+// because a file that lies about its own content must not reach a library that believes it.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "robot/mesh_types.h"
 
 namespace handsight {
-
-/// Triangles of points in the file's own unit. Every index is below the number of points, every number finite.
-struct Mesh {
-  std::vector<Eigen::Vector3f> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
 
 /// An OBJ text: its v and f lines, polygons as fans of triangles; everything else is passed over. InputError names the
 /// line of what is wrong; `file` is what sentences call it.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hand that carries the markers, and where on it they are.
+#include "simulation/hand.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
 #include "simulation/random.h"
-#include "simulation/scene.h"
 
 namespace handsight {
 

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+// Postures in which the sensor sees the whole marker body.
 #pragma once
 
-#include "simulation/simulated_session.h"
+#include <optional>
+#include <vector>
+
+#include "session/session.h"
+#include "simulation/random.h"
+#include "simulation/simulation_options.h"
 
 namespace handsight {
 

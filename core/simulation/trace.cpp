@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/hand.h"
 #include "targets/pattern.h"
 
 namespace handsight {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "simulation/scene.h"
+#include "simulation/scene_parts.h"
 
 namespace handsight {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "targets/board_corners.h"
 #include "targets/sampling.h"
 #include "targets/tag_fit.h"
 #include "vision/corners/corner_noise.h"

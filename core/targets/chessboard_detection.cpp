@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "base/error.h"
+#include "targets/board_corners.h"
 #include "targets/board_detection.h"
 #include "targets/sampling.h"
 #include "vision/corners/corner_detector.h"

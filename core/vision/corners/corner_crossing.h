@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "vision/corners/corner_lanes.h"
-#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_shape.h"
 
 namespace handsight {
 

@@ -2,8 +2,8 @@
 // What all fits of corners share: how far a disc holds, and whether what comes out may be a corner.
 #pragma once
 
-#include "vision/corners/corner_model.h"
 #include "vision/corners/corner_patch.h"
+#include "vision/corners/corner_shape.h"
 
 namespace handsight {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "vision/corners/corner_level.h"
+#include "vision/corners/corner_level_finds.h"
 
 namespace handsight {
 

@@ -4,21 +4,9 @@
 
 #include <vector>
 
-#include "vision/corners/corner_board.h"
-#include "vision/corners/corner_candidates.h"
-#include "vision/corners/corner_look.h"
-#include "vision/corners/corner_shadow_lines.h"
+#include "vision/corners/corner_level_finds.h"
 
 namespace handsight {
-
-/// One image, and what was found in it.
-struct Level {
-  Sight sight;
-  std::vector<Candidate> candidates;
-  std::vector<Found> found;
-  std::vector<Foretold> missing;  // what boards foretold in vain
-  ShadowLines shadows;            // by those found beside their edges
-};
 
 /// All corners of the whole image; `half`: becomes the image at half the resolution.
 void find_corners(Level& level, Image& half);

@@ -5,9 +5,10 @@
 #include <functional>
 #include <optional>
 
-#include "vision/corners/corner_detector.h"
 #include "vision/corners/corner_likelihood.h"
+#include "vision/corners/corner_options.h"
 #include "vision/corners/corner_structure.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

@@ -34,21 +34,6 @@ Eigen::Matrix2d alias_of(const CornerModel& model, double radius) {
 
 }  // namespace
 
-double chequer_of(const Image& image, const Eigen::Vector2i& centre, int reach) {
-  std::array<double, 2> squares{1, 1};
-  const int left = std::max(centre.x() - reach, 1), right = std::min(centre.x() + reach, image.width - 2);
-  const int top = std::max(centre.y() - reach, 1), bottom = std::min(centre.y() + reach, image.height - 2);
-  for (int v = top; v <= bottom; ++v) {
-    const std::uint8_t *up = image.row(v - 1), *at = image.row(v), *down = image.row(v + 1);
-    for (int u = left; u <= right; ++u) {
-      const int rough =
-          up[u - 1] + up[u + 1] + down[u - 1] + down[u + 1] - 2 * (up[u] + at[u - 1] + at[u + 1] + down[u]) + 4 * at[u];
-      squares[(u + v) & 1] += rough * rough;
-    }
-  }
-  return std::log(squares[0] / squares[1]);
-}
-
 std::optional<OddSystem> smoothed_odd_system(const Image& image, const CornerFit& fit) {
   OddRows all;
   if (!fill_rows(image, fit, all)) return std::nullopt;

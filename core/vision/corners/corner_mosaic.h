@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What interpolated colours do to a corner: how to know them, and the odd system that does not see their pattern.
+// What interpolated colours do to a corner: the odd system that does not see their pattern.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,6 @@
 #include "vision/corners/corner_odd_system.h"
 
 namespace handsight {
-
-/// Of a colour filter every other pixel is a measured green one: what is interpolated is the smoother. Log of how much
-/// rougher the pixels of which u + v is even are than the others, within `reach` px across and down.
-double chequer_of(const Image& image, const Eigen::Vector2i& centre, int reach);
 
 /// The odd system of the patch smoothed by 1 4 6 4 1 across and down: interpolated colours have errors of the pattern's
 /// own period, 2 px, which are none any more. The variance is that of noise that changes as slowly as what a position

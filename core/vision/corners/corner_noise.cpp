@@ -2,6 +2,7 @@
 #include "vision/corners/corner_noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -27,6 +28,21 @@ double image_noise(const Image& image, int places) {
   int rest = -1;
   for (int below = 0; below <= all * 3 / 4; below += counts[rest]) ++rest;
   return rest / (kUpperQuartile * kMaskNorm);
+}
+
+double chequer_of(const Image& image, const Eigen::Vector2i& centre, int reach) {
+  std::array<double, 2> squares{1, 1};
+  const int left = std::max(centre.x() - reach, 1), right = std::min(centre.x() + reach, image.width - 2);
+  const int top = std::max(centre.y() - reach, 1), bottom = std::min(centre.y() + reach, image.height - 2);
+  for (int v = top; v <= bottom; ++v) {
+    const std::uint8_t *up = image.row(v - 1), *at = image.row(v), *down = image.row(v + 1);
+    for (int u = left; u <= right; ++u) {
+      const int rough =
+          up[u - 1] + up[u + 1] + down[u - 1] + down[u + 1] - 2 * (up[u] + at[u - 1] + at[u + 1] + down[u]) + 4 * at[u];
+      squares[(u + v) & 1] += rough * rough;
+    }
+  }
+  return std::log(squares[0] / squares[1]);
 }
 
 }  // namespace handsight

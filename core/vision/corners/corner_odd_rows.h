@@ -2,9 +2,10 @@
 // The patch of a fit with its derivatives by all odd unknowns.
 #pragma once
 
-#include "vision/corners/corner_odd_system.h"
+#include "vision/corners/corner_odd_unknowns.h"
 #include "vision/corners/corner_patch.h"
 #include "vision/corners/corner_products.h"
+#include "vision/corners/corner_shape.h"
 
 namespace handsight {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "vision/corners/corner_mosaic.h"
+#include "vision/corners/corner_noise.h"
 #include "vision/corners/corner_odd_grid.h"
 #include "vision/corners/corner_odd_rows.h"
 #include "vision/corners/corner_patch.h"

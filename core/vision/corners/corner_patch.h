@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pixels round a corner beside what the model of corner_model.h says of them: the inner loop of its fit.
+// The pixels round a corner beside what the model of corner_shape.h says of them: the inner loop of its fit.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 
-#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_shape.h"
 #include "vision/image/image.h"
 
 namespace handsight {

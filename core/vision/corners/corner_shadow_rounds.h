@@ -2,7 +2,7 @@
 // Corners that a shadow's edge has hidden or drawn aside: each that is found beside it tells the next where it runs.
 #pragma once
 
-#include "vision/corners/corner_level.h"
+#include "vision/corners/corner_level_finds.h"
 
 namespace handsight {
 

@@ -2,7 +2,11 @@
 // One guess which corner pair is which marker, and the body pose that follows.
 #pragma once
 
-#include "vision/markers/following_observation.h"
+#include <optional>
+#include <vector>
+
+#include "vision/markers/corner_pairs.h"
+#include "vision/markers/known_markers.h"
 
 namespace handsight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/collada.h"
+#include "robot/collada_text.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a conversion may be asked, and what it gives.
+#pragma once
+
+#include <exception>
+#include <functional>
+
+#include "convert/brought.h"
+#include "session/session.h"
+
+namespace handsight {
+
+struct ConvertOptions {
+  std::filesystem::path out;    // the folder to make
+  std::filesystem::path robot;  // URDF; empty: among the files, in the bag, or none (poses of the flange alone)
+  std::string tcp, mount;       // links; mount empty: the root link
+  std::string title;
+  bool degrees = false;          // joint tables whose header does not say so
+  bool eye_on_base = false;      // easy_handeye's files that do not say where the camera is
+  int markers = 3;               // of sessions with images and anonymous markers
+  std::optional<Target> target;  // what images show, where its points name themselves
+  std::string target_frame;      // of a bag's /tf: the target that a detector publishes
+  bool estimate_lag = false;
+  PairingOptions pairing;
+  std::function<bool()> goes_on;  // asked from time to time before session.xml is written: is it still wanted?
+};
+
+/// Where ConvertOptions::goes_on said no: nothing that was written stays.
+struct ConversionStopped : std::exception {
+  const char* what() const noexcept override { return "The conversion was stopped."; }
+};
+
+struct Conversion {
+  Session session;
+  std::vector<std::string> took;   // what each file was taken for
+  std::vector<std::string> notes;  // what was understood, what is missing, what was left out
+};
+
+/// Throws ConversionStopped where it is no longer wanted.
+inline void ask_whether_to_go_on(const ConvertOptions& o) {
+  if (o.goes_on && !o.goes_on()) throw ConversionStopped();
+}
+
+}  // namespace handsight
