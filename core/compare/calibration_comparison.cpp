@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "compare/change_verdict.h"
+#include "compare/comparison.h"
 #include "compare/number_changes.h"
 
 namespace handsight {

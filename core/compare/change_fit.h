@@ -4,7 +4,7 @@
 #pragma once
 
 #include "compare/change_candidates.h"
-#include "compare/comparison.h"
+#include "compare/comparison_result.h"
 #include "compare/shared_model.h"
 
 namespace handsight {

@@ -2,7 +2,7 @@
 // Number by number, what two estimates of one model differ by. Internal to comparison.cpp.
 #pragma once
 
-#include "compare/comparison.h"
+#include "compare/comparison_result.h"
 
 namespace handsight {
 

@@ -2,7 +2,7 @@
 // What an improvement says in the end: what has names, what follows what and has none, and what each is worth.
 #pragma once
 
-#include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/improvement_result.h"
 
 namespace handsight {
 

@@ -71,14 +71,6 @@ void forget_refusals_of(const std::vector<std::string>& come, std::vector<Refuse
 
 }  // namespace
 
-ImprovementStep step_of(const Diagnosis& model) {
-  ImprovementStep s;
-  s.fitted = model.report.fitted;
-  s.held_out = model.report.held_out;
-  s.noise = model.noise;
-  return s;
-}
-
 bool is_outdone(const Diagnosis& d) {
   return !d.candidates.empty() && d.candidates.front().unnamed && d.candidates.front().ln_bayes_factor >= d.threshold;
 }

@@ -2,7 +2,7 @@
 // A name at many places may stand in for several names together, which no exchange of one for one shows.
 #pragma once
 
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
 

@@ -8,6 +8,7 @@
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/exchange.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 namespace {

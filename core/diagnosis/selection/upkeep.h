@@ -3,7 +3,7 @@
 // exchanged, curves are looked for again.
 #pragma once
 
-#include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/improvement_result.h"
 
 namespace handsight {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "diagnosis/ranking/refitting.h"
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
 

@@ -306,27 +306,6 @@ class Work {
 
 }  // namespace
 
-double held_out_error(const Diagnosis& d) {
-  const ErrorSummary& e = d.report.held_out;
-  return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0);
-}
-
-const char* verdict_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::too_few_observations:
-      return "too_few_observations";
-    case Verdict::adequate:
-      return "adequate";
-    case Verdict::missing_effect:
-      return "missing_effect";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::unexplained:
-      return "unexplained";
-  }
-  return "";
-}
-
 Diagnosis diagnose(const Session& session, const DiagnosisOptions& options) {
   const auto sample = sample_to_judge(session);
   if (!sample) return Work(session, options).run();

@@ -67,19 +67,6 @@ std::string error_text(const ErrorSummary& e) {
   return "unknown";
 }
 
-std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session) {
-  std::vector<std::string> places;
-  for (const EffectTerm& term : terms) {
-    const Effect& effect = effect_of(term);
-    const std::string place = place_name(effect, term.joint, session.robot);
-    if (!place.empty()) places.push_back(place);
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty())
-        places.push_back(fmt::format("from observation {:g} on", term.values[p]));
-  }
-  return places;
-}
-
 std::string explain(const DiagnosisCandidate& c, const Diagnosis& d, const Session& session) {
   if (c.unnamed) {
     const LocaliserTerm& best = c.unnamed->localiser.best;

@@ -2,7 +2,7 @@
 // What a diagnosis says, in words that a robot engineer would use.
 #pragma once
 
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
 

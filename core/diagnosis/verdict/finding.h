@@ -2,7 +2,7 @@
 // What a diagnosis goes by, and whose fault the error is in its light.
 #pragma once
 
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
 

@@ -2,7 +2,7 @@
 // A few thousand observations, evenly over the session, decide what a hundred thousand would; the others check them.
 #pragma once
 
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 #include "session/sample.h"
 
 namespace handsight {

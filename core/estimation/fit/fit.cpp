@@ -198,16 +198,6 @@ void set_effect_results(const std::size_t held, Fit& fit) {
   }
 }
 
-}  // namespace
-
-std::vector<EffectTerm> terms_of(const Fit& fit) {
-  std::vector<EffectTerm> terms;
-  for (const FittedEffect& e : fit.effects) terms.push_back(e.term);
-  return terms;
-}
-
-namespace {
-
 Fit fit_as_told(const Session& session, const FitOptions& options) {
   const Chain chain = chain_of(session);
   Problem images = make_problem(session, chain, options.effects, options.estimated);

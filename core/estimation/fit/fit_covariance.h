@@ -2,7 +2,7 @@
 // How sure a fit is: its covariances, and how many of its unknowns the measurements know.
 #pragma once
 
-#include "estimation/fit/fit.h"
+#include "estimation/fit/fit_result.h"
 
 namespace handsight {
 

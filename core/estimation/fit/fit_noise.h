@@ -2,7 +2,8 @@
 // The noise that a fit goes by: declared, seen in the measurements, or neither.
 #pragma once
 
-#include "estimation/fit/fit.h"
+#include "estimation/fit/fit_result.h"
+#include "session/session.h"
 
 namespace handsight {
 

@@ -2,7 +2,8 @@
 // How each of the three objectives is brought to its minimum, on all observations or on a part of them.
 #pragma once
 
-#include "estimation/fit/fit.h"
+#include "estimation/fit/fit_result.h"
+#include "session/session.h"
 
 namespace handsight {
 

@@ -3,7 +3,8 @@
 // gives way.
 #pragma once
 
-#include "estimation/fit/fit.h"
+#include "estimation/fit/fit_result.h"
+#include "session/session.h"
 
 namespace handsight {
 

@@ -9,6 +9,7 @@
 #include "estimation/problem/target_pose.h"
 #include "estimation/start/half_turns.h"
 #include "estimation/start/shape_start.h"
+#include "estimation/start/start.h"
 
 namespace handsight {
 namespace {

@@ -6,28 +6,13 @@
 #include <span>
 
 #include "estimation/problem/problem.h"
+#include "estimation/solvers/equation_sums.h"
 
 namespace handsight {
 
 /// Applies a step by the problem's columns: markers move by their three numbers (m, TCP frame), the mount by
 /// mount_from_sensor * exp(v), the effects' numbers add.
 Unknowns moved(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step);
-
-/// H = J^T W J, gradient = J^T W error by the problem's columns; cost = error^T W error. The priors of the effects are
-/// part of all three, in units of the noise: (noise value / sigma)^2, and so is what images of a board say of the
-/// cameras; `prior_cost` is their share.
-struct NormalEquations {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd gradient;
-  double cost = 0;
-  double prior_cost = 0;
-  int rows = 0;
-  bool in_front = true;
-
-  explicit NormalEquations(Eigen::Index columns = 0)
-      : information(Eigen::MatrixXd::Zero(columns, columns)), gradient(Eigen::VectorXd::Zero(columns)) {}
-  double data_cost() const { return cost - prior_cost; }
-};
 
 /// Adds one observation's normal equations at these unknowns, without priors. Only the lower triangle is written;
 /// `complete` fills the rest.

@@ -3,7 +3,8 @@
 // images of a board.
 #pragma once
 
-#include "estimation/solvers/normal_equations.h"
+#include "estimation/problem/problem.h"
+#include "estimation/solvers/equation_sums.h"
 
 namespace handsight {
 

@@ -7,6 +7,8 @@
 #include <functional>
 #include <numbers>
 
+#include "estimation/start/start_markers.h"
+
 namespace handsight {
 namespace {
 

@@ -2,7 +2,7 @@
 // Starts in competition, for a fit that a plain start has led nowhere.
 #pragma once
 
-#include "estimation/start/start.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 

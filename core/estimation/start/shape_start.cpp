@@ -2,6 +2,8 @@
 #include "estimation/start/shape_start.h"
 
 #include "estimation/problem/target_pose.h"
+#include "estimation/start/start_by_points.h"
+#include "estimation/start/start_markers.h"
 
 namespace handsight {
 namespace {
@@ -87,7 +89,7 @@ std::optional<Unknowns> start_by_shape(const Problem& problem, const Mount& moun
   Problem shown = shown_by_few(thin, points, true);
   if (shown.observations.size() < enough) shown = shown_by_few(thin, points, false);
   if (shown.observations.empty()) return std::nullopt;
-  const auto start = start_values(shown, mount);
+  const auto start = start_by_points(shown, mount);
   if (!start) return std::nullopt;
   return Unknowns{all_markers(*problem.shape, points, start->markers_in_tcp), start->mount_from_sensor, {}};
 }

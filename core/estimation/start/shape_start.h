@@ -3,7 +3,7 @@
 // piece in place of all.
 #pragma once
 
-#include "estimation/start/start.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "diagnosis/verdict/diagnosis.h"
 #include "diagnosis/verdict/finding.h"
 #include "estimation/fit/fit.h"
 #include "fixtures/arms.h"

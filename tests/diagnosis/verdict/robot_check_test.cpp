@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "diagnosis/verdict/diagnosis.h"
 #include "fixtures/arms.h"
 
 namespace handsight {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/selection/improvement_result.h"
+
+namespace handsight {
+
+ImprovementStep step_of(const Diagnosis& model) {
+  ImprovementStep s;
+  s.fitted = model.report.fitted;
+  s.held_out = model.report.held_out;
+  s.noise = model.noise;
+  return s;
+}
+
+}  // namespace handsight

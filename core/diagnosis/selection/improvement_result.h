@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// The models on the way of an improvement, and what it finds.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "diagnosis/selection/certainty.h"
+#include "diagnosis/verdict/diagnosis_result.h"
+
+namespace handsight {
+
+/// A model on the way: the first as it was, then one per change.
+struct ImprovementStep {
+  std::string added;    // effect id; empty for the first, and where all names were sought again
+  std::string removed;  // effect ids, where something added before is no longer needed, or stood in for another
+  std::vector<std::string> exchanged = {};  // effect ids that came in the place of `removed`, beside `added`
+  std::vector<std::string> where;
+  std::vector<EffectTerm> terms;    // added, else removed
+  std::string formula, variable;    // of a curve that was added
+  std::vector<std::string> stands;  // numbers of it beyond four plausible sizes: it stands in for something else
+  std::optional<double> likely;     // its probability, where the evidence alone is less than a name is asked for
+  ErrorSummary fitted, held_out;
+  std::optional<double> noise;  // px or m
+};
+
+/// A step that was tried and not taken.
+struct RefusedStep {
+  std::string id;
+  std::vector<std::string> where;
+  std::string reason;
+};
+
+struct ImprovementOptions {
+  std::vector<EffectTerm> effects;    // in the model, held
+  std::vector<EffectTerm> estimated;  // in the model from the start, estimated; never removed
+  std::set<std::string> likely;       // names among them that need no more evidence than to be likely
+  int most_steps = 24;
+  /// Curves without a name are taken in beside the names; without them, names that leave a curve on top are taken back.
+  bool with_curves = true;
+  bool with_held_out = true;  // of the candidates that every diagnosis fits, too; improve() goes without
+  /// After every diagnosis and before every change; returning false stops with what there is.
+  std::function<bool(const ImprovementStep& latest)> on_step;
+  std::function<bool(double done)> on_progress;  // as in DiagnosisOptions
+  std::function<bool(int iteration, double cost, const Unknowns&)> on_iteration;
+};
+
+/// What a change of a model comes to.
+struct ModelChange {
+  std::optional<Diagnosis> model;      // afterwards; none where nothing was taken, or it was stopped
+  std::vector<ImprovementStep> steps;  // the addition, then what it made superfluous
+  std::vector<RefusedStep> refused;
+  bool stopped = false;
+};
+
+/// What one effect or curve of the last model does.
+struct Worth {
+  std::string id;
+  std::vector<std::string> where;
+  bool unnamed = false;
+  std::string text;   // of a curve: what it follows
+  double hand_m = 0;  // root mean square over the observations of how far it moves the body's origin
+};
+
+struct Improvement {
+  std::vector<ImprovementStep> steps;
+  std::vector<RefusedStep> refused;
+  Diagnosis last;  // of the last model: what is left; never missing_effect or ambiguous
+  std::vector<Worth> worth;
+  Certainty certainty;  // of the last model's names
+  /// Of what was in excess of the noise at the start: what has names, and what curves without a name explain.
+  std::optional<double> named_share, unnamed_share;
+  bool stopped = false;
+};
+
+/// The first step of an improvement: nothing added.
+ImprovementStep step_of(const Diagnosis& model);
+
+}  // namespace handsight

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/verdict/diagnosis_result.h"
+
+#include <fmt/format.h>
+
+namespace handsight {
+
+double held_out_error(const Diagnosis& d) {
+  const ErrorSummary& e = d.report.held_out;
+  return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0);
+}
+
+const char* verdict_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::too_few_observations:
+      return "too_few_observations";
+    case Verdict::adequate:
+      return "adequate";
+    case Verdict::missing_effect:
+      return "missing_effect";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::unexplained:
+      return "unexplained";
+  }
+  return "";
+}
+
+std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session) {
+  std::vector<std::string> places;
+  for (const EffectTerm& term : terms) {
+    const Effect& effect = effect_of(term);
+    const std::string place = place_name(effect, term.joint, session.robot);
+    if (!place.empty()) places.push_back(place);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty())
+        places.push_back(fmt::format("from observation {:g} on", term.values[p]));
+  }
+  return places;
+}
+
+}  // namespace handsight
