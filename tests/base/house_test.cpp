@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The house is in order: of the folders of core, widgets and app each uses only those above it, and each is told of in
-// its CMakeLists.txt.
+// The house is in order: of the folders of core, widgets and app, and of their rooms, each uses only those above it,
+// each is told of in its CMakeLists.txt, none is too full to be found through, and no sources include each other in a
+// circle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +19,16 @@ namespace {
 
 const std::filesystem::path root = HANDSIGHT_SOURCE_DIR;
 
+bool is_source(const std::filesystem::path& path) {
+  const auto kind = path.extension();
+  return kind == ".h" || kind == ".cpp" || kind == ".inc";
+}
+
 /// The folders in the order in which the CMakeLists.txt of `house` tells of them: the first group of each match, which
 /// may name several.
 std::vector<std::string> told_folders(const std::string& house, const std::regex& line) {
   const std::string text = read_file(root / house / "CMakeLists.txt");
-  static const std::regex name("[a-z]+");
+  static const std::regex name("[a-z_]+");
   std::vector<std::string> folders;
   for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
     const std::string names = (*i)[1];
@@ -35,8 +41,8 @@ std::vector<std::string> told_folders(const std::string& house, const std::regex
 std::set<std::string> included_folders(const std::filesystem::path& folder, const std::string& prefix) {
   const std::regex include("#include \"" + prefix + "([a-z_]+)/");
   std::set<std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!is_source(entry.path())) continue;
     const std::string text = read_file(entry.path());
     for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i) found.insert((*i)[1]);
   }
@@ -56,17 +62,74 @@ void expect_one_way(const std::string& house, const std::string& prefix, const s
     }
 }
 
+/// The rooms of a folder of core as the list beside its library tells them: "rooms: image/ corners/ markers/".
+std::map<std::string, std::vector<std::string>> told_rooms() {
+  const std::string text = read_file(root / "core" / "CMakeLists.txt");
+  static const std::regex library("handsight_library\\(([a-z_]+)"), rooms("rooms: ((?:[a-z_]+/ ?)+)"), room("[a-z_]+");
+  std::map<std::string, std::vector<std::string>> found;
+  std::string pending;  // told in the line above the library
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    std::smatch list, name;
+    if (std::regex_search(line, list, rooms)) pending = list[1];
+    if (pending.empty() || !std::regex_search(line, name, library)) continue;
+    for (std::sregex_iterator i(pending.begin(), pending.end(), room), none; i != none; ++i)
+      found[name[1]].push_back(i->str());
+    pending.clear();
+  }
+  return found;
+}
+
+/// What a source includes of the project, found as the compiler finds it: beside it, then below one of `below`.
+std::vector<std::filesystem::path> included_sources(const std::filesystem::path& source,
+                                                    const std::vector<std::filesystem::path>& below) {
+  static const std::regex include("#include \"([^\"]+)\"");
+  const std::string text = read_file(source);
+  std::vector<std::filesystem::path> found;
+  for (std::sregex_iterator i(text.begin(), text.end(), include), none; i != none; ++i) {
+    std::vector<std::filesystem::path> places = {source.parent_path()};
+    places.insert(places.end(), below.begin(), below.end());
+    for (const auto& place : places)
+      if (std::filesystem::exists(place / i->str(1))) {
+        found.push_back((place / i->str(1)).lexically_normal());
+        break;
+      }
+  }
+  return found;
+}
+
+/// x.h, x.cpp and x.inc are one.
+std::string unit_of(const std::filesystem::path& source) {
+  return std::filesystem::path(source).replace_extension().string();
+}
+
+/// A circle of units that include each other, as far as `from` leads into one; empty where there is none.
+std::vector<std::string> circle_from(const std::string& from, const std::map<std::string, std::set<std::string>>& uses,
+                                     std::set<std::string>& done, std::vector<std::string>& way) {
+  if (done.contains(from)) return {};
+  if (const auto again = std::find(way.begin(), way.end(), from); again != way.end()) return {again, way.end()};
+  way.push_back(from);
+  for (const std::string& next : uses.at(from))
+    if (uses.contains(next))
+      if (auto circle = circle_from(next, uses, done, way); !circle.empty()) return circle;
+  way.pop_back();
+  done.insert(from);
+  return {};
+}
+
 /// The folders that hold sources.
 std::set<std::string> folders_on_disk(const std::string& house) {
   std::set<std::string> folders;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root / house))
     if (entry.path().extension() == ".cpp" && entry.path().parent_path() != root / house)
-      folders.insert(entry.path().parent_path().filename().string());
+      folders.insert(entry.path().lexically_relative(root / house).begin()->string());
   return folders;
 }
 
 TEST(House, AFolderOfCoreUsesOnlyThoseAboveIt) {
-  const auto folders = told_folders("core", std::regex("handsight_library\\(([a-z]+)"));
+  const auto folders = told_folders("core", std::regex("handsight_library\\(([a-z_]+)"));
   ASSERT_GE(folders.size(), 12U);
   expect_one_way("core", "", folders);
 }
@@ -83,6 +146,48 @@ TEST(House, AFolderOfTheWindowUsesOnlyThoseAboveItAndWorkspacesDoNotKnowEachOthe
   for (const char* program : {"cli", "python"}) there.erase(program);
   EXPECT_EQ(std::set<std::string>(folders.begin(), folders.end()), there);
   expect_one_way("app", "", folders, {"label", "calibrate", "inspect", "explain", "export"});
+}
+
+TEST(House, ARoomUsesOnlyThoseAboveIt) {
+  const auto rooms = told_rooms();
+  ASSERT_GE(rooms.size(), 4U);
+  for (const auto& [folder, names] : rooms) {
+    std::set<std::string> there;
+    for (const auto& entry : std::filesystem::directory_iterator(root / "core" / folder))
+      if (entry.is_directory()) there.insert(entry.path().filename().string());
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), there) << "rooms of core/" << folder;
+    expect_one_way("core/" + folder, folder + "/", names);
+  }
+}
+
+TEST(House, NoFolderIsTooFull) {
+  constexpr int most = 25;  // sources, headers apart
+  for (const char* house : {"core", "widgets", "app"}) {
+    std::map<std::string, int> sources;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / house))
+      if (entry.path().extension() == ".cpp") ++sources[entry.path().parent_path().string()];
+    for (const auto& [folder, count] : sources) EXPECT_LE(count, most) << folder;
+  }
+}
+
+TEST(House, NoSourcesIncludeEachOtherInACircle) {
+  std::map<std::string, std::set<std::string>> uses;
+  for (const char* house : {"core", "widgets", "app"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / house)) {
+      if (!is_source(entry.path())) continue;
+      auto& used = uses[unit_of(entry.path())];
+      for (const auto& other :
+           included_sources(entry.path(), {root / "core", root / "app", root / "app" / "cli", root}))
+        if (unit_of(other) != unit_of(entry.path())) used.insert(unit_of(other));
+    }
+  ASSERT_GE(uses.size(), 300U);
+  std::set<std::string> done;
+  for (const auto& [unit, used] : uses) {
+    std::vector<std::string> way, circle = circle_from(unit, uses, done, way);
+    std::string told;
+    for (const std::string& one : circle) told += one + "\n";
+    ASSERT_TRUE(circle.empty()) << "include each other:\n" << told;
+  }
 }
 
 }  // namespace
