@@ -27,12 +27,19 @@ if(HANDSIGHT_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# Half of the compiler's time went into reading the same headers again: they are read once, for all libraries and programs that
-# use Eigen (handsight_headers), and once with GoogleTest beside them (handsight_test_headers). A source still includes what it uses.
-option(HANDSIGHT_PRECOMPILED "Precompile the headers of Eigen, the standard library and GoogleTest" ON)
+# Most of a compiler's time went into reading the same headers and instantiating the same templates of Eigen again: they
+# are precompiled, in three sets, each for what stands above the last one. A source still includes what it uses. A header
+# belongs in a set if most of the sources that use the set include it.
+option(HANDSIGHT_PRECOMPILED "Precompile headers that most sources read" ON)
+set(core ${CMAKE_CURRENT_LIST_DIR}/../core)
 set(handsight_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional> <random> <set> <span>
   <string> <string_view> <vector> <fmt/format.h> <Eigen/Dense>
-  "${CMAKE_CURRENT_LIST_DIR}/../core/geometry/compiled_once.h")  # what uses them must link handsight_geometry
+  "${core}/geometry/compiled_once.h" "${core}/geometry/rigid.h"  # what uses them must link handsight_geometry
+  "${core}/base/error.h" "${core}/base/bounds.h" "${core}/base/text.h")
+set(handsight_model_headers ${handsight_headers} <boost/container/small_vector.hpp>
+  "${core}/session/session.h" "${core}/chain/chain.h" "${core}/chain/sighting.h" "${core}/effects/effect.h")
+set(handsight_fit_headers ${handsight_model_headers} "${core}/base/threads.h" "${core}/estimation/problem/problem.h"
+  "${core}/estimation/fit/fit.h" "${core}/diagnosis/evidence/evidence.h")
 
 # handsight_precompile(NAME HEADERS ... LINK LIBRARY ...): a set of precompiled headers that targets share.
 function(handsight_precompile name)
@@ -40,6 +47,7 @@ function(handsight_precompile name)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp CONTENT "// Holds nothing but the precompiled headers.\n")
   add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp)
   target_link_libraries(${name} PRIVATE ${arg_LINK})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/core)
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
 endfunction()
 
@@ -50,15 +58,8 @@ function(handsight_use_headers target name)
   endif()
 endfunction()
 
-# handsight_join(TARGET COUNT): compiles COUNT sources at a time as one, where what headers bring costs more than the sources.
-# Not where most of the time goes into what a source itself instantiates of Eigen (estimation, effects, vision, geometry): there it gains nothing.
-option(HANDSIGHT_UNITY "Compile several sources at a time, where headers cost most" ON)
-function(handsight_join target count)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HANDSIGHT_UNITY} UNITY_BUILD_BATCH_SIZE ${count})
-endfunction()
-
 # handsight_library(NAME [folders and libraries that it uses ...]): the .cpp files of the folder and its rooms as target
-# handsight_NAME.
+# handsight_NAME, compiled with the set of headers that the variable handsight_headers_of names.
 function(handsight_library name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/*.cpp)
   if(sources)
@@ -66,7 +67,7 @@ function(handsight_library name)
     target_include_directories(handsight_${name} PUBLIC ${CMAKE_SOURCE_DIR}/core)
     target_link_libraries(handsight_${name} PUBLIC ${ARGN})
     if(NOT name STREQUAL "base")  # the only one without Eigen
-      handsight_use_headers(handsight_${name} handsight_headers)
+      handsight_use_headers(handsight_${name} ${handsight_headers_of})
     endif()
   else()
     add_library(handsight_${name} INTERFACE)

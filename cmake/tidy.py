@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """clang-tidy over core and the command line, where something changed since it last found nothing; findings are errors.
 
-  cmake/tidy.py            looks at what changed and at what it has never passed, prints findings, writes cmake/tidy.txt
-  cmake/tidy.py --passed   looks at what it has passed once and has changed since, writes nothing: the test Sources.ClangTidy
+  cmake/tidy.py                looks at everything that it has not passed in this build folder
+  cmake/tidy.py --seconds 240  begins nothing more after that time: the test Sources.ClangTidy. What was changed last comes first
 
-Needs clang-tidy 14 and a build folder. A source is taken with its header and those headers that it includes
-which have no source of their own; cmake/tidy.txt holds a digest of each, with that of .clang-tidy. Nearly all of the
-time goes into the headers of libraries, so sources are looked at joined, and each half for itself where something is found.
+Needs clang-tidy 14 and a build folder, in which tidy.txt notes what it found nothing in: a digest of each source with its header
+and those headers that it includes which have no source of their own, and of .clang-tidy. Nearly all of the time goes into the
+headers of libraries, so sources are looked at joined, and each half for itself where something is found.
 """
 import argparse
 import hashlib
@@ -18,11 +18,11 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
-record = root / "cmake" / "tidy.txt"
 most_joined = 16  # sources at a time
 roots = [root / "core", root / "app" / "cli"]  # as the compiler finds headers
 
@@ -53,35 +53,35 @@ def now():
     return {str(s.relative_to(root)): digest(s) for s in sources}
 
 
-def passed():
+def by_last_change(sources):
+    """The sources that were changed last come first; where git cannot tell, as they are."""
+    log = subprocess.run(["git", "-C", root, "log", "-n", "60", "--pretty=", "--name-only"], capture_output=True, text=True)
+    place = {}
+    for path in log.stdout.splitlines():
+        place.setdefault(path, len(place))
+    return sorted(sources, key=lambda path: place.get(path, len(place)))
+
+
+def passed(record):
     if not record.exists():
         return {}
-    return dict(reversed(line.split()) for line in record.read_text().splitlines() if not line.startswith("#"))
+    return dict(reversed(line.split()) for line in record.read_text().splitlines() )
 
 
-def write(entries):
-    lines = ["# Made by cmake/tidy.py: what clang-tidy found nothing in."]
-    lines += [f"{entries[path]} {path}" for path in sorted(entries)]
+def write(entries, record):
+    lines = [f"{entries[path]} {path}" for path in sorted(entries)]
     fresh = record.with_suffix(".new")
     fresh.write_text("\n".join(lines) + "\n")
     fresh.replace(record)
 
 
-def compiled(entry):
-    """The sources of an entry of compile_commands.json: one, or those that are compiled together (HANDSIGHT_UNITY)."""
-    joined = Path(entry["file"])
-    if joined.parent.name != "Unity" or not joined.is_file():
-        return [entry["file"]]
-    return re.findall(r'^#include "([^"]+)"', joined.read_text(), re.M)
-
-
 def commands(build):
     """What compiles each source, as clang understands it, without precompiled headers: path -> (folder, command)."""
-    strange = r"-Winvalid-pch|-include \S+|--param=\S+|-Wno-(restrict|stringop-overflow|use-after-free)|-o \S+|-M[DTF] ?\S*"
+    strange = r"-Winvalid-pch|-Xclang \S+|-fpch-instantiate-templates|-include \S+|--param=\S+|-Wno-(restrict|stringop-overflow|use-after-free)|-o \S+|-M[DTF] ?\S*"
     found = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         command = re.sub(strange, "", re.sub(r"^.*?ccache ", "", entry["command"])).replace(entry["file"], "")
-        found |= {path: (entry["directory"], command) for path in compiled(entry)}
+        found[entry["file"]] = (entry["directory"], command)
     return found
 
 
@@ -131,42 +131,41 @@ def told_apart(group):
     return told_apart((paths[:middle], how, None)) + told_apart((paths[middle:], how, None))
 
 
-def look_at(sources, build, heed):
-    """Calls heed(source, findings) one by one; several groups are looked at side by side (JOBS)."""
-    bad, done = 0, 0
+def look_at(sources, build, heed, seconds):
+    """Calls heed(source, findings) one by one; several groups are looked at side by side (JOBS). Returns how many were
+    looked at and how many have findings."""
+    bad, done, ends = 0, 0, time.monotonic() + seconds
     with ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
-        groups = [pool.submit(told_apart, group) for group in joined(sources, commands(build))]
+        groups = [pool.submit(lambda g=group: told_apart(g) if time.monotonic() < ends else []) for group in joined(sources, commands(build))]
         for group in as_completed(groups):
             for path, found in group.result():
                 done += 1
                 print(f"[{done}/{len(sources)}] {path}" + (f"\n{found}" if found else ""), flush=True)
                 heed(path, found)
                 bad += 1 if found else 0
-    return bad
+    return done, bad
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--passed", action="store_true", help="only what has been passed once and has changed since")
+    parser.add_argument("--seconds", type=float, default=float("inf"), help="nothing more is begun after that time")
     parser.add_argument("--build", type=Path, default=root / "build", help="folder of compile_commands.json")
     asked = parser.parse_args()
     if not shutil.which("clang-tidy"):
         print("clang-tidy is not installed: nothing was looked at.")
         sys.exit(77)
-    current, known = now(), passed()
-    changed = [path for path in current if known.get(path) != current[path]]
-    never = [path for path in changed if path not in known]
+    record = asked.build / "tidy.txt"
+    current, known = now(), passed(record)
+    changed = by_last_change(path for path in current if known.get(path) != current[path])
     good = {path: value for path, value in known.items() if path in current}
 
     def heed(path, found):
-        if not found and not asked.passed:
+        if not found:
             good[path] = current[path]
-            write(good)
+            write(good, record)
 
-    looked_at = [path for path in changed if path in known] if asked.passed else changed
-    bad = look_at(looked_at, asked.build, heed)
-    rest = f" {len(never)} have never been passed." if asked.passed else ""
-    print(f"{len(looked_at)} of {len(current)} sources looked at, {bad} with findings.{rest}")
+    done, bad = look_at(changed, asked.build, heed, asked.seconds)
+    print(f"{done} of {len(current)} sources looked at, {bad} with findings; {len(changed) - done} are left for the next time.")
     sys.exit(1 if bad else 0)
 
 

@@ -9,6 +9,7 @@
 
 #include "bench/link_selection.h"
 #include "explain/watching_pane.h"
+#include "widgets/base/motion.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"

@@ -48,7 +48,7 @@ std::optional<Rigid> linear_pose(const BoardImages& images, const Lens& lens, co
 Rigid mirrored(const Rigid& pose, const Vector3& centre) {
   const Vector3 sight = (pose * centre).normalized(), normal = pose.rotation.col(2);
   const Vector3 other = 2 * normal.dot(sight) * sight - normal;
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(normal, other);
+  const Eigen::Quaterniond turn = turn_between(normal, other);
   Rigid result{turn.toRotationMatrix() * pose.rotation, Vector3::Zero()};
   result.translation = pose * centre - result.rotation * centre;
   return result;

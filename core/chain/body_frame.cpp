@@ -47,7 +47,7 @@ Eigen::MatrixXd side_by_markers(const BodySide& side, Eigen::Index columns) {
 
 /// The rotation nearest to `start` whose x axis is `x`.
 Matrix3 turn_x_to(const Matrix3& start, const Vector3& x) {
-  return Eigen::Quaterniond::FromTwoVectors(start.col(0), x).toRotationMatrix() * start;
+  return turn_between(start.col(0), x).toRotationMatrix() * start;
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#define HANDSIGHT_DYNAMIC_RECTANGULAR template
 #include "geometry/compiled_once.h"
+
+#define HANDSIGHT_DYNAMIC_RECTANGULAR template
+#include "geometry/compiled_list.inc"

@@ -2,6 +2,7 @@
 #include "geometry/rigid.h"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <numbers>
 
 namespace handsight {
@@ -26,6 +27,22 @@ Vector3 rpy_from_rotation(const Matrix3& r) {
   if (cosine > 1e-12) return {std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0))};
   // Gimbal lock: only the sum or difference of roll and yaw is defined; the roll is set to 0.
   return {0.0, pitch, std::atan2(-r(0, 1), r(1, 1))};
+}
+
+Eigen::Quaterniond turn_between(const Vector3& a, const Vector3& b) {
+  const Vector3 from = a.normalized(), to = b.normalized();
+  const double cosine = to.dot(from);
+  Eigen::Quaterniond turn;
+  if (cosine < -1.0 + 1e-12) {  // the cross product says nothing of the axis
+    const double w2 = (1.0 + std::max(cosine, -1.0)) * 0.5;
+    turn.w() = std::sqrt(w2);
+    turn.vec() = from.unitOrthogonal() * std::sqrt(1.0 - w2);
+    return turn;
+  }
+  const double twice_w = std::sqrt((1.0 + cosine) * 2.0);
+  turn.vec() = from.cross(to) * (1.0 / twice_w);
+  turn.w() = twice_w * 0.5;
+  return turn;
 }
 
 Matrix3 nearest_rotation(const Matrix3& matrix) {

@@ -30,7 +30,40 @@ struct RigidT {
 };
 using Rigid = RigidT<double>;
 
+/// Products of rotations and vectors as plain sums, each compiled once for all its uses; written as an expression of
+/// Eigen every source would compile each of them again. The sums run in the order in which Eigen's pairs of doubles add
+/// up (the last row by itself), so that either way gives the same bits.
+inline Vector3 rotated(const Matrix3& m, const Vector3& v) {
+  const double *a = m.data(), *x = v.data();
+  return {(a[0] * x[0] + a[3] * x[1]) + a[6] * x[2], (a[1] * x[0] + a[4] * x[1]) + a[7] * x[2],
+          a[2] * x[0] + (a[5] * x[1] + a[8] * x[2])};
+}
+/// By the transpose of `m`.
+inline Vector3 rotated_back(const Matrix3& m, const Vector3& v) {
+  const double *a = m.data(), *x = v.data();
+  return {(a[0] * x[0] + a[1] * x[1]) + a[2] * x[2], (a[3] * x[0] + a[4] * x[1]) + a[5] * x[2],
+          (a[6] * x[0] + a[7] * x[1]) + a[8] * x[2]};
+}
+inline Matrix3 product(const Matrix3& m, const Matrix3& n) {
+  Matrix3 result;
+  const double *a = m.data(), *b = n.data();
+  double* c = result.data();
+  for (int j = 0; j < 9; j += 3) {
+    c[j] = (a[0] * b[j] + a[3] * b[j + 1]) + a[6] * b[j + 2];
+    c[j + 1] = (a[1] * b[j] + a[4] * b[j + 1]) + a[7] * b[j + 2];
+    c[j + 2] = a[2] * b[j] + (a[5] * b[j + 1] + a[8] * b[j + 2]);
+  }
+  return result;
+}
+inline Vector3 sum(const Vector3& a, const Vector3& b) {
+  return {a.data()[0] + b.data()[0], a.data()[1] + b.data()[1], a.data()[2] + b.data()[2]};
+}
+
 /// c_from_a = c_from_b * b_from_a
+inline Rigid operator*(const Rigid& c_from_b, const Rigid& b_from_a) {
+  return {product(c_from_b.rotation, b_from_a.rotation),
+          sum(rotated(c_from_b.rotation, b_from_a.translation), c_from_b.translation)};
+}
 template <class T>
 RigidT<T> operator*(const RigidT<T>& c_from_b, const RigidT<T>& b_from_a) {
   return {c_from_b.rotation * b_from_a.rotation, c_from_b.rotation * b_from_a.translation + c_from_b.translation};
@@ -42,9 +75,20 @@ Vector3T<T> operator*(const RigidT<T>& b_from_a, const Vector3T<T>& x_in_a) {
   return b_from_a.rotation * x_in_a + b_from_a.translation;
 }
 
-/// The same for expressions of Eigen, from which the template cannot deduce its scalar.
+/// For expressions of Eigen too, from which the template cannot deduce its scalar.
 inline Vector3 operator*(const Rigid& b_from_a, const Vector3& x_in_a) {
-  return b_from_a.rotation * x_in_a + b_from_a.translation;
+  return sum(rotated(b_from_a.rotation, x_in_a), b_from_a.translation);
+}
+
+inline Rigid inverse(const Rigid& b_from_a) {
+  const double* a = b_from_a.rotation.data();
+  const Vector3 back = rotated_back(b_from_a.rotation, b_from_a.translation);
+  Rigid a_from_b;
+  double* c = a_from_b.rotation.data();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) c[i + 3 * j] = a[j + 3 * i];
+  a_from_b.translation = {-back.data()[0], -back.data()[1], -back.data()[2]};
+  return a_from_b;
 }
 
 template <class T>
@@ -106,6 +150,10 @@ Matrix3 rotation_from_rpy(const Vector3& roll_pitch_yaw);
 
 /// The inverse: pitch in [-pi/2, pi/2]; where |pitch| is pi/2 the roll is 0.
 Vector3 rpy_from_rotation(const Matrix3& rotation);
+
+/// The shortest rotation that carries the direction of `a` to that of `b`; of opposite ones a half turn about any axis
+/// across them.
+Eigen::Quaterniond turn_between(const Vector3& a, const Vector3& b);
 
 /// The nearest rotation to a matrix (polar decomposition by SVD, determinant +1).
 Matrix3 nearest_rotation(const Matrix3& matrix);

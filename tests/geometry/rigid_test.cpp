@@ -20,6 +20,36 @@ Rigid random_rigid(std::mt19937_64& random) {
   return {rotation_from_vector<double>(random_vector(random, 1.7)), random_vector(random, 2)};
 }
 
+/// Eigen's own expressions are the authority: bit by bit, so that sessions computed before give the same numbers.
+TEST(Rigid, ProductsAreThoseOfEigenToTheBit) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 10000; ++i) {
+    const Rigid a = random_rigid(random), b = random_rigid(random);
+    const Vector3 x = random_vector(random, 3);
+    EXPECT_EQ(rotated(a.rotation, x), Vector3(a.rotation * x));
+    EXPECT_EQ(rotated_back(a.rotation, x), Vector3(a.rotation.transpose() * x));
+    EXPECT_EQ(a * x, Vector3(a.rotation * x + a.translation));
+    EXPECT_EQ((a * b).rotation, Matrix3(a.rotation * b.rotation));
+    EXPECT_EQ((a * b).translation, Vector3(a.rotation * b.translation + a.translation));
+    EXPECT_EQ(inverse(a).rotation, Matrix3(a.rotation.transpose()));
+    EXPECT_EQ(inverse(a).translation, Vector3(-(a.rotation.transpose() * a.translation)));
+  }
+}
+
+TEST(Rigid, TheTurnBetweenTwoDirectionsIsEigensAndCarriesOneToTheOther) {
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3 a = random_vector(random, 2), b = random_vector(random, 2);
+    const Eigen::Quaterniond turn = turn_between(a, b);
+    EXPECT_EQ(turn.coeffs(), Eigen::Quaterniond::FromTwoVectors(a, b).coeffs());
+    EXPECT_LT((turn * a.normalized() - b.normalized()).norm(), 1e-14);
+    // Opposite directions: any half turn across them.
+    const Eigen::Quaterniond half = turn_between(a, -3 * a);
+    EXPECT_NEAR(half.norm(), 1, 1e-14);
+    EXPECT_LT((half * a.normalized() + a.normalized()).norm(), 1e-7);
+  }
+}
+
 TEST(Rigid, ChainsCancel) {
   std::mt19937_64 random(1);
   const Rigid c_from_b = random_rigid(random), b_from_a = random_rigid(random);

@@ -35,21 +35,33 @@ void add(const Product& p) { add_tiles<2, 1>(p); }
 }  // namespace in_quarters
 
 #if defined(__x86_64__)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx512f"))), apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx512f")
+#endif
 namespace in_32_registers {
 #include "estimation/problem/column_tiles.inc"
 void add(const Product& p) { add_tiles<4, 4>(p); }
 }  // namespace in_32_registers
+#if defined(__clang__)
+#pragma clang attribute pop
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
 #pragma GCC pop_options
-
 #pragma GCC push_options
 #pragma GCC target("avx2")
+#endif
 namespace in_halves {
 #include "estimation/problem/column_tiles.inc"
 void add(const Product& p) { add_tiles<2, 2>(p); }
 }  // namespace in_halves
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
 #pragma GCC pop_options
+#endif
 
 using AddBlock = void (*)(const Product&);
 

@@ -55,7 +55,7 @@ std::optional<Rigid> motion_of(const Matrix3& homography) {
 Rigid tilted_back(const Rigid& camera_from_plane) {
   const Vector3 normal = camera_from_plane.rotation.col(2), sight = camera_from_plane.translation.normalized();
   const Vector3 mirrored = 2 * normal.dot(sight) * sight - normal;
-  const Matrix3 turn = Eigen::Quaterniond::FromTwoVectors(normal, mirrored).toRotationMatrix();
+  const Matrix3 turn = turn_between(normal, mirrored).toRotationMatrix();
   return {turn * camera_from_plane.rotation, camera_from_plane.translation};
 }
 

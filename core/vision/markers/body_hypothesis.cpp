@@ -36,9 +36,7 @@ Rigid align(const std::vector<CornerPair>& pairs, const KnownMarkers& known, con
   Matrix3 rotation = start;
   if (count == 2)
     rotation =
-        Eigen::Quaterniond::FromTwoVectors(start * (body.col(1) - body.col(0)), measured.col(1) - measured.col(0))
-            .toRotationMatrix() *
-        start;
+        turn_between(start * (body.col(1) - body.col(0)), measured.col(1) - measured.col(0)).toRotationMatrix() * start;
   return {rotation, measured_center - rotation * body_center};
 }
 
