@@ -77,7 +77,7 @@ build() {
   if [ ! -f build/build.ninja ] || [ -n "$new_packages" ]; then
     new_packages=""
     echo "Looking at what is installed (cmake)..."
-    # Clang takes half of GCC's time for the same results (docs/measurements.md); CC and CXX in the environment come first.
+    # Clang takes two thirds of GCC's time for the same results (docs/measurements.md); CC and CXX in the environment come first.
     local compiler=()
     if [ ! -f build/build.ninja ] && [ -z "${CC:-}${CXX:-}" ] && command -v clang++ >/dev/null; then
       compiler=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)

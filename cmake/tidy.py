@@ -3,7 +3,7 @@
 """clang-tidy over core and the command line, where something changed since it last found nothing; findings are errors.
 
   cmake/tidy.py                looks at everything that it has not passed in this build folder
-  cmake/tidy.py --seconds 240  begins nothing more after that time: the test Sources.ClangTidy. What was changed last comes first
+  cmake/tidy.py --seconds 60  begins nothing more after that time: the test Sources.ClangTidy. What was changed last comes first
 
 Needs clang-tidy 14 and a build folder, in which tidy.txt notes what it found nothing in: a digest of each source with its header
 and those headers that it includes which have no source of their own, and of .clang-tidy. Nearly all of the time goes into the
