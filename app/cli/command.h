@@ -15,8 +15,6 @@ namespace handsight::cli {
 
 using Json = nlohmann::ordered_json;
 
-enum ExitCode { done = 0, answer_is_no = 1, wrong_input = 2 };
-
 /// Results: a short table for people on standard output, or with --json the whole result in a file ("-": standard
 /// output, and nothing else is printed there). So with --export for the calibration.
 struct Output {

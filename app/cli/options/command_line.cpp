@@ -9,7 +9,6 @@
 
 #include "base/numbers.h"
 #include "base/text.h"
-#include "command.h"
 
 namespace handsight::cli {
 

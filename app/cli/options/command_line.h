@@ -18,6 +18,8 @@ class Option;
 
 namespace handsight::cli {
 
+enum ExitCode { done = 0, answer_is_no = 1, wrong_input = 2 };
+
 /// A declared option, and what may stand after it. Every function returns the option itself.
 struct Option {
   CLI::Option* parsed = nullptr;
