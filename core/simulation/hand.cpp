@@ -211,7 +211,8 @@ std::vector<MarkerPlate> lay_out_markers(int count, double cell, std::uint64_t s
   std::vector<MarkerPlate> markers = marker_plates(centers, axes.col(2), cell, random.word());
   const double lean = count <= 6 ? 0.2 : 0.1;
   for (MarkerPlate& marker : markers) {
-    const Vector3 tilt(random.uniform(-lean, lean), random.uniform(-lean, lean), 0);
+    const double about_y = random.uniform(-lean, lean), about_x = random.uniform(-lean, lean);  // in this order
+    const Vector3 tilt(about_x, about_y, 0);
     marker.normal = axes * rotation_from_vector<double>(tilt).col(2);
     marker.up = axes_from(marker.normal, marker.up).col(0);
   }

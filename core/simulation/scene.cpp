@@ -52,17 +52,23 @@ void add_furniture(const Workspace& w, const Outlook& o, Random& random, Scene& 
   scene.solids.push_back(
       standing_box(o, below_hand + 0.3 * o.forward - Vector3(0, 0, 0.04), {depth, 0.85, 0.02}, 0, 150));
   for (int i = 0; i < 6; ++i) {
-    const Vector3 half(random.uniform(0.03, 0.07), random.uniform(0.03, 0.1), random.uniform(0.03, 0.11));
+    Vector3 half;  // drawn one by one: the order of a call's arguments is the compiler's
+    half.z() = random.uniform(0.03, 0.11);
+    half.y() = random.uniform(0.03, 0.1);
+    half.x() = random.uniform(0.03, 0.07);
     const double far = beyond + half.head<2>().norm() + random.uniform(0, 0.25);
     const Vector3 foot = below_hand + far * o.forward + random.uniform(-0.65, 0.65) * o.across;
-    scene.solids.push_back(standing_box(o, foot, half, random.uniform(-0.6, 0.6), random.uniform(70, 165)));
+    const double grey = random.uniform(70, 165), turn = random.uniform(-0.6, 0.6);
+    scene.solids.push_back(standing_box(o, foot, half, turn, grey));
   }
   for (int i = 0; i < 3; ++i) {
-    const Vector3 half(0.2, random.uniform(0.2, 0.35), random.uniform(0.45, 0.85));
+    const double high = random.uniform(0.45, 0.85), wide = random.uniform(0.2, 0.35);
+    const Vector3 half(0.2, wide, high);
     const double far = beyond + 0.5 + half.head<2>().norm() + random.uniform(0, 0.3);
     Vector3 foot = below_hand + far * o.forward + (i - 1 + random.uniform(-0.25, 0.25)) * 0.95 * o.across;
     foot.z() = scene.room_lower.z();
-    scene.solids.push_back(standing_box(o, foot, half, random.uniform(-0.1, 0.1), random.uniform(85, 160)));
+    const double grey = random.uniform(85, 160), turn = random.uniform(-0.1, 0.1);
+    scene.solids.push_back(standing_box(o, foot, half, turn, grey));
   }
 }
 

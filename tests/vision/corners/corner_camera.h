@@ -86,7 +86,8 @@ inline cv::Mat ground_of(Ground ground, int width, int height, std::mt19937& ran
   if (ground == Ground::things) {
     const auto grey = [&] { return cv::Scalar(uniform(15, 240)); };
     const auto place = [&] {
-      return cv::Point(static_cast<int>(uniform(0, width) * 16), static_cast<int>(uniform(0, height) * 16));
+      const double y = uniform(0, height), x = uniform(0, width);  // in an order that no compiler chooses
+      return cv::Point(static_cast<int>(x * 16), static_cast<int>(y * 16));
     };
     const int count = static_cast<int>(width * height / 250.0);
     for (int n = 0; n < count; ++n) {
@@ -238,9 +239,10 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
   picture.contrast = within(conditions.contrast), picture.blur = within(conditions.blur);
   taken.middle = {0.5 * (width - 1), 0.5 * (height - 1)}, taken.half_diagonal = 0.5 * std::hypot(width, height);
   taken.distortion = within(conditions.distortion);
-  const Eigen::Vector2d centre(taken.middle.x() + within({-.1, .1}) * width,
-                               taken.middle.y() + within({-.1, .1}) * height);
-  taken.view = view_of(centre, picture.cell, picture.tilt, within({0, 2 * M_PI}), within({0, 2 * M_PI}), 1.2 * width);
+  const double down = within({-.1, .1}) * height, across = within({-.1, .1}) * width;
+  const Eigen::Vector2d centre(taken.middle.x() + across, taken.middle.y() + down);
+  const double second_turn = within({0, 2 * M_PI}), first_turn = within({0, 2 * M_PI});
+  taken.view = view_of(centre, picture.cell, picture.tilt, first_turn, second_turn, 1.2 * width);
   if (conditions.with_board) {
     taken.columns = std::clamp(static_cast<int>(0.8 * width / picture.cell), 3, 40);
     taken.rows = std::clamp(static_cast<int>(0.8 * height / picture.cell), 3, 30);
@@ -267,7 +269,8 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
   }
   // Light that comes from beside: neither what the paper reflects nor blurred by the lens.
   const double glare = within(conditions.glare), spot = within({0.1, 0.35}) * width;
-  const Eigen::Vector2d shine = centre + Eigen::Vector2d(within({-.25, .25}) * width, within({-.25, .25}) * height);
+  const double shine_down = within({-.25, .25}) * height, shine_across = within({-.25, .25}) * width;
+  const Eigen::Vector2d shine = centre + Eigen::Vector2d(shine_across, shine_down);
   const double exposure = within(conditions.exposure), noise = within(conditions.noise);
   std::normal_distribution<float> normal(0, static_cast<float>(noise));
   cv::Mat exact(conditions.with_exact ? height : 0, conditions.with_exact ? width : 0, CV_32F);

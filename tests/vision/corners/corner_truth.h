@@ -35,7 +35,8 @@ inline Sample draw(const Variety& variety, std::mt19937& random) {
   };
   const auto within = [&](const std::array<double, 2>& range) { return uniform(range[0], range[1]); };
   Sample sample;
-  const Eigen::Vector2d corner(32 + uniform(-0.5, 0.5), 32 + uniform(-0.5, 0.5));
+  const double corner_v = 32 + uniform(-0.5, 0.5), corner_u = 32 + uniform(-0.5, 0.5);
+  const Eigen::Vector2d corner(corner_u, corner_v);
   const double cell = within(variety.cell), tilt = uniform(0, variety.tilt), turn = uniform(0, 2 * M_PI);
   sample.view = view_of(corner, cell, tilt, turn, uniform(0, 2 * M_PI));
   sample.contrast = within(variety.contrast), sample.blur = within(variety.blur), sample.noise = within(variety.noise);
@@ -129,7 +130,8 @@ inline Scene nothing(const std::string& kind, std::mt19937& random) {
   };
   const double angle = uniform(0, 2 * M_PI), opening = uniform(0.7, 2.4), size = uniform(1, 6);
   const double black = uniform(20, 100), white = uniform(140, 235), middle = uniform(black, white);
-  const Eigen::Vector2d at(32 + uniform(-3, 3), 32 + uniform(-3, 3));
+  const double at_v = 32 + uniform(-3, 3), at_u = 32 + uniform(-3, 3);
+  const Eigen::Vector2d at(at_u, at_v);
   std::array<float, 32 * 32> grid;
   for (float& value : grid) value = static_cast<float>(uniform(black, white));
   const double pitch = uniform(3, 10);
