@@ -170,7 +170,8 @@ CorrectionGain correction_gain(const Chain& chain, const PredictionModel& model,
     const Circumstances pose = circumstances_at(chain, Eigen::VectorXd(a + share * (b - a)));
     const Correction c = corrected(pose, model);
     const Rigid wanted = nominal_hand(pose);
-    const Vector3 draw(normal(random), normal(random), normal(random));
+    const double z = normal(random), y = normal(random), x = normal(random);  // in one order for every compiler
+    const Vector3 draw(x, y, z);
     const TcpPrediction as_commanded = predict_tcp(pose, model), there = predict_tcp(at(pose, c.position), model);
     const auto error = [&](const TcpPrediction& p) {
       return (p.root_from_tcp_est.translation - wanted.translation +
