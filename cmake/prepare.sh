@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Shared by ./run and ./test: the packages of Debian 12 that Handsight needs, and how it is built.
 
-build_packages=(g++ cmake ninja-build ccache libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev libtinyxml2-dev
+build_packages=(clang g++ cmake ninja-build ccache libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev libtinyxml2-dev
   libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libmuparser-dev libyaml-cpp-dev
   libsqlite3-dev pkg-config)
 window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev libvtk9-dev libqcustomplot-dev
@@ -77,7 +77,12 @@ build() {
   if [ ! -f build/build.ninja ] || [ -n "$new_packages" ]; then
     new_packages=""
     echo "Looking at what is installed (cmake)..."
-    cmake -S . -B build -G Ninja >build/configure.txt 2>&1 || { cat build/configure.txt; status=1; }
+    local compiler=()
+    # clang, unless CC or CXX name another or the folder was begun with one: it takes half of GCC's time for the same bits.
+    if [ ! -f build/CMakeCache.txt ] && [ -z "${CC:-}${CXX:-}" ] && command -v clang++ >/dev/null; then
+      compiler=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)
+    fi
+    cmake -S . -B build -G Ninja "${compiler[@]}" >build/configure.txt 2>&1 || { cat build/configure.txt; status=1; }
   fi
   if [ $status -eq 0 ]; then
     local steps

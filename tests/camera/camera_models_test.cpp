@@ -6,6 +6,7 @@
 #include <random>
 
 #include "camera/camera.h"
+#include "fixtures/drawn.h"
 
 namespace handsight {
 namespace {
@@ -34,7 +35,8 @@ std::vector<Vector3> places(double widest) {
   std::vector<Vector3> all{Vector3(0, 0, 1), Vector3(1e-6, 0, 1)};
   for (int i = 0; i < 40; ++i) {
     const double z = depth(random);
-    all.push_back(Vector3(z * across(random), z * across(random), z));
+    const Vector2 aside = z * fixture::drawn_2([&] { return across(random); });
+    all.push_back({aside.x(), aside.y(), z});
   }
   return all;
 }

@@ -6,6 +6,8 @@
 #include <opencv2/calib3d.hpp>
 #include <random>
 
+#include "fixtures/drawn.h"
+
 namespace handsight {
 namespace {
 
@@ -40,7 +42,7 @@ TEST(Project, AgreesWithOpenCV) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-0.4, 0.4);
   for (int i = 0; i < 200; ++i) {
-    const Vector3 x(uniform(random), uniform(random), 1 + uniform(random));
+    const Vector3 x = Vector3(0, 0, 1) + fixture::drawn_3([&] { return uniform(random); });
     std::vector<cv::Point2d> pixel;
     cv::projectPoints(std::vector<cv::Point3d>{{x.x(), x.y(), x.z()}}, cv::Vec3d(), cv::Vec3d(), k, d, pixel);
     EXPECT_LT((project(c, x) - Vector2(pixel[0].x, pixel[0].y)).norm(), 1e-9);
@@ -119,8 +121,9 @@ TEST(Triangulate, RecoversThePointAndItsCovariance) {
   const int trials = 4000;
   const Eigen::Matrix2d covariance = 0.09 * Eigen::Matrix2d::Identity();
   for (int i = 0; i < trials; ++i) {
-    const auto p = triangulate(r, left + Vector2(noise(random), noise(random)),
-                               right + Vector2(noise(random), noise(random)), covariance, covariance);
+    const auto off = [&] { return fixture::drawn_2([&] { return noise(random); }); };
+    const Vector2 seen_right = right + off(), seen_left = left + off();
+    const auto p = triangulate(r, seen_left, seen_right, covariance, covariance);
     ASSERT_TRUE(p);
     scatter += (p->point - truth) * (p->point - truth).transpose() / trials;
   }

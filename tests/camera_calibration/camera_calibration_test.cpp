@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "camera_calibration/board_images.h"
+#include "fixtures/drawn.h"
 #include "readers/stereo_calibration.h"
 
 namespace handsight {
@@ -41,15 +42,15 @@ BoardImages images_of(const CameraRig& rig, int frames, double sigma, std::uint6
   std::uniform_real_distribution<double> uniform(-1, 1);
   int count = 0;
   for (int frame = 0; frame < frames; ++frame) {
-    const Rigid pose{
-        rotation_from_vector<double>(Vector3(0.6 * uniform(random), 0.6 * uniform(random), uniform(random))),
-        Vector3(-0.05 + 0.1 * uniform(random), -0.07 + 0.08 * uniform(random),
-                nearness * (0.45 + 0.12 * uniform(random)))};
+    const auto off = [&] { return fixture::drawn_3([&] { return uniform(random); }); };
+    const Vector3 turn = off().cwiseProduct(Vector3(0.6, 0.6, 1)),
+                  place = Vector3(-0.05, -0.07, 0.45) + off().cwiseProduct(Vector3(0.1, 0.08, 0.12));
+    const Rigid pose{rotation_from_vector<double>(turn), {place.x(), place.y(), nearness * place.z()}};
     for (std::size_t c = 0; c < rig.lenses.size(); ++c) {
       BoardImage image{static_cast<int>(c), frame, {}};
       for (std::size_t i = 0; i < images.points.size(); ++i) {
         const Vector3 x = rig.from_first[c] * (pose * images.points[i]);
-        Vector2 pixel = project(rig.lenses[c], x) + sigma * Vector2(normal(random), normal(random));
+        Vector2 pixel = project(rig.lenses[c], x) + sigma * fixture::drawn_2([&] { return normal(random); });
         if (wrong_every > 0 && ++count % wrong_every == 0) pixel += Vector2(6, -4);
         if (pixel.x() > 0 && pixel.y() > 0 && pixel.x() < 639 && pixel.y() < 479)
           image.points.push_back({static_cast<int>(i), pixel, sigma * sigma * Eigen::Matrix2d::Identity()});
@@ -132,10 +133,10 @@ TEST(CameraCalibration, SaysWherePosesDoNotSuffice) {
     for (std::size_t i = 0; i < images.points.size(); ++i) {
       const Rigid pose{rotation_from_vector<double>(Vector3(0.01 * image.frame, 0, 0.02)),
                        Vector3(-0.11, -0.07, 0.4 + 0.01 * image.frame)};
-      image.points.push_back(
-          {static_cast<int>(i),
-           project(rig.lenses[0], Vector3(pose * images.points[i])) + 0.1 * Vector2(normal(random), normal(random)),
-           Eigen::Matrix2d::Identity()});
+      image.points.push_back({static_cast<int>(i),
+                              project(rig.lenses[0], Vector3(pose * images.points[i])) +
+                                  0.1 * fixture::drawn_2([&] { return normal(random); }),
+                              Eigen::Matrix2d::Identity()});
     }
   }
   std::string all;

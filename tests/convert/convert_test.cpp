@@ -2,6 +2,7 @@
 // Sessions from what users have: recognised by content, wrong units and orders found and said, the same calibration at
 // the end.
 #include "convert/convert_fixture.h"
+#include "fixtures/drawn.h"
 
 namespace handsight {
 namespace {
@@ -145,9 +146,10 @@ TEST_F(Convert, EasyHandEyeSamplesOfBothKinds) {
       hand_from_target{rotation_from_rpy({0.2, 0.1, 0.3}), {0.0, 0.03, 0.1}};
   std::vector<Rigid> base_from_hand;
   for (int i = 0; i < 20; ++i)
-    base_from_hand.push_back(
-        {rotation_from_rpy({uniform(random), uniform(random), uniform(random)}),
-         Vector3(0.5 + 0.2 * uniform(random), 0.3 * uniform(random), 0.5 + 0.2 * uniform(random))});
+    base_from_hand.push_back({rotation_from_rpy({uniform(random), uniform(random), uniform(random)}),
+                              Vector3(0.5, 0, 0.5) + fixture::drawn_3([&] {
+                                                       return uniform(random);
+                                                     }).cwiseProduct(Vector3(0.2, 0.3, 0.2))});
   options_.tcp.clear();
   options_.mount.clear();
   for (const bool in_hand : {true, false}) {

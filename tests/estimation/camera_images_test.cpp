@@ -8,6 +8,7 @@
 #include "chain/body_frame.h"
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
+#include "fixtures/drawn.h"
 #include "fixtures/rigs.h"
 
 namespace handsight {
@@ -29,15 +30,16 @@ DetectedImages board_before(const Rig& rig, double distance, int frames, double 
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int frame = 0; frame < frames; ++frame) {
-    const Rigid first_from_board{
-        rotation_from_vector<double>(Vector3(0.6 * uniform(random), 0.6 * uniform(random), uniform(random))),
-        Vector3(0.25 * uniform(random), 0.2 * uniform(random), distance * (1 + 0.3 * uniform(random)))};
+    const auto off = [&] { return fixture::drawn_3([&] { return uniform(random); }); };
+    const Vector3 turn = off().cwiseProduct(Vector3(0.6, 0.6, 1)), shift = off().cwiseProduct(Vector3(0.25, 0.2, 0.3));
+    const Rigid first_from_board{rotation_from_vector<double>(turn),
+                                 {shift.x(), shift.y(), distance * (1 + shift.z())}};
     for (int c = 0; c < rig.count(); ++c) {
       BoardImage image{c, frame, {}};
       const Camera& camera = rig.at(c).camera;
       for (std::size_t i = 0; i < images.board.points.size(); ++i) {
         const Vector3 x = rig.at(c).camera_from_first * (first_from_board * images.board.points[i]);
-        const Vector2 noise(normal(random), normal(random));
+        const Vector2 noise = fixture::drawn_2([&] { return normal(random); });
         if (x.z() < 0.1) continue;
         const Vector2 pixel = project(camera, x) + sigma * noise;
         if (pixel.x() > 0 && pixel.y() > 0 && pixel.x() < camera.width - 1 && pixel.y() < camera.height - 1)

@@ -7,6 +7,7 @@
 #include "body_error.h"
 #include "estimation/report/fit_report.h"
 #include "fixtures/arms.h"
+#include "fixtures/drawn.h"
 
 namespace handsight {
 namespace {
@@ -27,7 +28,7 @@ SimulatedSession mixed(std::uint64_t seed, double told) {
     for (Sighting& one : o.sightings) {
       const bool by_hand = one.marker == 0;
       for (Vector2* pixel : {&seen_by(one, 0)->pixel, &seen_by(one, 1)->pixel})
-        if (by_hand) *pixel += Vector2(normal(random), normal(random));
+        if (by_hand) *pixel += fixture::drawn_2([&] { return normal(random); });
       const double sigma = told * (by_hand ? unsure : sure);
       if (told > 0) seen_by(one, 0)->sigma = seen_by(one, 1)->sigma = PixelSigma{sigma, sigma, 0};
     }

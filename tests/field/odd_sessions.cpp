@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "chain/chain.h"
 #include "cli/cli_runner.h"
+#include "fixtures/drawn.h"
 #include "robot/urdf.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
@@ -162,7 +163,7 @@ std::vector<Oddity> odd_things() {
     int count = 0;
     for (Observation& o : s.observations)
       for (Sighting& x : o.sightings)
-        if (++count % 3 == 0 && seen_by(x, 0)) see(x, 0, Vector2(anywhere(random), anywhere(random)));
+        if (++count % 3 == 0 && seen_by(x, 0)) see(x, 0, fixture::drawn_2([&] { return anywhere(random); }));
   });
   return all;
 }
@@ -226,10 +227,11 @@ void see(Session& s, const Plan& plan, double size, std::mt19937& random) {
       const Vector3 x = inverse(s.mount.mount_from_sensor) * (root_from_tcp[k] * markers[static_cast<std::size_t>(m)]);
       Sighting sighting{.marker = m};
       if (plan.tracker) {
-        sighting.point = x + 1e-4 * size * Vector3(noise(1), noise(1), noise(1));
+        sighting.point = x + 1e-4 * size * fixture::drawn_3([&] { return noise(1); });
       } else {
-        see(sighting, 0, project(rig.left, x) + Vector2(noise(0.2), noise(0.2)));
-        see(sighting, 1, project(rig.right, Vector3(rig.right_from_left * x)) + Vector2(noise(0.2), noise(0.2)));
+        const auto off = [&] { return fixture::drawn_2([&] { return noise(0.2); }); };
+        see(sighting, 0, project(rig.left, x) + off());
+        see(sighting, 1, project(rig.right, Vector3(rig.right_from_left * x)) + off());
       }
       s.observations[k].sightings.push_back(sighting);
     }

@@ -2,7 +2,8 @@
 // A mesh is read to triangles of points that are there, or refused with a sentence. The first byte says as what it is
 // read.
 #include "fuzz.h"
-#include "robot/collada.h"
+#include "robot/collada_text.h"
+#include "robot/mesh.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;

@@ -90,7 +90,8 @@ TEST(FixedAngles, AreTheirOwnInverse) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> angle(-pi, pi), half(-pi / 2, pi / 2);
   for (int i = 0; i < 1000; ++i) {
-    const Vector3 rpy(angle(random), half(random), angle(random));
+    const double yaw = angle(random), pitch = half(random), roll = angle(random);
+    const Vector3 rpy(roll, pitch, yaw);
     EXPECT_LT((rpy_from_rotation(rotation_from_rpy(rpy)) - rpy).norm(), 1e-9);
   }
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "base/error.h"
+#include "fixtures/drawn.h"
 #include "print/dictionary.h"
 #include "print/target_xml.h"
 #include "targets/pattern.h"
@@ -145,7 +146,7 @@ TEST(Pattern, BoxesAndPlacesAgree) {
     for (int i = 0; i < 4000; ++i) {
       std::uniform_real_distribution<double> share(-0.05, 1.05);
       const Vector2 place =
-          pattern.outline.top_left + Vector2(share(random), share(random)).cwiseProduct(pattern.outline.size);
+          pattern.outline.top_left + fixture::drawn_2([&] { return share(random); }).cwiseProduct(pattern.outline.size);
       int boxes = 0;
       for (const Box& box : pattern.black) {
         const Vector2 in = place - box.top_left;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Collada meshes as modelling programs write them: where the scene puts them, in metres; what lies is refused.
-#include "robot/collada.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "robot/collada_text.h"
+#include "robot/mesh.h"
 #include "temporary_folder.h"
 
 namespace handsight {

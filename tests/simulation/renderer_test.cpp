@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fixtures/drawn.h"
 #include "simulation/random.h"
 
 namespace handsight {
@@ -38,7 +39,7 @@ Rigid root_from_head_camera() {
 /// A hand in front of that camera, its back (+x of TCP) toward it, turned by `turn`.
 Rigid hand_in_view(Random& random, double turn) {
   Rigid root_from_tcp;
-  const Vector3 tilt(random.uniform(-turn, turn), random.uniform(-turn, turn), random.uniform(-turn, turn));
+  const Vector3 tilt = fixture::drawn_3([&] { return random.uniform(-turn, turn); });
   root_from_tcp.rotation = rotation_from_vector<double>(tilt) *
                            rotation_about<double>(Vector3::UnitX(), random.uniform(0, 2 * M_PI)) *
                            rotation_about<double>(Vector3::UnitZ(), M_PI);

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "fixtures/drawn.h"
 #include "fixtures/target_images.h"
 
 namespace handsight::fixtures {
@@ -80,8 +81,8 @@ inline Rigid placed(std::mt19937_64& random, const Vector2& centre_in_target, do
   // The module is shortened by the tilt: at least about so many px at the centre.
   const double size = least_module * std::exp(uniform(random, 0.0, 1.0));
   const double depth = c.fx * module / size * (0.35 + 0.65 * std::cos(tilt));
-  const Vector2 pixel(c.cx + spread * uniform(random, -0.5, 0.5) * c.width,
-                      c.cy + spread * uniform(random, -0.5, 0.5) * c.height);
+  const Vector2 aside = fixture::drawn_2([&] { return uniform(random, -0.5, 0.5); });
+  const Vector2 pixel(c.cx + spread * aside.x() * c.width, c.cy + spread * aside.y() * c.height);
   const Vector3 centre(depth * (pixel.x() - c.cx) / c.fx, depth * (pixel.y() - c.cy) / c.fy, depth);
   r.translation = centre - r.rotation * Vector3(centre_in_target.x(), centre_in_target.y(), 0);
   return r;
@@ -108,7 +109,9 @@ inline Scene scene_of(const Target& target, std::mt19937_64& random, double leas
   v.slope_x = uniform(random, -0.3, 0.3), v.slope_y = uniform(random, -0.3, 0.3);
   v.seed = random();
   for (int i = 0; i < 6; ++i) {
-    v.clutter.push_back(blob(random, {uniform(random, 0, 640), uniform(random, 0, 480)}, uniform(random, 10, 120)));
+    const double radius = uniform(random, 10, 120);
+    const Vector2 middle{uniform(random, 0, 640), uniform(random, 0, 480)};
+    v.clutter.push_back(blob(random, middle, radius));
     v.clutter_greys.push_back(uniform(random, 10, 240));
   }
   const PrintedPattern pattern = pattern_of(target);
@@ -123,7 +126,7 @@ inline Scene scene_of(const Target& target, std::mt19937_64& random, double leas
   if (how == 2 && !must_be_whole) {
     const double angle = uniform(random, 0, 2 * M_PI);
     const Vector2 normal(std::cos(angle), std::sin(angle)), side(-normal.y(), normal.x()),
-        at(320 + uniform(random, -60, 60), 240 + uniform(random, -60, 60));
+        at = Vector2(320, 240) + fixture::drawn_2([&] { return uniform(random, -60, 60); });
     v.covers.push_back(
         {at - 900 * side, at + 900 * side, at + 900 * side + 900 * normal, at - 900 * side + 900 * normal});
     v.cover_greys.push_back(uniform(random, 20, 220));
@@ -132,8 +135,10 @@ inline Scene scene_of(const Target& target, std::mt19937_64& random, double leas
     s.is_hard = true;
     if (random() % 2)
       v.motion = uniform(random, 0.5, 4), v.motion_angle = uniform(random, 0, M_PI);
-    else
-      v.glare = Vector2(uniform(random, 100, 540), uniform(random, 100, 380)), v.glare_radius = uniform(random, 10, 80);
+    else {
+      const double y = uniform(random, 100, 380), x = uniform(random, 100, 540);
+      v.glare = Vector2(x, y), v.glare_radius = uniform(random, 10, 80);
+    }
   }
   return s;
 }

@@ -32,7 +32,7 @@ Points ours(const Image& image, const PreparedTarget& target, std::vector<double
 }
 
 /// One detector's results over all images.
-struct Score {
+struct Recall {
   std::string name;
   std::function<Points(const Image&)> detect;
   long in_view = 0, found = 0, wrong = 0, wrong_images = 0, far = 0, nothing = 0, images = 0, common = 0;
@@ -50,7 +50,7 @@ bool is_anothers(const Vector2& pixel, std::size_t own, const Truth& truth) {
   return error > 8 || (error > 2.5 && std::any_of(truth.pixels.begin(), truth.pixels.end(), is_nearer));
 }
 
-void add(Score& score, const Points& points, const Truth& truth, bool counts) {
+void add(Recall& score, const Points& points, const Truth& truth, bool counts) {
   score.errors.assign(truth.pixels.size(), std::nullopt);
   const long wrong_before = score.wrong;
   for (const auto& [number, pixel] : points) {
@@ -72,7 +72,7 @@ void add(Score& score, const Points& points, const Truth& truth, bool counts) {
   score.nothing += view > 0 && got == 0;
 }
 
-void add_common(Score& score, const Score& ours) {
+void add_common(Recall& score, const Recall& ours) {
   for (std::size_t n = 0; n < score.errors.size(); ++n) {
     if (!score.errors[n] || !ours.errors[n]) continue;
     ++score.common;
@@ -100,8 +100,8 @@ bool counts_for_recall(const Target& target, const Scene& scene, const Truth& tr
   return target.kind == TargetKind::tags || truth.tags_in_view >= 2;
 }
 
-std::vector<Score> scores_of(const PreparedTarget& target, bool alone) {
-  std::vector<Score> scores(1);
+std::vector<Recall> scores_of(const PreparedTarget& target, bool alone) {
+  std::vector<Recall> scores(1);
   scores[0].name = "ours";
   const auto add_theirs = [&](const char* name, std::function<Points(const Image&)> detect) {
     scores.emplace_back();
@@ -130,11 +130,11 @@ double centred(double squares, const Vector2& sum, long count) {
   return std::sqrt(std::max(squares / count - (sum / count).squaredNorm(), 0.0));
 }
 
-void print(const std::vector<Score>& scores, int count) {
+void print(const std::vector<Recall>& scores, int count) {
   fmt::print("{:<16} {:>8} {:>8} {:>8} {:>8} {:>12} {:>8} {:>8} {:>9} {:>15} {:>12} {:>7}\n", "", "in view", "found",
              "recall", "nothing", "wrong/images", "> 2.5 px", "rms px", "centred", "mean error px", "ours/theirs",
              "ms");
-  for (const Score& s : scores) {
+  for (const Recall& s : scores) {
     const long common = std::max(s.common, 1L);
     fmt::print(
         "{:<16} {:>8} {:>8} {:>7.2f}% {:>8} {:>7}/{:<4} {:>8} {:>8.4f} {:>9.4f} {:>7.3f} {:>7.3f} {:>12.3f} {:>7.1f}\n",
@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
   constexpr double least_module = 4;  // px
   const PreparedTarget target = prepare(target_of(kind));
   const auto rays = fine_rays(camera());
-  std::vector<Score> scores = scores_of(target, alone);
+  std::vector<Recall> scores = scores_of(target, alone);
   std::vector<double> z2;
   for (int i = 0; i < count; ++i) {
     std::mt19937_64 random(seed * 1000003 + static_cast<std::uint64_t>(i));
@@ -163,7 +163,7 @@ int main(int argc, char** argv) {
     const Image image = image_of(target.target, scene.view, rays, scene.pieces);
     const Truth truth = truth_of(target, scene, least_module);
     scores[0].detect = [&](const Image& seen) { return ours(seen, target, &z2, truth); };
-    for (Score& score : scores) {
+    for (Recall& score : scores) {
       const auto start = Clock::now();
       Points points = score.detect(image);
       score.seconds += seconds_since(start);

@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "fixtures/drawn.h"
+
 namespace handsight::widgets {
 namespace {
 
@@ -37,7 +39,8 @@ TEST(Orbit, SeesPointsWholeAndAsLargeAsTheyGo) {
     for (const double covered : {0.0, 0.1})
       for (int round = 0; round < 20; ++round) {
         std::vector<Vector3> points(12);
-        for (Vector3& p : points) p = Vector3(metres(random), 0.4 * metres(random), 1.5 * metres(random));
+        for (Vector3& p : points)
+          p = fixture::drawn_3([&] { return metres(random); }).cwiseProduct(Vector3(1, 0.4, 1.5));
         Orbit orbit;
         orbit.azimuth = 3 * metres(random);
         orbit.elevation = metres(random);

@@ -7,6 +7,7 @@
 
 #include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
+#include "fixtures/drawn.h"
 
 namespace handsight {
 namespace {
@@ -33,7 +34,7 @@ Session repeated(const Session& session, const Fit& truth, int poses, int times,
     for (Sighting& s : sightings) {
       const Vector3 x = sensor_from_tcp_at(p, estimate(truth).mount_from_sensor) *
                         estimate(truth).markers_in_tcp[static_cast<std::size_t>(s.marker)];
-      const auto off = [&] { return Vector2(noise * normal(random), noise * normal(random)); };
+      const auto off = [&] { return Vector2(noise * fixture::drawn_2([&] { return normal(random); })); };
       if (seen_by(s, 0)) see(s, 0, project(out.rig->at(0).camera, x) + off());
       if (seen_by(s, 1))
         see(s, 1, project(out.rig->at(1).camera, Vector3(out.rig->at(1).camera_from_first * x)) + off());

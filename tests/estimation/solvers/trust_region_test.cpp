@@ -9,6 +9,7 @@
 #include "estimation/solvers/normal_equations.h"
 #include "estimation/start/start.h"
 #include "fixtures/arms.h"
+#include "fixtures/drawn.h"
 
 namespace handsight {
 namespace {
@@ -155,7 +156,7 @@ TEST(SandwichCovariance, IsThatOfWhatTheRowsReallyScatter) {
     Problem noisy = problem;
     for (ProblemObservation& observation : noisy.observations)
       for (Sighting& s : observation.sightings)
-        *s.point += sigma * scale_of(observation) * Vector3(normal(random), normal(random), normal(random));
+        *s.point += sigma * scale_of(observation) * fixture::drawn_3([&] { return normal(random); });
     const Solution answer = solve(noisy, truth);
     for (int m = 0; m < 3; ++m)
       variance.segment<3>(3 * m) += (answer.unknowns.markers_in_tcp[static_cast<std::size_t>(m)] -

@@ -239,8 +239,8 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
   picture.contrast = within(conditions.contrast), picture.blur = within(conditions.blur);
   taken.middle = {0.5 * (width - 1), 0.5 * (height - 1)}, taken.half_diagonal = 0.5 * std::hypot(width, height);
   taken.distortion = within(conditions.distortion);
-  const double down = within({-.1, .1}) * height, across = within({-.1, .1}) * width;
-  const Eigen::Vector2d centre(taken.middle.x() + across, taken.middle.y() + down);
+  const double off_y = within({-.1, .1}) * height, off_x = within({-.1, .1}) * width;
+  const Eigen::Vector2d centre(taken.middle.x() + off_x, taken.middle.y() + off_y);
   const double second_turn = within({0, 2 * M_PI}), first_turn = within({0, 2 * M_PI});
   taken.view = view_of(centre, picture.cell, picture.tilt, first_turn, second_turn, 1.2 * width);
   if (conditions.with_board) {

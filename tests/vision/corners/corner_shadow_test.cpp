@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "fixtures/drawn.h"
 #include "vision/corners/corner_images.h"
 #include "vision/corners/corner_model.h"
 #include "vision/corners/corner_patch.h"
@@ -24,7 +25,7 @@ Beside marker_beside_shadow(double shade, double distance, double angle, unsigne
   corner_images::Light light;
   light.black = 40, light.white = 200, light.shade = shade;
   light.shade_distance = distance, light.shade_angle = angle;
-  const Eigen::Vector2d corner(32 + half(random), 32 + half(random));
+  const Eigen::Vector2d corner = Eigen::Vector2d(32, 32) + fixture::drawn_2([&] { return half(random); });
   const auto view = corner_images::view_of(corner, 16, 0.3, 1, 0.4 + 0.3 * seed);
   return {corner, corner_images::render(65, 65, corner_images::marker(view, light), 1.2, 2, random)};
 }
