@@ -86,7 +86,8 @@ void set_light(const Workspace& w, bool shadow, Random& random, Light& light) {
   const double sideways = random.uniform(-0.6, 0.6), askew = random.uniform(-0.4, 0.4);
   light.direction = (to_camera + Vector3(askew, sideways, 0.8)).normalized();
   light.ambient = 0.6;
-  light.gradient = random.uniform(0.15, 0.35) * random.gaussian3().normalized();
+  const Vector3 brighter_toward = random.gaussian3().normalized();
+  light.gradient = random.uniform(0.15, 0.35) * brighter_toward;
   light.center = w.hand;
   // The band's plane leans a little against the line of sight: it crosses hand and background alike, wide and soft.
   const Vector3 aside = to_camera.unitOrthogonal();

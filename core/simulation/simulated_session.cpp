@@ -28,11 +28,13 @@ enum Purpose : std::uint64_t {
 /// Markers on a slightly bent plane, spread round its middle; a longest side of about `size`, no two too near.
 ShownBody random_body(int count, double size, Random random) {
   ShownBody body;
-  body.normal_in_tcp = Vector3(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
+  // Drawn one by one: the order of a call's arguments, operands of an operator included, is the compiler's.
+  const double z = random.gaussian(), y = random.gaussian(), x = random.gaussian();
+  body.normal_in_tcp = Vector3(x, y, z).normalized();
   const Vector3 across = body.normal_in_tcp.unitOrthogonal();
   const Vector3 along = body.normal_in_tcp.cross(across);
-  const Vector3 center =
-      0.04 * body.normal_in_tcp + 0.02 * random.gaussian() * across + 0.02 * random.gaussian() * along;
+  const double off_along = 0.02 * random.gaussian(), off_across = 0.02 * random.gaussian();
+  const Vector3 center = 0.04 * body.normal_in_tcp + off_across * across + off_along * along;
   const double start = random.uniform(0, 2 * std::numbers::pi);
   for (int i = 0; i < count; ++i) {
     // A ring with one marker nearer and one farther: sides of different length, so that the frame is well chosen.

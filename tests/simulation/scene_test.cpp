@@ -37,8 +37,8 @@ TEST(Scene, NothingStandsBetweenCameraAndHand) {
     const Scene scene = make_scene({}, options);
     const SceneView view = make_view(scene, {Matrix3::Identity(), options.workspace.camera}, Rigid());
     for (int i = 0; i < 200; ++i) {
-      const Vector3 place =
-          options.workspace.hand + options.workspace.reach * random.uniform() * random.gaussian3().normalized();
+      const Vector3 way = random.gaussian3().normalized();
+      const Vector3 place = options.workspace.hand + options.workspace.reach * random.uniform() * way;
       const Hit hit = trace(view, place - options.workspace.camera);
       ASSERT_NE(hit.item, Hit::nothing);
       EXPECT_GT(hit.depth, 1.0) << "seed " << seed;
@@ -116,8 +116,9 @@ Hit seen_from_above(const Scene& scene, const MarkerPlate& marker) {
 TEST(Hand, CarriesEveryMarkerOnAPedestalThatReachesIt) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Random random(seed);
+    const Vector3 up = random.gaussian3().normalized(), normal = random.gaussian3().normalized();
     const std::vector<MarkerPlate> markers =
-        lay_out_markers(4, 0.012, seed, random.gaussian3().normalized(), random.gaussian3().normalized());
+        lay_out_markers(4, 0.012, seed, normal, up);
     Scene scene = make_scene(markers, SceneOptions());
     scene.solids.clear();
     scene.room_lower.setConstant(-5);
