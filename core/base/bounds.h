@@ -29,6 +29,7 @@ inline constexpr Bounds focal_length{0.1, 1e7};    // px
 inline constexpr Bounds distortion{-1e9, 1e9};     // k1, k2, p1, p2, k3
 inline constexpr Bounds sigma_pixel{1e-9, 1e4};    // px
 inline constexpr Bounds sigma_point{1e-12, 1e3};   // m
+inline constexpr Bounds repeatability{1e-9, 1};    // rad, m
 inline constexpr Bounds time{-1e20, 1e20};         // s
 inline constexpr Bounds effect_value{-1e9, 1e9};   // any number of an effect that is typed in
 inline constexpr std::size_t longest_name = 500;   // bytes: titles, names of links and joints, paths

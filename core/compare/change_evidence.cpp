@@ -48,7 +48,7 @@ double change_evidence(const Eigen::MatrixXd& information, const Eigen::VectorXd
     const Eigen::LLT<Eigen::MatrixXd> llt(m);
     factors.push_back(0.5 * s * s * gradient.dot(llt.solve(gradient)) - llt.matrixLLT().diagonal().array().log().sum());
   }
-  return ln_mean_exp(factors);
+  return ln_over_scales(factors);
 }
 
 double change_evidence_at(const Eigen::MatrixXd& information, const Eigen::VectorXd& values, double gained) {
@@ -59,7 +59,7 @@ double change_evidence_at(const Eigen::MatrixXd& information, const Eigen::Vecto
     factors.push_back(0.5 * (gained - values.squaredNorm() / (s * s)) -
                       0.5 * m.ldlt().vectorD().cwiseMax(1e-300).array().log().sum());
   }
-  return ln_mean_exp(factors);
+  return ln_over_scales(factors);
 }
 
 double change_threshold(const Eigen::MatrixXd& information, const std::vector<ChangePlace>& places) {

@@ -50,6 +50,7 @@ std::string frame_text(const Session& session) {
   frame.robot_file = session.robot_file;
   frame.robot.is_of_poses = session.robot.is_of_poses;
   frame.tcp = session.tcp;
+  frame.repeatability = session.repeatability;
   frame.gravity = session.gravity;
   frame.mount = session.mount;
   frame.rig = session.rig;

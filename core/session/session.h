@@ -116,8 +116,9 @@ struct Session {
   std::string title;
   std::string robot_file;
   Robot robot;
-  std::string tcp;               // the link whose frame is TCP
-  Vector3 gravity{0, 0, -9.81};  // m/s^2, in the root link's frame
+  std::string tcp;                      // the link whose frame is TCP
+  std::optional<double> repeatability;  // declared of the robot: rad (m) of one joint
+  Vector3 gravity{0, 0, -9.81};         // m/s^2, in the root link's frame
   Mount mount;
   std::optional<Rig> rig;                 // absent: a tracker session
   std::optional<double> sigma_pixel;      // declared noise of one image coordinate, px

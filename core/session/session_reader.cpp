@@ -16,7 +16,8 @@ namespace handsight {
 namespace {
 
 void read_robot_element(const XmlNode& node, Session& session, Ignored& ignored) {
-  note_unknown(ignored, node, {"file", "tcp", "kind"}, {});
+  note_unknown(ignored, node, {"file", "tcp", "kind", "repeatability"}, {});
+  session.repeatability = find_positive(node, "repeatability", bounds::repeatability);
   if (find_choice(node, "kind", {"urdf", "poses"}).value_or(0) == 1) {
     session.robot = poses_robot();
     for (const Joint& joint : session.robot.joints) session.joints.push_back(joint.name);

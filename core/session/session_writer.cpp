@@ -92,6 +92,7 @@ std::string text_from_scratch(const Session& session) {
   else
     robot.SetAttribute("file", session.robot_file.c_str());
   robot.SetAttribute("tcp", session.tcp.c_str());
+  if (session.repeatability) set(robot, "repeatability", *session.repeatability);
   root.InsertNewChildElement("gravity")->SetAttribute("xyz", format_numbers({session.gravity.data(), 3}).c_str());
   write_device(root, session);
   write_markers_or_target(root, session);

@@ -37,7 +37,8 @@ int run(const FitArguments& o) {
       o.without_wrong_points ? clean_model(session, options) : CleanFit{session, fit(session, options), {}};
   const Fit& result = clean.fit;
   for (const std::string& note : notes) Output::note(note);
-  const FitReport told = report(clean.session, result, options);
+  FitReport told = report(clean.session, result, options);
+  told.held_out_region = held_out_by_region(clean.session, result, options);
   print_fit(o.output, session, result, told, options);
   if (options.camera_images) print_camera_images(o.output, *options.camera_images, *result.problem.rig);
   if (!clean.wrong.empty())

@@ -205,6 +205,9 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
          {"held_out_rms_pixel", number(d.report.held_out.rms_pixel)},
          {"held_out_rms_m", number(d.report.held_out.rms_m)},
          {"held_out_mean_m", number(d.report.held_out.mean_m)},
+         {"held_out_region_pixel", number(d.report.held_out_region.rms_pixel)},
+         {"held_out_region_rms_m", number(d.report.held_out_region.rms_m)},
+         {"held_out_region_mean_m", number(d.report.held_out_region.mean_m)},
          {"noise_pixel", tracker ? null : number(d.noise)},
          {"noise_m", tracker ? number(d.noise) : null},
          {"blame", blame_json(d.blame)},
@@ -296,13 +299,14 @@ Json certainty_json(const Certainty& certainty) {
 
 void print_improvement(const Output& out, const Session& session, const Improvement& m) {
   const bool tracker = session.is_tracker();
-  out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out",
-                       tracker ? "noise/coord." : "noise"));
+  out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out",
+                       "by region", tracker ? "noise/coord." : "noise"));
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
     const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "names sought again" : "+ " + s.added;
-    out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted), error_text(s.held_out),
-                         error_or_unknown(s.noise, tracker), listed(s.where)));
+    out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted),
+                         error_text(s.held_out), error_text(s.held_out_region), error_or_unknown(s.noise, tracker),
+                         listed(s.where)));
     if (!s.formula.empty()) out.line("     " + s.formula);
     if (!s.stands.empty()) out.line("     stands in for something else: no robot has " + listed(s.stands));
     if (const std::string changes = i > 0 ? changes_text(s) : ""; !changes.empty()) out.line("     " + changes);
@@ -342,6 +346,9 @@ Json improvement_json(const Session& session, const Improvement& m) {
                      {"mean_m", number(s.fitted.mean_m)},
                      {"held_out_rms_m", number(s.held_out.rms_m)},
                      {"held_out_mean_m", number(s.held_out.mean_m)},
+                     {"held_out_region_pixel", number(s.held_out_region.rms_pixel)},
+                     {"held_out_region_rms_m", number(s.held_out_region.rms_m)},
+                     {"held_out_region_mean_m", number(s.held_out_region.mean_m)},
                      {"noise_m", tracker ? number(s.noise) : null}});
   for (const RefusedStep& r : m.refused) refused.push_back({{"id", r.id}, {"where", r.where}, {"reason", r.reason}});
   j["steps"] = steps;

@@ -118,6 +118,10 @@ void print_errors(const Output& out, const Fit& fit, const FitReport& told) {
                        text_or_unknown(told.fitted.mean_m, 1e3, "mm"), text_or_unknown(told.fitted.rms_m, 1e3, "mm"),
                        text_or_unknown(told.fitted.max_m, 1e3, "mm"), text_or_unknown(told.held_out.mean_m, 1e3, "mm"),
                        pixels ? "" : "; noise " + text_or_unknown(fit.noise, 1e3, "mm a coordinate")));
+  if (told.held_out_region.rms_m || told.held_out_region.rms_pixel)
+    out.line(fmt::format("          {} where a region of poses is held out: elsewhere it may be as large",
+                         pixels ? text_or_unknown(told.held_out_region.rms_pixel, 1, "px")
+                                : text_or_unknown(told.held_out_region.mean_m, 1e3, "mm") + " mean"));
   if (fit.chi2_per_dof) out.line(fmt::format("          chi-squared per degree of freedom {:.2f}", *fit.chi2_per_dof));
 }
 
@@ -193,6 +197,9 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
   result.update(errors_json(told.fitted, ""));
   result["max_m"] = number(told.fitted.max_m);
   result.update(errors_json(told.held_out, "held_out_"));
+  result["held_out_region_pixel"] = number(told.held_out_region.rms_pixel);
+  result["held_out_region_rms_m"] = number(told.held_out_region.rms_m);
+  result["held_out_region_mean_m"] = number(told.held_out_region.mean_m);
   const bool tracker = session.is_tracker();
   const Json noise = number(fit.noise), null = nullptr;
   const Json estimated = fit.noise_estimate ? number(fit.noise_estimate->sigma) : null;

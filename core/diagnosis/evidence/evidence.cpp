@@ -46,7 +46,7 @@ double ln_bayes_factor_of_one(double a, double b, const WhitenedModel& w, const 
     const double s2 = scales[i] * scales[i];
     values[i] = ln_worth(s2 * b * b / (1 + s2 * a), w, noise) - 0.5 * std::log1p(s2 * a);
   }
-  return ln_mean_exp(values);
+  return ln_over_scales(values);
 }
 
 /// Rows from `first` on, multiplied by `whitener`; usually the six of a body's motion, whose products cost less.
@@ -139,6 +139,12 @@ double ln_mean_exp(std::span<const double> x) {
   return largest + std::log(sum / static_cast<double>(x.size()));
 }
 
+double ln_over_scales(std::span<const double> x) {
+  std::array<double, scales.size()> weighed{};
+  for (std::size_t i = 0; i < scales.size(); ++i) weighed[i] = x[i] + std::log(scale_shares[i]);
+  return ln_mean_exp(weighed) + std::log(static_cast<double>(scales.size()));
+}
+
 WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise) {
   WhitenedModel w;
   w.model = &model;
@@ -215,7 +221,7 @@ double ln_bayes_factor(const Score& score, const WhitenedModel& w, const NoiseKn
   if (score.gradient.size() == 1) return ln_bayes_factor_of_one(score.information(0, 0), score.gradient[0], w, noise);
   std::array<double, scales.size()> values{};
   for (std::size_t i = 0; i < scales.size(); ++i) values[i] = at_scale(score, scales[i], w, noise).ln_bayes_factor;
-  return ln_mean_exp(values);
+  return ln_over_scales(values);
 }
 
 FactorsWithout ln_bayes_factors_without(const Score& score, std::span<const ParameterGroup> groups,
@@ -239,8 +245,8 @@ FactorsWithout ln_bayes_factors_without(const Score& score, std::span<const Para
           ln_worth(gained - own_value.dot(own.solve(own_value)), w, noise) - 0.5 * (ln_volume + ln_determinant(own));
     }
   }
-  FactorsWithout factors{ln_mean_exp(whole), {}};
-  for (const auto& values : without) factors.without.push_back(ln_mean_exp(values));
+  FactorsWithout factors{ln_over_scales(whole), {}};
+  for (const auto& values : without) factors.without.push_back(ln_over_scales(values));
   return factors;
 }
 
@@ -273,17 +279,19 @@ std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Ei
     });
   }
   std::vector<double> factors;
-  for (const auto& values : with) factors.push_back(ln_mean_exp(values));
+  for (const auto& values : with) factors.push_back(ln_over_scales(values));
   return factors;
 }
 
 LinearEstimate linear_estimate(const Score& score, const WhitenedModel& w, const NoiseKnowledge& noise) {
   LinearEstimate best;
   double best_factor = -1e300;
-  for (const double scale : scales) {
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const double scale = scales[i];
     const ScaledScore s = at_scale(score, scale, w, noise);
-    if (s.ln_bayes_factor <= best_factor) continue;
-    best_factor = s.ln_bayes_factor;
+    const double factor = s.ln_bayes_factor + std::log(scale_shares[i]);
+    if (factor <= best_factor) continue;
+    best_factor = factor;
     best.scale = scale;
     best.covariance =
         scale * scale * s.llt.solve(Eigen::MatrixXd::Identity(score.gradient.size(), score.gradient.size()));

@@ -10,8 +10,13 @@
 
 namespace handsight {
 
-/// Effects may be as large as plausible, or by these factors smaller and larger.
-inline constexpr std::array<double, 4> plausible_scales{0.1, 0.3, 1, 3};
+/// Effects may be as large as plausible, or by these factors smaller and larger: the plausible size is what is usual,
+/// not a wall. Where a hobby arm's zeros were set by eye they are thirty times as far off as a factory's.
+inline constexpr std::array<double, 6> plausible_scales{0.1, 0.3, 1, 3, 10, 30};
+/// How much of the prior each of them has.
+inline constexpr std::array<double, 6> scale_shares{0.24, 0.24, 0.24, 0.24, 0.03, 0.01};
+/// The largest that surprises nobody.
+inline constexpr double largest_usual_scale = 3;
 
 /// How the logarithm of a Bayes factor follows from squares: sigma known, or profiled out over `degrees` of freedom.
 struct NoiseKnowledge {
@@ -79,7 +84,7 @@ Score part_of(const Score& whole, std::span<const Eigen::Index> parameters);
 /// ln of the Bayes factor for a score at plausible sizes times `scale` alone.
 double ln_bayes_factor_at(const Score& score, double scale, const WhitenedModel& w, const NoiseKnowledge& noise);
 
-/// ln of the mean over plausible sizes times 0.1, 0.3, 1, 3 of the Bayes factor for a score.
+/// ln of the mean over the scales, by their shares, of the Bayes factor for a score.
 double ln_bayes_factor(const Score& score, const WhitenedModel& w, const NoiseKnowledge& noise);
 
 /// Some parameters of a score that follow each other.
@@ -110,5 +115,8 @@ LinearEstimate linear_estimate(const Score& score, const WhitenedModel& w, const
 
 /// ln(mean(exp(x))), 0 of nothing.
 double ln_mean_exp(std::span<const double> x);
+
+/// ln of the mean of exp(x) over the plausible scales, one x each, by their shares.
+double ln_over_scales(std::span<const double> x);
 
 }  // namespace handsight

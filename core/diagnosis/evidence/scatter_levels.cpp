@@ -12,7 +12,7 @@
 namespace handsight {
 namespace {
 
-constexpr Scatter most_scatter{3e-3, 1e-3};
+constexpr Scatter most_scatter{30e-3, 10e-3};
 constexpr double clearly_likelier = 5;  // ln: what another assumption must bring
 constexpr int most_rounds = 20;
 constexpr double settled = 1e-2;      // of a variance, from round to round

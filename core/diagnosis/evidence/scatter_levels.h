@@ -7,7 +7,7 @@
 namespace handsight {
 
 /// The scatter under which what the model leaves is likeliest, sought from `start` on by Fisher's scoring over the
-/// variances (Searle, Casella and McCulloch, Variance Components, 1992, ch. 8); no more than 3 mrad and 1 mm, 0 below
+/// variances (Searle, Casella and McCulloch, Variance Components, 1992, ch. 8); no more than 30 mrad and 10 mm, 0 below
 /// 1 urad and 1 um. The place
 /// may share where the noise is known: a tracker's own noise would be the same otherwise.
 Scatter likely_scatter(const LinearModel& model, const Scatter& start, const NoiseKnowledge& noise, bool with_place);

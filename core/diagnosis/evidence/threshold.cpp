@@ -40,7 +40,7 @@ struct NullScore {
       }
     }
     for (std::size_t i = 0; i < scales.size(); ++i) factors[i] -= volume[i];
-    return ln_mean_exp(factors);
+    return ln_over_scales(factors);
   }
 };
 

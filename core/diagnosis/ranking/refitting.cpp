@@ -40,12 +40,12 @@ FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing&
   FitEvidence best{-1e300, {}};
   for (const Scatter& scatter : scatter_levels(model, weighing.knowledge)) {
     const BaseEvidence evidence(model, scatter, weighing.knowledge);
-    std::vector<double> values;
-    for (const double scale : plausible_scales) {
-      values.push_back(evidence.ln_with(at_scales(model.prior, scale * plausible)) - (scale * plausible).log().sum());
-      if (plausible.size() == 0) break;
-    }
-    const double value = ln_mean_exp(values);
+    const auto at_scale = [&](double scale) {
+      return evidence.ln_with(at_scales(model.prior, scale * plausible)) - (scale * plausible).log().sum();
+    };
+    std::array<double, plausible_scales.size()> values{};
+    for (std::size_t i = 0; i < values.size() && plausible.size() > 0; ++i) values[i] = at_scale(plausible_scales[i]);
+    const double value = plausible.size() > 0 ? ln_over_scales(values) : at_scale(1);
     if (value > best.ln_evidence) best = {value, scatter};
   }
   return best;

@@ -12,6 +12,15 @@ constexpr double least_sigmas = 2.3;  // of the sum of what all observations gai
 
 }  // namespace
 
+bool follows_time(const EffectTerm& term) {
+  return slip_order({term}).has_value() || effect_of(term).check_reads == CheckReads::start_to_end;
+}
+
+double ln_odds_against_time(const EffectTerm& term) {
+  if (!follows_time(term)) return 0;
+  return slip_order({term}) ? ln_odds_against_slip : ln_odds_against_drift;
+}
+
 std::optional<double> slip_order(const std::vector<EffectTerm>& terms) {
   for (const EffectTerm& term : terms) {
     const Effect& effect = effect_of(term);

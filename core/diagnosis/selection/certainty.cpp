@@ -85,9 +85,8 @@ class Moments {
       ln_shares.push_back(ln_factor(own, scale));
       states.emplace_back(0, std::move(s));
     }
-    const double mean = ln_mean_exp(ln_shares);
-    for (std::size_t i = 0; i < states.size(); ++i)
-      states[i].first = std::exp(ln_shares[i] - mean) / static_cast<double>(states.size());
+    const double mean = ln_over_scales(ln_shares);
+    for (std::size_t i = 0; i < states.size(); ++i) states[i].first = scale_shares[i] * std::exp(ln_shares[i] - mean);
     return states;
   }
 

@@ -5,6 +5,7 @@
 
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
+#include "diagnosis/ranking/slips.h"
 #include "diagnosis/verdict/candidate_report.h"
 
 namespace handsight {
@@ -49,6 +50,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   for (std::size_t i = 0; i < std::min(most, ranking.effects.size()); ++i) {
     const RankedEffect& r = ranking.effects[i];
     if (!unnamed && &r == &*own) continue;
+    if (follows_time(r.candidate->units.front().term) && !follows_time(present.front())) continue;
     const double least = unnamed ? model.threshold : nearly * own->ln_bayes_factor;
     if (r.ln_bayes_factor < least || !goes_on()) break;
     if (!now) {

@@ -14,7 +14,7 @@ namespace {
 
 double ln_odds_against(const EffectTerm& term) {
   if (is_curve(term)) return ln_ways_of_curves - ln_odds_of_unnamed;
-  return slip_order({term}) ? ln_odds_against_slip : 0;
+  return ln_odds_against_time(term);
 }
 
 /// What one of the linear model's columns of the base is, in the problem's unit.
@@ -73,7 +73,7 @@ void Explanations::list_units(const Problem& model, std::size_t first_term, cons
     for (const CandidateUnit& unit : e.units) {
       const std::size_t name = name_of(unit.term, cost);
       ++names_[name].places;
-      if (!slip_order({unit.term})) units_.push_back({unit.term, name, present + unit.first, unit.count});
+      if (!follows_time(unit.term)) units_.push_back({unit.term, name, present + unit.first, unit.count});
     }
   std::stable_sort(units_.begin(), units_.end(),
                    [](const ExplanationUnit& a, const ExplanationUnit& b) { return a.name < b.name; });

@@ -8,10 +8,12 @@
 #include <set>
 
 #include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/posture_remainder.h"
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/conclusion.h"
 #include "diagnosis/selection/other_names.h"
 #include "diagnosis/selection/upkeep.h"
+#include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/sampled.h"
 #include "effects/units.h"
 #include "estimation/fit/sure_fit.h"
@@ -19,7 +21,7 @@
 namespace handsight {
 namespace {
 
-constexpr double stand_in = 4;  // plausible sizes
+constexpr double stand_in = 30;  // plausible sizes: beyond the widest that a prior has (evidence.h)
 
 /// "mass -6 kg" and the like: numbers that no robot has.
 std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Chain& chain) {
@@ -64,6 +66,38 @@ void take_back(Improvement& settled, Improvement& m) {
   m.last = std::move(settled.last);
 }
 
+constexpr double most_elsewhere = 1.02;  // times the error before: chance of where regions end
+
+/// Is the error larger where the robot has not been measured? What time seems to explain where poses come region by
+/// region, and what only bends to the poses at hand, shows there. Why a change is refused then; empty where it is not.
+/// Works the regions' errors of `after` out.
+std::string worse_elsewhere(const Diagnosis& before, Diagnosis& after) {
+  const auto size = [](const ErrorSummary& e) { return e.rms_pixel ? e.rms_pixel : e.rms_m; };
+  after.report.held_out_region = region_error(after);
+  const ErrorSummary was = region_error(before), &is = after.report.held_out_region;
+  if (!size(was) || !size(is) || *size(is) <= most_elsewhere * *size(was)) return "";
+  return fmt::format("where a whole region of poses is held out, the error rises from {} to {}", error_text(was),
+                     error_text(is));
+}
+
+/// Slips and drifts must overcome the odds against them, also beside whatever may follow the posture: poses seldom come
+/// in random order. Why one is refused; empty where it is not, and for everything else.
+std::string unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& candidate) {
+  if (candidate.unnamed || !follows_time(candidate.terms.front())) return "";
+  const double least = model.threshold + ln_odds_against_time(candidate.terms.front());
+  const char* kind = slip_order(candidate.terms) ? "slips" : "drifts";
+  if (candidate.ln_bayes_factor < least)
+    return fmt::format("{} are rare, and its evidence of ln {:.1f} is below the ln {:.1f} that is asked of them", kind,
+                       candidate.ln_bayes_factor, least);
+  const Weighing by = weighing(model.model.fit);
+  const double beside = ln_factor_beside_posture(model.model.fit, candidate.terms, model.scatter, by);
+  if (beside >= least) return "";
+  return fmt::format(
+      "what follows the posture may explain as much: beside that its evidence is ln {:.1f}, below the "
+      "ln {:.1f} that is asked of {}",
+      beside, least, kind);
+}
+
 /// What was not taken beside other names and is in the model now was not refused.
 void forget_refusals_of(const std::vector<std::string>& come, std::vector<RefusedStep>& refused) {
   std::erase_if(refused, [&](const RefusedStep& r) { return std::find(come.begin(), come.end(), r.id) != come.end(); });
@@ -83,12 +117,8 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
                           const DiagnosisCandidate& candidate) {
   ModelChange change;
   const std::string id = candidate.unnamed ? candidate.terms.front().id : candidate.id;
-  const double least_of_slip = model.threshold + ln_odds_against_slip;
-  if (slip_order(candidate.terms) && candidate.ln_bayes_factor < least_of_slip) {
-    change.refused.push_back(
-        {id, candidate.where,
-         fmt::format("slips are rare, and its evidence of ln {:.1f} is below the ln {:.1f} that is asked of them",
-                     candidate.ln_bayes_factor, least_of_slip)});
+  if (const std::string why = unlikely_in_time(model, candidate); !why.empty()) {
+    change.refused.push_back({id, candidate.where, why});
     return change;
   }
   FitOptions from = candidate.full_fit.value_or(model.model_options);
@@ -105,6 +135,10 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
     change.refused.push_back({id, candidate.where, "the held-out error does not fall"});
     return change;
   }
+  if (const std::string why = worse_elsewhere(model, next); !why.empty()) {
+    change.refused.push_back({id, candidate.where, why});
+    return change;
+  }
   if (const auto order = slip_order(candidate.terms);
       order && !slip_is_confirmed(model.model.session, model.model.fit, model.model_options, next.model.fit,
                                   next.model_options, *order)) {
@@ -115,7 +149,12 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   note_addition(candidate, next, change);
   change.model = std::move(next);
   keep_up(session, options, before, change);
-  if (change.stopped) change.model.reset();
+  if (change.stopped) {
+    change.model.reset();
+    return change;
+  }
+  change.model->report.held_out_region = region_error(*change.model);
+  change.steps.back().held_out_region = change.model->report.held_out_region;
   return change;
 }
 
@@ -148,7 +187,7 @@ ModelChange seek_other_names(const Session& session, const ImprovementOptions& o
   const double most = as_good_as_told * held_out_error(model);
   Diagnosis next = diagnosed_from(session, options, other->options.estimated, other->options.start, most);
   change.stopped = next.stopped;
-  if (next.stopped || held_out_error(next) > most) return change;
+  if (next.stopped || held_out_error(next) > most || !worse_elsewhere(model, next).empty()) return change;
   ImprovementStep step = step_of(next);
   step.removed = fmt::format("{}", fmt::join(other->gone, ", "));
   step.exchanged = other->come;
@@ -172,6 +211,10 @@ ModelChange add_likely(const Session& session, const ImprovementOptions& options
     if (next.stopped) return change;
     if (has_no_answer(next.model.fit) || held_out_error(next) >= before) {
       change.refused.push_back({likely.name.id, likely.name.where, "the held-out error does not fall"});
+      continue;
+    }
+    if (const std::string why = worse_elsewhere(model, next); !why.empty()) {
+      change.refused.push_back({likely.name.id, likely.name.where, why});
       continue;
     }
     ImprovementStep step = step_of(next);
@@ -198,6 +241,7 @@ class Improving {
 
   Improvement run() {
     m_.last = diagnosed(session_, options_);
+    if (!m_.last.stopped) m_.last.report.held_out_region = region_error(m_.last);
     m_.steps = {step_of(m_.last)};
     m_.stopped = m_.last.stopped;
     const std::optional<double> excess = m_.last.excess;

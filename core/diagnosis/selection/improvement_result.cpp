@@ -7,6 +7,7 @@ ImprovementStep step_of(const Diagnosis& model) {
   ImprovementStep s;
   s.fitted = model.report.fitted;
   s.held_out = model.report.held_out;
+  s.held_out_region = model.report.held_out_region;
   s.noise = model.noise;
   return s;
 }

@@ -99,7 +99,7 @@ OpenScore open_score(const Explanations& all, const OpenUnits& units) {
   if (fixed.empty()) return s;
   const Score own = part_of(all.score(), fixed);
   Eigen::MatrixXd information = own.information;
-  information.diagonal().array() += std::pow(plausible_scales.back(), -2);
+  information.diagonal().array() += std::pow(largest_usual_scale, -2);
   const Eigen::LLT<Eigen::MatrixXd> llt(information);
   const Eigen::MatrixXd shared = all.score().information(fixed, open);
   s.fixed_by_open = -llt.solve(shared);

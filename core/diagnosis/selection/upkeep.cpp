@@ -254,6 +254,7 @@ Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& optio
   o.start = start;
   o.with_curves = options.with_curves;
   o.with_held_out = options.with_held_out;
+  o.with_regions = false;  // worked out where a change is judged by them
   o.on_progress = options.on_progress;
   o.on_iteration = options.on_iteration;
   return diagnose(session, o);

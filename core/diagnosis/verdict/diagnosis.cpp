@@ -51,6 +51,7 @@ class Work {
     if (stopped_ || !goes_on(0.95)) return stopped();
     tell_apart();
     judge(session_, weighing_.knowledge.known, fits_, d_);
+    if (options_.with_regions) d_.report.held_out_region = region_error(d_);
     d_.blame = blame_by_finding(d_.blame, d_);
     for (DiagnosisCandidate& c : d_.candidates) {
       if (c.ln_bayes_factor >= d_.threshold && !c.unnamed) c.check = predicted_check(d_, c);
@@ -107,6 +108,7 @@ class Work {
       d_.lack_of_fit_p = lack->p;
       d_.excess = lack->excess();
     }
+    if (weighing_.knowledge.known) d_.beyond_scatter = beyond_usual_scatter(session_, f, model_, weighing_.knowledge);
     find_all_patterns();
     for (const RankedEffect& r : ranking_.effects) {
       if (r.visibility < least_seen) d_.invisible.push_back(r.candidate->effect->id);

@@ -15,6 +15,7 @@ struct DiagnosisOptions {
   std::vector<EffectTerm> estimated;  // in the model, estimated; start values
   int refitted = 3;                   // how many of the best are fitted in full
   bool with_held_out = true;          // their held-out errors too
+  bool with_regions = true;           // FitReport::held_out_region
   bool with_curves = true;            // the best unnamed curve is fitted in full too, where it passes
   std::optional<double> threshold;    // ln of the Bayes factor that counts; absent: simulated on these poses
   std::optional<Unknowns> start;      // of a fit of nearly the same model

@@ -10,6 +10,12 @@ double held_out_error(const Diagnosis& d) {
   return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0);
 }
 
+ErrorSummary region_error(const Diagnosis& d) {
+  const ErrorSummary& e = d.report.held_out_region;
+  const bool is_known = e.rms_pixel || e.rms_m;
+  return is_known ? e : held_out_by_region(d.model.session, d.model.fit, d.model_options);
+}
+
 const char* verdict_text(Verdict verdict) {
   switch (verdict) {
     case Verdict::too_few_observations:

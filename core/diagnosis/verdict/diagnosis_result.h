@@ -75,6 +75,7 @@ struct Diagnosis {
   Scatter scatter;  // that suits the model as it is
   std::optional<double> lack_of_fit_p;
   std::optional<double> excess;                // chi-squared over what noise leaves, external residuals
+  std::optional<double> beyond_scatter;        // times: what is left by what noise and usual scatter leave (judging.h)
   std::vector<DiagnosisCandidate> candidates;  // named and unnamed, best first
   std::vector<DiagnosisPattern> patterns;      // those that are no chance, most structured first
   std::vector<std::string> invisible;          // effects that these poses could not show
@@ -86,6 +87,9 @@ struct Diagnosis {
 
 /// The number by which models are compared: px, or m with a tracker.
 double held_out_error(const Diagnosis& model);
+
+/// FitReport::held_out_region of a model, worked out where it has not been yet.
+ErrorSummary region_error(const Diagnosis& model);
 
 /// Are these terms of one named effect? Their places as a user reads them.
 std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session);

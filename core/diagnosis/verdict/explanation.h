@@ -14,6 +14,9 @@ std::string missing_text(const DiagnosisCandidate& best, bool has_rival, const D
 std::string too_little_text(const DiagnosisCandidate& best, const Diagnosis& diagnosis);
 std::string follows_unnamed_text(const DiagnosisCandidate& unnamed, const Session& session);
 std::string follows_pattern_text(const DiagnosisPattern& pattern);
+/// Nothing that was measured explains it, and it is more than robots scatter.
+std::string too_much_scatter_text(const Diagnosis& d);
+
 std::string adequate_text(const Diagnosis& diagnosis, bool has_scatter);
 std::string unknown_noise_text(const Diagnosis& diagnosis);
 

@@ -2,6 +2,7 @@
 #include "diagnosis/verdict/judging.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnosis/evidence/lack_of_fit.h"
 #include "diagnosis/verdict/explanation.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double surely = 1e-3;  // p-value of a lack of fit
 constexpr double half = 0.5;     // of what the model misses
+constexpr double clearly = 1.1;  // times: more than usual scatter leaves
 
 void put_variable_first(const Variable& variable, Diagnosis& d) {
   std::stable_partition(d.patterns.begin(), d.patterns.end(), [&](const DiagnosisPattern& p) {
@@ -28,6 +30,16 @@ bool explains_too_little(const DiagnosisCandidate& best, const std::map<std::str
 
 }  // namespace
 
+double beyond_usual_scatter(const Session& session, const Fit& fit, const LinearModel& model,
+                            const NoiseKnowledge& noise) {
+  const Scatter usual{session.repeatability.value_or(usual_scatter.joints), usual_scatter.place};
+  const WhitenedModel w = whiten(model, usual, noise);
+  const double beyond = std::sqrt(w.residual_squares / std::max(fit.rows - fit.unknowns, 1));
+  const auto repeated = noise_from_repeats(fit.problem, estimate(fit));
+  const double of_repeats = repeated && repeated->sigma > 0 ? fit.residual_rms / repeated->sigma : beyond;
+  return std::min(beyond, of_repeats);
+}
+
 void judge_what_is_left(bool knows_noise, Diagnosis& d) {
   if (!knows_noise) {
     d.verdict = Verdict::unexplained;
@@ -38,6 +50,11 @@ void judge_what_is_left(bool knows_noise, Diagnosis& d) {
   if (fails && !d.patterns.empty() && d.patterns.front().p_value < 1e-4 && d.patterns.front().strength > 0.2) {
     d.verdict = Verdict::unexplained;
     d.reason = follows_pattern_text(d.patterns.front());
+    return;
+  }
+  if (fails && d.beyond_scatter && *d.beyond_scatter > clearly) {
+    d.verdict = Verdict::unexplained;
+    d.reason = too_much_scatter_text(d);
     return;
   }
   d.verdict = Verdict::adequate;

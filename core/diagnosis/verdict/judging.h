@@ -9,6 +9,14 @@
 
 namespace handsight {
 
+/// How well a robot repeats of which nothing is declared: rad of one joint, m of the hand's place.
+inline constexpr Scatter usual_scatter{3e-4, 3e-4};
+
+/// What a model leaves, over what the noise, the robot's declared repeatability (else usual_scatter) and poses that were
+/// measured again leave: 1 or less where it may be scatter from pose to pose. The noise must be known.
+double beyond_usual_scatter(const Session& session, const Fit& fit, const LinearModel& model,
+                            const NoiseKnowledge& noise);
+
 inline constexpr double ln_20 = 2.995732273553991;  // odds beyond which a rival is out
 
 /// Sets verdict and reason from the candidates, which are in order. `refits`: the full fits, by effect.

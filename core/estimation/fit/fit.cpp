@@ -226,7 +226,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   result.objective = options.objective;
   result.fixed_markers =
       options.fix_markers || options.objective == Objective::angle_axis || (images.shape && images.shape->is_rigid());
-  if (images.effect_count() > 0 || images.shape) set_prior_noise(session, *start, images);
+  if (images.effect_count() > 0 || images.shape || session.robot.is_of_poses) set_prior_noise(session, *start, images);
   if (!images.terms.empty()) {
     // A first frame for slips; settled below.
     const BodySides sides = sides_of(options, images, *start);

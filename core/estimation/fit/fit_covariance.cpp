@@ -22,7 +22,7 @@ double known_by_priors(const Problem& problem, const Unknowns& unknowns, const E
     known += prior.cwiseProduct(inverse.topLeftCorner(prior.rows(), prior.cols())).sum();
   }
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
-    const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].prior_sigma();
     const Eigen::Index column = problem.effect_column() + i;
     known += std::pow(problem.noise / sigma, 2) * inverse(column, column);
   }
@@ -50,7 +50,7 @@ void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, Eigen::
   }
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const Eigen::Index column = problem.effect_column() + i;
-    const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].prior_sigma();
     middle(column, column) += std::pow(problem.noise / sigma, 2) * problem.noise * problem.noise;
   }
   if (learns_from_camera_images(problem))
@@ -130,10 +130,26 @@ void set_loss_covariance(const FitOptions& options, bool fits, Fit& fit) {
 
 }  // namespace
 
+/// The problem as though the robot told no untruth: whose residuals are the images'.
+static Problem without_flange_error(Problem problem) {
+  problem.flange_error = {};
+  return problem;
+}
+
+/// The size of the robot's error is itself found from few poses, six numbers each: what a normal distribution would
+/// leave has Student's tails, and so much more variance.
+static double as_few_poses_tell(const Fit& fit) {
+  const double degrees = 6.0 * static_cast<double>(fit.problem.observations.size()) - static_cast<double>(fit.unknowns);
+  return degrees > 4 ? degrees / (degrees - 2) : 2;
+}
+
 void set_covariances(const Problem& images, const FitOptions& options, bool declared, Fit& fit) {
-  const bool is_plain = fit.objective == Objective::image && options.loss == Loss::none;
+  const bool robot_errs = fit.problem.flange_error.is_any();
+  const bool is_plain = fit.objective == Objective::image && options.loss == Loss::none && !robot_errs;
   // The minimum's own normal equations are those of the images without weights.
-  const NormalEquations at_solution = is_plain ? fit.solution.normal : normal_equations(images, fit.solution.unknowns);
+  const std::optional<Problem> as_told = robot_errs ? std::optional(without_flange_error(images)) : std::nullopt;
+  const Problem& seen = as_told ? *as_told : images;
+  const NormalEquations at_solution = is_plain ? fit.solution.normal : normal_equations(seen, fit.solution.unknowns);
   const Eigen::MatrixXd bread = unit_covariance(fit.solution);
   fit.rows = at_solution.rows;
   fit.unknowns = unknowns_of(fit.problem, fit.solution, bread, fit.fixed_markers);
@@ -142,10 +158,14 @@ void set_covariances(const Problem& images, const FitOptions& options, bool decl
   const std::size_t count = fit.problem.observations.size();
   if (fit.noise && degrees > 0 && *fit.noise > 0)
     fit.chi2_per_dof = at_solution.data_cost() / (*fit.noise * *fit.noise) / degrees;
-  const bool fits = agrees_with_noise(images, at_solution, declared, fit);
+  const bool fits = agrees_with_noise(seen, at_solution, declared, fit);
   fit.covariance_kind = fits ? CovarianceKind::noise : CovarianceKind::scatter;
   if (fit.objective == Objective::angle_axis) return;  // has its own
   if (options.loss != Loss::none) return set_loss_covariance(options, fits, fit);
+  if (robot_errs) {
+    fit.parameter_covariance = as_few_poses_tell(fit) * fit.problem.noise * fit.problem.noise * bread;
+    return;
+  }
   const double free_scale = degrees > 0 ? at_solution.data_cost() / degrees : 0.0;
   if (fits && fit.objective == Objective::image) {
     fit.parameter_covariance = *fit.noise * *fit.noise * bread;

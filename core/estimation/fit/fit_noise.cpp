@@ -67,7 +67,9 @@ std::optional<double> noise_at_start(const Session& session, const Problem& imag
 }
 
 void set_prior_noise(const Session& session, const Unknowns& start, Problem& images) {
-  images.noise = noise_at_start(session, images, start).value_or(session.is_tracker() ? 1e-3 : 0.3);
+  const auto noise = noise_at_start(session, images, start);
+  images.noise_is_guessed = !noise;
+  images.noise = noise.value_or(session.is_tracker() ? 1e-3 : 0.3);
 }
 
 double loss_noise(const Session& session, const Problem& images, const Problem& fitted, const Unknowns& start,

@@ -56,10 +56,10 @@ SolveOptions solve_options(const FitOptions& options, const Fit& fit, bool fixed
 /// asked for, and where nothing bends, our own equations come first; where they do not get there, Ceres goes on.
 Solution minimum(const Problem& problem, const Unknowns& start, const SolveOptions& options) {
   const bool is_quick = options.least_gain > 0 || options.reuse_below > 0;
-  const bool is_plain = problem.effect_count() == 0 && options.loss == Loss::none;
+  const bool is_plain = problem.flange_error.is_any() || (problem.effect_count() == 0 && options.loss == Loss::none);
   if (!is_quick && !is_plain) return solve_by_trust_region(problem, start, options);
   Solution ours = solve(problem, start, options);
-  if (ours.converged || ours.stopped) return ours;
+  if (ours.converged || ours.stopped || problem.flange_error.is_any()) return ours;
   Solution farther = solve_by_trust_region(problem, ours.unknowns, options);
   farther.iterations += ours.iterations;
   farther.start_cost = ours.start_cost;

@@ -3,7 +3,10 @@
 
 #include <cmath>
 
+#include "estimation/fit/fit_noise.h"
+#include "estimation/fit/flange_error_size.h"
 #include "estimation/fit/objectives.h"
+#include "estimation/fit/prior_widths.h"
 #include "estimation/start/competition.h"
 #include "estimation/start/effect_starts.h"
 
@@ -31,6 +34,57 @@ void narrow(const Session& session, Problem& images, const FitOptions& options, 
     }
 }
 
+/// Widths and noise follow from the solution, and it from them: a few times in turn.
+void settle_priors(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
+  constexpr int most_rounds = 6;
+  for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
+    const bool other_noise =
+        options.loss == Loss::none && settle_guessed_noise(images, fit.solution, finest_noise(session));
+    const bool other_widths = settle_prior_widths(images, fit.solution);
+    if (!other_noise && !other_widths) return;
+    fit.problem.noise = images.noise;
+    fit.problem.columns_of_effects = images.columns_of_effects;
+    minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
+  }
+}
+
+/// The noise of one coordinate of a robot of poses before cameras, where it is known beside the robot's own error.
+std::optional<double> noise_beside_the_robot(const Session& session, const Problem& images, const Fit& fit) {
+  if (const auto& declared = declared_noise(session)) return declared;
+  const auto seen = estimate_noise(images, fit.solution.unknowns);
+  return seen && seen->sigma > 0 ? std::optional(seen->sigma) : std::nullopt;
+}
+
+bool leaves_noise_alone(const Fit& fit, double noise) {
+  constexpr double surely = 1e-3;  // p
+  const NormalEquations& n = fit.solution.normal;
+  const auto test =
+      noise_test(n.data_cost() / (noise * noise), n.rows - static_cast<double>(fit.solution.basis.cols()), 0);
+  return !test || test->p > surely;
+}
+
+bool is_about(const FlangeError& a, const FlangeError& b) {
+  constexpr double little = 0.02;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= little * std::max(x, y); };
+  return near(a.place, b.place) && near(a.turn, b.turn);
+}
+
+/// Where the flange is told by a controller, it is part of the measurements and may be what errs: its error's size
+/// follows from the solution, and the solution from it. Where noise alone is left nothing changes.
+void settle_flange_error(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
+  constexpr int most_rounds = 6;
+  if (!session.robot.is_of_poses || !session.rig || options.loss != Loss::none || !fit.solution.converged) return;
+  const auto known = noise_beside_the_robot(session, images, fit);
+  if (!known || (!images.flange_error.is_any() && leaves_noise_alone(fit, *known))) return;
+  images.noise = fit.problem.noise = *known;
+  for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
+    const FlangeError likely = likely_flange_error(fit.problem, fit.solution);
+    if (is_about(likely, images.flange_error)) return;
+    images.flange_error = fit.problem.flange_error = likely;
+    minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
+  }
+}
+
 void minimise_widening(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options,
                        double noise, Fit& fit) {
   const auto widened = [&](const Eigen::VectorXd& values) {
@@ -42,6 +96,10 @@ void minimise_widening(const Session& session, Problem& images, const Unknowns& 
   minimise(session, images, start, options, noise, fit);
   while (!fit.solution.stopped && widened(fit.solution.unknowns.effects))
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
+  if (options.objective == Objective::image) {
+    settle_flange_error(session, images, options, noise, fit);
+    settle_priors(session, images, options, noise, fit);
+  }
   const bool is_quick = options.least_gain > 0;
   if (!is_quick && !fit.solution.stopped) narrow(session, images, options, noise, fit);
 }

@@ -13,11 +13,14 @@
 
 namespace handsight {
 
-/// One number of an effect that a fit may move. Its prior is a normal distribution about 0 with this sigma.
+/// One number of an effect that a fit may move. Its prior is a normal distribution about 0.
 struct EffectColumn {
   std::size_t term = 0;       // into Problem::terms
   std::size_t parameter = 0;  // of the effect
   double sigma = 0;           // the plausible size
+  double width = 1;           // of the prior, in plausible sizes (estimation/fit/prior_widths.h)
+
+  double prior_sigma() const { return sigma * width; }
 };
 
 /// Directions of the effects' columns in one observation; empty where no effect is estimated.
@@ -55,6 +58,14 @@ inline Rigid sensor_from_tcp_at(const ProblemObservation& o, const Rigid& mount_
   return inverse(o.root_from_mount * mount_from_sensor * o.sensor_motion) * o.root_from_tcp;
 }
 
+/// How far a robot of poses is wrong about its flange, anew in every observation: one standard deviation of each
+/// coordinate of its place (m) and of each of the three small turns (rad), in the flange's frame.
+struct FlangeError {
+  double place = 0, turn = 0;
+
+  bool is_any() const { return place > 0 || turn > 0; }
+};
+
 /// What the places of the observations follow from; shared by all copies and parts of a problem.
 struct ProblemSource {
   Chain chain;
@@ -75,6 +86,8 @@ struct Problem {
   Rigid tcp_from_slip;                // the frame in which slips of the body and its markers are measured
   bool with_motions = false;          // EffectMotion is filled even where no effect is estimated
   double noise = 1;                   // px or m: what the priors of the effects are weighed against
+  bool noise_is_guessed = false;      // nothing tells it
+  FlangeError flange_error;           // part of what is measured (solvers/flange_error.h)
   Eigen::MatrixXd cameras_by_effect;  // rows: the rig's numbers as in camera/rig.h; empty: none
 
   std::shared_ptr<const CameraKnowledge> camera_images;  // what images of a board say of the rig; null: nothing

@@ -9,7 +9,8 @@ namespace handsight {
 Problem without_observations(const Problem& problem) {
   // Every field by its name: one that a problem gets some day is missing here until it is named too.
   const auto& [observations, rig, marker_count, mount_is_estimated, marker_is_seen, source, terms, columns_of_effects,
-               tcp_from_slip, with_motions, noise, cameras_by_effect, camera_images, shape] = problem;
+               tcp_from_slip, with_motions, noise, noise_is_guessed, flange_error, cameras_by_effect, camera_images,
+               shape] = problem;
   return Problem{{},
                  rig,
                  marker_count,
@@ -21,6 +22,8 @@ Problem without_observations(const Problem& problem) {
                  tcp_from_slip,
                  with_motions,
                  noise,
+                 noise_is_guessed,
+                 flange_error,
                  cameras_by_effect,
                  camera_images,
                  shape};

@@ -12,6 +12,7 @@
 #include "estimation/problem/body_pose.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/problem/problem_part.h"
+#include "estimation/report/regions.h"
 #include "estimation/start/shape_start.h"
 
 namespace handsight {
@@ -202,10 +203,19 @@ std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit,
 
 ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& options, std::size_t session_size) {
   std::vector<int> folds;
-  for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
-    folds.push_back(fold_of(static_cast<int>(rank)));
+  for (const int first : first_of_same_pose(images)) folds.push_back(fold_of(first));
   const std::vector<Residuals> all = held_out_residuals(images, fit, options, session_size, folds);
   return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+}
+
+/// Where the points of the images were fitted: the images, moved by the same effects. Else they are the fit's problem.
+std::optional<Problem> images_of_points(const Session& session, const Fit& fit) {
+  if (fit.objective != Objective::camera || !session.rig) return std::nullopt;
+  Problem images = make_problem(session, chain_of(session), fit.problem.terms);
+  images.tcp_from_slip = fit.problem.tcp_from_slip;
+  images.columns_of_effects = fit.problem.columns_of_effects;
+  if (!images.terms.empty()) place_observations(images);
+  return images;
 }
 
 std::optional<double> rms_of_noise(const std::vector<Residuals>& all, std::optional<double> noise) {
@@ -331,16 +341,21 @@ std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, c
   return mean_squares_of(held_out_residuals(images, fit, options, session.observations.size(), folds));
 }
 
+ErrorSummary held_out_by_region(const Session& session, const Fit& fit, const FitOptions& options) {
+  const std::optional<Problem> of_session = images_of_points(session, fit);
+  const Problem& images = of_session ? *of_session : fit.problem;
+  const std::vector<int> regions = regions_of(images);
+  FitOptions quick = options;  // to a hundredth of what a residual shows
+  quick.least_gain = std::max(options.least_gain, 1e-2 * fit.residual_rms * fit.residual_rms);
+  quick.reuse_below = std::max(options.reuse_below, 1e-3);
+  quick.most_iterations = std::min(options.most_iterations, 40);
+  const std::vector<Residuals> all = held_out_residuals(images, fit, quick, session.observations.size(), regions);
+  return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+}
+
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {
-  Problem of_session;
-  const bool are_points = fit.objective == Objective::camera && session.rig;
-  if (are_points) {
-    of_session = make_problem(session, chain_of(session), fit.problem.terms);
-    of_session.tcp_from_slip = fit.problem.tcp_from_slip;
-    of_session.columns_of_effects = fit.problem.columns_of_effects;
-    if (!of_session.terms.empty()) place_observations(of_session);
-  }
-  const Problem& images = are_points ? of_session : fit.problem;
+  const std::optional<Problem> of_session = images_of_points(session, fit);
+  const Problem& images = of_session ? *of_session : fit.problem;
   FitReport r;
   r.observations = static_cast<int>(session.observations.size());
   r.used = static_cast<int>(images.observations.size());

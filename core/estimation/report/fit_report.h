@@ -46,12 +46,17 @@ struct FitReport {
   /// What the noise alone makes of the 3D residuals' lengths, rms, m; absent where no marker is seen as a point or the
   /// noise is unknown. Cameras see depth badly: of a small error in metres this is often the greater part.
   std::optional<double> rms_of_noise_m;
-  ErrorSummary held_out;                           // five folds over observations: floor(rank by time / 4) mod 5
+  ErrorSummary held_out;         // five folds over observations: floor(rank by time / 4) mod 5, repeated poses together
+  ErrorSummary held_out_region;  // five regions (regions.h), each foretold from the others; where asked for
   std::vector<ObservationReport> per_observation;  // of the used, in order of time
 };
 
 /// `options` must be those of the fit. Held-out errors need observations in two folds at least; else they are absent.
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options = {});
+
+/// FitReport::held_out_region: the error where the robot has not been measured. Absent where the poses make fewer than
+/// two regions.
+ErrorSummary held_out_by_region(const Session& session, const Fit& fit, const FitOptions& options = {});
 
 /// What a fit leaves of observations that it has not seen: a part of the same session (session/sample.h), or another of
 /// the same robot, sensors and hand. Fitted errors; no folds.

@@ -7,6 +7,7 @@
 
 #include "base/threads.h"
 #include "estimation/problem/column_products.h"
+#include "estimation/solvers/flange_error.h"
 #include "estimation/solvers/priors.h"
 
 namespace handsight {
@@ -183,7 +184,9 @@ NormalEquations sum_of(const Problem& problem, const Unknowns& unknowns, std::sp
   GatheredRows gathered = rows_for(problem, normal, count);
   for (std::size_t i = first; i < first + count; ++i) {
     const ProblemObservation& o = problem.observations[places.empty() ? i : static_cast<std::size_t>(places[i])];
-    if (is_plain(problem, o))
+    if (problem.flange_error.is_any())
+      add_observation_with_flange_error(problem, o, unknowns, normal);
+    else if (is_plain(problem, o))
       add_plain_observation(problem, o, unknowns, normal);
     else
       add_observation_with_effects(problem, o, unknowns, gathered, normal);

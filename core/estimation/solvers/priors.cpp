@@ -81,7 +81,7 @@ void add(const Prior& prior, double weight, Eigen::Index at, NormalEquations& no
 
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
-    const double weight = problem.noise / problem.columns_of_effects[static_cast<std::size_t>(i)].sigma;
+    const double weight = problem.noise / problem.columns_of_effects[static_cast<std::size_t>(i)].prior_sigma();
     const Eigen::Index column = problem.effect_column() + i;
     normal.information(column, column) += weight * weight;
     normal.gradient[column] -= weight * weight * unknowns.effects[i];

@@ -95,7 +95,9 @@ class Place : public ceres::EvaluationCallback {
     sensor_from_tcp.resize(problem.observations.size());
   }
 
-  double sigma(Eigen::Index effect) const { return problem.columns_of_effects[static_cast<std::size_t>(effect)].sigma; }
+  double sigma(Eigen::Index effect) const {
+    return problem.columns_of_effects[static_cast<std::size_t>(effect)].prior_sigma();
+  }
 
   void PrepareForEvaluation(bool evaluate_jacobians, bool new_point) override {
     read();

@@ -34,10 +34,12 @@ void draw_errors(const Scatter& scatter, std::uint64_t seed, LinearModel& model)
     for (double& value : x) value = normal(random);
     return x;
   };
-  for (const LinearObservation& o : model.observations)
-    model.external_error.segment(o.first, o.count) = drawn(o.count) +
-                                                     scatter.joints * o.by_joints * drawn(o.by_joints.cols()) +
-                                                     scatter.place * o.by_body.leftCols<3>() * drawn(3);
+  for (const LinearObservation& o : model.observations) {
+    // One by one: the operands of an operator are evaluated in the compiler's order.
+    const Eigen::VectorXd place = scatter.place * o.by_body.leftCols<3>() * drawn(3);
+    const Eigen::VectorXd joints = scatter.joints * o.by_joints * drawn(o.by_joints.cols());
+    model.external_error.segment(o.first, o.count) = drawn(o.count) + joints + place;
+  }
 }
 
 TEST(ScatterLevels, LikelyScatterIsTheOneThatWasDrawn) {

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "diagnosis/simulated_stand.h"
+#include "diagnosis/verdict/diagnosis.h"
+#include "fixtures/arms.h"
 
 namespace handsight {
 namespace {
@@ -73,6 +77,27 @@ TEST_F(Judge, NothingThatPassesIsAdequateOnlyWhereTheNoiseIsKnown) {
   EXPECT_EQ(judged({named("joint_scale", 3.9), curve_of_angle(3.9)}).verdict, Verdict::adequate);
   EXPECT_EQ(judged({named("joint_scale", 3.9)}, false).verdict, Verdict::unexplained);
   EXPECT_EQ(judged({}).verdict, Verdict::adequate);
+}
+
+/// A robot whose joints repeat to so much, in rad.
+Diagnosis with_scatter(double joints, std::optional<double> declared = std::nullopt) {
+  SimulatedSession s = simulate_session(fixture::stand_session(4), {.observations = 60, .seed = 4});
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  for (Observation& o : s.session.observations)
+    for (double& q : o.position) q += joints * normal(random);
+  s.session.repeatability = declared;
+  return diagnose(s.session);
+}
+
+/// What follows nothing may be scatter only as far as robots scatter.
+TEST(Judging, ScatterBeyondThatOfRobotsIsUnexplained) {
+  const Diagnosis little = with_scatter(2e-4), much = with_scatter(2e-3), declared = with_scatter(2e-3, 3e-3);
+  EXPECT_EQ(little.verdict, Verdict::adequate) << little.reason;
+  EXPECT_EQ(much.verdict, Verdict::unexplained) << much.reason;
+  EXPECT_NE(much.reason.find("times the noise"), std::string::npos) << much.reason;
+  EXPECT_NE(much.reason.find("joints that repeat to"), std::string::npos) << much.reason;
+  EXPECT_EQ(declared.verdict, Verdict::adequate) << declared.reason;
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// How large a robot's own error is, from what a fit leaves.
+#pragma once
+
+#include "estimation/solvers/least_squares.h"
+
+namespace handsight {
+
+/// The sizes of the flange's error under which what the solution leaves is likeliest (restricted likelihood, so that
+/// the unknowns that followed the errors are allowed for; Searle, Casella and McCulloch, Variance Components, 1992, ch.
+/// 6). Problem::noise must be the noise of one coordinate. None where the noise alone does as well, or with fewer than
+/// four observations.
+FlangeError likely_flange_error(const Problem& problem, const Solution& solution);
+
+}  // namespace handsight

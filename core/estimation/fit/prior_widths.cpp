@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/fit/prior_widths.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handsight {
+namespace {
+
+struct Width {
+  double times, share;  // of the plausible size; of the prior
+};
+constexpr std::array<Width, 3> widths{{{1, 0.7}, {5, 0.2}, {25, 0.1}}};
+constexpr double unremarkable = 0.5;  // plausible sizes: no width but the first is likelier
+
+/// What the measurements say of a number without its own prior.
+struct Told {
+  double value = 0, variance = 0;
+};
+
+double ln_evidence(const Told& told, double plausible, const Width& width) {
+  const double variance = std::pow(width.times * plausible, 2) + told.variance;
+  return std::log(width.share) - 0.5 * std::log(variance) - 0.5 * told.value * told.value / variance;
+}
+
+double likeliest_width(const Told& told, double plausible) {
+  const auto better = [&](const Width& a, const Width& b) {
+    return ln_evidence(told, plausible, a) < ln_evidence(told, plausible, b);
+  };
+  return std::max_element(widths.begin(), widths.end(), better)->times;
+}
+
+/// By how much more than noise the fit leaves, in squares; 1 at least. A model that lacks something is no sharper than
+/// what it leaves: else numbers that only together determine something would wander apart after it.
+double misfit(const Problem& problem, const Solution& solution) {
+  const auto degrees = static_cast<double>(solution.normal.rows) - static_cast<double>(solution.basis.cols());
+  return degrees < 1 ? 1 : std::max(1.0, solution.normal.data_cost() / (problem.noise * problem.noise * degrees));
+}
+
+/// The posterior without the prior: precisions add up. Nothing where the measurements tell nothing.
+std::optional<Told> told_by_measurements(double value, double variance, double prior_sigma, double misfit) {
+  constexpr double all_but_all = 1 - 1e-6;
+  const double prior = 1 / (prior_sigma * prior_sigma);
+  if (!(variance > 0) || prior * variance > all_but_all) return std::nullopt;
+  const double precision = 1 / variance - prior;
+  return Told{value / variance / precision, misfit / precision};
+}
+
+bool is_of_cameras(const Problem& problem, Eigen::Index effect) {
+  return problem.cameras_by_effect.cols() == problem.effect_count() && !problem.cameras_by_effect.col(effect).isZero(0);
+}
+
+bool is_remarkable(const Problem& problem, const Eigen::VectorXd& values, Eigen::Index i) {
+  const EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
+  return c.width != 1 || std::abs(values[i]) > unremarkable * c.sigma;
+}
+
+}  // namespace
+
+bool settle_prior_widths(Problem& problem, const Solution& solution) {
+  const Eigen::VectorXd& values = solution.unknowns.effects;
+  bool any = false;
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i)
+    any = any || (!is_of_cameras(problem, i) && is_remarkable(problem, values, i));
+  if (!any) return false;
+  const Eigen::MatrixXd covariance = problem.noise * problem.noise * unit_covariance(solution);
+  const double more = misfit(problem, solution);
+  bool is_new = false;
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
+    if (is_of_cameras(problem, i)) continue;
+    EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
+    const Eigen::Index at = problem.effect_column() + i;
+    const auto told = told_by_measurements(values[i], covariance(at, at), c.prior_sigma(), more);
+    const double width = told ? likeliest_width(*told, c.sigma) : 1;
+    is_new = is_new || width != c.width;
+    c.width = width;
+  }
+  return is_new;
+}
+
+bool settle_guessed_noise(Problem& problem, const Solution& solution, double finest) {
+  constexpr double few_per_cent = 0.05;
+  const auto degrees = static_cast<double>(solution.normal.rows) - static_cast<double>(solution.basis.cols());
+  if (!problem.noise_is_guessed || degrees < 1) return false;
+  const double left = std::max(std::sqrt(solution.normal.data_cost() / degrees), finest);
+  const bool is_new = std::abs(left - problem.noise) > few_per_cent * problem.noise;
+  if (is_new) problem.noise = left;
+  return is_new;
+}
+
+}  // namespace handsight

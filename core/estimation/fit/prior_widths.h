@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far an effect's numbers may be from zero: their priors have heavy tails.
+#pragma once
+
+#include "estimation/solvers/least_squares.h"
+
+namespace handsight {
+
+/// A number's prior is a mixture of normal distributions about 0 whose sigmas are its plausible size, 5 and 25 times
+/// that: most are as large as is usual, a few are far off. Takes for every effect of the robot, hand and mount the
+/// width that is likeliest for what the measurements alone say of it (the evidence of one number, all others at their
+/// priors), so that what they determine is not held back. Numbers of the cameras have a rule of their own
+/// (widen_refuted). Is any width another than before? Then the solution is no longer the problem's.
+bool settle_prior_widths(Problem& problem, const Solution& solution);
+
+/// Where nothing tells the noise, what the solution leaves stands in for it: else priors would be weighed against a
+/// guess. Has it changed by more than a few per cent?
+bool settle_guessed_noise(Problem& problem, const Solution& solution, double finest);
+
+}  // namespace handsight

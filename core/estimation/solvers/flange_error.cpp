@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/solvers/flange_error.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "estimation/solvers/normal_equations.h"
+
+namespace handsight {
+
+Rigid tcp_from_flange(const Problem& problem, const ProblemObservation& o) {
+  const Chain& chain = problem.source->chain;
+  const bool carries_sensor = chain.mount_link > chain.tcp_link;  // of a robot of poses the flange is the last link
+  return carries_sensor ? inverse(o.root_from_tcp) * o.root_from_mount : Rigid{};
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 6> markers_by_flange(const Problem& problem, const ProblemObservation& o,
+                                                           const Unknowns& unknowns) {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> motions(3 * problem.marker_count, 6);
+  for (int m = 0; m < problem.marker_count; ++m) {
+    motions.block<3, 3>(3 * m, 0) = Matrix3::Identity();
+    motions.block<3, 3>(3 * m, 3) = -cross_matrix(marker_at(o, unknowns, m));
+  }
+  return motions * adjoint(tcp_from_flange(problem, o));
+}
+
+Vector6 flange_error_weights(const FlangeError& error, double noise) {
+  constexpr double least_place = 1e-9, least_turn = 1e-9;  // m, rad: as good as none
+  Vector6 weights;
+  weights.head<3>().setConstant(std::pow(noise / std::max(error.place, least_place), 2));
+  weights.tail<3>().setConstant(std::pow(noise / std::max(error.turn, least_turn), 2));
+  return weights;
+}
+
+void add_observation_with_flange_error(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
+                                       NormalEquations& normal) {
+  NormalEquations one(problem.columns());
+  add_observation(problem, o, unknowns, one);
+  complete(one);
+  const auto markers = markers_by_flange(problem, o, unknowns);
+  const Eigen::MatrixXd shared = one.information.leftCols(markers.rows()) * markers;
+  Matrix6 own = markers.transpose() * shared.topRows(markers.rows());
+  own.diagonal() += flange_error_weights(problem.flange_error, problem.noise);
+  const Vector6 gradient = markers.transpose() * one.gradient.head(markers.rows());
+  const Eigen::LLT<Matrix6> llt(own);
+  const Vector6 best = llt.solve(gradient);
+  normal.information += one.information - shared * llt.solve(shared.transpose());
+  normal.gradient += one.gradient - shared * best;
+  normal.cost += one.cost - gradient.dot(best);
+  normal.rows += one.rows;
+  normal.in_front = normal.in_front && one.in_front;
+}
+
+}  // namespace handsight

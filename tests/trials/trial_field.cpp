@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// What laboratories bring: causes far larger than usual, robots that scatter, poses that come region by region.
+// trial_field [COUNT] [FIRST_SEED] [KIND]; kinds: zero, zeros, link, slip, scatter, regions
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+#include "diagnosis/verdict/diagnosis.h"
+#include "estimation/report/fit_report.h"
+#include "fixtures/trial_sessions.h"
+
+namespace handsight::trials {
+namespace {
+
+constexpr double degree = M_PI / 180;
+constexpr int fresh = 100;
+
+/// What is true and hidden.
+struct World {
+  Session session;  // as measured: the nominal robot
+  std::vector<EffectTerm> effects;
+  std::set<std::string> right;  // names that are true
+  std::vector<Curve> curves;    // what no name has
+  bool has_remainder = false;
+  Rigid tcp_from_body;
+  std::vector<Eigen::VectorXd> fresh_poses;  // over the whole joint range
+};
+
+/// Everything about a world is drawn from this.
+struct Draw {
+  std::mt19937_64 random;
+  std::uniform_real_distribution<double> uniform{0, 1};
+  std::normal_distribution<double> normal;
+
+  double between(double low, double high) { return low + (high - low) * uniform(random); }
+  double log_between(double low, double high) { return low * std::pow(high / low, uniform(random)); }
+  double sign() { return random() % 2 ? 1.0 : -1.0; }
+  int one_of(const std::vector<int>& places) { return places[random() % places.size()]; }
+};
+
+EffectTerm term_with(const std::string& id, int place, std::vector<double> values) {
+  EffectTerm term = term_of(*find_effect(id), place);
+  term.values = std::move(values);
+  return term;
+}
+
+/// Chi-squared that a term does to noise-free measurements: what does not show is nobody's to find.
+bool shows(const Session& like, const SimulationOptions& o, const EffectTerm& term) {
+  SimulationOptions alone = o;
+  alone.effects = {term};
+  return noncentrality_of(like, alone) > 100;
+}
+
+std::vector<EffectTerm> hidden(const std::string& kind, const Session& like, const SimulationOptions& o, Draw& draw) {
+  const Chain chain = chain_of(like);
+  const std::vector<int> joints = effect_places(*find_effect("joint_offset"), chain);
+  std::vector<EffectTerm> terms;
+  if (kind == "zeros")
+    for (const int j : joints)
+      terms.push_back(term_with("joint_offset", j, {draw.sign() * draw.log_between(1, 6) * degree}));
+  while (kind == "zero" && (terms.empty() || !shows(like, o, terms.front())))
+    terms = {term_with("joint_offset", draw.one_of(joints), {draw.sign() * draw.log_between(1, 6) * degree})};
+  while (kind == "link" && (terms.empty() || !shows(like, o, terms.front()))) {
+    const double size = draw.log_between(3e-3, 10e-3), turn = draw.between(-M_PI, M_PI);
+    terms = {term_with("link_geometry", draw.one_of(joints), {size * std::cos(turn), size * std::sin(turn), 0, 0})};
+  }
+  if (kind == "slip") {
+    const double size = draw.log_between(5e-3, 20e-3), turn = draw.between(-M_PI, M_PI);
+    const double from = std::floor(o.observations * draw.between(0.25, 0.75));
+    terms = {term_with("body_slip", -1,
+                       {size * std::cos(turn), size * std::sin(turn), 0, 0.02 * draw.normal(draw.random),
+                        0.02 * draw.normal(draw.random), 0, from})};
+  }
+  return terms;
+}
+
+/// A turn of one joint that follows another joint's angle, which no name describes: 1 mrad.
+std::vector<Curve> remainder(const Session& like, Draw& draw) {
+  const std::vector<int> joints = effect_places(*find_effect("joint_offset"), chain_of(like));
+  std::vector<Curve> curves;
+  for (int i = 0; i < 3; ++i) {
+    const std::string name = like.robot.joints[static_cast<std::size_t>(draw.one_of(joints))].name;
+    curves.push_back(parse_curve(fmt::format("{}: {:.5f}*sin({:.2f}q)", name, 1e-3 * draw.sign(), draw.between(1.5, 4)),
+                                 like.robot));
+  }
+  return curves;
+}
+
+World world(const std::string& kind, int robot, int observations, std::uint64_t seed) {
+  Draw draw{std::mt19937_64(seed * 7919 + 13 * static_cast<unsigned>(robot))};
+  const Session like = robot_session(robot, seed);
+  SimulationOptions o = simulation(seed + 90000, robot);
+  o.observations = observations;
+  World w;
+  w.effects = hidden(kind, like, o, draw);
+  for (const EffectTerm& t : w.effects) w.right.insert(t.id);
+  o.effects = w.effects;
+  if (kind == "regions") {
+    o.follow = true;
+    o.curves = w.curves = remainder(like, draw);
+    w.has_remainder = true;
+  }
+  SimulatedSession s = simulate_session(like, o);
+  w.session = s.session;
+  const double scatter = kind == "scatter" ? draw.log_between(1e-4, 3e-3) : 5e-5;
+  for (Observation& observation : w.session.observations)
+    for (double& q : observation.position) q += scatter * draw.normal(draw.random);
+  w.has_remainder = w.has_remainder || scatter > 3.3e-4;
+  const std::vector<std::optional<Vector3>> known(s.markers_in_tcp.begin(), s.markers_in_tcp.end());
+  w.tcp_from_body = body_frame(choose_sides(known), s.markers_in_tcp).tcp_from_body;
+  SimulationOptions later = o;
+  later.seed = seed + 170000;
+  later.observations = fresh;
+  later.joint_range = 1;
+  later.follow = false;
+  for (const Observation& observation : simulate_session(like, later).session.observations)
+    w.fresh_poses.push_back(observation.position);
+  return w;
+}
+
+Rigid hand_at(const Chain& chain, const Eigen::VectorXd& pose, const std::vector<EffectTerm>& terms,
+              const std::vector<Curve>& curves = {}) {
+  const Circumstances c = circumstances_at(chain, pose);
+  return observed_ends(c, moved_sites(c, terms, curves)).ends.root_from_tcp;
+}
+
+/// Mean distance (mm) of the body's true origin in fresh poses from where the fit puts it.
+double error_on_fresh(const World& w, const Fit& f) {
+  const Chain chain = chain_of(w.session);
+  double sum = 0;
+  for (const Eigen::VectorXd& pose : w.fresh_poses)
+    sum += (hand_at(chain, pose, w.effects, w.curves) * w.tcp_from_body.translation -
+            hand_at(chain, pose, terms_of(f)) * f.tcp_from_body.translation)
+               .norm();
+  return 1e3 * sum / static_cast<double>(w.fresh_poses.size());
+}
+
+Fit told(const World& w) {
+  FitOptions o;
+  for (EffectTerm t : w.effects) {
+    const Effect& e = effect_of(t);
+    for (std::size_t p = 0; p < t.values.size(); ++p)
+      if (!e.parameters[p].is_choice) t.values[p] = 0;
+    o.estimated.push_back(t);
+  }
+  return fit(w.session, o);
+}
+
+struct Score {
+  int worlds = 0, first = 0, disowned = 0, wrongly_adequate = 0, wrong_names = 0, names = 0, worse_than_plain = 0;
+  std::vector<double> to_told;  // error on fresh poses by that of the fit told everything
+  double seconds = 0;
+};
+
+void judge(const World& w, Score& score) {
+  const auto began = std::chrono::steady_clock::now();
+  const Improvement m = improve(w.session, {});
+  score.seconds =
+      std::max(score.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+  ++score.worlds;
+  const std::string named = m.steps.size() > 1 ? m.steps[1].added : "";
+  score.first += w.right.empty() ? named.empty() || named.starts_with("curve_") : w.right.contains(named);
+  for (const ImprovementStep& s : m.steps) score.disowned += w.right.contains(s.added) && !s.stands.empty();
+  for (const NameCertainty& n : m.certainty.names) {
+    if (n.probability < 0.95 || n.id.starts_with("curve_")) continue;
+    ++score.names;
+    score.wrong_names += !w.right.contains(n.id);
+  }
+  score.wrongly_adequate += w.has_remainder && m.last.verdict == Verdict::adequate;
+  const double found = error_on_fresh(w, m.last.model.fit), best = error_on_fresh(w, told(w)),
+               plain = error_on_fresh(w, fit(w.session, {}));
+  score.to_told.push_back(found / std::max(best, 1e-3));
+  score.worse_than_plain += found > 1.5 * plain;
+}
+
+void run(const std::string& kind, int count, std::uint64_t first_seed) {
+  for (const int observations : {15, 25, 40, 80}) {
+    Score s;
+    for (int i = 0; i < count; ++i)
+      judge(world(kind, i % 4, observations, first_seed + static_cast<std::uint64_t>(i)), s);
+    std::sort(s.to_told.begin(), s.to_told.end());
+    fmt::print(
+        "{:8} {:2} poses: first right {} of {}, disowned {}, wrong names above 95 % {} of {}, adequate wrongly {}, "
+        "worse than 1.5 plain {}, hand to told {:.2f} median {:.2f} worst, {:.1f} s at most\n",
+        kind, observations, s.first, s.worlds, s.disowned, s.wrong_names, s.names, s.wrongly_adequate,
+        s.worse_than_plain, s.to_told[s.to_told.size() / 2], s.to_told.back(), s.seconds);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace handsight::trials
+
+int main(int argc, char** argv) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 20;
+  const auto first = static_cast<std::uint64_t>(argc > 2 ? std::atoi(argv[2]) : 1);
+  for (const char* kind : {"zero", "zeros", "link", "slip", "scatter", "regions"})
+    if (argc <= 3 || std::string(argv[3]) == kind) handsight::trials::run(kind, count, first);
+}
