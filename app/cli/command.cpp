@@ -41,8 +41,7 @@ void Output::require_places() const {
 
 void Output::calibration(const Calibration& calibration) const {
   if (export_file.empty()) return;
-  require_finite(calibration);
-  const std::string text = calibration_text(calibration);
+  const std::string text = readable_text(calibration);
   if (export_file == "-") {
     std::cout << text;
     return;

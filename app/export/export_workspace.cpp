@@ -102,9 +102,8 @@ void ExportWorkspace::refresh() {
   refresh_excluded(*model);
   QString text;
   try {
-    require_finite(*model->calibration);
-    text = QString::fromStdString(calibration_text(*model->calibration));
-  } catch (const InputError& error) {  // numbers that are not finite
+    text = QString::fromStdString(readable_text(*model->calibration));
+  } catch (const std::exception& error) {  // numbers that are not finite, or could not be read again
     text = translated_error(error);
     save_->setEnabled(false);
   }

@@ -187,7 +187,7 @@ PYBIND11_MODULE(_core, m) {
       .def("text", &session_text);
   py::class_<CalibratedRobot>(m, "CalibratedRobot")
       .def_property_readonly("joints", [](const CalibratedRobot& r) { return r.joint_names; })
-      .def("text", [](const CalibratedRobot& r) { return calibration_text(r.calibration); });
+      .def("text", [](const CalibratedRobot& r) { return readable_text(r.calibration); });
   m.def(
       "read_session", [](const std::string& path) { return read_session(path); }, arg("path"));
   m.def("session_of", &session_of, arg("text"), arg("robot"));

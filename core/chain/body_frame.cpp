@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chain/body_frame.h"
 
-#include <numbers>
-
 #include "base/error.h"
+#include "chain/body_factor.h"
 
 namespace handsight {
 
@@ -101,7 +100,6 @@ BodyFrame body_frame(const BodySides& sides, const std::vector<Vector3>& markers
 }
 
 Matrix6 body_covariance(const BodyFrame& frame, const Eigen::MatrixXd& marker_covariance) {
-  constexpr double unknown_angle_variance = std::numbers::pi * std::numbers::pi / 3;
   return frame.motion_by_markers * marker_covariance * frame.motion_by_markers.transpose() +
          unknown_angle_variance * frame.unobserved * frame.unobserved.transpose();
 }

@@ -166,9 +166,19 @@ std::string calibration_text(const Calibration& calibration) {
   return xml_text(document);
 }
 
-void write_calibration(const std::filesystem::path& path, const Calibration& calibration) {
+std::string readable_text(const Calibration& calibration) {
   require_finite(calibration);
-  replace_file(path, calibration_text(calibration));
+  std::string text = calibration_text(calibration);
+  try {
+    parse_calibration(text, "The calibration");
+  } catch (const InputError& refusal) {
+    throw BrokenPromise(fmt::format("a calibration that could not be read again was not written: {}", refusal.what()));
+  }
+  return text;
+}
+
+void write_calibration(const std::filesystem::path& path, const Calibration& calibration) {
+  replace_file(path, readable_text(calibration));
 }
 
 }  // namespace handsight

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <random>
 
 #include "base/files.h"
@@ -191,6 +192,32 @@ TEST(Calibration, FilesAreReplacedAndRead) {
   expect_same(some_calibration(), read_calibration(temporary.path / "calibration.xml"));
   EXPECT_THAT(refusal_of([&] { write_calibration(temporary.path / "no" / "c.xml", some_calibration()); }),
               HasSubstr("cannot be written"));
+}
+
+/// What parse_calibration would refuse is never written: the file that is there stays.
+TEST(Calibration, WhatCouldNotBeReadAgainIsNotWritten) {
+  const TemporaryFolder temporary;
+  const auto file = temporary.path / "calibration.xml";
+  write_calibration(file, some_calibration());
+  const std::string before = read_file(file);
+  EXPECT_EQ(before, readable_text(some_calibration()));
+  Calibration broken = some_calibration();
+  broken.created = "later";
+  const double sigma_x = std::sqrt(broken.tcp_from_body.covariance(0, 0));
+  const double sigma_y = std::sqrt(broken.tcp_from_body.covariance(1, 1));
+  broken.tcp_from_body.covariance(0, 1) = broken.tcp_from_body.covariance(1, 0) = 1.01 * sigma_x * sigma_y;
+  Calibration negative = some_calibration();
+  (*negative.model_covariance)(7, 7) *= -1;
+  for (const Calibration& one : {broken, negative}) {
+    try {
+      write_calibration(file, one);
+      FAIL() << "a calibration that cannot be read was written";
+    } catch (const BrokenPromise& promise) {
+      EXPECT_THAT(promise.what(), HasSubstr("could not be read again"));
+      EXPECT_THAT(promise.what(), HasSubstr("expected a covariance"));
+    }
+    EXPECT_EQ(read_file(file), before);
+  }
 }
 
 TEST(Calibration, OtherProgramsFilesAreRead) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/percent.h"
 #include "command.h"
 #include "diagnosis/attribution/fresh_poses.h"
 #include "diagnosis/attribution/inspection.h"
@@ -127,9 +128,9 @@ void print(const Inspected& in, int count, const Output& out) {
                        in.told.observations, in.told.used));
   if (!in.all.noise) out.line("The noise is not known: whose fault an error is cannot be said.");
   if (in.all.blame.letter != 0)
-    out.line(fmt::format("Blame     robot {:.0f} %, marker body {:.0f} %, {} {:.0f} % of what exceeds the noise",
-                         100 * in.all.blame.robot, 100 * in.all.blame.body, tracker ? "tracker" : "cameras",
-                         100 * in.all.blame.cameras));
+    out.line(fmt::format("Blame     robot {} %, marker body {} %, {} {} % of what exceeds the noise",
+                         whole_percent(in.all.blame.robot), whole_percent(in.all.blame.body),
+                         tracker ? "tracker" : "cameras", whole_percent(in.all.blame.cameras)));
   out.line();
   out.line(fmt::format("{:>8} {:<9} {:>11} {:>10} {:>9}  {:<18} {}", "id", "state", "error", "hand off", "turned",
                        "worst", "whose fault, and what would make it right"));

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/percent.h"
 #include "diagnosis/evidence/scatter_levels.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
@@ -144,6 +147,11 @@ Json trend_json(const DiagnosisPattern& p) {
   return points;
 }
 
+/// Is it one of those that the poses could not show? These have a line of their own.
+bool is_invisible(const DiagnosisCandidate& c, const Diagnosis& d) {
+  return !c.unnamed && std::find(d.invisible.begin(), d.invisible.end(), c.id) != d.invisible.end();
+}
+
 std::string sure(double ln_bayes_factor) {
   return ln_bayes_factor > 999 ? ">999" : fmt::format("{:.1f}", ln_bayes_factor);
 }
@@ -161,8 +169,8 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
                        error_or_unknown(d.noise, tracker) + (tracker && d.noise ? " a coordinate" : ""),
                        scatter.empty() ? "" : "; scatter as of " + scatter));
   if (d.blame.letter != 0)
-    out.line(fmt::format("Blame     robot {:.0f} %, marker body {:.0f} %, cameras {:.0f} % of what exceeds the noise",
-                         100 * d.blame.robot, 100 * d.blame.body, 100 * d.blame.cameras));
+    out.line(fmt::format("Blame     robot {} %, marker body {} %, cameras {} % of what exceeds the noise",
+                         whole_percent(d.blame.robot), whole_percent(d.blame.body), whole_percent(d.blame.cameras)));
   print_odd_observations(out, d, d.model.session.rig ? &*d.model.session.rig : nullptr);
   if (!d.model.lone.empty()) out.line("Left out  " + lone_text(d.model.lone, tracker));
   if (!d.model.wrong.empty()) out.line(fmt::format("Left out  {} wrong points", d.model.wrong.size()));
@@ -170,12 +178,13 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  where", "Candidate", "ln BF", "held out", "explained"));
   int shown = 0;
   for (const DiagnosisCandidate& c : d.candidates) {
+    if (is_invisible(c, d)) continue;  // told below
     if (++shown > 8) break;
     const std::string name = c.unnamed ? "(unnamed) " + c.unnamed->localiser.variable->name : c.id;
     std::string held = "-";
     if (c.held_out) held = error_text(*c.held_out);
     out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  {}", name, sure(c.ln_bayes_factor), held,
-                         c.explained ? fmt::format("{:.0f} %", 100 * *c.explained) : "-", listed(c.where)));
+                         c.explained ? whole_percent(*c.explained) + " %" : "-", listed(c.where)));
   }
   out.line(fmt::format("An effect counts from ln BF {:.1f} on: with nothing missing one session in 200 would reach it.",
                        d.threshold));
@@ -268,15 +277,14 @@ std::string changes_text(const ImprovementStep& s) {
   return "no longer needed: " + s.removed + (s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged));
 }
 
-/// "backlash (axis_4) 23 %, payload 8 %"
+/// "backlash (axis_4) 23 %, payload 8.0 %"
 std::string certainty_text(const Certainty& certainty, bool of_model) {
   std::vector<std::string> texts;
   for (const NameCertainty& n : certainty.names) {
     if (n.is_in_model != of_model) continue;
     const std::string where = n.where.empty() ? "" : " (" + listed(n.where) + ")";
     // Never quite sure, nor quite sure that not.
-    const std::string percent =
-        n.probability > 0.999 ? "over 99.9" : fmt::format("{:.2g}", std::max(100 * n.probability, 0.1));
+    const std::string percent = n.probability > 0.999 ? "over 99.9" : two_digit_percent(std::max(n.probability, 0.001));
     texts.push_back(fmt::format("{}{} {} %", n.id, where, percent));
   }
   return listed(texts);
@@ -317,9 +325,8 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   out.line();
   out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), m.last.reason));
   if (m.named_share && m.unnamed_share)
-    out.line(fmt::format(
-        "Of what exceeded the noise at the start {:.0f} % has names, {:.0f} % follows something without one.",
-        100 * *m.named_share, 100 * *m.unnamed_share));
+    out.line(fmt::format("Of what exceeded the noise at the start {} % has names, {} % follows something without one.",
+                         whole_percent(*m.named_share), whole_percent(*m.unnamed_share)));
   print_certainty(out, m.certainty);
   out.line();
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);

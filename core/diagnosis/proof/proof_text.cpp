@@ -34,9 +34,18 @@ std::string rounded(double value, const std::string& unit) {
   return fmt::format("{:.{}f} {}", shown, places, name);
 }
 
-std::string number_text(const ProofNumber& n) {
-  const auto [unit, factor] = readable_unit(n.unit, std::abs(n.value));
-  return fmt::format("{} {}", with_sigma(n.value, n.sigma, factor), unit);
+std::string sized(double value, double sigma, const std::string& of_unit) {
+  const auto [unit, factor] = readable_unit(of_unit, std::abs(value));
+  return fmt::format("{} {}", with_sigma(value, sigma, factor), unit);
+}
+
+std::string number_text(const ProofNumber& n) { return sized(n.value, n.sigma, n.unit); }
+
+/// How far the quantity itself goes: an axis along y has w along -z, and the shift along z is that of w turned round.
+std::string level_text(const ProofPlot& plot) {
+  const double share = plot.points.empty() ? 1 : plot.points.front().share[0];
+  const ProofNumber& n = plot.numbers.front();
+  return sized(share * n.value, std::abs(share) * n.sigma, plot.unit);
 }
 
 std::string at_most(const ProofPlot& plot) {
@@ -44,6 +53,7 @@ std::string at_most(const ProofPlot& plot) {
   return rounded(plot.largest, plot.unit) + hand;
 }
 
+/// One number that moves the same in every pose.
 bool is_level(const ProofPlot& plot) {
   for (const ProofPoint& p : plot.points)
     if (p.share.size() != 1 || p.share[0] != plot.points.front().share[0]) return false;
@@ -74,7 +84,7 @@ std::string proof_text(const ProofPlot& plot) {
   }
   if (is_level(plot)) {
     const std::string of = plot.of.empty() || plot.quantity.find(plot.of) != std::string::npos ? "" : " of " + plot.of;
-    return fmt::format("{}{}: {} in every pose{}.", capital(plot.quantity), of, number_text(first),
+    return fmt::format("{}{}: {} in every pose{}.", capital(plot.quantity), of, level_text(plot),
                        plot.hand_m > 0 ? fmt::format(", {:.2g} mm at the hand at most", 1e3 * plot.hand_m) : "");
   }
   std::string numbers;

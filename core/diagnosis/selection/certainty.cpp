@@ -2,6 +2,7 @@
 #include "diagnosis/selection/certainty.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "chain/body_frame.h"
 #include "diagnosis/selection/likely_choices.h"
 #include "effects/term_numbers.h"
+#include "estimation/solvers/covariance_factor.h"
 
 namespace handsight {
 namespace {
@@ -51,23 +53,47 @@ class Moments {
     Eigen::MatrixXd added;  // covariance that comes with what the model does not have
   };
 
-  /// The covariance of some numbers alone, others being 0.
-  Eigen::MatrixXd covariance(const std::vector<Eigen::Index>& numbers, double scale) const {
+  /// The information of some numbers alone, others being 0.
+  Eigen::MatrixXd information(const std::vector<Eigen::Index>& numbers, double scale) const {
     Eigen::MatrixXd information = score_.information(numbers, numbers);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double size =
           is_present_[static_cast<std::size_t>(numbers[i])] ? scale : std::min(scale, largest_of_others);
       information(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += std::pow(size, -2);
     }
-    return information.llt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+    return information;
+  }
+
+  /// The covariance of kept and new numbers less that of the kept ones alone, by all of them in order: what the new
+  /// ones vary by, and as these move the kept ones. The difference itself is one of nearly equal numbers.
+  Eigen::MatrixXd added(const std::vector<Eigen::Index>& numbers, const Eigen::MatrixXd& information,
+                        double scale) const {
+    std::vector<Eigen::Index> kept, fresh;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      (is_present_[static_cast<std::size_t>(numbers[i])] ? kept : fresh).push_back(static_cast<Eigen::Index>(i));
+    const auto count = static_cast<Eigen::Index>(fresh.size());
+    Eigen::MatrixXd by_new = Eigen::MatrixXd::Zero(information.rows(), count);
+    by_new(fresh, Eigen::all) = Eigen::MatrixXd::Identity(count, count);
+    Eigen::MatrixXd left = information(fresh, fresh);
+    if (!kept.empty()) {
+      const Eigen::MatrixXd with_kept = information(kept, fresh);
+      const Eigen::MatrixXd kept_by_new = Eigen::MatrixXd(information(kept, kept)).ldlt().solve(with_kept);
+      by_new(kept, Eigen::all) = -kept_by_new;
+      left -= with_kept.transpose() * kept_by_new;
+    }
+    const double least = std::pow(std::min(scale, largest_of_others), -2);  // their prior, whatever rounding has left
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(left);
+    const Eigen::VectorXd sigmas = eigen.eigenvalues().cwiseMax(least).cwiseSqrt().cwiseInverse();
+    return covariance_from(by_new * eigen.eigenvectors() * sigmas.asDiagonal());
   }
 
   std::vector<std::pair<double, State>> at_scales(const Chosen& chosen) const {
-    std::vector<Eigen::Index> numbers, kept;
+    std::vector<Eigen::Index> numbers;
+    bool has_new = false;
     for (const std::size_t u : chosen)
       for (Eigen::Index i = 0; i < all_.units()[u].count; ++i) {
         numbers.push_back(first_number_.at(u) + i);
-        if (all_.units()[u].is_present) kept.push_back(numbers.back());
+        has_new = has_new || !all_.units()[u].is_present;
       }
     std::vector<std::pair<double, State>> states;
     std::vector<double> ln_shares;
@@ -76,11 +102,9 @@ class Moments {
       State s{Eigen::VectorXd::Zero(score_.gradient.size()),
               Eigen::MatrixXd::Zero(score_.gradient.size(), score_.gradient.size())};
       if (!numbers.empty()) {
-        const Eigen::MatrixXd all = covariance(numbers, scale);
-        s.mean(numbers) = all * own.gradient;
-        s.added(numbers, numbers) = all;
-        if (!kept.empty()) s.added(kept, kept) -= covariance(kept, scale);
-        if (numbers.size() == kept.size()) s.added.setZero();
+        const Eigen::MatrixXd known = information(numbers, scale);
+        s.mean(numbers) = known.llt().solve(own.gradient);
+        if (has_new) s.added(numbers, numbers) = added(numbers, known, scale);
       }
       ln_shares.push_back(ln_factor(own, scale));
       states.emplace_back(0, std::move(s));
@@ -296,8 +320,7 @@ Certainty certainty(const Diagnosis& model, std::size_t first, const std::functi
     c.doubt.others.push_back(unit.term);
   }
   const Eigen::MatrixXd by_open = Movements(model, all, units, score).by_open(others);
-  c.doubt.covariance = by_open * Moments(all, units, score).of(weights, of_model) * by_open.transpose();
-  c.doubt.covariance = 0.5 * (c.doubt.covariance + c.doubt.covariance.transpose()).eval();
+  c.doubt.covariance = covariance_from(by_open * factor_of(Moments(all, units, score).of(weights, of_model)));
   return c;
 }
 

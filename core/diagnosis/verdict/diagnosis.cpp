@@ -50,6 +50,7 @@ class Work {
     refit_the_best();
     if (stopped_ || !goes_on(0.95)) return stopped();
     tell_apart();
+    forget_what_was_seen();
     judge(session_, weighing_.knowledge.known, fits_, d_);
     if (options_.with_regions) d_.report.held_out_region = region_error(d_);
     d_.blame = blame_by_finding(d_.blame, d_);
@@ -149,6 +150,18 @@ class Work {
                        [&](const CandidateEffect& c) { return c.effect->id == e.id; }) &&
           std::none_of(f.effects.begin(), f.effects.end(), [&](const FittedEffect& t) { return t.term.id == e.id; }))
         d_.invisible.push_back(e.id);
+  }
+
+  /// What the measurements speak for, or what is in the model, was seen: if not in every place that it could have.
+  void forget_what_was_seen() {
+    std::erase_if(d_.invisible, [&](const std::string& id) {
+      return std::any_of(d_.candidates.begin(), d_.candidates.end(),
+                         [&](const DiagnosisCandidate& c) {
+                           return c.id == id && !c.unnamed && c.ln_bayes_factor >= d_.threshold;
+                         }) ||
+             std::any_of(d_.model.fit.effects.begin(), d_.model.fit.effects.end(),
+                         [&](const FittedEffect& f) { return f.term.id == id; });
+    });
   }
 
   void sort_candidates() {

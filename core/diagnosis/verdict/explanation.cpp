@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/percent.h"
 #include "diagnosis/evidence/scatter_levels.h"
 #include "diagnosis/verdict/robot_check.h"
 #include "effects/units.h"
@@ -120,10 +121,9 @@ std::string too_little_text(const DiagnosisCandidate& best, const Diagnosis& d) 
       d.patterns.empty() ? "" : " What is left follows the " + d.patterns.front().against.name + ".";
   return fmt::format(
       "The model misses by {} (held out) where the noise is {}, and the best of the catalogue, {}{}, explains only "
-      "{:.0f} "
-      "% of the excess.{}",
+      "{} % of the excess.{}",
       error_text(d.report.held_out), noise_text(d), best.id, best.where.empty() ? "" : " at " + listed(best.where),
-      100 * best.explained.value_or(0), follows);
+      whole_percent(best.explained.value_or(0)), follows);
 }
 
 std::string follows_unnamed_text(const DiagnosisCandidate& c, const Session&) {

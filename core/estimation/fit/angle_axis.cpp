@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimation/problem/body_pose.h"
+#include "estimation/solvers/covariance_factor.h"
 
 namespace handsight {
 namespace {
@@ -110,8 +111,7 @@ std::optional<AngleAxisResult> fit_angle_axis(const Problem& problem, const std:
       result.mount_from_sensor = result.mount_from_sensor * small_motion<double>(step.tail<6>());
     result.converged = step.cwiseAbs().maxCoeff() < 1e-11;
   }
-  const Eigen::MatrixXd bread = pseudo_inverse(h);
-  result.covariance = bread * middle * bread;
+  result.covariance_factor = sandwich_factor(pseudo_inverse_factor(h), middle);
   result.rms_m = std::sqrt(result.rms_m / result.used);
   result.rms_rad = std::sqrt(result.rms_rad / result.used);
   return result;

@@ -9,8 +9,9 @@ namespace handsight {
 struct AngleAxisResult {
   Rigid tcp_from_body;
   Rigid mount_from_sensor;
-  Eigen::MatrixXd covariance;  // of (xi in exp(xi) tcp_from_body; v in mount_from_sensor exp(v) where it is estimated)
-  double sigma_m = 0;          // the weights: the mean noise of one axis of a body pose
+  /// Of the covariance of (xi in exp(xi) tcp_from_body; v in mount_from_sensor exp(v) where it is estimated).
+  Eigen::MatrixXd covariance_factor;
+  double sigma_m = 0;  // the weights: the mean noise of one axis of a body pose
   double sigma_rad = 0;
   double rms_m = 0;  // what is left: root mean square over observations of the translation's length
   double rms_rad = 0;

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chain/body_factor.h"
 #include "effects/term_numbers.h"
 #include "estimation/fit/fit_covariance.h"
 #include "estimation/fit/fit_noise.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/problem/pose_residuals.h"
+#include "estimation/solvers/covariance_factor.h"
 #include "estimation/start/competition.h"
 #include "estimation/start/start.h"
 #include "session/pose_points.h"
@@ -34,37 +36,30 @@ BodySides sides_of(const FitOptions& options, const Problem& problem, const Unkn
   return choose_sides(markers);
 }
 
-/// TCP->Body and effects explain the same measurements, so that their errors go together.
-void add_effects_to_model_covariance(const Eigen::MatrixXd& xi_by_markers, Fit& fit) {
-  const Eigen::MatrixXd& all = fit.parameter_covariance;
-  const Eigen::Index first = fit.problem.effect_column(), markers = xi_by_markers.cols();
+/// TCP->Body and effects explain the same measurements, so that their errors go together. `factor`: of the covariance
+/// of the problem's columns.
+void set_model_covariance(const BodyFrame& frame, const Eigen::MatrixXd& factor, Fit& fit) {
+  const Eigen::MatrixXd of_body = body_factor(frame, factor.topRows(3 * fit.problem.marker_count));
   const std::vector<Eigen::Index> first_of_term = first_numbers(fit.problem.terms, 6);
-  fit.model_covariance.conservativeResizeLike(Eigen::MatrixXd::Zero(first_of_term.back(), first_of_term.back()));
-  if (all.cols() < first + fit.problem.effect_count()) return;
-  std::vector<Eigen::Index> places;  // of the columns among all numbers
-  for (const EffectColumn& column : fit.problem.columns_of_effects)
-    places.push_back(first_of_term[column.term] + static_cast<Eigen::Index>(column.parameter));
-  for (std::size_t c = 0; c < places.size(); ++c) {
-    const Eigen::Index from = first + static_cast<Eigen::Index>(c), to = places[c];
-    const Vector6 with_body = xi_by_markers * all.col(from).head(markers);
-    fit.model_covariance.col(to).head<6>() = with_body;
-    fit.model_covariance.row(to).head<6>() = with_body.transpose();
-    for (std::size_t d = 0; d < places.size(); ++d)
-      fit.model_covariance(to, places[d]) = all(from, first + static_cast<Eigen::Index>(d));
+  Eigen::MatrixXd of_model = Eigen::MatrixXd::Zero(first_of_term.back(), of_body.cols());
+  of_model.topRows<6>() = of_body;
+  for (std::size_t c = 0; c < fit.problem.columns_of_effects.size(); ++c) {
+    const EffectColumn& column = fit.problem.columns_of_effects[c];
+    of_model.row(first_of_term[column.term] + static_cast<Eigen::Index>(column.parameter)).head(factor.cols()) =
+        factor.row(fit.problem.effect_column() + static_cast<Eigen::Index>(c));
   }
+  fit.model_covariance = covariance_from(of_model);
+  fit.covariance = fit.model_covariance.topLeftCorner<6, 6>();
 }
 
-void set_body(const FitOptions& options, Fit& fit) {
+void set_body(const FitOptions& options, const Eigen::MatrixXd& factor, Fit& fit) {
   fit.sides = sides_of(options, fit.problem, fit.solution.unknowns);
   if (fit.sides.markers.empty()) return;
   const Matrix3 start = options.start_tcp_from_body ? options.start_tcp_from_body->rotation : Matrix3::Identity();
   const BodyFrame frame = body_frame(fit.sides, fit.solution.unknowns.markers_in_tcp, start);
   fit.tcp_from_body = frame.tcp_from_body;
   fit.rotation_is_observed = frame.unobserved.cols() == 0;
-  const Eigen::Index markers = 3 * fit.problem.marker_count;
-  fit.covariance = body_covariance(frame, fit.parameter_covariance.topLeftCorner(markers, markers));
-  fit.model_covariance = fit.covariance;
-  if (!fit.problem.terms.empty()) add_effects_to_model_covariance(frame.motion_by_markers, fit);
+  set_model_covariance(frame, factor, fit);
   const Rigid body_from_tcp = inverse(frame.tcp_from_body);
   for (const Vector3& x : fit.solution.unknowns.markers_in_tcp) fit.markers_in_body.push_back(body_from_tcp * x);
   if (!fit.rotation_is_observed)
@@ -253,9 +248,11 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
     if (!are_images) set_effects(images, result.solution.unknowns.effects);
   }
   set_noise(session, measured, result);
-  set_covariances(measured, options, declared_noise(session).has_value() || !result.noise_estimate, result);
-  add_shape_covariance(result);
-  set_body(options, result);
+  Eigen::MatrixXd factor =
+      covariance_factor(measured, options, declared_noise(session).has_value() || !result.noise_estimate, result);
+  add_shape_columns(result, factor);
+  result.parameter_covariance = covariance_from(factor);
+  set_body(options, factor, result);
   set_effect_results(options.effects.size(), result);
   add_notes(session, result);
   return result;

@@ -6,6 +6,7 @@
 #include "estimation/fit/noise.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/problem/column_products.h"
+#include "estimation/solvers/covariance_factor.h"
 #include "estimation/solvers/priors.h"
 
 namespace handsight {
@@ -42,30 +43,36 @@ int unknowns_of(const Problem& problem, const Solution& solution, const Eigen::M
   return count - static_cast<int>(std::lround(known_by_priors(problem, solution.unknowns, inverse)));
 }
 
-/// A prior is one more measurement, with its own scatter.
-void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, Eigen::MatrixXd& middle) {
-  if (problem.has_shape_prior()) {
+/// A prior is one more measurement, with its own scatter: gathers the gradients of these, a row each, times
+/// `by_columns`, which has a row for each of the problem's columns.
+void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& by_columns,
+                       GatheredRows& gathered) {
+  const Eigen::Index effects = problem.effect_count();
+  if (problem.has_shape_prior()) {  // its weight times a projection, which is its own root
     const Eigen::MatrixXd prior = shape_prior(problem, unknowns.markers_in_tcp).information;
-    middle.topLeftCorner(prior.rows(), prior.cols()) += problem.noise * problem.noise * prior;
+    const double size = problem.noise / std::sqrt(shape_prior_weight(problem));
+    gathered.add(size * prior * by_columns.topRows(prior.cols()));
   }
-  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
-    const Eigen::Index column = problem.effect_column() + i;
+  for (Eigen::Index i = 0; i < effects; ++i) {
     const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].prior_sigma();
-    middle(column, column) += std::pow(problem.noise / sigma, 2) * problem.noise * problem.noise;
+    gathered.add(problem.noise / sigma * problem.noise * by_columns.row(problem.effect_column() + i));
   }
   if (learns_from_camera_images(problem))
-    middle.block(problem.effect_column(), problem.effect_column(), problem.effect_count(), problem.effect_count()) +=
-        std::pow(problem.noise, 4) * camera_prior(problem).information;
+    gathered.add(problem.noise * problem.noise * factor_of(camera_prior(problem).information).transpose() *
+                 by_columns.middleRows(problem.effect_column(), effects));
 }
 
-/// Sum over observations of the outer product of their gradients: how much observations differ, whatever the cause.
-Eigen::MatrixXd clustered_middle(const Problem& problem, const Unknowns& unknowns) {
-  Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(problem.columns(), problem.columns());
+/// A factor of the covariance by the outer products of the observations' gradients: how much observations differ,
+/// whatever the cause. Each gradient is taken along directions that are known as little as one another, see
+/// sandwich_factor.
+Eigen::MatrixXd clustered_factor(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& unit) {
+  Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(unit.cols(), unit.cols());
   GatheredRows gathered(middle, static_cast<Eigen::Index>(problem.observations.size()));
-  for (const ProblemObservation& o : problem.observations) gathered.add(gradient_of(problem, o, unknowns).transpose());
+  for (const ProblemObservation& o : problem.observations)
+    gathered.add(gradient_of(problem, o, unknowns).transpose() * unit);
+  add_prior_scatter(problem, unknowns, unit, gathered);
   gathered.settle();
-  add_prior_scatter(problem, unknowns, middle);
-  return middle.selfadjointView<Eigen::Lower>();
+  return unit * factor_of(middle.selfadjointView<Eigen::Lower>());
 }
 
 /// Two moments of a robust loss at the solution, by the problem's columns.
@@ -90,7 +97,10 @@ LossMoments loss_moments(Problem& problem, const Unknowns& unknowns, Loss loss, 
       moments.scores += value.weight * value.weight * one.gradient * one.gradient.transpose();
     }
   }
-  add_prior_scatter(problem, unknowns, moments.scores);
+  GatheredRows gathered(moments.scores);
+  add_prior_scatter(problem, unknowns, Eigen::MatrixXd::Identity(problem.columns(), problem.columns()), gathered);
+  gathered.settle();
+  moments.scores.triangularView<Eigen::StrictlyUpper>() = moments.scores.transpose();
   return moments;
 }
 
@@ -116,16 +126,14 @@ double scatter_correction(const Fit& fit) {
 
 /// With a loss: its curvature about the moment of its scores, of sightings where the noise is all that differs, of
 /// observations where more does.
-void set_loss_covariance(const FitOptions& options, bool fits, Fit& fit) {
+Eigen::MatrixXd loss_factor(const FitOptions& options, bool fits, const Fit& fit) {
   Problem weighted = fit.problem;
   const LossMoments moments = loss_moments(weighted, fit.solution.unknowns, options.loss, fit.loss_noise);
-  const bool by_observation = !fits && fit.problem.observations.size() >= fewest_for_scatter;
   Solution curved = fit.solution;
   curved.normal.information = moments.curvature;
-  fit.parameter_covariance =
-      by_observation
-          ? scatter_correction(fit) * sandwich_covariance(curved, clustered_middle(weighted, fit.solution.unknowns))
-          : sandwich_covariance(curved, moments.scores);
+  const Eigen::MatrixXd unit = unit_factor(curved);
+  if (fits || fit.problem.observations.size() < fewest_for_scatter) return sandwich_factor(unit, moments.scores);
+  return std::sqrt(scatter_correction(fit)) * clustered_factor(weighted, fit.solution.unknowns, unit);
 }
 
 }  // namespace
@@ -143,16 +151,16 @@ static double as_few_poses_tell(const Fit& fit) {
   return degrees > 4 ? degrees / (degrees - 2) : 2;
 }
 
-void set_covariances(const Problem& images, const FitOptions& options, bool declared, Fit& fit) {
+Eigen::MatrixXd covariance_factor(const Problem& images, const FitOptions& options, bool declared, Fit& fit) {
   const bool robot_errs = fit.problem.flange_error.is_any();
   const bool is_plain = fit.objective == Objective::image && options.loss == Loss::none && !robot_errs;
   // The minimum's own normal equations are those of the images without weights.
   const std::optional<Problem> as_told = robot_errs ? std::optional(without_flange_error(images)) : std::nullopt;
   const Problem& seen = as_told ? *as_told : images;
   const NormalEquations at_solution = is_plain ? fit.solution.normal : normal_equations(seen, fit.solution.unknowns);
-  const Eigen::MatrixXd bread = unit_covariance(fit.solution);
+  const Eigen::MatrixXd unit = unit_factor(fit.solution);
   fit.rows = at_solution.rows;
-  fit.unknowns = unknowns_of(fit.problem, fit.solution, bread, fit.fixed_markers);
+  fit.unknowns = unknowns_of(fit.problem, fit.solution, covariance_from(unit), fit.fixed_markers);
   const int degrees = fit.rows - fit.unknowns;
   fit.residual_rms = fit.rows > 0 ? std::sqrt(at_solution.data_cost() / fit.rows) : 0;
   const std::size_t count = fit.problem.observations.size();
@@ -160,33 +168,26 @@ void set_covariances(const Problem& images, const FitOptions& options, bool decl
     fit.chi2_per_dof = at_solution.data_cost() / (*fit.noise * *fit.noise) / degrees;
   const bool fits = agrees_with_noise(seen, at_solution, declared, fit);
   fit.covariance_kind = fits ? CovarianceKind::noise : CovarianceKind::scatter;
-  if (fit.objective == Objective::angle_axis) return;  // has its own
-  if (options.loss != Loss::none) return set_loss_covariance(options, fits, fit);
-  if (robot_errs) {
-    fit.parameter_covariance = as_few_poses_tell(fit) * fit.problem.noise * fit.problem.noise * bread;
-    return;
-  }
-  const double free_scale = degrees > 0 ? at_solution.data_cost() / degrees : 0.0;
-  if (fits && fit.objective == Objective::image) {
-    fit.parameter_covariance = *fit.noise * *fit.noise * bread;
-  } else if (!fits && count >= fewest_for_scatter) {
-    fit.parameter_covariance =
-        scatter_correction(fit) * bread * clustered_middle(fit.problem, fit.solution.unknowns) * bread;
-  } else if (fit.objective == Objective::image) {
-    fit.parameter_covariance = free_scale * bread;
-  } else {
-    fit.parameter_covariance = (fits ? *fit.noise * *fit.noise : free_scale) * bread *
-                               point_noise_middle(fit.problem, fit.solution.unknowns) * bread;
-  }
+  if (fit.objective == Objective::angle_axis) return factor_of(fit.parameter_covariance);  // has its own
+  if (options.loss != Loss::none) return loss_factor(options, fits, fit);
+  if (robot_errs) return std::sqrt(as_few_poses_tell(fit)) * fit.problem.noise * unit;
+  const double free_scale = degrees > 0 ? std::sqrt(at_solution.data_cost() / degrees) : 0.0;
+  if (fits && fit.objective == Objective::image) return *fit.noise * unit;
+  if (!fits && count >= fewest_for_scatter)
+    return std::sqrt(scatter_correction(fit)) * clustered_factor(fit.problem, fit.solution.unknowns, unit);
+  if (fit.objective == Objective::image) return free_scale * unit;
+  return (fits ? *fit.noise : free_scale) *
+         sandwich_factor(unit, point_noise_middle(fit.problem, fit.solution.unknowns));
 }
 
-void add_shape_covariance(Fit& fit) {
+void add_shape_columns(const Fit& fit, Eigen::MatrixXd& factor) {
   if (fit.shape_covariance.size() == 0) return;
   const Eigen::MatrixXd& b = fit.solution.basis;
   const Eigen::MatrixXd& h = fit.solution.normal.information;
   const Eigen::MatrixXd stays =
       Eigen::MatrixXd::Identity(h.rows(), h.cols()) - b * pseudo_inverse(b.transpose() * h * b) * b.transpose() * h;
-  fit.parameter_covariance += stays * fit.shape_covariance * stays.transpose();
+  factor.conservativeResize(Eigen::NoChange, factor.cols() + h.cols());
+  factor.rightCols(h.cols()) = stays * factor_of(fit.shape_covariance);
 }
 
 }  // namespace handsight

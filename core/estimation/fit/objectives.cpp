@@ -3,6 +3,7 @@
 
 #include "estimation/fit/angle_axis.h"
 #include "estimation/problem/body_shape.h"
+#include "estimation/solvers/covariance_factor.h"
 #include "estimation/solvers/trust_region.h"
 #include "estimation/start/shape_start.h"
 
@@ -108,14 +109,14 @@ void minimise(const Session& session, const Problem& images, const Unknowns& sta
   fit.solution.converged = result->converged;
   fit.angle_axis_sigma_m = result->sigma_m;
   fit.angle_axis_sigma_rad = result->sigma_rad;
-  fit.parameter_covariance = Eigen::MatrixXd::Zero(images.columns(), images.columns());
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(images.columns(), result->covariance.cols());
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(images.columns(), result->covariance_factor.rows());
   for (int m = 0; m < images.marker_count; ++m) {
     basis.block<3, 3>(3 * m, 0) = Matrix3::Identity();
     basis.block<3, 3>(3 * m, 3) = -cross_matrix(fit.solution.unknowns.markers_in_tcp[static_cast<std::size_t>(m)]);
   }
-  basis.bottomRightCorner(images.columns() - 3 * images.marker_count, result->covariance.cols() - 6).setIdentity();
-  fit.parameter_covariance = basis * result->covariance * basis.transpose();
+  basis.bottomRightCorner(images.columns() - 3 * images.marker_count, result->covariance_factor.rows() - 6)
+      .setIdentity();
+  fit.parameter_covariance = covariance_from(basis * result->covariance_factor);
 }
 
 Unknowns refit(const Fit& fit, const FitOptions& options, const Problem& part, double noise) {

@@ -7,14 +7,16 @@
 #include "effects/own_effect.h"
 #include "effects/rig_effects.h"
 #include "effects/term_numbers.h"
+#include "estimation/solvers/covariance_factor.h"
 
 namespace handsight {
 namespace {
 
-/// The nearest matrix without negative eigenvalues: a difference of two estimated covariances may have some.
+/// The nearest matrix without negative eigenvalues: a difference of two estimated covariances may have some, however
+/// exactly it is made, so that no factor is there to begin with. Made of a factor, its rounding adds none again.
 Matrix6 without_negative(const Matrix6& symmetric) {
   const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(symmetric);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
+  return covariance_from(eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal());
 }
 
 Rigid root_from_tcp_with(const Circumstances& c, const std::vector<EffectTerm>& effects) {

@@ -2,18 +2,13 @@
 #include "estimation/solvers/least_squares.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
+#include "estimation/solvers/covariance_factor.h"
+#include "estimation/solvers/inverse_parts.h"
+
 namespace handsight {
-namespace {
-
-Eigen::VectorXd inverse_scale(const Eigen::MatrixXd& h) {
-  return h.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
-}
-
-}  // namespace
 
 Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, bool fixed_body) {
   if (!fixed_body) return Eigen::MatrixXd::Identity(problem.columns(), problem.columns());
@@ -57,19 +52,9 @@ Eigen::VectorXd damped_step(const Eigen::MatrixXd& h, const Eigen::VectorXd& gra
 }  // namespace
 
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) {
-  const Eigen::VectorXd scale = inverse_scale(symmetric);
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  const Eigen::VectorXd& values = eigen.eigenvalues();
-  const double threshold = 1e-12 * std::max(values.size() ? values.maxCoeff() : 0.0, 0.0);
-  const Eigen::VectorXd inverse = values.unaryExpr([&](double v) { return v > threshold ? 1 / v : 0.0; });
-  if (left_out) {
-    *left_out = 0;
-    for (Eigen::Index i = 0; i < values.size(); ++i) *left_out += values[i] > threshold ? 0 : 1;
-    for (Eigen::Index i = 0; i < scale.size(); ++i) *left_out -= scale[i] == 0 ? 1 : 0;  // not part of the problem
-  }
-  const Eigen::MatrixXd half = scale.asDiagonal() * eigen.eigenvectors();
-  return half * inverse.asDiagonal() * half.transpose();
+  const InverseParts parts = inverse_parts(symmetric);
+  if (left_out) *left_out = parts.left_out;
+  return parts.half * parts.inverse.asDiagonal() * parts.half.transpose();
 }
 
 namespace {
@@ -154,9 +139,7 @@ Eigen::MatrixXd unit_covariance(const Solution& s) {
 }
 
 Eigen::MatrixXd sandwich_covariance(const Solution& s, const Eigen::MatrixXd& middle) {
-  const Eigen::MatrixXd bread =
-      s.basis * pseudo_inverse(s.basis.transpose() * s.normal.information * s.basis) * s.basis.transpose();
-  return bread * middle * bread;
+  return covariance_from(sandwich_factor(unit_factor(s), middle));
 }
 
 }  // namespace handsight

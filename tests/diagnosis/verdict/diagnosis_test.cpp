@@ -102,6 +102,22 @@ TEST(Diagnosis, SaysWhatThesePosesCannotShow) {
   EXPECT_EQ(std::count(d.invisible.begin(), d.invisible.end(), "camera_intrinsics"), 0);
 }
 
+/// An effect that is in the model was seen, though the places that are left for it cannot show it; so was one that the
+/// same answer speaks for.
+TEST(Diagnosis, WhatWasSeenIsNotAmongWhatThesePosesCannotShow) {
+  const Session session = simulated({{"joint_offset", 1, {3e-3}}}, 3, 40, fixture::stand_session());
+  DiagnosisOptions options = quick();
+  for (int j = 1; j < 5; ++j) options.estimated.push_back({"joint_offset", j, {0}});
+  for (const Diagnosis& d : {diagnose(session, quick()), diagnose(session, options)}) {
+    for (const FittedEffect& e : d.model.fit.effects)
+      EXPECT_EQ(std::count(d.invisible.begin(), d.invisible.end(), e.term.id), 0) << e.term.id;
+    for (const DiagnosisCandidate& c : d.candidates)
+      if (!c.unnamed && c.ln_bayes_factor >= d.threshold)
+        EXPECT_EQ(std::count(d.invisible.begin(), d.invisible.end(), c.id), 0) << c.id;
+    EXPECT_EQ(std::count(d.invisible.begin(), d.invisible.end(), "payload"), 1);
+  }
+}
+
 TEST(Diagnosis, NamesTheVariableOfWhatTheCatalogueDoesNotHave) {
   // A deviation with sin 3q at a joint.
   Session session = simulated({}, 5, 80);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/solvers/covariance_factor.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+#include "estimation/problem/column_products.h"
+#include "estimation/solvers/inverse_parts.h"
+
+namespace handsight {
+
+Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& factor) { return column_products(factor.transpose().eval()); }
+
+Eigen::MatrixXd factor_of(const Eigen::MatrixXd& symmetric) {
+  if (!symmetric.allFinite())
+    return Eigen::MatrixXd::Constant(symmetric.rows(), symmetric.cols(), std::numeric_limits<double>::quiet_NaN());
+  const Eigen::VectorXd sigma = symmetric.diagonal().cwiseMax(0).cwiseSqrt();
+  const Eigen::VectorXd inverse = sigma.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });
+  const Eigen::MatrixXd correlation = inverse.asDiagonal() * symmetric * inverse.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(correlation);
+  return sigma.asDiagonal() * eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+}
+
+Eigen::MatrixXd pseudo_inverse_factor(const Eigen::MatrixXd& symmetric) {
+  const InverseParts parts = inverse_parts(symmetric);
+  return parts.half * parts.inverse.cwiseSqrt().asDiagonal();
+}
+
+Eigen::MatrixXd unit_factor(const Solution& s) {
+  return s.basis * pseudo_inverse_factor(s.basis.transpose() * s.normal.information * s.basis);
+}
+
+Eigen::MatrixXd sandwich_factor(const Eigen::MatrixXd& unit, const Eigen::MatrixXd& middle) {
+  return unit * factor_of(unit.transpose() * middle * unit);
+}
+
+}  // namespace handsight

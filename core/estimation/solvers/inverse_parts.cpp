@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/solvers/inverse_parts.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace handsight {
+
+Eigen::VectorXd inverse_scale(const Eigen::MatrixXd& symmetric) {
+  return symmetric.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
+}
+
+InverseParts inverse_parts(const Eigen::MatrixXd& symmetric) {
+  const Eigen::VectorXd scale = inverse_scale(symmetric);
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+  const Eigen::VectorXd& values = eigen.eigenvalues();
+  const double threshold = 1e-12 * std::max(values.size() ? values.maxCoeff() : 0.0, 0.0);
+  InverseParts parts{scale.asDiagonal() * eigen.eigenvectors(),
+                     values.unaryExpr([&](double v) { return v > threshold ? 1 / v : 0.0; })};
+  for (Eigen::Index i = 0; i < values.size(); ++i) parts.left_out += values[i] > threshold ? 0 : 1;
+  for (Eigen::Index i = 0; i < scale.size(); ++i) parts.left_out -= scale[i] == 0 ? 1 : 0;  // not part of the problem
+  return parts;
+}
+
+}  // namespace handsight
