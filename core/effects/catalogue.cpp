@@ -4,12 +4,14 @@
 #include <unordered_map>
 
 #include "effects/list.h"
+#include "effects/target_effects.h"
 
 namespace handsight {
 
 const std::vector<Effect>& catalogue() {
   static const std::vector<Effect> effects = {joint_offset(),
                                               joint_scale(),
+                                              joint_coupling(),
                                               joint_elasticity(),
                                               link_elasticity(),
                                               link_geometry(),
@@ -31,7 +33,9 @@ const std::vector<Effect>& catalogue() {
                                               mount_drift(),
                                               mount_slip(),
                                               body_slip(),
-                                              marker_slip()};
+                                              marker_slip(),
+                                              target_scale(),
+                                              target_bend()};
   return effects;
 }
 
@@ -66,7 +70,13 @@ const Effect& effect_of(const EffectTerm& term) {
 }
 
 EffectTerm term_of(const Effect& effect, int place, std::shared_ptr<const Effect> own) {
-  return {effect.id, place, std::vector<double>(effect.parameters.size(), 0.0), {}, std::move(own)};
+  EffectTerm term{effect.id, place, std::vector<double>(effect.parameters.size(), 0.0), {}, std::move(own)};
+  // A choice that cannot be 0 is the first of its alternatives.
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    if (const std::vector<double>& choices = effect.parameters[p].choices;
+        !choices.empty() && std::find(choices.begin(), choices.end(), 0.0) == choices.end())
+      term.values[p] = choices.front();
+  return term;
 }
 
 namespace {
@@ -122,7 +132,7 @@ std::vector<char> joints_that_matter(const Chain& chain) {
 
 std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
   std::vector<int> places;
-  if (effect.scope == EffectScope::session) return {-1};
+  if (effect.scope == EffectScope::session && !has_no_target(effect)) return {-1};
   if (effect.scope == EffectScope::camera)
     for (std::size_t c = 0; c < effect.cameras.size(); ++c)
       if (!effect.cameras[c].empty()) places.push_back(static_cast<int>(c));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "effects/effect.h"
+#include "effects/target_effects.h"
 
 namespace handsight {
 namespace {
@@ -88,7 +89,8 @@ NumberPlace add_number(const Found& found, int place, const std::string& name, d
     throw InputError(fmt::format("Effect \"{}\": {} has no parameter \"{}\".", text, effect.id, name));
   const NumberPlace number{term_for(found, place, terms),
                            static_cast<std::size_t>(parameter - effect.parameters.begin())};
-  terms[number.term].values[number.parameter] += value;
+  double& there = terms[number.term].values[number.parameter];
+  there = parameter->is_choice ? value : there + value;
   return number;
 }
 
@@ -115,6 +117,9 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
   const std::string id = text.substr(0, colon);
   const Found found = effect_for(id, own);
   const Effect* const effect = found.effect;
+  if (has_no_target(*effect))
+    throw InputError(fmt::format(
+        "Effect \"{}\": this session has no target of one piece whose shape is known, which {} is of.", text, id));
   std::string name = text.substr(colon + 1, equals - colon - 1);
   int place = -1;
   if (effect->scope != EffectScope::session) {
@@ -141,11 +146,12 @@ std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain
   if (colon == std::string::npos) {
     places = effect_places(*effect, chain);
     if (places.empty())
-      throw InputError(fmt::format("Effect \"{}\" has no place in this session: it sits at {}.", id,
-                                   effect->scope == EffectScope::mimic_joint ? "joints that follow others"
-                                   : effect->scope == EffectScope::camera
-                                       ? "cameras, which this session has not got for it"
-                                       : "markers"));
+      throw InputError(
+          fmt::format("Effect \"{}\" has no place in this session: it sits at {}.", id,
+                      effect->scope == EffectScope::mimic_joint ? "joints that follow others"
+                      : effect->scope == EffectScope::camera    ? "cameras, which this session has not got for it"
+                      : effect->scope == EffectScope::session   ? "a target of one piece whose shape is known"
+                                                                : "markers"));
   } else if (effect->scope == EffectScope::session) {
     throw InputError(fmt::format("Effect \"{}\" sits at no joint; write {} alone.", text, id));
   } else {

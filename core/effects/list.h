@@ -9,6 +9,7 @@ namespace handsight {
 
 Effect joint_offset();
 Effect joint_scale();
+Effect joint_coupling();
 Effect joint_elasticity();
 Effect link_elasticity();
 Effect link_geometry();
@@ -31,5 +32,7 @@ Effect mount_drift();
 Effect mount_slip();
 Effect body_slip();
 Effect marker_slip();
+Effect target_scale();
+Effect target_bend();
 
 }  // namespace handsight

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "effects/formula.h"
 #include "effects/rig_effects.h"
+#include "effects/target_effects.h"
 
 namespace handsight {
 namespace {
@@ -308,6 +309,8 @@ std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot&
 OwnEffects own_effects_of(const Session& session, const Chain& chain) {
   OwnEffects all;
   if (chain.rig) all = rig_effects(*chain.rig);
+  const OwnEffects of_target = target_effects(session, chain);
+  all.insert(all.end(), of_target.begin(), of_target.end());
   if (session.effect_definitions.empty()) return all;
   const Rig cameras = chain.rig.value_or(rig_of(StereoRig{}));
   const std::vector<Circumstances> circumstances = circumstances_of(session, chain);

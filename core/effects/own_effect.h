@@ -18,8 +18,8 @@ namespace handsight {
 std::shared_ptr<const Effect> own_effect(const EffectDefinition& definition, const Robot& robot,
                                          const Rig& rig = rig_of(StereoRig{}));
 
-/// Those of the session's cameras (rig_effects.h), then those by formula, found finite at every observation. Throws
-/// InputError as above, and where an id is one of the catalogue.
+/// Those of the session's cameras (rig_effects.h) and target (target_effects.h), then those by formula, found finite at
+/// every observation. Throws InputError as above, and where an id is one of the catalogue.
 OwnEffects own_effects_of(const Session& session, const Chain& chain);
 
 /// A name as formulas write it: characters other than letters, digits and _ become _.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "effects/coupled_joint.h"
 #include "effects/own_effect.h"
 
 namespace handsight {
@@ -32,6 +33,8 @@ const std::map<std::string, std::vector<SiteFormula>>& formulas_of_the_catalogue
         {"body_ry", "order >= k ? ry : 0"},
         {"body_rz", "order >= k ? rz : 0"}}},
       {"marker_slip", {}},
+      {"target_scale", {}},
+      {"target_bend", {}},
       {"mount_slip", {}},
       {"mount_drift", {}}};
   return all;
@@ -86,6 +89,9 @@ class Writer {
     const std::size_t before = program_.moves.size();
     if (effect.definition) {
       for (const DefinedMove& m : effect.definition->moves) add_formula({m.site, m.formula}, effect, term);
+    } else if (const auto other = coupled_joint(robot_.chain, term)) {
+      const Joint& joint = robot_.chain.robot.joints[static_cast<std::size_t>(*other)];
+      add_formula({"angle", "ratio*q_" + formula_name(joint.name)}, effect, term);
     } else if (const auto known = formulas_of_the_catalogue().find(effect.id);
                known != formulas_of_the_catalogue().end()) {
       for (const SiteFormula& f : known->second) add_formula(f, effect, term);
@@ -226,6 +232,7 @@ bool bends(const CalibratedRobot& robot) {
 std::vector<int> joints_read_by_name(const CalibratedRobot& robot) {
   std::vector<int> joints;
   for (const EffectTerm& term : robot.model.effects) {
+    if (const auto other = coupled_joint(robot.chain, term)) joints.push_back(*other);
     if (!effect_of(term).definition) continue;
     for (const DefinedMove& m : effect_of(term).definition->moves)
       with_names(parse_expression(m.formula), [&](const std::string& name) {

@@ -3476,10 +3476,6 @@
         <translation>px</translation>
     </message>
     <message>
-        <source>ratio</source>
-        <translation>Verhältnis</translation>
-    </message>
-    <message>
         <source>ready</source>
         <translation>bereit</translation>
     </message>
@@ -4944,6 +4940,74 @@
     <message>
         <source>Hold the motor and rock the link by hand in both directions; read the play at the hand.</source>
         <translation>Den Motor halten, das Glied von Hand in beide Richtungen wippen und das Spiel an der Hand ablesen.</translation>
+    </message>
+    <message>
+        <source>Joint coupling</source>
+        <translation>Gelenkkopplung</translation>
+    </message>
+    <message>
+        <source>The joint turns a little with another one: a belt, a wrist or a parallelogram passes on a share of that joint's angle, and the controller does not take it back.</source>
+        <translation>Das Gelenk dreht ein wenig mit einem anderen mit: ein Riemen, ein Handgelenk oder ein Parallelogramm gibt einen Teil von dessen Winkel weiter, und die Steuerung nimmt ihn nicht zurück.</translation>
+    </message>
+    <message>
+        <source>Needs wide ranges of both joints, which must not go together.</source>
+        <translation>Braucht weite Bereiche beider Gelenke, die nicht miteinander gehen dürfen.</translation>
+    </message>
+    <message>
+        <source>Turn the other joint alone over its whole range and watch whether this one turns.</source>
+        <translation>Das andere Gelenk allein über seinen ganzen Bereich drehen und darauf achten, ob dieses mitdreht.</translation>
+    </message>
+    <message>
+        <source>Size of the target</source>
+        <translation>Größe des Targets</translation>
+    </message>
+    <message>
+        <source>The target was printed larger or smaller than its description says (a printer that fits the page, or a length typed wrong), so that every distance seen is wrong by the same share.</source>
+        <translation>Das Target ist größer oder kleiner gedruckt, als seine Beschreibung sagt (ein Drucker, der an die Seite anpasst, oder eine falsch getippte Länge), sodass jeder gesehene Abstand um denselben Anteil falsch ist.</translation>
+    </message>
+    <message>
+        <source>Needs poses at several distances or positions; where the target's points are free it is not needed.</source>
+        <translation>Braucht Stellungen in mehreren Abständen oder an mehreren Orten; wo die Punkte des Targets frei sind, wird sie nicht gebraucht.</translation>
+    </message>
+    <message>
+        <source>Measure the target over its whole length with a ruler and compare with its description.</source>
+        <translation>Das Target über seine ganze Länge mit einem Lineal messen und mit seiner Beschreibung vergleichen.</translation>
+    </message>
+    <message>
+        <source>Bent target</source>
+        <translation>Gewölbtes Target</translation>
+    </message>
+    <message>
+        <source>A target that is described as flat is bent, as paper or a thin plate is: its edges stand off.</source>
+        <translation>Ein Target, das als eben beschrieben ist, ist gewölbt, wie Papier oder eine dünne Platte es ist: seine Ränder stehen ab.</translation>
+    </message>
+    <message>
+        <source>Seen in the shape of the target where it is large in the image; small ones look flat.</source>
+        <translation>Zu sehen an der Form des Targets, wo es groß im Bild ist; kleine sehen eben aus.</translation>
+    </message>
+    <message>
+        <source>Lay a ruler over the target, along and across, and look for light under it.</source>
+        <translation>Ein Lineal längs und quer über das Target legen und darunter nach Licht sehen.</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>joints before it</source>
+        <translation>Gelenke davor</translation>
+    </message>
+    <message>
+        <source>bend_x</source>
+        <translation>Wölbung längs x</translation>
+    </message>
+    <message>
+        <source>bend_y</source>
+        <translation>Wölbung längs y</translation>
     </message>
     <message>
         <source>Joint elasticity</source>

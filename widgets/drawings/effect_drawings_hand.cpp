@@ -43,6 +43,28 @@ void marker_slip(const DrawingKit& kit) {
   kit.arrow(Ink::effect, {66, 45}, {76, 53});
 }
 
+/// A board, and the same as it came out of the printer.
+void target_scale(const DrawingKit& kit) {
+  kit.shape(Ink::effect, {{6, 22}, {90, 22}, {90, 78}, {6, 78}});
+  kit.shape(Ink::model, {{18, 30}, {78, 30}, {78, 70}, {18, 70}});
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 2; ++j) kit.marker(Ink::model, {31.0 + 17 * i, 42.0 + 16 * j}, 5);
+  kit.arrow(Ink::effect, {79, 31}, {88, 24});
+  kit.arrow(Ink::effect, {17, 69}, {8, 76});
+  kit.text(Ink::effect, {48, 11}, QStringLiteral("102 %"), 13);
+}
+
+/// A board from its edge: flat, and as a bow.
+void target_bend(const DrawingKit& kit) {
+  kit.link(Ink::model, {10, 66}, {86, 66}, 6);
+  QPainterPath bow({10, 30});
+  bow.quadTo({48, 84}, {86, 30});
+  kit.limb(Ink::effect, bow, 5);
+  for (int i = 0; i < 3; ++i) kit.line(Ink::help, {22.0 + 26 * i, 70}, {22.0 + 26 * i, 80});
+  kit.arrow(Ink::effect, {14, 60}, {14, 42});
+  kit.arrow(Ink::effect, {82, 60}, {82, 42});
+}
+
 /// Something follows a joint, and no effect of the catalogue looks like it.
 void unnamed(const DrawingKit& kit) {
   kit.arrow(Ink::help, {10, 88}, {10, 8});
@@ -60,7 +82,11 @@ void unnamed(const DrawingKit& kit) {
 }  // namespace
 
 std::map<std::string, DrawEffect> hand_drawings() {
-  return {{"body_slip", body_slip}, {"marker_slip", marker_slip}, {"", unnamed}};
+  return {{"body_slip", body_slip},
+          {"marker_slip", marker_slip},
+          {"target_scale", target_scale},
+          {"target_bend", target_bend},
+          {"", unnamed}};
 }
 
 }  // namespace handsight::widgets

@@ -88,6 +88,20 @@ void mimic_error(const DrawingKit& kit) {
   kit.text(Ink::help, {40, 18}, QStringLiteral(":"), 13);
 }
 
+/// A belt from one joint to the next: the far one turns with the near one.
+void joint_coupling(const DrawingKit& kit) {
+  const QPointF near(22, 70), far(66, 40);
+  kit.link(Ink::model, near, far, 12);
+  kit.line(Ink::help, {15, 60}, {59, 30});
+  kit.line(Ink::help, {29, 80}, {73, 50});
+  kit.joint(Ink::model, near, 8);
+  kit.link(Ink::model, far, {90, 40}, 7);
+  kit.link(Ink::effect, far, {84, 62}, 7);
+  kit.joint(Ink::model, far, 8);
+  kit.turn(Ink::model, near, 18, 60, 90);
+  kit.turn(Ink::effect, far, 26, -4, -38);
+}
+
 }  // namespace
 
 std::map<std::string, DrawEffect> robot_drawings() {
@@ -95,7 +109,8 @@ std::map<std::string, DrawEffect> robot_drawings() {
           {"base_tilt", base_tilt},
           {"base_elasticity", base_elasticity},
           {"mimic_linkage", mimic_linkage},
-          {"mimic_error", mimic_error}};
+          {"mimic_error", mimic_error},
+          {"joint_coupling", joint_coupling}};
 }
 
 }  // namespace handsight::widgets

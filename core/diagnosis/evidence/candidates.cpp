@@ -44,6 +44,25 @@ std::vector<double> sizes_of(const Effect& effect, const Problem& model) {
   return sizes;
 }
 
+/// Does a choice of an effect at one joint name something that is there? A coupling with a joint that the chain has not
+/// got moves nothing whatever its size.
+bool has_choice(const Effect& effect, int place, const std::vector<double>& values, const Chain& chain) {
+  if (!moves_one_joint(effect)) return true;
+  std::vector<double> sizes = values;
+  bool chooses = false;
+  for (std::size_t p = 0; p < sizes.size(); ++p) {
+    chooses = chooses || effect.parameters[p].is_choice;
+    if (!effect.parameters[p].is_choice) sizes[p] = effect.parameters[p].sigma;
+  }
+  if (!chooses) return true;
+  const auto count = static_cast<Eigen::Index>(chain.joints.size());
+  Sites sites = unmoved_sites(chain);
+  effect.move(circumstances_at(chain, Eigen::VectorXd::Ones(count)), place, sizes, sites);
+  const JointChange& j = sites.robot.joints[static_cast<std::size_t>(place)];
+  return j.angle != 0 || !j.frame.isZero(0) || !j.after.isZero(0) || j.compliance != 0 || j.lateral_compliance != 0 ||
+         j.gap != 0;
+}
+
 /// Every unit of an effect that is not in the model yet, as a candidate.
 struct Offer {
   const Problem& model;
@@ -77,6 +96,7 @@ void Offer::operator()(const Effect& effect, std::shared_ptr<const Effect> own) 
   for (const int place : effect_places(effect, model.source->chain)) {
     if (effect.scope == EffectScope::marker && !model.marker_is_seen[static_cast<std::size_t>(place)]) continue;
     for (const std::vector<double>& values : choices_of(effect, orders)) {
+      if (!has_choice(effect, place, values, model.source->chain)) continue;
       EffectTerm term = term_of(effect, place, own);
       term.values = values;
       const bool is_in = std::any_of(model.terms.begin(), model.terms.end(),
@@ -138,7 +158,11 @@ Candidates at_place(const Problem& model, const EffectTerm& term, const std::vec
 }  // namespace
 
 Candidates choices_at_place(const Problem& model, const EffectTerm& term, int most_orders) {
-  return at_place(model, term, choices_of(effect_of(term), step_orders(model, most_orders)));
+  std::vector<std::vector<double>> choices = choices_of(effect_of(term), step_orders(model, most_orders));
+  std::erase_if(choices, [&](const std::vector<double>& values) {
+    return !has_choice(effect_of(term), term.joint, values, model.source->chain);
+  });
+  return at_place(model, term, choices);
 }
 
 Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders) {

@@ -48,7 +48,9 @@ struct NullScore {
 std::vector<std::vector<NullScore>> null_scores(const WhitenedModel& w, const CandidateEffect& c) {
   std::vector<std::vector<NullScore>> classes(1);
   for (const CandidateUnit& unit : c.units) classes[0].emplace_back(score(w, unit.first, unit.count));
-  if (!moves_one_joint(*c.effect) || c.units.size() < 2) return classes;
+  const auto is_choice = [](const EffectParameter& p) { return p.is_choice; };
+  const bool has_choices = std::any_of(c.effect->parameters.begin(), c.effect->parameters.end(), is_choice);
+  if (!moves_one_joint(*c.effect) || c.units.size() < 2 || has_choices) return classes;
   const Eigen::Index first = c.units.front().first;
   classes.emplace_back();
   classes[1].emplace_back(score(w, first, c.units.back().first + c.units.back().count - first));

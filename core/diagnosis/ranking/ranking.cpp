@@ -25,6 +25,11 @@ std::vector<Eigen::Index> columns_of(const CandidateEffect& c, const std::vector
 
 bool sits_at_joints(const Effect& e) { return e.scope == EffectScope::joint || e.scope == EffectScope::mimic_joint; }
 
+/// Units that differ in a choice are ways of the same cause: all of them at once is no cause.
+bool has_choices(const Effect& e) {
+  return std::any_of(e.parameters.begin(), e.parameters.end(), [](const EffectParameter& p) { return p.is_choice; });
+}
+
 /// One effect under one scatter.
 class EffectRanker {
  public:
@@ -139,7 +144,7 @@ class EffectRanker {
           if (exact) take({seen[order[a]], seen[order[b]]}, factor, n, best, r);
         }
       classes.push_back(ln_mean_exp(pairs));
-      if (n > 2) {
+      if (n > 2 && !has_choices(*c_.effect)) {
         const double all = factor_of(seen);
         classes.push_back(all);
         take(seen, all, n, best, r);

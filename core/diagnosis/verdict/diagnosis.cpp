@@ -16,6 +16,7 @@
 #include "diagnosis/verdict/judging.h"
 #include "diagnosis/verdict/robot_check.h"
 #include "diagnosis/verdict/sampled.h"
+#include "effects/target_effects.h"
 
 namespace handsight {
 namespace {
@@ -135,10 +136,10 @@ class Work {
     for (RankedLocaliser& l : ranking_.localisers) l.ln_bayes_factor -= more_with_scatter;
   }
 
-  /// What only another number of cameras could have is not spoken of.
+  /// What only another number of cameras, or a target, could have is not spoken of.
   bool is_of_this_rig(const std::string& id) const {
     const Effect& e = *find_effect(id, d_.model.fit.problem.source->own_effects);
-    return e.scope != EffectScope::camera || !e.cameras.empty();
+    return (e.scope != EffectScope::camera || !e.cameras.empty()) && !has_no_target(e);
   }
 
   /// What this robot or session cannot have at all is invisible too.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "effects/coupled_joint.h"
+
 namespace handsight {
 
 double held_out_error(const Diagnosis& d) {
@@ -38,6 +40,9 @@ std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const S
     const Effect& effect = effect_of(term);
     const std::string place = place_name(effect, term.joint, session.robot);
     if (!place.empty()) places.push_back(place);
+    if (effect.id == "joint_coupling")
+      if (const auto other = coupled_joint(chain_of(session), term))
+        places.push_back(session.robot.joints[static_cast<std::size_t>(*other)].name);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty())
         places.push_back(fmt::format("from observation {:g} on", term.values[p]));

@@ -142,7 +142,7 @@ void require_use_of_camera_images(const Session& session, const FitOptions& opti
                                                               : ", rig"));
 }
 
-/// Does a term move the body or its markers on the hand?
+/// Does a term move the body or its markers on the hand, in the body's own frame?
 bool is_slip(const EffectTerm& term, const Chain& chain) {
   const Effect& effect = effect_of(term);
   if (effect.scope == EffectScope::marker) return true;
@@ -153,7 +153,9 @@ bool is_slip(const EffectTerm& term, const Chain& chain) {
   const auto joints = static_cast<Eigen::Index>(chain.joints.size());
   EffectTerm one = term;
   std::fill(one.values.begin(), one.values.end(), 1.0);
-  return !moved_sites(circumstances_at(chain, Eigen::VectorXd::Zero(joints)), {one}).body.isZero(0);
+  const Sites sites = moved_sites(circumstances_at(chain, Eigen::VectorXd::Zero(joints)), {one});
+  return !sites.body.isZero(0) ||
+         std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); });
 }
 
 bool has_slip(const Problem& problem) {
@@ -222,11 +224,11 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   result.fixed_markers =
       options.fix_markers || options.objective == Objective::angle_axis || (images.shape && images.shape->is_rigid());
   if (images.effect_count() > 0 || images.shape || session.robot.is_of_poses) set_prior_noise(session, *start, images);
-  if (!images.terms.empty()) {
+  if (has_slip(images)) {
     // A first frame for slips; settled below.
     const BodySides sides = sides_of(options, images, *start);
     if (!sides.markers.empty()) images.tcp_from_slip = body_frame(sides, start->markers_in_tcp).tcp_from_body;
-    if (has_slip(images)) place_observations(images);
+    place_observations(images);
   }
   // Of a long session every copy counts: where the images themselves are fitted there is one problem.
   const bool are_images = options.objective == Objective::image;
@@ -253,6 +255,8 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   add_shape_columns(result, factor);
   result.parameter_covariance = covariance_from(factor);
   set_body(options, factor, result);
+  // What moves the body may be asked for later, of a model that has nothing of the kind yet.
+  if (!has_slip(result.problem)) result.problem.tcp_from_slip = result.tcp_from_body;
   set_effect_results(options.effects.size(), result);
   add_notes(session, result);
   return result;

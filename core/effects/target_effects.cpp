@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "effects/target_effects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "chain/body_frame.h"
+
+namespace handsight {
+namespace {
+
+bool is_flat(const KnownShape& shape) {
+  constexpr double nearly = 1e-9;  // m
+  return std::all_of(shape.markers.begin(), shape.markers.end(),
+                     [&](const Vector3& x) { return std::abs(x.z() - shape.markers.front().z()) < nearly; });
+}
+
+/// Is the shape of the markers known, and are there enough of them to have one?
+bool has_known_shape(const Session& session) {
+  return session.shape && session.shape->sigma && session.shape->piece_count() == 1 &&
+         session.shape->markers.size() >= 3;
+}
+
+std::vector<Vector3> places_by_order(const Session& session, const Chain& chain) {
+  std::vector<Vector3> places;
+  const std::vector<Circumstances> all = circumstances_of(session, chain);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto order = static_cast<std::size_t>(all[i].order);
+    if (order >= places.size()) places.resize(order + 1, Vector3::Zero());
+    if (session.observations[i].target_pose) places[order] = session.observations[i].target_pose->translation;
+  }
+  return places;
+}
+
+}  // namespace
+
+OwnEffects target_effects(const Session& session, const Chain& chain) {
+  OwnEffects all;
+  const auto add = [&](Effect effect) { all.push_back(std::make_shared<const Effect>(std::move(effect))); };
+  if (session.pose_sensor) {
+    add(target_scale_of_poses(places_by_order(session, chain)));
+  } else if (has_known_shape(session)) {
+    add(target_scale(described_in_body(*session.shape)));
+    if (is_flat(*session.shape)) add(target_bend(*session.shape));
+  }
+  return all;
+}
+
+void move_no_target(const Circumstances&, int, std::span<const double>, Sites&) {}
+
+bool has_no_target(const Effect& effect) {
+  using Move = void (*)(const Circumstances&, int, std::span<const double>, Sites&);
+  const Move* move = effect.move.target<Move>();
+  return move && *move == &move_no_target;
+}
+
+std::vector<Vector3> described_in_body(const KnownShape& shape) {
+  const BodySides sides = choose_sides({shape.markers.begin(), shape.markers.end()});
+  const Rigid body_from_target = inverse(body_frame(sides, shape.markers).tcp_from_body);
+  std::vector<Vector3> in_body;
+  for (const Vector3& in_target : shape.markers) in_body.push_back(body_from_target * in_target);
+  return in_body;
+}
+
+}  // namespace handsight
