@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "command.h"
+#include "printing/blunder_output.h"
 #include "printing/told_json.h"
 
 namespace handsight::cli {
@@ -22,7 +25,11 @@ int run(const CheckArguments& o) {
                 : check.problems.empty() ? "Everything in the session can be used; look at what is odd."
                                          : fmt::format("{} problem{}: these would not work.", check.problems.size(),
                                                        check.problems.size() == 1 ? "" : "s"));
-  o.output.json(check_json(session, check));
+  const std::vector<Blunder> blunders = check.problems.empty() ? blunders_of(session) : std::vector<Blunder>();
+  print_blunders(o.output, o.session, blunders);
+  Json json = check_json(session, check);
+  json["blunders"] = blunders_json(blunders);
+  o.output.json(json);
   for (const std::string& line : check.problems) Output::note(line);
   return check.problems.empty() ? done : wrong_input;
 }

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "blunders/mended.h"
 #include "command.h"
 #include "convert/convert.h"
 #include "options/target_option.h"
@@ -12,7 +13,7 @@ namespace handsight::cli {
 namespace {
 
 struct ConvertArguments {
-  std::vector<std::string> files;
+  std::vector<std::string> files, fixes;
   std::string out, robot;
   ConvertOptions convert;
   TargetOptions target;
@@ -25,7 +26,22 @@ std::string sensor_text(const Session& s) {
   return fmt::format("{} {}", s.rig->count(), s.rig->count() == 1 ? "camera" : "cameras");
 }
 
+/// A session with its blunders put right beside it, in place of one that is made of other files.
+int run_fix(const ConvertArguments& o) {
+  if (o.files.size() != 1)
+    throw InputError(fmt::format("--fix puts one session right; name its folder and no other file ({} are named).",
+                                 o.files.size()));
+  const Session session = open_searched_session(o.files.front(), o.output);
+  const Session made = write_mended(session, o.fixes, o.out);
+  o.output.line(fmt::format("{}: {} observations, put right: {}", o.out, made.observations.size(),
+                            fmt::join(o.fixes, ", ")));
+  o.output.line(fmt::format("Next: handsight-cli fit {}", o.out));
+  o.output.json({{"out", o.out}, {"observations", made.observations.size()}, {"joints", made.joints}, {"fixed", o.fixes}});
+  return done;
+}
+
 int run(const ConvertArguments& o) {
+  if (!o.fixes.empty()) return run_fix(o);
   ConvertOptions options = o.convert;
   options.out = o.out;
   options.robot = o.robot;
@@ -63,9 +79,11 @@ Command add_convert(const CommandLine& program) {
   command
       .option("WHAT", o->files,
               "Image folders, joint tables, calibrations of OpenCV, ROS or Kalibr, easy_handeye samples, tables of "
-              "poses or points, ROS 2 bags, a URDF")
+              "poses or points, ROS 2 bags, a URDF; with --fix a session")
       .required();
   command.option("--out", o->out, "Folder to make; it must not hold a session already").required();
+  command.option("--fix", o->fixes,
+                 "Puts right what check, fit and diagnose name, ID or ID:WHERE, of a session, and writes it to --out");
   command.option("--robot", o->robot, "URDF");
   command.option("--tcp", o->convert.tcp, "The link that is the hand");
   command.option("--mount", o->convert.mount, "The link that carries the sensor; the root link where it stands");

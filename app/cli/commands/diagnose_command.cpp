@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "printing/blunder_output.h"
 #include "printing/diagnosis_output.h"
 #include "printing/outputs.h"
 #include "printing/proof_output.h"
@@ -30,6 +31,8 @@ int run(const DiagnoseArguments& o) {
   const Proofs proofs = proofs_of(session, d, in_full);
   print_diagnosis(o.output, session, d);
   print_proof(o.output, d, proofs);
+  const std::vector<Blunder> blunders = blunders_of(d.model.session, d.model.fit);
+  print_blunders(o.output, o.session, blunders);
   if (!o.proof_file.empty()) {
     write_output(o.proof_file, proof_csv(d, proofs), "--proof");
     o.output.line("Written: " + o.proof_file);
@@ -37,6 +40,7 @@ int run(const DiagnoseArguments& o) {
   if (!o.output.json_file.empty()) {
     Json result = diagnosis_json(session, d);
     add_proof(proofs, result);
+    result["blunders"] = blunders_json(blunders);
     o.output.json(result);
   }
   return d.verdict == Verdict::unexplained || d.verdict == Verdict::too_few_observations ? answer_is_no : done;

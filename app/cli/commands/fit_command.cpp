@@ -8,6 +8,7 @@
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
 #include "options/camera_images_option.h"
+#include "printing/blunder_output.h"
 #include "printing/diagnosis_output.h"
 #include "printing/fit_output.h"
 
@@ -47,7 +48,10 @@ int run(const FitArguments& o) {
   const auto lone = o.without_wrong_points || !is_plain ? clean.lone : lone_observations(session, result, options);
   if (!o.without_wrong_points && !lone.empty())
     o.output.line(lone_text(lone, session.is_tracker(), false) + " --without-wrong-points fits without.");
+  const std::vector<Blunder> blunders = blunders_of(clean.session, result);
+  print_blunders(o.output, o.session, blunders);
   Json json = fit_json(session, result, told, options);
+  json["blunders"] = blunders_json(blunders);
   json["lone_observations"] = lone_json(lone);
   if (o.without_wrong_points) json["wrong_points"] = wrong_points_json(clean.wrong, clean.session);
   if (options.camera_images) json["camera_images"] = camera_images_json(*options.camera_images, *result.problem.rig);

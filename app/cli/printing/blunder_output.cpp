@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "blunder_output.h"
+
+#include <fmt/format.h>
+
+#include "json_values.h"
+#include "session/sample.h"
+
+namespace handsight::cli {
+namespace {
+
+constexpr int most_observations = 100;  // of a fit that only decides whether to look for blunders
+
+std::string size_text(const Blunder& b, double rms) {
+  return b.in_pixels ? fmt::format("{:.3g} px", rms) : fmt::format("{:.3g} mm", 1e3 * rms);
+}
+
+}  // namespace
+
+std::vector<Blunder> blunders_of(const Session& session, const Fit& fit) {
+  if (!may_be_a_blunder(session, fit)) return {};
+  Progress progress("looks for mistakes", 100);
+  return find_blunders(session, fit, [&](double share) {
+    progress.at(static_cast<std::size_t>(100 * share));
+    return true;
+  });
+}
+
+std::vector<Blunder> blunders_of(const Session& session) {
+  try {
+    const auto sample = sample_of(session, most_observations, most_observations);
+    const Fit quick = fit(sample ? sample->session : session, {.smallest_step = 1e-6});
+    return blunders_of(session, quick);
+  } catch (const InputError&) {  // nothing to fit, which the command says itself
+    return {};
+  }
+}
+
+void print_blunders(const Output& out, const std::string& session_path, const std::vector<Blunder>& blunders) {
+  if (blunders.empty()) return;
+  out.line();
+  const Blunder& first = blunders.front();
+  out.line(fmt::format("{}, and with it {} is left in place of {}:",
+                       blunders.size() == 1 ? "A mistake explains it" : "Two mistakes together explain it",
+                       size_text(first, first.rms_after), size_text(first, first.rms_before)));
+  std::string fixes;
+  for (const Blunder& b : blunders) {
+    out.line("  " + b.text);
+    out.line("  " + b.fix);
+    fixes += " --fix " + name_of(b);
+  }
+  out.line(fmt::format("  Or: handsight-cli convert {}{} --out NEW", session_path, fixes));
+}
+
+Json blunders_json(const std::vector<Blunder>& blunders) {
+  Json list = Json::array();
+  for (const Blunder& b : blunders) {
+    const std::string unit = b.in_pixels ? "pixel" : "m";
+    list.push_back({{"id", b.id},
+                    {"where", b.where},
+                    {"text", b.text},
+                    {"fix", b.fix},
+                    {"rms_before_" + unit, number(b.rms_before)},
+                    {"rms_after_" + unit, number(b.rms_after)},
+                    {"ln_bayes_factor", number(b.ln_bayes_factor)},
+                    {"together_with", b.together_with}});
+  }
+  return list;
+}
+
+}  // namespace handsight::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blunders for people and as JSON.
+#pragma once
+
+#include "blunders/find_blunders.h"
+#include "command.h"
+
+namespace handsight::cli {
+
+/// Those of a session by its fit, with a bar while they are sought; none where so little is left that there is nothing
+/// to look for.
+std::vector<Blunder> blunders_of(const Session& session, const Fit& fit);
+
+/// The same where there is no fit yet: a plain one is made of at most 100 observations. None where nothing can be
+/// fitted.
+std::vector<Blunder> blunders_of(const Session& session);
+
+void print_blunders(const Output& output, const std::string& session_path, const std::vector<Blunder>& blunders);
+
+/// A list with id, where, text, fix, rms_before_pixel and rms_after_pixel (with a tracker or poses ..._m),
+/// ln_bayes_factor, together_with.
+Json blunders_json(const std::vector<Blunder>& blunders);
+
+}  // namespace handsight::cli

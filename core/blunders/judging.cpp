@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "blunders/judging.h"
+
+#include "base/error.h"
+#include "effects/effect.h"
+#include "estimation/fit/sure_fit.h"
+#include "estimation/start/competition.h"
+#include "estimation/start/shape_start.h"
+#include "estimation/start/start_markers.h"
+
+namespace handsight {
+namespace {
+
+std::optional<Unknowns> start_at(const Session& session, const Chain& chain, const std::optional<Rigid>& mount) {
+  if (!mount) return std::nullopt;
+  const Problem problem = make_problem(session, chain);
+  Unknowns start{start_markers(problem, *mount), *mount, {}};
+  if (session.shape && session.shape->piece_count() == 1) start = laid_onto(*session.shape, start);
+  return start;
+}
+
+Left left_by(const Session& session, const std::optional<Rigid>& mount, const std::vector<std::string>& effects) {
+  const Chain chain = chain_of(session);
+  FitOptions options;
+  for (const std::string& effect : effects)
+    for (const EffectTerm& term : effect_terms(effect, chain)) options.estimated.push_back(term);
+  options.start = start_at(session, chain, mount);
+  options.most_iterations = 30;
+  options.smallest_step = 1e-6;
+  options.least_gain = session.is_tracker() ? 1e-12 : 1e-4;  // m^2, px^2: a quick answer
+  try {
+    const Fit found = fit(session, options);
+    return {found.residual_rms,
+            has_no_answer(found) || (found.converged() && looks_lost(found.problem, found.solution))};
+  } catch (const InputError&) {  // nothing can be fitted
+    return {};
+  }
+}
+
+}  // namespace
+
+Left left_by_plain(const Session& small, const std::optional<Rigid>& mount) { return left_by(small, mount, {}); }
+
+Left left_by_offsets(const Session& small, const std::optional<Rigid>& mount) {
+  if (small.robot.is_of_poses) return left_by_plain(small, mount);
+  return left_by(small, mount, {"joint_offset"});
+}
+
+Left left_by_geometry(const Session& small, const std::optional<Rigid>& mount) {
+  if (small.robot.is_of_poses) return left_by_plain(small, mount);
+  return left_by(small, mount, {"joint_offset", "link_geometry"});
+}
+
+}  // namespace handsight

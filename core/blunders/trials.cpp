@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "blunders/trials.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/threads.h"
+#include "blunders/blunder.h"
+#include "blunders/seen_points.h"
+
+namespace handsight {
+namespace {
+
+constexpr std::size_t fewest_sights = 6;
+constexpr double fewest_kept = 0.8;  // of the sights: with images read otherwise some may show no body
+
+std::string name_of(const Mend& mend) { return name_of(mend.kind->id, mend.where); }
+
+const Mend* image_mend(const std::vector<Mend>& mends) {
+  const auto found = std::find_if(mends.begin(), mends.end(), [](const Mend& m) { return m.kind->of_images; });
+  return found == mends.end() ? nullptr : &*found;
+}
+
+void put_right(Mend& mend, Session& points) {
+  if (mend.kind->settle) mend.where = mend.kind->settle(mend.where, points);
+  mend.kind->mend(mend.where, points);
+}
+
+/// Those with numbers to be found come last; where there are two, the first is found again beside the second.
+void put_right_all(std::vector<Mend>& mends, const Session& points, Session& right) {
+  std::stable_partition(mends.begin(), mends.end(), [](const Mend& m) { return !m.kind->settle; });
+  right = points;
+  for (Mend& mend : mends)
+    if (!mend.kind->of_images) put_right(mend, right);
+  if (mends.size() < 2 || !mends[0].kind->settle || !mends[1].kind->settle) return;
+  for (int pass = 0; pass < 2; ++pass) {
+    right = points;
+    std::swap(mends[0], mends[1]);
+    mends[0].kind->mend(mends[0].where, right);
+    mends[1].where = mends[1].where.substr(0, mends[1].where.find('='));
+    put_right(mends[1], right);
+  }
+}
+
+/// Two that are put right in one thing.
+bool collide(const Mend& a, const Mend& b) {
+  if (a.kind->of_images && b.kind->of_images) return true;
+  if (a.kind->id != b.kind->id) return false;
+  const auto first = [](const std::string& where) { return where.substr(0, where.find('=')); };
+  return a.where == b.where || a.kind->id == "pairing_shift" || a.kind->id == "wrong_link" ||
+         first(a.where) == first(b.where);
+}
+
+}  // namespace
+
+double ln_likelier(double before, double after, std::size_t observations, int rows, int numbers) {
+  const double mount_and_body = 12;
+  const double free = std::max(1.0, rows * static_cast<double>(observations) - mount_and_body - numbers);
+  const double price = 0.5 * std::log(rows * static_cast<double>(observations)) * numbers;
+  return 0.5 * free * std::log(std::max(before, 1e-30) / std::max(after, 1e-30)) - price;
+}
+
+Trials::Trials(const Session& thin) : thin_(thin) {
+  points_.emplace("", as_point_session(with_few_markers(thin)));
+  const std::vector<Sight> sights = sights_of(points_.at(""));
+  sights_ = sights.size();
+  std::size_t seen = 0;
+  for (const Sight& s : sights) seen += s.points.size();
+  rows_ = sights_ > 0 ? static_cast<int>(std::clamp<std::size_t>(3 * seen / sights_, 1, 6)) : 6;
+  base_.found = hand_eye_of(points_.at(""));
+}
+
+const Session& Trials::points_of(const Mend& mend) {
+  const auto [place, is_new] = points_.try_emplace(name_of(mend));
+  if (is_new) {
+    Session right = thin_;
+    mend.kind->mend(mend.where, right);
+    place->second = as_point_session(with_few_markers(right));
+  }
+  return place->second;
+}
+
+Trial Trials::tried(std::vector<Mend> mends, std::size_t of_so_many) const {
+  Trial trial{std::move(mends), {}, -1e300};
+  const Mend* of_images = image_mend(trial.mends);
+  Session right;
+  try {
+    put_right_all(trial.mends, points_.at(of_images ? name_of(*of_images) : ""), right);
+    const std::vector<Sight> sights = sights_of(right);
+    if (static_cast<double>(sights.size()) < fewest_kept * static_cast<double>(sights_)) return trial;
+    trial.found = hand_eye_of(right);
+  } catch (const InputError&) {  // one makes the other impossible
+    return trial;
+  }
+  int numbers = 0;
+  for (const Mend& mend : trial.mends) numbers += mend.kind->numbers;
+  if (trial.found)
+    trial.ln_bayes_factor = ln_likelier(base_.left(), trial.left(), sights_, rows_, numbers) -
+                            std::log(static_cast<double>(std::max<std::size_t>(1, of_so_many)));
+  return trial;
+}
+
+std::vector<Mend> Trials::singles() const {
+  std::vector<Mend> all;
+  for (const BlunderKind& kind : blunder_kinds())
+    for (const std::string& where : kind.places(thin_)) all.push_back({&kind, where});
+  return all;
+}
+
+/// The best few beside every other one; turned joints and poses, of which two are often wrong at once, all of them.
+std::vector<std::vector<Mend>> Trials::pairs(const std::vector<Trial>& singles) const {
+  constexpr std::size_t followed = 4;
+  std::vector<const Trial*> best;
+  for (const Trial& t : singles) best.push_back(&t);
+  std::stable_sort(best.begin(), best.end(), [](const Trial* a, const Trial* b) { return a->left() < b->left(); });
+  std::vector<const Trial*> leading(best.begin(),
+                                    best.begin() + static_cast<std::ptrdiff_t>(std::min(followed, best.size())));
+  std::size_t without_numbers = 0;
+  for (const Trial* t : best)
+    if (t->mends[0].kind->numbers == 0 && without_numbers++ < followed &&
+        std::find(leading.begin(), leading.end(), t) == leading.end())
+      leading.push_back(t);
+  const auto leads = [&](const Trial& t) { return std::find(leading.begin(), leading.end(), &t) != leading.end(); };
+  const auto often_twice = [](const Mend& a, const Mend& b) {
+    return (a.kind->id == "joint_sense" && b.kind->id == "joint_sense") || (a.kind->of_poses && b.kind->of_poses);
+  };
+  std::vector<std::vector<Mend>> all;
+  for (std::size_t i = 0; i < singles.size(); ++i)
+    for (std::size_t j = i + 1; j < singles.size(); ++j) {
+      Mend a = singles[i].mends[0], b = singles[j].mends[0];
+      if (collide(a, b) || !(leads(singles[i]) || leads(singles[j]) || often_twice(a, b))) continue;
+      for (Mend* m : {&a, &b})
+        if (m->kind->settle) m->where = m->where.substr(0, m->where.find('='));
+      all.push_back({a, b});
+    }
+  return all;
+}
+
+std::vector<Trial> Trials::run(const std::function<bool(double)>& goes_on) {
+  if (sights_ < fewest_sights || !base_.found) return {};
+  const std::vector<Mend> alone = singles();
+  for (const Mend& mend : alone)
+    if (mend.kind->of_images) points_of(mend);
+  std::vector<Trial> trials(alone.size());
+  each_part(static_cast<int>(alone.size()), true, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    trials[k] = tried({alone[k]}, alone.size());
+  });
+  if (!goes_on(0.2)) return {};
+  const auto two = pairs(trials);
+  std::vector<Trial> of_two(two.size());
+  const std::size_t so_many = alone.size() * alone.size() / 2;
+  each_part(static_cast<int>(two.size()), true, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    of_two[k] = tried(two[k], so_many);
+  });
+  if (!goes_on(0.8)) return {};
+  trials.insert(trials.end(), std::make_move_iterator(of_two.begin()), std::make_move_iterator(of_two.end()));
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const Trial& a, const Trial& b) { return a.ln_bayes_factor > b.ln_bayes_factor; });
+  return trials;
+}
+
+}  // namespace handsight

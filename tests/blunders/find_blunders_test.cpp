@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every kind of blunder is named first where it was made, and nothing is named where none was.
+#include "blunders/find_blunders.h"
+
+#include "blunder_fixture.h"
+#include "blunders/mended.h"
+
+namespace handsight {
+namespace {
+
+using fixture::blunders_in;
+using fixture::seven_axes;
+using fixture::six_axes;
+using fixture::turned;
+using fixture::with_joint;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+constexpr double pi = std::numbers::pi;
+
+TEST(FindBlunders, AJointThatCountsTheOtherWay) {
+  for (const char* joint : {"a1", "a2", "a4", "a6"})
+    EXPECT_THAT(blunders_in(turned(six_axes(), joint)), ElementsAre(std::string("joint_sense:") + joint));
+  EXPECT_THAT(blunders_in(turned(seven_axes(), "j5")), ElementsAre("joint_sense:j5"));
+}
+
+TEST(FindBlunders, TwoJointsThatCountTheOtherWay) {
+  EXPECT_THAT(blunders_in(turned(turned(six_axes(2), "a3"), "a5")),
+              UnorderedElementsAre("joint_sense:a3", "joint_sense:a5"));
+}
+
+TEST(FindBlunders, JointsOfRobotsThatNobodyHasBuilt) {
+  for (std::uint64_t seed : {3, 5, 8}) {
+    const Session right = fixture::simulated_right(fixture::with_free_mount(fixture::seen_random_session(seed)), seed);
+    const std::string joint = right.joints[2];
+    EXPECT_THAT(blunders_in(right), IsEmpty()) << seed;
+    const auto names = blunders_in(turned(right, joint));
+    EXPECT_THAT(names, ElementsAre("joint_sense:" + joint)) << seed;
+  }
+}
+
+TEST(FindBlunders, ExchangedJoints) {
+  Session s = six_axes(3);
+  for (Observation& o : s.observations) std::swap(o.position[1], o.position[4]);
+  EXPECT_THAT(blunders_in(s), ElementsAre("joint_swap:a2,a5"));
+}
+
+TEST(FindBlunders, AJointReckonedAgainstTheHorizontal) {
+  const Session s = six_axes(4);
+  EXPECT_THAT(blunders_in(with_joint(s, "a3", [](const auto& q, double a3) { return a3 - q[1]; })),
+              ElementsAre("joint_coupled:a3,a2"));
+  EXPECT_THAT(blunders_in(with_joint(s, "a3", [](const auto& q, double a3) { return a3 + q[1]; })),
+              ElementsAre("joint_coupled:a3,-a2"));
+}
+
+TEST(FindBlunders, AnotherZero) {
+  const Session s = seven_axes(5);
+  EXPECT_THAT(blunders_in(with_joint(s, "j4", [](const auto&, double q) { return q - pi / 2; })),
+              ElementsAre("joint_zero:j4=1.5708"));
+  EXPECT_THAT(blunders_in(with_joint(s, "j3", [](const auto&, double q) { return q + pi; })),
+              ElementsAre(testing::AnyOf("joint_zero:j3=3.14159", "joint_zero:j3=-3.14159")));
+}
+
+TEST(FindBlunders, AnotherZeroOfAnySize) {
+  const auto found = blunders_in(with_joint(seven_axes(6), "j5", [](const auto&, double q) { return q + 0.35; }));
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_THAT(found[0], testing::StartsWith("joint_zero:j5="));
+  EXPECT_NEAR(std::stod(found[0].substr(found[0].find('=') + 1)), -0.35, 0.01);
+}
+
+TEST(FindBlunders, AJointInDegrees) {
+  EXPECT_THAT(blunders_in(with_joint(six_axes(7), "a4", [](const auto&, double q) { return q * 180 / pi; })),
+              ElementsAre("joint_degrees:a4"));
+}
+
+TEST(FindBlunders, ImagesPairedWithOtherReadings) {
+  for (const int shift : {1, -1, 2}) {
+    Session s = six_axes(8);
+    const auto right = s.observations;
+    const int count = static_cast<int>(right.size());
+    for (int i = 0; i < count; ++i) {
+      const int from = (i - shift + count) % count;  // the readings of i stand at i + shift
+      s.observations[static_cast<std::size_t>(i)].position = right[static_cast<std::size_t>(from)].position;
+    }
+    s.observations.erase(shift > 0 ? s.observations.begin() : s.observations.end() - 1);
+    EXPECT_THAT(blunders_in(s), ElementsAre("pairing_shift:" + std::to_string(shift)));
+  }
+}
+
+TEST(FindBlunders, InvertedPoses) {
+  const Session s = fixture::pose_session(1);
+  EXPECT_THAT(blunders_in(s), IsEmpty());
+  EXPECT_THAT(blunders_in(fixture::with_target_poses(s, [](const Rigid& p) { return inverse(p); })),
+              ElementsAre("pose_inverted:target"));
+  EXPECT_THAT(blunders_in(fixture::with_flange_poses(s, [](const Rigid& p) { return inverse(p); })),
+              ElementsAre("pose_inverted:flange"));
+}
+
+Rigid read_as_rpy(const Rigid& p) { return {rotation_from_rpy(vector_from_rotation(p.rotation)), p.translation}; }
+Rigid read_as_vector(const Rigid& p) {
+  return {rotation_from_vector<double>(rpy_from_rotation(p.rotation)), p.translation};
+}
+
+TEST(FindBlunders, RotationVectorsReadAsRollPitchYaw) {
+  for (std::uint64_t seed : {1, 2, 3}) {
+    const Session s = fixture::pose_session(seed);
+    EXPECT_THAT(blunders_in(fixture::with_flange_poses(s, read_as_rpy)),
+                ElementsAre("euler_convention:flange=rotation_vector"));
+    EXPECT_THAT(blunders_in(fixture::with_target_poses(s, read_as_rpy)),
+                ElementsAre("euler_convention:target=rotation_vector"));
+    EXPECT_THAT(blunders_in(fixture::with_target_poses(fixture::with_flange_poses(s, read_as_rpy), read_as_rpy)),
+                ElementsAre("euler_convention:both=rotation_vector"));
+  }
+}
+
+TEST(FindBlunders, RollPitchYawReadAsRotationVectors) {
+  EXPECT_THAT(blunders_in(fixture::with_flange_poses(fixture::pose_session(4), read_as_vector)),
+              ElementsAre("euler_convention:flange=rpy"));
+}
+
+TEST(FindBlunders, TurnsInAnotherOrder) {
+  // A B C of a controller, turns about z, y, x, in columns that are called roll, pitch and yaw.
+  const auto read = [](const Rigid& p) {
+    const Vector3 rpy = rpy_from_rotation(p.rotation);
+    return Rigid{rotation_from_rpy({rpy.z(), rpy.y(), rpy.x()}), p.translation};
+  };
+  EXPECT_THAT(blunders_in(fixture::with_flange_poses(fixture::pose_session(5), read)),
+              ElementsAre("euler_convention:flange=zyx"));
+}
+
+TEST(FindBlunders, QuaternionsWithWFirst) {
+  const auto read = [](const Rigid& p) {  // w x y z taken for x y z w
+    const Eigen::Quaterniond q(p.rotation);
+    return Rigid{Eigen::Quaterniond(q.z(), q.w(), q.x(), q.y()).toRotationMatrix(), p.translation};
+  };
+  EXPECT_THAT(blunders_in(fixture::with_flange_poses(fixture::pose_session(6), read)),
+              ElementsAre("quaternion_order:flange=wxyz"));
+  EXPECT_THAT(blunders_in(fixture::with_target_poses(fixture::pose_session(7), read)),
+              ElementsAre("quaternion_order:target=wxyz"));
+}
+
+TEST(FindBlunders, MillimetresForMetres) {
+  Session tracker = fixture::simulated_right(fixture::with_free_mount(fixture::tracker_session(4)), 9);
+  tracker.sigma_point.reset();
+  for (Observation& o : tracker.observations)
+    for (Sighting& s : o.sightings) *s.point *= 1e3;
+  EXPECT_THAT(blunders_in(tracker), ElementsAre("length_unit:points"));
+
+  Session board = fixture::simulated_right(fixture::with_free_mount(fixture::target_session()), 9);
+  Target target = *board.target;
+  target.square *= 1e3;
+  target.tag *= 1e3;
+  set_target(board, target);
+  EXPECT_THAT(blunders_in(board), ElementsAre("length_unit:board"));
+
+  Session rig = six_axes(9);
+  rig.rig->at(1).camera_from_first.translation *= 1e3;
+  EXPECT_THAT(blunders_in(rig), ElementsAre("length_unit:rig"));
+}
+
+TEST(FindBlunders, AnotherLink) {
+  Session s = six_axes(10);
+  s.tcp = "l4";
+  EXPECT_THAT(blunders_in(s), ElementsAre("wrong_link:hand"));
+  Session mounted = six_axes(10);
+  mounted.mount.link = "l1";
+  EXPECT_THAT(blunders_in(mounted), ElementsAre("wrong_link:mount=stand"));
+}
+
+TEST(FindBlunders, ExchangedSides) {
+  Session s = six_axes(11);
+  for (Observation& o : s.observations)
+    for (Sighting& seen : o.sightings) {
+      for (CameraPoint& point : seen.in_cameras) point.camera = 1 - point.camera;
+      std::reverse(seen.in_cameras.begin(), seen.in_cameras.end());
+    }
+  EXPECT_THAT(blunders_in(s), ElementsAre("sides_swapped"));
+}
+
+TEST(FindBlunders, ColumnsAndRowsOfABoard) {
+  Session s = fixture::simulated_right(fixture::with_free_mount(fixture::target_session()), 12);
+  EXPECT_THAT(blunders_in(s), IsEmpty());
+  Target target = *s.target;
+  std::swap(target.columns, target.rows);
+  set_target(s, target);
+  EXPECT_THAT(blunders_in(s), ElementsAre("board_transposed"));
+}
+
+TEST(FindBlunders, ABoardCountedFromTheOtherCorner) {
+  const Session right =
+      fixture::simulated_right(fixture::with_free_mount(fixture::target_session(fixture::charuco(), 2)), 13);
+  const std::string second = right.rig->at(1).name;
+  const Session wrong = mended(right, "marker_order:" + second);  // its own inverse
+  EXPECT_THAT(blunders_in(wrong), ElementsAre("marker_order:" + second));
+}
+
+TEST(FindBlunders, OrdinaryDeviationsAreNoBlunders) {
+  const auto offset = [](int joint, double value) { return EffectTerm{"joint_offset", joint, {value}}; };
+  const Session like = fixture::with_free_mount(fixture::seven_axis_session(4));
+  // Zeros of all joints off by degrees, as on printed arms.
+  EXPECT_THAT(blunders_in(fixture::simulated_right(like, 1,
+                                                   {offset(0, 0.05), offset(1, -0.06), offset(2, 0.04), offset(3, 0.1),
+                                                    offset(4, -0.07), offset(5, 0.05)})),
+              IsEmpty());
+  // One joint alone, by 4 degrees: by its value, or not at all.
+  const auto one = blunders_in(fixture::simulated_right(like, 2, {offset(3, 0.07)}));
+  ASSERT_LE(one.size(), 1u);
+  if (!one.empty()) {
+    ASSERT_THAT(one[0], testing::StartsWith("joint_zero:j4="));
+    EXPECT_NEAR(std::stod(one[0].substr(one[0].find('=') + 1)), 0.07, 0.01);
+  }
+  // Soft joints, bent links.
+  EXPECT_THAT(blunders_in(fixture::simulated_right(like, 3,
+                                                   {{"joint_elasticity", 1, {2e-4}}, {"joint_elasticity", 3, {2e-4}}})),
+              IsEmpty());
+  EXPECT_THAT(
+      blunders_in(fixture::simulated_right(like, 4, {{"link_geometry", 2, {0.004, -0.003, 0.002, 0.01, -0.02, 0.01}}})),
+      IsEmpty());
+}
+
+TEST(FindBlunders, ABlunderBesideOrdinaryDeviations) {
+  const auto offset = [](int joint, double value) { return EffectTerm{"joint_offset", joint, {value}}; };
+  const Session like = fixture::with_free_mount(fixture::seven_axis_session(4));
+  const Session off = fixture::simulated_right(like, 5, {offset(1, 0.01), offset(2, -0.02), offset(3, 0.02)});
+  EXPECT_THAT(blunders_in(turned(off, "j6")), ElementsAre("joint_sense:j6"));
+}
+
+TEST(FindBlunders, SentencesSayWhatAndWhere) {
+  const Session s = turned(six_axes(), "a3");
+  const Fit f = fit(s);
+  const auto found = find_blunders(s, f);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].text, testing::HasSubstr("a3"));
+  EXPECT_THAT(found[0].fix, testing::AllOf(testing::HasSubstr("a3"), testing::HasSubstr("session.xml")));
+  EXPECT_TRUE(found[0].in_pixels);
+  EXPECT_LT(found[0].rms_after, 0.5);
+  EXPECT_GT(found[0].rms_before, 10);
+  EXPECT_GT(found[0].ln_bayes_factor, 100);
+}
+
+TEST(FindBlunders, EndsWhereNobodyWantsItAnyMore) {
+  const Session s = turned(six_axes(), "a3");
+  EXPECT_THAT(find_blunders(s, fit(s), [](double) { return false; }), IsEmpty());
+}
+
+}  // namespace
+}  // namespace handsight
