@@ -1,3 +1,5 @@
+#include <cstdio>
+#include <cstdlib>
 // SPDX-License-Identifier: Apache-2.0
 #include "blunders/find_blunders.h"
 
@@ -76,6 +78,7 @@ class Judge {
     const double unit = unit_of(trial.mends);
     Left plain = left_by_plain(small, mount);
     plain.rms *= unit;
+    if (std::getenv("HSDEBUG")) std::fprintf(stderr, "judge plain %g -> %g lost %d; off %g geo %g\n", as_it_is_.plain.rms, plain.rms, plain.is_lost, as_it_is_.offsets.rms, as_it_is_.geometry.rms);
     const double ln = likelier(as_it_is_.plain.rms, plain.rms, numbers_of(trial)) - price_of_trials(trial);
     if (!(plain.rms < as_it_is_.plain.rms) || ln < well_above) return std::nullopt;
     if (is_right_alone(trial, plain)) return ln;
@@ -154,6 +157,7 @@ std::vector<Blunder> told(const Session& session, const Trial& trial, double ln,
 std::optional<double> confirmed(const Session& session, const Trial& trial, double before) {
   try {
     const Fit right = fit(put_right(session, trial.mends));
+    if (std::getenv("HSDEBUG")) std::fprintf(stderr, "confirm %g before %g answer %d\n", right.residual_rms, before, !is_no_answer(right.problem, right.solution));
     const bool is_answer = !is_no_answer(right.problem, right.solution);
     return is_answer && unit_of(trial.mends) * right.residual_rms < 0.8 * before ? std::optional(right.residual_rms)
                                                                                  : std::nullopt;
@@ -191,6 +195,13 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& fit,
   Trials trials(thin);
   const std::vector<Trial> tried = trials.run(goes_on);
   if (tried.empty()) return {};
+  if (std::getenv("HSDEBUG")) {
+    std::fprintf(stderr, "sights %zu rows %d base %g\n", trials.sights(), trials.rows(), std::sqrt(trials.as_it_is().left()));
+    for (std::size_t i = 0; i < std::min<std::size_t>(12, tried.size()); ++i) {
+      for (const Mend& m : tried[i].mends) std::fprintf(stderr, " %s:%s", m.kind->id.c_str(), m.where.c_str());
+      std::fprintf(stderr, "  ln %g left %g of %zu\n", tried[i].ln_bayes_factor, std::sqrt(tried[i].left()), tried.size());
+    }
+  }
   std::optional<Judge> judge;
   std::vector<std::pair<double, const Trial*>> claims;
   for (std::size_t i = 0; i < std::min(judged, tried.size()); ++i) {

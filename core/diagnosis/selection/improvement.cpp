@@ -298,7 +298,11 @@ class Improving {
   }
 
   void note_refusals(const ModelChange& change) {
-    m_.refused.insert(m_.refused.end(), change.refused.begin(), change.refused.end());
+    // What is refused again is told once, with the last reason.
+    for (const RefusedStep& r : change.refused) {
+      std::erase_if(m_.refused, [&](const RefusedStep& o) { return o.id == r.id && o.where == r.where; });
+      m_.refused.push_back(r);
+    }
     m_.stopped = change.stopped;
   }
 

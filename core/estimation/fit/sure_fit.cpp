@@ -37,15 +37,22 @@ void narrow(const Session& session, Problem& images, const FitOptions& options, 
 /// Widths and noise follow from the solution, and it from them: a few times in turn.
 void settle_priors(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
   constexpr int most_rounds = 6;
+  FitOptions near = options;  // of the widths, to which an answer nearby is enough
+  near.reuse_below = std::max(options.reuse_below, 1e-4);
+  bool is_another = false;
   for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
     const bool other_noise =
         options.loss == Loss::none && settle_guessed_noise(images, fit.solution, finest_noise(session));
     const bool other_widths = settle_prior_widths(images, fit.solution);
-    if (!other_noise && !other_widths) return;
+    if (!other_noise && !other_widths) break;
     fit.problem.noise = images.noise;
     fit.problem.columns_of_effects = images.columns_of_effects;
-    minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
+    minimise(session, images, Unknowns(fit.solution.unknowns), near, noise, fit);
+    is_another = true;
   }
+  const bool is_exact = near.reuse_below == options.reuse_below;
+  if (is_another && !is_exact && !fit.solution.stopped)
+    minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
 }
 
 /// The noise of one coordinate of a robot of poses before cameras, where it is known beside the robot's own error.
