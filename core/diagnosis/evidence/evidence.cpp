@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/threads.h"
 #include "estimation/problem/column_products.h"
@@ -27,15 +28,28 @@ double ln_worth(double gained, const WhitenedModel& w, const NoiseKnowledge& noi
 
 struct ScaledScore {
   double ln_bayes_factor = 0;
+  double largest = 0;               // of the estimate's numbers, plausible sizes
   Eigen::LLT<Eigen::MatrixXd> llt;  // of I + s^2 A
 };
+
+constexpr std::size_t largest_usual = 3;  // into the scales
+static_assert(scales[largest_usual] == largest_usual_scale);
+
+/// Where an estimate fits into the largest usual scale, a wider one leaves it where it is and only costs its volume: so
+/// much for each of its numbers. Nothing where the wider scale must be asked.
+std::optional<double> beyond_usual(std::size_t scale, double at_largest_usual, double largest, Eigen::Index numbers) {
+  if (scale <= largest_usual || largest > largest_usual_scale) return std::nullopt;
+  return at_largest_usual - static_cast<double>(numbers) * std::log(scales[scale] / largest_usual_scale);
+}
 
 ScaledScore at_scale(const Score& score, double scale, const WhitenedModel& w, const NoiseKnowledge& noise) {
   ScaledScore s;
   Eigen::MatrixXd m = scale * scale * score.information;
   m.diagonal().array() += 1;
   s.llt.compute(m);
-  const double gained = scale * scale * score.gradient.dot(s.llt.solve(score.gradient));
+  const Eigen::VectorXd value = scale * scale * s.llt.solve(score.gradient);
+  const double gained = score.gradient.dot(value);
+  s.largest = value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0;
   s.ln_bayes_factor = ln_worth(gained, w, noise) - 0.5 * ln_determinant(s.llt);
   return s;
 }
@@ -220,7 +234,16 @@ double ln_bayes_factor(const Score& score, const WhitenedModel& w, const NoiseKn
   if (score.gradient.size() == 0) return 0;
   if (score.gradient.size() == 1) return ln_bayes_factor_of_one(score.information(0, 0), score.gradient[0], w, noise);
   std::array<double, scales.size()> values{};
-  for (std::size_t i = 0; i < scales.size(); ++i) values[i] = at_scale(score, scales[i], w, noise).ln_bayes_factor;
+  double largest = 0;
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    if (const auto wide = beyond_usual(i, values[largest_usual], largest, score.gradient.size())) {
+      values[i] = *wide;
+      continue;
+    }
+    const ScaledScore s = at_scale(score, scales[i], w, noise);
+    values[i] = s.ln_bayes_factor;
+    largest = s.largest;
+  }
   return ln_over_scales(values);
 }
 
@@ -230,9 +253,18 @@ FactorsWithout ln_bayes_factors_without(const Score& score, std::span<const Para
   std::array<double, scales.size()> whole{};
   std::vector<std::array<double, scales.size()>> without(groups.size());
   const auto identity = Eigen::MatrixXd::Identity(score.gradient.size(), score.gradient.size());
+  double largest = 0;
   for (std::size_t i = 0; i < scales.size(); ++i) {
+    const Eigen::Index numbers = score.gradient.size();
+    if (const auto wide = beyond_usual(i, whole[largest_usual], largest, numbers)) {
+      whole[i] = *wide;
+      for (std::size_t g = 0; g < groups.size(); ++g)
+        without[g][i] = *beyond_usual(i, without[g][largest_usual], largest, numbers - groups[g].count);
+      continue;
+    }
     const ScaledScore s = at_scale(score, scales[i], w, noise);
     whole[i] = s.ln_bayes_factor;
+    largest = s.largest;
     const Eigen::MatrixXd inverse = s.llt.solve(identity);
     const Eigen::VectorXd value = inverse * (scales[i] * score.gradient);
     const double gained = scales[i] * score.gradient.dot(value), ln_volume = ln_determinant(s.llt);
@@ -258,8 +290,18 @@ std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Ei
   for (std::size_t i = 0; i < chosen.size(); ++i)
     shared.row(static_cast<Eigen::Index>(i)) = all.information.row(chosen[i]);
   std::vector<std::array<double, scales.size()>> with(groups.size());
+  std::vector<double> largest(groups.size(), 0.0);  // of each group's estimate beside the chosen ones, and of theirs
   for (std::size_t i = 0; i < scales.size(); ++i) {
     const double scale = scales[i];
+    std::size_t asked = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const auto wide = beyond_usual(i, with[g][largest_usual], largest[g], own.gradient.size() + groups[g].count);
+      if (wide)
+        with[g][i] = *wide;
+      else
+        ++asked;
+    }
+    if (asked == 0) continue;
     const ScaledScore s = at_scale(own, scale, w, noise);
     const Eigen::VectorXd gradient = s.llt.matrixL().solve(scale * own.gradient);
     const Eigen::MatrixXd by_own = s.llt.matrixL().solve(scale * scale * shared);
@@ -267,6 +309,8 @@ std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Ei
     const bool is_worth_it = static_cast<Eigen::Index>(groups.size()) * own.gradient.size() > 20000;
     each_part(static_cast<int>(groups.size()), is_worth_it, [&](int g) {
       const auto [first, count] = groups[static_cast<std::size_t>(g)];
+      double& largest_here = largest[static_cast<std::size_t>(g)];
+      if (i > largest_usual && largest_here <= largest_usual_scale) return;  // as above
       const auto columns = by_own.middleCols(first, count);
       Eigen::MatrixXd rest = scale * scale * all.information.block(first, first, count, count);
       rest.diagonal().array() += 1;
@@ -274,6 +318,7 @@ std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Ei
       const Eigen::LLT<Eigen::MatrixXd> llt(rest);
       const Eigen::VectorXd step =
           llt.matrixL().solve(scale * all.gradient.segment(first, count) - columns.transpose() * gradient);
+      largest_here = std::max(s.largest, scale * llt.matrixU().solve(step).cwiseAbs().maxCoeff());
       with[static_cast<std::size_t>(g)][i] =
           ln_worth(gradient.squaredNorm() + step.squaredNorm(), w, noise) - 0.5 * (ln_volume + ln_determinant(llt));
     });

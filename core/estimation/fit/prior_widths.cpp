@@ -12,6 +12,7 @@ struct Width {
   double times, share;  // of the plausible size; of the prior
 };
 constexpr std::array<Width, 3> widths{{{1, 0.7}, {5, 0.2}, {25, 0.1}}};
+constexpr double shows = 0.05;        // sigmas
 constexpr double unremarkable = 0.5;  // plausible sizes: no width but the first is likelier
 
 /// What the measurements say of a number without its own prior.
@@ -73,8 +74,12 @@ bool settle_prior_widths(Problem& problem, const Solution& solution) {
     const Eigen::Index at = problem.effect_column() + i;
     const auto told = told_by_measurements(values[i], covariance(at, at), c.prior_sigma(), more);
     const double width = told ? likeliest_width(*told, c.sigma) : 1;
-    is_new = is_new || width != c.width;
+    const double before = std::pow(c.prior_sigma(), -2);
     c.width = width;
+    // By how much the prior's pull changes where the number is, in its sigmas.
+    const double moved = std::sqrt(std::max(covariance(at, at), 0.0)) * std::abs(values[i]) *
+                         std::abs(std::pow(c.prior_sigma(), -2) - before);
+    is_new = is_new || moved > shows;
   }
   return is_new;
 }

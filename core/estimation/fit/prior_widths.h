@@ -10,7 +10,8 @@ namespace handsight {
 /// that: most are as large as is usual, a few are far off. Takes for every effect of the robot, hand and mount the
 /// width that is likeliest for what the measurements alone say of it (the evidence of one number, all others at their
 /// priors), so that what they determine is not held back. Numbers of the cameras have a rule of their own
-/// (widen_refuted). Is any width another than before? Then the solution is no longer the problem's.
+/// (widen_refuted). True where a number is pulled otherwise than before by a twentieth of its sigma or more: then the
+/// solution is no longer the problem's.
 bool settle_prior_widths(Problem& problem, const Solution& solution);
 
 /// Where nothing tells the noise, what the solution leaves stands in for it: else priors would be weighed against a

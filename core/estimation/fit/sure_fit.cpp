@@ -38,15 +38,15 @@ void narrow(const Session& session, Problem& images, const FitOptions& options, 
 void settle_priors(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
   constexpr int most_rounds = 6;
   FitOptions near = options;  // of the widths, to which an answer nearby is enough
-  near.reuse_below = std::max(options.reuse_below, 1e-4);
+  near.reuse_below = std::max(options.reuse_below, 1e-3);
   bool is_another = false;
   for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
     const bool other_noise =
         options.loss == Loss::none && settle_guessed_noise(images, fit.solution, finest_noise(session));
     const bool other_widths = settle_prior_widths(images, fit.solution);
-    if (!other_noise && !other_widths) break;
     fit.problem.noise = images.noise;
     fit.problem.columns_of_effects = images.columns_of_effects;
+    if (!other_noise && !other_widths) break;
     minimise(session, images, Unknowns(fit.solution.unknowns), near, noise, fit);
     is_another = true;
   }
