@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "effects/target_effects.h"
 #include "effects/units.h"
 #include "fixtures/arms.h"
 #include "robot/urdf.h"
@@ -78,12 +79,13 @@ TEST(Catalogue, EveryParameterMovesSomethingAndStaysFinite) {
   const Circumstances here = moving(c);
   for (const Effect& e : catalogue()) {
     if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rig_effects_test.cpp
+    if (has_no_target(e)) continue;                // of targets: target_effects_test.cpp
     ASSERT_FALSE(effect_places(e, c).empty()) << e.id;
     for (std::size_t p = 0; p < e.parameters.size(); ++p) {
       if (e.parameters[p].is_choice) continue;
       double largest = 0;
       for (const int place : effect_places(e, c)) {
-        std::vector<double> values(e.parameters.size(), 0.0);
+        std::vector<double> values = term_of(e, place).values;
         values[p] = e.parameters[p].sigma;
         const Eigen::VectorXd change = seen_change(here, moved_sites(here, {{e.id, place, values}}));
         ASSERT_TRUE(change.allFinite()) << e.id;
@@ -99,10 +101,11 @@ TEST(Catalogue, EffectsAddAndAreLinearInTheirSites) {
   const Circumstances here = moving(c);
   for (const Effect& e : catalogue()) {
     if (effect_places(e, c).empty()) continue;  // of rigs of three cameras and more
-    std::vector<double> once, twice;
-    for (const EffectParameter& p : e.parameters) {
-      once.push_back(p.is_choice ? 0 : p.sigma);
-      twice.push_back(p.is_choice ? 0 : 2 * p.sigma);
+    std::vector<double> once = term_of(e, 0).values, twice = once;
+    for (std::size_t p = 0; p < once.size(); ++p) {
+      if (e.parameters[p].is_choice) continue;
+      once[p] = e.parameters[p].sigma;
+      twice[p] = 2 * e.parameters[p].sigma;
     }
     const int place = effect_places(e, c).back();
     const Sites sum = moved_sites(here, {{e.id, place, once}, {e.id, place, once}}),
@@ -117,7 +120,10 @@ TEST(Catalogue, EffectsOfJointScopeMoveTheirOwnJointAlone) {
   for (const Effect& e : catalogue()) {
     if (!moves_one_joint(e)) continue;
     for (const int place : effect_places(e, c)) {
-      Sites sites = moved_sites(here, {{e.id, place, std::vector<double>(e.parameters.size(), 0.01)}});
+      EffectTerm term = term_of(e, place);
+      for (std::size_t p = 0; p < term.values.size(); ++p)
+        if (!e.parameters[p].is_choice) term.values[p] = 0.01;
+      Sites sites = moved_sites(here, {term});
       sites.robot.joints[static_cast<std::size_t>(place)] = JointChange{};
       EXPECT_LT(seen_change(here, sites).norm(), 1e-15) << e.id;
     }

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "effects/target_effects.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/problem/body_shape.h"
 #include "estimation/report/fit_report.h"
@@ -14,6 +15,9 @@
 namespace handsight {
 namespace {
 
+/// The last of a choice's alternatives, or this moment.
+double choice(const EffectParameter& p, double moment) { return p.choices.empty() ? moment : p.choices.back(); }
+
 std::vector<EffectTerm> every_effect(const Chain& chain, double size, std::mt19937_64& random) {
   std::normal_distribution<double> normal(0, size);
   std::vector<EffectTerm> terms;
@@ -21,7 +25,7 @@ std::vector<EffectTerm> every_effect(const Chain& chain, double size, std::mt199
     for (const int place : effect_places(e, chain)) {
       EffectTerm term{e.id, place, {}};
       for (const EffectParameter& p : e.parameters)
-        term.values.push_back(p.is_choice ? (p.name == "k" ? 5 : 0.1) : normal(random) * p.sigma);
+        term.values.push_back(p.is_choice ? choice(p, 5) : normal(random) * p.sigma);
       terms.push_back(term);
     }
   return terms;
@@ -114,13 +118,15 @@ TEST(EffectFit, RecoversEveryEffectOfTheCatalogue) {
   const Chain chain = chain_of(like);
   for (const Effect& e : catalogue()) {
     if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rigs_test.cpp
+    if (has_no_target(e)) continue;                // target_size_test.cpp
+    if (e.id == "joint_coupling") continue;        // of two joints each way: target_size_test.cpp
     std::vector<EffectTerm> truth;
     double sign = 1;
     for (const int place : effect_places(e, chain)) {
       EffectTerm term{e.id, place, {}};
       for (const EffectParameter& p : e.parameters) {
         const bool is_spring = p.unit == "rad/(N m)";  // all give way, and a light arm's show little
-        term.values.push_back(p.is_choice ? (p.name == "k" ? 25 : 0.1) : is_spring ? 3 * p.sigma : sign * p.sigma);
+        term.values.push_back(p.is_choice ? choice(p, 25) : is_spring ? 3 * p.sigma : sign * p.sigma);
         sign = -sign;
       }
       if (e.scope == EffectScope::marker && place > 0) continue;

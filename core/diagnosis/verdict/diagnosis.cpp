@@ -113,7 +113,8 @@ class Work {
     if (weighing_.knowledge.known) d_.beyond_scatter = beyond_usual_scatter(session_, f, model_, weighing_.knowledge);
     find_all_patterns();
     for (const RankedEffect& r : ranking_.effects) {
-      if (r.visibility < least_seen) d_.invisible.push_back(r.candidate->effect->id);
+      if (r.visibility < least_seen && r.ln_bayes_factor < d_.threshold)
+        d_.invisible.push_back(r.candidate->effect->id);
       d_.candidates.push_back(candidate_of(r, d_, weighing_, session_));
     }
     add_impossible_effects();

@@ -294,7 +294,14 @@ std::vector<Unused> unused(const Session& session) {
 
 std::optional<Rigid> tcp_from_target(const Session& session, const Fit& fit) {
   if (!session.target || !session.shape || session.shape->piece_count() != 1) return std::nullopt;
-  const std::vector<Vector3>&own = session.shape->markers, &in_tcp = estimate(fit).markers_in_tcp;
+  std::vector<Vector3> own = session.shape->markers;
+  if (fit.problem.observations.empty()) return std::nullopt;
+  // A target of another size or shape than described has it in every observation; its frame grows with it.
+  const std::vector<Vector3> in_tcp = markers_at(fit.problem.observations.front(), estimate(fit));
+  double scale = 1;
+  for (const EffectTerm& term : fit.problem.terms)
+    if (term.id == "target_scale") scale += term.values.front();
+  for (Vector3& x : own) x *= scale;
   const auto count = static_cast<Eigen::Index>(own.size());
   if (count < 3 || in_tcp.size() != own.size()) return std::nullopt;
   Eigen::VectorXd weights(count);

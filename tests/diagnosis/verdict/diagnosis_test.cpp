@@ -9,6 +9,7 @@
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/simulated_stand.h"
 #include "effects/own_effect.h"
+#include "effects/target_effects.h"
 
 namespace handsight {
 namespace {
@@ -54,6 +55,7 @@ TEST(Diagnosis, EveryEffectOfTheCatalogueComesFirst) {
   const Session like = fixture::torso_session(4);
   for (const Effect& e : catalogue()) {
     if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rig_diagnosis_test.cpp
+    if (has_no_target(e)) continue;                // of targets: target_size_test.cpp
     const std::vector<int> places = effect_places(e, chain_of(like));
     ASSERT_FALSE(places.empty()) << e.id;
     EffectTerm hidden = term_of(e, places[std::min<std::size_t>(1, places.size() - 1)]);
