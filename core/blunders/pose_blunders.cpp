@@ -155,15 +155,16 @@ std::vector<Rigid> readings_of(const Rigid& pose, bool is_read_again, const std:
   return all;
 }
 
+/// The last one where there are not so many.
 void take(Observation& o, const Readings& r, const Tables& tables, std::size_t flange, std::size_t target) {
-  if (tables.flange) set_flange(o, r.flange[flange]);
-  if (tables.target && o.target_pose) o.target_pose = r.target[target];
+  if (tables.flange) set_flange(o, r.flange[std::min(flange, r.flange.size() - 1)]);
+  if (tables.target && o.target_pose) o.target_pose = r.target[std::min(target, r.target.size() - 1)];
 }
 
-/// Of each observation's readings the one that goes with the others best.
-void choose_readings(Session& s, const std::vector<Readings>& readings, const Tables& tables) {
-  const std::optional<HandEye> found = hand_eye_of(s);
-  if (!found) return;
+bool is_open(const Readings& r) { return r.flange.size() > 1 || r.target.size() > 1; }
+
+/// Of each observation's readings the one that goes best with what was found.
+void choose_readings(Session& s, const std::vector<Readings>& readings, const Tables& tables, const HandEye& found) {
   Session one = s;
   for (std::size_t i = 0; i < s.observations.size(); ++i) {
     double least = 1e300;
@@ -174,7 +175,7 @@ void choose_readings(Session& s, const std::vector<Readings>& readings, const Ta
         take(one.observations[0], readings[i], tables, f, t);
         show_again(one);
         const std::vector<Sight> sights = sights_of(one);
-        const double left = sights.empty() ? 0 : left_in(sights[0], *found);
+        const double left = sights.empty() ? 0 : left_in(sights[0], found);
         if (left < least) least = left, best_flange = f, best_target = t;
       }
     take(s.observations[i], readings[i], tables, best_flange, best_target);
@@ -182,20 +183,56 @@ void choose_readings(Session& s, const std::vector<Readings>& readings, const Ta
   show_again(s);
 }
 
+/// Chooses from this start until the choice stays; what is left.
+double settle_readings(Session& s, const std::vector<Readings>& readings, const Tables& tables,
+                       std::optional<HandEye> from) {
+  for (int pass = 0; pass < 4 && from; ++pass) {
+    choose_readings(s, readings, tables, *from);
+    from = hand_eye_of(s);
+  }
+  return from ? from->mean_square : 1e300;
+}
+
+/// Those alone whose reading is not open; few of them say nothing.
+std::optional<HandEye> by_sure_ones(Session s, const std::vector<Readings>& readings) {
+  constexpr std::ptrdiff_t enough = 8;
+  std::vector<Observation> sure;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (!is_open(readings[i])) sure.push_back(s.observations[i]);
+  s.observations = std::move(sure);
+  const auto seen = std::count_if(s.observations.begin(), s.observations.end(), is_used);
+  return seen < enough ? std::nullopt : hand_eye_of(s);
+}
+
+/// Of several starts the one that leaves least.
+void choose_from_several(Session& s, const std::vector<Readings>& readings, const Tables& tables) {
+  Session best;
+  double least = 1e301;
+  const auto compete = [&](Session start, const std::optional<HandEye>& from) {
+    const double left = settle_readings(start, readings, tables, from);
+    if (left < least) least = left, best = std::move(start);
+  };
+  if (const auto sure = by_sure_ones(s, readings)) compete(s, sure);
+  for (const std::size_t number : {0, 1}) {
+    Session start = s;
+    for (std::size_t i = 0; i < readings.size(); ++i) take(start.observations[i], readings[i], tables, number, number);
+    show_again(start);
+    compete(start, hand_eye_of(start));
+  }
+  if (least < 1e300) s = std::move(best);
+}
+
 void read_rotations_again(Session& s, const Tables& tables, const std::string& convention) {
   std::vector<Readings> readings;
-  bool is_open = false;
   for (Observation& o : s.observations) {
     Readings& r = readings.emplace_back();
     r.flange = tables.flange ? readings_of(flange_of(o), true, convention) : std::vector<Rigid>{Rigid{}};
     if (o.target_pose) r.target = readings_of(*o.target_pose, tables.target, convention);
-    is_open = is_open || r.flange.size() > 1 || r.target.size() > 1;
     take(o, r, tables, 0, 0);
   }
   show_again(s);
-  // A session of images has its points already.
-  if (!is_open || (s.rig && !s.pose_sensor)) return;
-  for (int pass = 0; pass < 3; ++pass) choose_readings(s, readings, tables);
+  if (s.rig) return;  // of images nothing is known here but their points in them
+  if (std::any_of(readings.begin(), readings.end(), is_open)) choose_from_several(s, readings, tables);
 }
 
 const char* convention_text(const std::string& convention) {

@@ -30,6 +30,9 @@ std::vector<Vector3> as_vectors(const Matrix3& rotation) {
   return all;
 }
 
+/// Programs give a pitch of no more than a right angle.
+bool has_usual_pitch(const Vector3& rpy) { return std::abs(rpy.y()) < pi / 2 + 1e-3; }
+
 Matrix3 by(const Vector3& n, const std::string& convention) {
   const auto about = [](int axis, double angle) { return rotation_about<double>(Vector3::Unit(axis), angle); };
   if (convention == "rotation_vector") return rotation_from_vector<double>(n);
@@ -53,6 +56,8 @@ std::vector<Matrix3> read_again(const Matrix3& wrong, const std::string& convent
                      [](const Vector3& a, const Vector3& b) { return a.norm() < b.norm(); });
     while (numbers.size() > 1 && numbers.back().norm() > pi + 1e-3) numbers.pop_back();
   }
+  if (convention == "rpy" && std::any_of(numbers.begin(), numbers.end(), has_usual_pitch))
+    std::erase_if(numbers, [](const Vector3& n) { return !has_usual_pitch(n); });
   std::vector<Matrix3> rotations;
   for (const Vector3& n : numbers) rotations.push_back(by(n, convention));
   return rotations;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t fewest_sights = 6;
 constexpr double fewest_kept = 0.8;  // of the sights: with images read otherwise some may show no body
 
-std::string name_of(const Mend& mend) { return name_of(mend.kind->id, mend.where); }
+std::string name_of(const Mend& mend) { return handsight::name_of(mend.kind->id, mend.where); }
 
 const Mend* image_mend(const std::vector<Mend>& mends) {
   const auto found = std::find_if(mends.begin(), mends.end(), [](const Mend& m) { return m.kind->of_images; });
@@ -46,8 +46,11 @@ void put_right_all(std::vector<Mend>& mends, const Session& points, Session& rig
 /// Two that are put right in one thing.
 bool collide(const Mend& a, const Mend& b) {
   if (a.kind->of_images && b.kind->of_images) return true;
-  if (a.kind->id != b.kind->id) return false;
   const auto first = [](const std::string& where) { return where.substr(0, where.find('=')); };
+  const auto turns = [](const Mend& m) { return m.kind->id == "quaternion_order" || m.kind->id == "euler_convention"; };
+  if (turns(a) && turns(b))  // of one table
+    return first(a.where) == first(b.where) || first(a.where) == "both" || first(b.where) == "both";
+  if (a.kind->id != b.kind->id) return false;
   return a.where == b.where || a.kind->id == "pairing_shift" || a.kind->id == "wrong_link" ||
          first(a.where) == first(b.where);
 }
@@ -94,7 +97,13 @@ Trial Trials::tried(std::vector<Mend> mends, std::size_t of_so_many) const {
     return trial;
   }
   int numbers = 0;
-  for (const Mend& mend : trial.mends) numbers += mend.kind->numbers;
+  double unit = 1;
+  for (const Mend& mend : trial.mends) {
+    numbers += mend.kind->numbers;
+    unit *= mend.kind->points_unit;
+  }
+  // Shrunk to a point all go together well: what counts is what is left beside how large they are.
+  if (trial.found) trial.found->mean_square *= unit * unit;
   if (trial.found)
     trial.ln_bayes_factor = ln_likelier(base_.left(), trial.left(), sights_, rows_, numbers) -
                             std::log(static_cast<double>(std::max<std::size_t>(1, of_so_many)));

@@ -2,6 +2,8 @@
 // Sessions put right by name, in memory and as a new folder.
 #include "blunders/mended.h"
 
+#include <fstream>
+
 #include "base/error.h"
 #include "blunder_fixture.h"
 #include "fixtures/robot_texts.h"
