@@ -15,6 +15,7 @@ struct BlunderKind {
   bool of_images = false;    // what cameras saw is read otherwise: its points have to be found anew
   bool of_poses = false;     // poses are read otherwise
   double measured_unit = 1;  // new metre of what the sensor measured, in old ones
+  double points_unit = 1;    // the same of the points that follow from it
   int numbers = 0;           // that are found with it
   /// Where it may have been made in this session.
   std::function<std::vector<std::string>(const Session&)> places;

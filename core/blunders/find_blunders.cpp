@@ -1,5 +1,3 @@
-#include <cstdio>
-#include <cstdlib>
 // SPDX-License-Identifier: Apache-2.0
 #include "blunders/find_blunders.h"
 
@@ -13,6 +11,7 @@
 #include "blunders/places.h"
 #include "blunders/seen_points.h"
 #include "blunders/trials.h"
+#include "estimation/problem/pose_residuals.h"
 #include "estimation/start/competition.h"
 #include "session/pose_points.h"
 
@@ -28,7 +27,9 @@ constexpr double well_above = 10;                             // ln Bayes factor
 constexpr double smallest_zero = 2 * std::numbers::pi / 180;  // rad: less is a deviation as robots have them
 constexpr double smallest_shift = 0.01;                       // m
 constexpr double large_zero = 10 * std::numbers::pi / 180;    // rad: more is no deviation
-constexpr std::size_t judged = 6;                             // of the best
+constexpr double several_turns = 0.02;                        // rad: of poses whose sigmas are not known
+constexpr double as_likely = 5;                               // ln Bayes factor: nobody could say which of two it is
+constexpr std::size_t judged = 8;                             // of the best
 
 bool is_small_zero(const Mend& mend, const Session& session, double turn, double shift) {
   if (mend.kind->id != "joint_zero") return false;
@@ -78,7 +79,6 @@ class Judge {
     const double unit = unit_of(trial.mends);
     Left plain = left_by_plain(small, mount);
     plain.rms *= unit;
-    if (std::getenv("HSDEBUG")) std::fprintf(stderr, "judge plain %g -> %g lost %d; off %g geo %g\n", as_it_is_.plain.rms, plain.rms, plain.is_lost, as_it_is_.offsets.rms, as_it_is_.geometry.rms);
     const double ln = likelier(as_it_is_.plain.rms, plain.rms, numbers_of(trial)) - price_of_trials(trial);
     if (!(plain.rms < as_it_is_.plain.rms) || ln < well_above) return std::nullopt;
     if (is_right_alone(trial, plain)) return ln;
@@ -157,7 +157,6 @@ std::vector<Blunder> told(const Session& session, const Trial& trial, double ln,
 std::optional<double> confirmed(const Session& session, const Trial& trial, double before) {
   try {
     const Fit right = fit(put_right(session, trial.mends));
-    if (std::getenv("HSDEBUG")) std::fprintf(stderr, "confirm %g before %g answer %d\n", right.residual_rms, before, !is_no_answer(right.problem, right.solution));
     const bool is_answer = !is_no_answer(right.problem, right.solution);
     return is_answer && unit_of(trial.mends) * right.residual_rms < 0.8 * before ? std::optional(right.residual_rms)
                                                                                  : std::nullopt;
@@ -168,9 +167,8 @@ std::optional<double> confirmed(const Session& session, const Trial& trial, doub
 
 /// A sensor of poses without sigmas weighs places and turns by what is left, which differs between readings.
 Session with_one_lever(Session session) {
-  if (!session.pose_sensor) return session;
-  if (!session.pose_sensor->sigma || !session.pose_sensor->sigma_angle)
-    session.pose_sensor = PoseSensor{1e-3, 1e-3 / usual_lever};
+  if (!has_unknown_lever(session)) return session;
+  session.pose_sensor = PoseSensor{1e-3, 1e-3 / usual_lever};
   for (Observation& o : session.observations)
     if (o.target_pose && is_used(o)) show_pose(o, pose_lever(*session.pose_sensor));
   session.sigma_point = session.pose_sensor->sigma;
@@ -178,43 +176,96 @@ Session with_one_lever(Session session) {
   return session;
 }
 
+/// The best, without pairs of which one alone is as good.
+std::vector<const Trial*> most_promising(const std::vector<Trial>& tried) {
+  std::vector<const Trial*> best;
+  std::vector<std::string> alone;
+  for (const Trial& trial : tried) {
+    if (best.size() == judged || !trial.found || trial.ln_bayes_factor < well_above) break;
+    const std::vector<std::string> names = names_of(trial.mends);
+    if (names.size() == 1) alone.push_back(names[0]);
+    const bool has_one = names.size() > 1 && std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+                           return std::find(alone.begin(), alone.end(), name) != alone.end();
+                         });
+    if (!has_one) best.push_back(&trial);
+  }
+  return best;
+}
+
+struct Claim {
+  double ln = 0;
+  const Trial* trial = nullptr;
+};
+
+/// How far from the flange what it carries would be: the sensor, or the target.
+double distance_on_flange(const Session& thin, const Trial& trial) {
+  if (thin.tcp == "base") return trial.found->mount_from_sensor.translation.norm();
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& x : trial.found->points_in_tcp)
+    middle += x / static_cast<double>(trial.found->points_in_tcp.size());
+  return middle.norm();
+}
+
+/// Best first. Poses of the flange inverted and poses of the target inverted explain the same, with the two unknown
+/// places exchanged: what the flange carries is the nearer one.
+void bring_likeliest_first(const Session& thin, std::vector<Claim>& claims) {
+  std::stable_sort(claims.begin(), claims.end(), [](const Claim& a, const Claim& b) { return a.ln > b.ln; });
+  if (!thin.robot.is_of_poses) return;
+  const auto end = std::find_if(claims.begin(), claims.end(), [&](const Claim& c) {
+    return c.ln < claims.front().ln - as_likely || c.trial->mends.size() != 1 ||
+           c.trial->mends[0].kind->id != "pose_inverted";
+  });
+  std::stable_sort(claims.begin(), end, [&](const Claim& a, const Claim& b) {
+    return distance_on_flange(thin, *a.trial) < distance_on_flange(thin, *b.trial);
+  });
+}
+
+void say_what_else(const std::vector<Claim>& claims, const Claim& told_one, std::vector<Blunder>& blunders) {
+  std::vector<std::string> others;
+  for (const Claim& other : claims)
+    if (other.trial != told_one.trial && other.ln > told_one.ln - as_likely &&
+        other.trial->mends.size() == told_one.trial->mends.size())
+      others.push_back(fmt::format("{}", fmt::join(names_of(other.trial->mends), " with ")));
+  if (!others.empty())
+    blunders.front().text += fmt::format(" (These measurements are explained as well by {}.)", fmt::join(others, ", "));
+}
+
 }  // namespace
 
 bool may_be_a_blunder(const Session& session, const Fit& fit) {
   if (fit.solution.stopped || fit.problem.observations.size() < 6) return false;
   if (is_no_answer(fit.problem, fit.solution) || looks_lost(fit.problem, fit.solution)) return true;
+  // Where the sigmas are not told, turns that fit badly count little, and what is left of the places looks well.
+  if (has_unknown_lever(session) && fit.residual_rms > several_turns * fit.problem.shape->markers.front().norm())
+    return true;
   const bool tracker = session.is_tracker();
   if (!(fit.residual_rms > (tracker ? few_m : few_pixels))) return false;
   return fit.residual_rms > (fit.noise ? many_times * *fit.noise : tracker ? several_m : several_pixels);
 }
 
-std::vector<Blunder> find_blunders(const Session& session, const Fit& fit,
+std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
                                    const std::function<bool(double)>& on_progress) {
   const auto goes_on = [&](double share) { return !on_progress || on_progress(share); };
-  const Session thin = with_one_lever(thinned_session(session));
+  const Session whole = with_one_lever(session);
+  const Session thin = thinned_session(whole);
   Trials trials(thin);
   const std::vector<Trial> tried = trials.run(goes_on);
-  if (tried.empty()) return {};
-  if (std::getenv("HSDEBUG")) {
-    std::fprintf(stderr, "sights %zu rows %d base %g\n", trials.sights(), trials.rows(), std::sqrt(trials.as_it_is().left()));
-    for (std::size_t i = 0; i < std::min<std::size_t>(12, tried.size()); ++i) {
-      for (const Mend& m : tried[i].mends) std::fprintf(stderr, " %s:%s", m.kind->id.c_str(), m.where.c_str());
-      std::fprintf(stderr, "  ln %g left %g of %zu\n", tried[i].ln_bayes_factor, std::sqrt(tried[i].left()), tried.size());
+  const std::vector<const Trial*> promising = most_promising(tried);
+  if (promising.empty()) return {};
+  const double before = has_unknown_lever(session) ? fit(whole).residual_rms : given.residual_rms;
+  const Judge judge(thin, trials, given);
+  std::vector<Claim> claims;
+  for (std::size_t i = 0; i < promising.size(); ++i) {
+    if (const auto ln = judge.verdict(*promising[i])) claims.push_back({*ln, promising[i]});
+    if (!goes_on(0.8 + 0.02 * static_cast<double>(i))) return {};
+  }
+  bring_likeliest_first(thin, claims);
+  for (const Claim& claim : claims)
+    if (const auto after = confirmed(whole, *claim.trial, before)) {
+      std::vector<Blunder> blunders = told(session, *claim.trial, claim.ln, before, *after);
+      say_what_else(claims, claim, blunders);
+      return blunders;
     }
-  }
-  std::optional<Judge> judge;
-  std::vector<std::pair<double, const Trial*>> claims;
-  for (std::size_t i = 0; i < std::min(judged, tried.size()); ++i) {
-    const Trial& trial = tried[i];
-    if (!trial.found || trial.ln_bayes_factor < well_above) break;
-    if (!judge) judge.emplace(thin, trials, fit);
-    if (const auto ln = judge->verdict(trial)) claims.emplace_back(*ln, &trial);
-    if (!goes_on(0.8 + 0.03 * static_cast<double>(i))) return {};
-  }
-  std::stable_sort(claims.begin(), claims.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for (const auto& [ln, trial] : claims)
-    if (const auto after = confirmed(session, *trial, fit.residual_rms))
-      return told(session, *trial, ln, fit.residual_rms, *after);
   return {};
 }
 

@@ -193,6 +193,7 @@ BlunderKind length_unit(bool of_images) {
   k.of_images = of_images;
   k.of_poses = !of_images;
   k.measured_unit = of_images ? 1 : 1e3;
+  k.points_unit = 1e3;
   k.places = of_images ? lengths_of_images : measured_lengths;
   k.mend = mend_length;
   k.text = [](const std::string& where, const Session&) {

@@ -215,8 +215,7 @@ void choose_from_several(Session& s, const std::vector<Readings>& readings, cons
   if (const auto sure = by_sure_ones(s, readings)) compete(s, sure);
   for (const std::size_t number : {0, 1}) {
     Session start = s;
-    for (std::size_t i = 0; i < readings.size(); ++i)
-      take(start.observations[i], readings[i], tables, number, number);
+    for (std::size_t i = 0; i < readings.size(); ++i) take(start.observations[i], readings[i], tables, number, number);
     show_again(start);
     compete(start, hand_eye_of(start));
   }

@@ -97,7 +97,13 @@ Trial Trials::tried(std::vector<Mend> mends, std::size_t of_so_many) const {
     return trial;
   }
   int numbers = 0;
-  for (const Mend& mend : trial.mends) numbers += mend.kind->numbers;
+  double unit = 1;
+  for (const Mend& mend : trial.mends) {
+    numbers += mend.kind->numbers;
+    unit *= mend.kind->points_unit;
+  }
+  // Shrunk to a point all go together well: what counts is what is left beside how large they are.
+  if (trial.found) trial.found->mean_square *= unit * unit;
   if (trial.found)
     trial.ln_bayes_factor = ln_likelier(base_.left(), trial.left(), sights_, rows_, numbers) -
                             std::log(static_cast<double>(std::max<std::size_t>(1, of_so_many)));

@@ -93,7 +93,6 @@ Session with_flange_poses(Session s, const Change& change) {
 /// The names of what is found, as a user would be told.
 inline std::vector<std::string> blunders_in(const Session& s) {
   const Fit f = fit(s);
-  if (std::getenv("HSDEBUG")) std::fprintf(stderr, "rms %g noise %g\n", f.residual_rms, f.noise.value_or(-1));
   if (!may_be_a_blunder(s, f)) return {};
   std::vector<std::string> names;
   for (const Blunder& b : find_blunders(s, f)) names.push_back(name_of(b));
