@@ -47,7 +47,7 @@ void expect_gradient(const Session& session, const std::vector<EffectTerm>& term
   for (Eigen::Index c = 0; c < problem.columns(); ++c) {
     const Eigen::Index effect = c - problem.effect_column();
     const double scale = effect >= 0 ? problem.columns_of_effects[static_cast<std::size_t>(effect)].sigma : 1e-3;
-    const double h = 0.03 * scale;
+    const double h = 0.01 * scale;
     auto cost_at = [&](double by) {
       Eigen::VectorXd step = Eigen::VectorXd::Zero(problem.columns());
       step[c] = by;
