@@ -103,7 +103,8 @@ class Moments {
               Eigen::MatrixXd::Zero(score_.gradient.size(), score_.gradient.size())};
       if (!numbers.empty()) {
         const Eigen::MatrixXd known = information(numbers, scale);
-        s.mean(numbers) = known.llt().solve(own.gradient);
+        const Eigen::VectorXd best = known.llt().solve(own.gradient);
+        s.mean(numbers) = best;
         if (has_new) s.added(numbers, numbers) = added(numbers, known, scale);
       }
       ln_shares.push_back(ln_factor(own, scale));
