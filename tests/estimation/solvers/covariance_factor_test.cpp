@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "estimation/solvers/least_squares.h"
+
 namespace handsight {
 namespace {
 
