@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace handsight {
 namespace {
 
@@ -21,10 +18,8 @@ std::string whole_percent(double share) {
 
 std::string two_digit_percent(double share) {
   const double percent = 100 * share;
-  if (percent >= 99 && percent < nothing_lacking) return fmt::format("{:.1f}", percent);
-  if (!(percent > 0) || percent >= 10) return fmt::format("{:.0f}", percent);
-  const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 1, 6);
-  return fmt::format("{:.{}f}", percent, places);
+  if (percent >= 99) return whole_percent(share);
+  return percent < 1e-4 ? "0" : fmt::format("{:.2g}", percent);  // within these there is no exponent
 }
 
 }  // namespace handsight

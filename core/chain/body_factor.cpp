@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "chain/unknown_angle.h"
+
 namespace handsight {
 
 Eigen::MatrixXd body_factor(const BodyFrame& frame, const Eigen::MatrixXd& marker_factor) {

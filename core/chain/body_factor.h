@@ -2,14 +2,9 @@
 // The covariance of the body frame as a factor.
 #pragma once
 
-#include <numbers>
-
 #include "chain/body_frame.h"
 
 namespace handsight {
-
-/// Of an angle (rad) of which nothing is known.
-inline constexpr double unknown_angle_variance = std::numbers::pi * std::numbers::pi / 3;
 
 /// A factor of body_covariance, 6 x (k + columns of `unobserved`), from a factor of the markers' covariance (3m x k).
 Eigen::MatrixXd body_factor(const BodyFrame& frame, const Eigen::MatrixXd& marker_factor);

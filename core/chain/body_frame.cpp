@@ -2,7 +2,7 @@
 #include "chain/body_frame.h"
 
 #include "base/error.h"
-#include "chain/body_factor.h"
+#include "chain/unknown_angle.h"
 
 namespace handsight {
 

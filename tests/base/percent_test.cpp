@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdlib>
 
 namespace handsight {
@@ -25,7 +24,9 @@ TEST(Percent, HasTwoDigitsWhereItIsSmall) {
   EXPECT_EQ(two_digit_percent(0.00123), "0.12");
   EXPECT_EQ(two_digit_percent(0.053), "5.3");
   EXPECT_EQ(two_digit_percent(0.64), "64");
-  EXPECT_EQ(two_digit_percent(0.993), "99.3");
+  EXPECT_EQ(two_digit_percent(0.08), "8");
+  EXPECT_EQ(two_digit_percent(0.993), "99");
+  EXPECT_EQ(two_digit_percent(0.997), "99.7");
   EXPECT_EQ(two_digit_percent(0.9996), "100");
 }
 

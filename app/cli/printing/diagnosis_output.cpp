@@ -277,7 +277,7 @@ std::string changes_text(const ImprovementStep& s) {
   return "no longer needed: " + s.removed + (s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged));
 }
 
-/// "backlash (axis_4) 23 %, payload 8.0 %"
+/// "backlash (axis_4) 23 %, payload 8 %"
 std::string certainty_text(const Certainty& certainty, bool of_model) {
   std::vector<std::string> texts;
   for (const NameCertainty& n : certainty.names) {

@@ -8,6 +8,7 @@
 #include "estimation/problem/column_products.h"
 #include "estimation/solvers/covariance_factor.h"
 #include "estimation/solvers/priors.h"
+#include "estimation/solvers/unit_factor.h"
 
 namespace handsight {
 namespace {

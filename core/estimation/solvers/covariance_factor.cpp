@@ -27,10 +27,6 @@ Eigen::MatrixXd pseudo_inverse_factor(const Eigen::MatrixXd& symmetric) {
   return parts.half * parts.inverse.cwiseSqrt().asDiagonal();
 }
 
-Eigen::MatrixXd unit_factor(const Solution& s) {
-  return s.basis * pseudo_inverse_factor(s.basis.transpose() * s.normal.information * s.basis);
-}
-
 Eigen::MatrixXd sandwich_factor(const Eigen::MatrixXd& unit, const Eigen::MatrixXd& middle) {
   return unit * factor_of(unit.transpose() * middle * unit);
 }

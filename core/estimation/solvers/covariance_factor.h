@@ -3,7 +3,7 @@
 // correlation more than 1, however little some direction is known.
 #pragma once
 
-#include "estimation/solvers/least_squares.h"
+#include <Eigen/Core>
 
 namespace handsight {
 
@@ -16,9 +16,6 @@ Eigen::MatrixXd factor_of(const Eigen::MatrixXd& symmetric);
 
 /// A factor (n x n) of the pseudo-inverse.
 Eigen::MatrixXd pseudo_inverse_factor(const Eigen::MatrixXd& symmetric);
-
-/// A factor of unit_covariance: the problem's columns x unknowns; what cannot be observed is zero.
-Eigen::MatrixXd unit_factor(const Solution& solution);
 
 /// A factor of the covariance h m h^T, h = u u^T with u = `unit`, m = `middle` the second moment of the score: u
 /// is as long in a direction as it is unknown, and u^T m u is about 1 in each. h m h itself would lose as many digits

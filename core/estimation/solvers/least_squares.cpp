@@ -139,7 +139,8 @@ Eigen::MatrixXd unit_covariance(const Solution& s) {
 }
 
 Eigen::MatrixXd sandwich_covariance(const Solution& s, const Eigen::MatrixXd& middle) {
-  return covariance_from(sandwich_factor(unit_factor(s), middle));
+  const Eigen::MatrixXd unit = s.basis * pseudo_inverse_factor(s.basis.transpose() * s.normal.information * s.basis);
+  return covariance_from(sandwich_factor(unit, middle));
 }
 
 }  // namespace handsight

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <numbers>
+
+namespace handsight {
+
+/// rad^2: of an angle of which nothing is known.
+inline constexpr double unknown_angle_variance = std::numbers::pi * std::numbers::pi / 3;
+
+}  // namespace handsight
