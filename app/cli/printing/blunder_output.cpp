@@ -20,10 +20,16 @@ std::string size_text(const Blunder& b, double rms) {
 std::vector<Blunder> blunders_of(const Session& session, const Fit& fit) {
   if (!may_be_a_blunder(session, fit)) return {};
   Progress progress("looks for mistakes", 100);
-  return find_blunders(session, fit, [&](double share) {
-    progress.at(static_cast<std::size_t>(100 * share));
-    return true;
-  });
+  try {
+    return find_blunders(session, fit, [&](double share) {
+      progress.at(static_cast<std::size_t>(100 * share));
+      return true;
+    });
+  } catch (const InputError& error) {
+    // Looking for mistakes is beside what was asked for: what was found without it is told all the same.
+    Output::note(fmt::format("Mistakes of a whole kind could not be looked for: {}", error.what()));
+    return {};
+  }
 }
 
 std::vector<Blunder> blunders_of(const Session& session) {
