@@ -58,8 +58,13 @@ std::size_t Explanations::name_of(const EffectTerm& term, double cost) {
   return n;
 }
 
-/// Units of one name stand together. What begins at some observation can go, but does not come: its moment is sought
-/// elsewhere.
+/// What follows time, and what scales the measurements themselves (the target's size where a sensor tells its poses),
+/// is judged otherwise than by what is left (slips.h, diagnosis.cpp).
+static bool is_judged_elsewhere(const EffectTerm& term, const Problem& model) {
+  return follows_time(term) || (term.id == "target_scale" && !model.rig);
+}
+
+/// Units of one name stand together. What is judged elsewhere can go, but does not come.
 void Explanations::list_units(const Problem& model, std::size_t first_term, const Candidates& others, double cost) {
   for (std::size_t t = first_term; t < model.terms.size(); ++t)
     units_.push_back({model.terms[t], name_of(model.terms[t], cost), 0, 0, true});
@@ -73,7 +78,7 @@ void Explanations::list_units(const Problem& model, std::size_t first_term, cons
     for (const CandidateUnit& unit : e.units) {
       const std::size_t name = name_of(unit.term, cost);
       ++names_[name].places;
-      if (!follows_time(unit.term)) units_.push_back({unit.term, name, present + unit.first, unit.count});
+      if (!is_judged_elsewhere(unit.term, model)) units_.push_back({unit.term, name, present + unit.first, unit.count});
     }
   std::stable_sort(units_.begin(), units_.end(),
                    [](const ExplanationUnit& a, const ExplanationUnit& b) { return a.name < b.name; });
