@@ -206,24 +206,28 @@ double distance_on_flange(const Session& thin, const Trial& trial) {
   return middle.norm();
 }
 
-/// Best first. Poses of the flange inverted and poses of the target inverted explain the same, with the two unknown
-/// places exchanged: what the flange carries is the nearer one.
+/// Poses of the flange inverted and poses of the target inverted explain the same, with the two unknown places
+/// exchanged.
+bool are_twins(const Claim& a, const Claim& b) {
+  const auto inverts_one = [](const Claim& c) {
+    return c.trial->mends.size() == 1 && c.trial->mends[0].kind->id == "pose_inverted";
+  };
+  return inverts_one(a) && inverts_one(b);
+}
+
+/// Best first; of twins the one in which the flange carries the nearer of the two.
 void bring_likeliest_first(const Session& thin, std::vector<Claim>& claims) {
   std::stable_sort(claims.begin(), claims.end(), [](const Claim& a, const Claim& b) { return a.ln > b.ln; });
-  if (!thin.robot.is_of_poses) return;
-  const auto end = std::find_if(claims.begin(), claims.end(), [&](const Claim& c) {
-    return c.ln < claims.front().ln - as_likely || c.trial->mends.size() != 1 ||
-           c.trial->mends[0].kind->id != "pose_inverted";
-  });
-  std::stable_sort(claims.begin(), end, [&](const Claim& a, const Claim& b) {
-    return distance_on_flange(thin, *a.trial) < distance_on_flange(thin, *b.trial);
-  });
+  for (std::size_t i = 1; i < claims.size(); ++i)
+    if (are_twins(claims[0], claims[i]) &&
+        distance_on_flange(thin, *claims[i].trial) < distance_on_flange(thin, *claims[0].trial))
+      std::swap(claims[0], claims[i]);
 }
 
 void say_what_else(const std::vector<Claim>& claims, const Claim& told_one, std::vector<Blunder>& blunders) {
   std::vector<std::string> others;
   for (const Claim& other : claims)
-    if (other.trial != told_one.trial && other.ln > told_one.ln - as_likely &&
+    if (other.trial != told_one.trial && (other.ln > told_one.ln - as_likely || are_twins(other, told_one)) &&
         other.trial->mends.size() == told_one.trial->mends.size())
       others.push_back(fmt::format("{}", fmt::join(names_of(other.trial->mends), " with ")));
   if (!others.empty())

@@ -13,6 +13,8 @@ namespace handsight {
 namespace {
 
 constexpr std::size_t fewest_sights = 6;
+/// m: what moves less before the sensor (a probe's tip) any link beside it would explain.
+constexpr double still = 0.01;
 constexpr double fewest_kept = 0.8;  // of the sights: with images read otherwise some may show no body
 
 std::string name_of(const Mend& mend) { return handsight::name_of(mend.kind->id, mend.where); }
@@ -43,6 +45,21 @@ void put_right_all(std::vector<Mend>& mends, const Session& points, Session& rig
   }
 }
 
+/// m: how far a point moves before the sensor, r.m.s. of all.
+double spread_of(const std::vector<Sight>& sights, int count) {
+  std::vector<Vector3> sums(static_cast<std::size_t>(count), Vector3::Zero());
+  std::vector<double> squares(sums.size(), 0.0), counts(sums.size(), 0.0);
+  for (const Sight& s : sights)
+    for (const NumberedPoint& p : s.points) {
+      const auto k = static_cast<std::size_t>(p.number);
+      sums[k] += p.in_sensor, squares[k] += p.in_sensor.squaredNorm(), counts[k] += 1;
+    }
+  double all = 0, count_of_all = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    if (counts[k] > 0) all += squares[k] - sums[k].squaredNorm() / counts[k], count_of_all += counts[k];
+  return count_of_all > 0 ? std::sqrt(std::max(0.0, all / count_of_all)) : 0;
+}
+
 /// Two that are put right in one thing.
 bool collide(const Mend& a, const Mend& b) {
   if (a.kind->of_images && b.kind->of_images) return true;
@@ -71,6 +88,7 @@ Trials::Trials(const Session& thin) : thin_(thin) {
   std::size_t seen = 0;
   for (const Sight& s : sights) seen += s.points.size();
   rows_ = sights_ > 0 ? static_cast<int>(std::clamp<std::size_t>(3 * seen / sights_, 1, 6)) : 6;
+  stand_still_ = spread_of(sights, points_.at("").marker_count) < still;
   base_.found = hand_eye_of(points_.at(""));
 }
 
@@ -113,7 +131,8 @@ Trial Trials::tried(std::vector<Mend> mends, std::size_t of_so_many) const {
 std::vector<Mend> Trials::singles() const {
   std::vector<Mend> all;
   for (const BlunderKind& kind : blunder_kinds())
-    for (const std::string& where : kind.places(thin_)) all.push_back({&kind, where});
+    for (const std::string& where : kind.places(thin_))
+      if (!stand_still_ || kind.id != "wrong_link") all.push_back({&kind, where});
   return all;
 }
 

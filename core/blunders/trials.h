@@ -51,6 +51,7 @@ class Trials {
   Trial base_;
   std::size_t sights_ = 0;
   int rows_ = 6;
+  bool stand_still_ = false;
 };
 
 }  // namespace handsight

@@ -53,7 +53,8 @@ TEST(FieldBlunders, GoodSessionsAreNotAccused) {
     try {
       const Fit f = fit(s);
       std::vector<std::string> names;
-      for (const Blunder& b : find_blunders(s, f)) names.push_back(name_of(b));
+      for (const Blunder& b : find_blunders(s, f))
+        names.push_back(name_of(b) + fmt::format(" {} -> {}", b.rms_before, b.rms_after));
       EXPECT_THAT(names, IsEmpty()) << entry.path();
     } catch (const InputError&) {  // nothing is labelled
     }
