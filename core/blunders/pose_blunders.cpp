@@ -231,8 +231,14 @@ void read_rotations_again(Session& s, const Tables& tables, const std::string& c
     take(o, r, tables, 0, 0);
   }
   show_again(s);
-  if (s.rig) return;  // of images nothing is known here but their points in them
-  if (std::any_of(readings.begin(), readings.end(), is_open)) choose_from_several(s, readings, tables);
+  if (std::none_of(readings.begin(), readings.end(), is_open)) return;
+  Session points = as_point_session(with_few_markers(s));
+  choose_from_several(points, readings, tables);
+  for (std::size_t i = 0; i < s.observations.size(); ++i) {
+    s.observations[i].position = points.observations[i].position;
+    s.observations[i].target_pose = points.observations[i].target_pose;
+  }
+  show_again(s);
 }
 
 const char* convention_text(const std::string& convention) {
@@ -271,7 +277,7 @@ BlunderKind euler_convention() {
   };
   k.fix = [](const std::string& where, const Session& s) {
     const auto [table, convention] = name_and_value(where);
-    return fmt::format("In the table that {} of {} come from {}.", table_text(table), session_name(s),
+    return fmt::format("In the table that {} of {} come from, {}.", table_text(table), session_name(s),
                        convention_fix(convention));
   };
   return k;

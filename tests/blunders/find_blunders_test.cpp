@@ -115,6 +115,25 @@ TEST(FindBlunders, RotationVectorsReadAsRollPitchYaw) {
   }
 }
 
+TEST(FindBlunders, RotationVectorsOfAFlangeBeforeImages) {
+  // The flange's poses stand for the robot, its camera sees a board on the table.
+  const Session arm = fixture::with_free_mount(fixture::simulated_right(fixture::eye_in_hand_session(), 3));
+  Session s = arm;
+  s.robot = poses_robot();
+  s.joints = joint_names(s.robot);
+  s.tcp = "base";
+  s.mount.link = "flange";
+  s.mount.known = false;
+  const Chain chain = chain_of(arm);
+  for (Observation& o : s.observations) {
+    const ChainEnds ends = chain_ends(chain, o.position);
+    o.position = position_of(inverse(ends.root_from_tcp) * ends.root_from_mount);
+  }
+  EXPECT_THAT(blunders_in(s), IsEmpty());
+  EXPECT_THAT(blunders_in(fixture::with_flange_poses(s, read_as_rpy)),
+              ElementsAre("euler_convention:flange=rotation_vector"));
+}
+
 TEST(FindBlunders, RollPitchYawReadAsRotationVectors) {
   EXPECT_THAT(blunders_in(fixture::with_flange_poses(fixture::pose_session(4), read_as_vector)),
               ElementsAre("euler_convention:flange=rpy"));
