@@ -43,7 +43,7 @@ TEST_P(WrittenCalibrations, AreReadByEveryCommand) {
 
 INSTANTIATE_TEST_SUITE_P(OfRealRobots, WrittenCalibrations,
                          testing::Values("motoman_left_even", "mukca_panda_2", "mukca_panda_6", "mukca_kuka_14",
-                                         "positioner_even", "fr3_hand_eye_even"),
+                                         "fr3_hand_eye_even"),
                          [](const auto& one) { return std::string(one.param); });
 
 }  // namespace
