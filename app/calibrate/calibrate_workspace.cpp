@@ -348,7 +348,7 @@ void CalibrateWorkspace::refresh_model() {
 }
 
 std::vector<Action> CalibrateWorkspace::own_actions() const {
-  const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
+  const auto explained = [](const char* id, const QString& gesture, const QString& what) {
     return Action{.id = id, .group = tr("Calibrate"), .text = what, .gesture = gesture};
   };
   return {explained("play_keys", tr("Space, ."), tr("play or pause, one observation"))};

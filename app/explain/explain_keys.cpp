@@ -76,7 +76,7 @@ void ExplainWorkspace::blink() {
 }
 
 std::vector<Action> ExplainWorkspace::own_actions() const {
-  const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
+  const auto explained = [](const char* id, const QString& gesture, const QString& what) {
     return Action{.id = id, .group = tr("Explain"), .text = what, .gesture = gesture};
   };
   return {explained("card_keys", tr("Tab, Enter"), tr("look at a card, add it")),

@@ -369,7 +369,7 @@ void InspectWorkspace::refresh_observation() {
 }
 
 std::vector<Action> InspectWorkspace::own_actions() const {
-  const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
+  const auto explained = [](const char* id, const QString& gesture, const QString& what) {
     return Action{.id = id, .group = tr("Inspect"), .text = what, .gesture = gesture};
   };
   return {explained("inspect_keys", tr("Delete, Insert"), tr("exclude, include the chosen observations")),

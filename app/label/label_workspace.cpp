@@ -342,7 +342,7 @@ void LabelWorkspace::next_observation() {
 }
 
 std::vector<Action> LabelWorkspace::own_actions() const {
-  const auto explained = [this](const char* id, const QString& gesture, const QString& what) {
+  const auto explained = [](const char* id, const QString& gesture, const QString& what) {
     return Action{.id = id, .group = tr("Label"), .text = what, .gesture = gesture};
   };
   return {explained("marker_snap", tr("Click, Alt+click"), tr("marker on the nearest corner, exactly there")),
