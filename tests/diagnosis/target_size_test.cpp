@@ -4,6 +4,7 @@
 
 #include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
+#include "estimation/report/fit_report.h"
 #include "fixtures/targets.h"
 #include "session/pose_points.h"
 #include "session/session_xml.h"
@@ -132,6 +133,24 @@ TEST(TargetSize, OfABoardThatWasPrintedTwoPercentTooLarge) {
   const Fit& f = m.last.model.fit;
   EXPECT_NEAR(f.effects.at(0).term.values[0], 0.0204, 1e-4);
   EXPECT_LT((f.tcp_from_body.translation - Vector3(58.0896e-3, -3.0187e-3, -51.2470e-3)).norm(), 5e-5);
+}
+
+TEST(TargetSize, OfARealBoardIsNotTakenForABend) {
+  const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "field/cameras/real_square_size";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
+  const Diagnosis d = diagnose(read_session(folder), quick());
+  ASSERT_FALSE(d.candidates.empty());
+  EXPECT_EQ(d.candidates.front().id, "target_scale") << d.reason;
+  EXPECT_NEAR(d.candidates.front().terms.at(0).values[0], 0.09, 0.01) << "squares of 21.8 mm in place of 20";
+}
+
+TEST(TargetSize, MovesTheTargetsOwnFrame) {
+  const SimulatedSession s = printed_larger(target_session(), 0.02);
+  const auto right =
+      tcp_from_target(simulated(target_session(), {}).session, fit(simulated(target_session(), {}).session));
+  const auto found = tcp_from_target(s.session, fitted(s.session, "target_scale"));
+  ASSERT_TRUE(right && found);
+  EXPECT_LT((right->translation - found->translation).norm(), 2e-4) << "the print's corner, 14 cm off the middle";
 }
 
 }  // namespace

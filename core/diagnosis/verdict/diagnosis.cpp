@@ -28,8 +28,13 @@ constexpr std::size_t most_patterns = 40;
 constexpr double ln_of_idle = 4;   // what places that show little alone must bring together to stay
 constexpr double least_seen = 30;  // chi-squared of a plausible size that poses must show
 constexpr double least_visible_rival = 1;
-constexpr std::size_t most_curves = 4;  // that are written as formulas
-constexpr double near_start = 1e-4;     // m, rad: a fit that begins at its own answer need not derive again
+constexpr std::size_t most_curves = 4;   // that are written as formulas
+constexpr double next_to_nothing = 0.1;  // of what the model misses
+constexpr double near_start = 1e-4;      // m, rad: a fit that begins at its own answer need not derive again
+
+/// A number that no robot has and that leaves nearly all of the error has taken in a part of something else: a board
+/// that seems bent in images from poses that are wrong.
+bool is_stand_in(const DiagnosisCandidate& c) { return !c.plausible && c.explained.value_or(1) < next_to_nothing; }
 
 class Work {
  public:
@@ -228,6 +233,7 @@ class Work {
     drop_idle_places(r);
     if (stopped_) return;
     take_refit(r, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, weighing_, session_, c);
+    if (is_stand_in(c)) c.ln_bayes_factor = std::min(c.ln_bayes_factor, 0.0);
     c.path = std::move(path_);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
     fits_[c.id] = std::move(r);
