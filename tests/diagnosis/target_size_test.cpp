@@ -138,9 +138,7 @@ TEST(TargetSize, OfABoardThatWasPrintedTwoPercentTooLarge) {
 TEST(TargetSize, OfARealBoardIsNotTakenForABend) {
   const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "field/cameras/real_square_size";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
-  DiagnosisOptions o = quick();
-  o.with_curves = false;
-  const Diagnosis d = diagnose(read_session(folder), o);
+  const Diagnosis d = diagnose(read_session(folder), quick());
   ASSERT_FALSE(d.candidates.empty());
   EXPECT_EQ(d.candidates.front().id, "target_scale") << d.reason;
   EXPECT_NEAR(d.candidates.front().terms.at(0).values[0], 0.09, 0.01) << "squares of 21.8 mm in place of 20";
