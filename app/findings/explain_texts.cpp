@@ -72,13 +72,14 @@ namespace {
 
 using widgets::SessionState;
 
-/// The best with a name, of a size that is plausible; where there is none such, the best with a name. None of the
-/// refused; null where nothing is left.
+/// The best with a name, of a size that is plausible; where there is none such of half the evidence at least, the best
+/// with a name. None of the refused; null where nothing is left.
 const DiagnosisCandidate* best_named(const Diagnosis& d, const std::set<std::string>& refused) {
   const DiagnosisCandidate* best = nullptr;
   for (const DiagnosisCandidate& c : d.candidates) {
     if (c.unnamed || refused.contains(c.id)) continue;
-    if (c.plausible && c.ln_bayes_factor >= d.threshold) return &c;
+    const bool is_near = !best || c.ln_bayes_factor >= 0.5 * best->ln_bayes_factor;
+    if (c.plausible && is_near && c.ln_bayes_factor >= d.threshold) return &c;
     if (!best) best = &c;
   }
   return best;

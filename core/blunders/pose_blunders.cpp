@@ -102,7 +102,7 @@ BlunderKind pose_inverted() {
 std::vector<std::string> with_each(const std::vector<std::string>& tables, const std::vector<std::string>& values) {
   std::vector<std::string> places;
   for (const std::string& table : tables)
-    for (const std::string& value : values) places.push_back(table + "=" + value);
+    for (const std::string& value : values) places.push_back(std::string(table).append("=").append(value));
   return places;
 }
 

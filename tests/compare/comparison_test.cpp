@@ -124,8 +124,10 @@ TEST(ChangeEvidence, IsThatOfAKnownNormal) {
   // One number with information 100 and score 50: ln BF = mean over scales s of exp(b^2 s^2 / (2 (1 + s^2 A))) / sqrt(1
   // + s^2 A).
   double sum = 0;
-  for (const double s : {0.1, 0.3, 1.0, 3.0})
-    sum += std::exp(0.5 * 2500 * s * s / (1 + 100 * s * s)) / std::sqrt(1 + 100 * s * s) / 4;
+  for (std::size_t i = 0; i < plausible_scales.size(); ++i) {
+    const double s = plausible_scales[i];
+    sum += scale_shares[i] * std::exp(0.5 * 2500 * s * s / (1 + 100 * s * s)) / std::sqrt(1 + 100 * s * s);
+  }
   const Eigen::MatrixXd information = Eigen::MatrixXd::Constant(1, 1, 100);
   EXPECT_NEAR(change_evidence(information, Eigen::VectorXd::Constant(1, 50)), std::log(sum), 1e-12);
 }

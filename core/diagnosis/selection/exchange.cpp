@@ -50,6 +50,8 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   for (std::size_t i = 0; i < std::min(most, ranking.effects.size()); ++i) {
     const RankedEffect& r = ranking.effects[i];
     if (!unnamed && &r == &*own) continue;
+    // A size that scales what was measured is judged by the measurements' own density (verdict/diagnosis.cpp).
+    if (r.candidate->effect->id == "target_scale" && !without.fit.problem.rig) continue;
     if (follows_time(r.candidate->units.front().term) && !follows_time(present.front())) continue;
     const double least = unnamed ? model.threshold : nearly * own->ln_bayes_factor;
     if (r.ln_bayes_factor < least || !goes_on()) break;

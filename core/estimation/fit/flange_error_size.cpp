@@ -15,6 +15,9 @@ namespace {
 constexpr double clearly_likelier = 3;                             // ln: than noise alone
 constexpr double least = 1e-6, most_place = 0.1, most_turn = 0.3;  // m and rad
 
+/// What is off by more is no scatter of a robot's: something is missing that weighing would only hide.
+constexpr FlangeError most_of_a_robot{6e-3, 18e-3};
+
 /// One observation by the unknowns of the fit and by the flange's error.
 struct Part {
   Eigen::MatrixXd information;                      // unknowns x unknowns
@@ -130,7 +133,8 @@ FlangeError likely_flange_error(const Problem& problem, const Solution& solution
   const RestrictedLikelihood likelihood(problem, solution);
   Found best = best_of_grid(likelihood);
   refine(likelihood, best);
-  return best.ln > likelihood.ln({}) + clearly_likelier ? best.error : FlangeError{};
+  const bool is_a_robots = best.error.place <= most_of_a_robot.place && best.error.turn <= most_of_a_robot.turn;
+  return is_a_robots && best.ln > likelihood.ln({}) + clearly_likelier ? best.error : FlangeError{};
 }
 
 }  // namespace handsight

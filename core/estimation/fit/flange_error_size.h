@@ -8,8 +8,8 @@ namespace handsight {
 
 /// The sizes of the flange's error under which what the solution leaves is likeliest (restricted likelihood, so that
 /// the unknowns that followed the errors are allowed for; Searle, Casella and McCulloch, Variance Components, 1992, ch.
-/// 6). Problem::noise must be the noise of one coordinate. None where the noise alone does as well, or with fewer than
-/// four observations.
+/// 6). Problem::noise must be the noise of one coordinate. None where the noise alone does as well, where it would be
+/// more than 6 mm or 18 mrad, or with fewer than four observations.
 FlangeError likely_flange_error(const Problem& problem, const Solution& solution);
 
 }  // namespace handsight

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/solvers/normal_equations.h"
-
 namespace handsight {
 
 Rigid tcp_from_flange(const Problem& problem, const ProblemObservation& o) {
@@ -33,11 +31,8 @@ Vector6 flange_error_weights(const FlangeError& error, double noise) {
   return weights;
 }
 
-void add_observation_with_flange_error(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
-                                       NormalEquations& normal) {
-  NormalEquations one(problem.columns());
-  add_observation(problem, o, unknowns, one);
-  complete(one);
+void add_without_flange_error(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
+                              const NormalEquations& one, NormalEquations& normal) {
   const auto markers = markers_by_flange(problem, o, unknowns);
   const Eigen::MatrixXd shared = one.information.leftCols(markers.rows()) * markers;
   Matrix6 own = markers.transpose() * shared.topRows(markers.rows());

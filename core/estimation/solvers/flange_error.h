@@ -20,8 +20,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> markers_by_flange(const Problem& proble
 /// The weight (noise / sigma)^2 of the error's six numbers; problem.flange_error must be of some size.
 Vector6 flange_error_weights(const FlangeError& error, double noise);
 
-/// Adds one observation's normal equations, Problem::flange_error eliminated, both triangles.
-void add_observation_with_flange_error(const Problem& problem, const ProblemObservation& observation,
-                                       const Unknowns& unknowns, NormalEquations& normal);
+/// Adds one observation's normal equations `one` (both triangles), Problem::flange_error eliminated.
+void add_without_flange_error(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
+                              const NormalEquations& one, NormalEquations& normal);
 
 }  // namespace handsight

@@ -177,6 +177,14 @@ void add_plain_observation(const Problem& problem, const ProblemObservation& obs
   normal.gradient.segment<6>(mount) += mount_gradient;
 }
 
+void add_observation_of_a_robot_that_errs(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
+                                          NormalEquations& normal) {
+  NormalEquations one(problem.columns());
+  add_observation(problem, o, unknowns, one);
+  complete(one);
+  add_without_flange_error(problem, o, unknowns, one, normal);
+}
+
 /// Of the observations at `places` in the problem's order from `first` on; of all of them where there are no places.
 NormalEquations sum_of(const Problem& problem, const Unknowns& unknowns, std::span<const int> places, std::size_t first,
                        std::size_t count) {
@@ -185,7 +193,7 @@ NormalEquations sum_of(const Problem& problem, const Unknowns& unknowns, std::sp
   for (std::size_t i = first; i < first + count; ++i) {
     const ProblemObservation& o = problem.observations[places.empty() ? i : static_cast<std::size_t>(places[i])];
     if (problem.flange_error.is_any())
-      add_observation_with_flange_error(problem, o, unknowns, normal);
+      add_observation_of_a_robot_that_errs(problem, o, unknowns, normal);
     else if (is_plain(problem, o))
       add_plain_observation(problem, o, unknowns, normal);
     else
