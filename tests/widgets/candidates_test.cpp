@@ -229,7 +229,7 @@ TEST(EffectTable, FiltersByNameAndEnterChooses) {
   QTest::mouseClick(table.view()->viewport(), Qt::LeftButton, {}, at);
   QTest::mouseDClick(table.view()->viewport(), Qt::LeftButton, {}, at);
   ASSERT_EQ(chosen.size(), 2);
-  EXPECT_EQ(chosen[1][0].toString(), "joint_elasticity");
+  EXPECT_EQ(chosen[1][0].toString(), QString::fromStdString(catalogue()[2].id));
 }
 
 }  // namespace
