@@ -13,8 +13,7 @@ namespace handsight {
 namespace {
 
 constexpr std::size_t few = 9;  // points of a board
-constexpr int stand_in = 4;     // points that stand for a piece whose pose is seen
-constexpr double reach = 0.1;   // m
+constexpr int stand_in = few_of_a_piece;
 
 std::vector<int> used_places(const Session& session) {
   std::vector<int> used;
@@ -63,24 +62,13 @@ std::vector<std::size_t> spread_markers(const std::vector<Vector3>& places, cons
   return taken;
 }
 
-std::vector<Vector3> stand_ins(const KnownShape& shape, int piece) {
-  Vector3 middle = Vector3::Zero();
-  int count = 0;
-  for (std::size_t m = 0; m < shape.markers.size(); ++m)
-    if (shape.piece(m) == piece) middle += shape.markers[m], ++count;
-  middle /= std::max(count, 1);
-  std::vector<Vector3> points{middle};
-  for (int axis = 0; axis < 3; ++axis) points.push_back(middle + reach * Vector3::Unit(axis));
-  return points;
-}
-
 std::vector<Sighting> shown_by_pose(const Session& session, const Observation& o) {
   std::vector<Sighting> shown;
   const auto pieces = by_piece(*session.shape, o.sightings);
   for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
     const auto pose = target_pose(&*session.rig, pieces[piece], session.shape->markers);
     if (!pose) continue;
-    const std::vector<Vector3> points = stand_ins(*session.shape, static_cast<int>(piece));
+    const std::vector<Vector3> points = few_points(*session.shape, static_cast<int>(piece));
     for (int i = 0; i < stand_in; ++i)
       shown.push_back({.marker = stand_in * static_cast<int>(piece) + i,
                        .point = pose->pose.sensor_from_body * points[static_cast<std::size_t>(i)]});

@@ -32,14 +32,13 @@ Part part_of(const Problem& problem, const ProblemObservation& o, const Solution
   NormalEquations one(problem.columns());
   add_observation(problem, o, solution.unknowns, one);
   complete(one);
-  const auto markers = markers_by_flange(problem, o, solution.unknowns);
-  const Eigen::MatrixXd shared = one.information.leftCols(markers.rows()) * markers;
+  const FlangeSums sums = flange_sums(problem, o, solution.unknowns, one);
   const Eigen::MatrixXd& basis = solution.basis;
   return {basis.transpose() * one.information * basis,
           basis.transpose() * one.gradient,
-          basis.transpose() * shared,
-          markers.transpose() * shared.topRows(markers.rows()),
-          markers.transpose() * one.gradient.head(markers.rows()),
+          basis.transpose() * sums.shared,
+          sums.own,
+          sums.gradient,
           one.cost};
 }
 

@@ -31,18 +31,25 @@ Vector6 flange_error_weights(const FlangeError& error, double noise) {
   return weights;
 }
 
+FlangeSums flange_sums(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
+                       const NormalEquations& one) {
+  const auto markers = markers_by_flange(problem, o, unknowns);
+  FlangeSums sums;
+  sums.shared = one.information.leftCols(markers.rows()) * markers;
+  sums.own = markers.transpose() * sums.shared.topRows(markers.rows());
+  sums.gradient = markers.transpose() * one.gradient.head(markers.rows());
+  return sums;
+}
+
 void add_without_flange_error(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
                               const NormalEquations& one, NormalEquations& normal) {
-  const auto markers = markers_by_flange(problem, o, unknowns);
-  const Eigen::MatrixXd shared = one.information.leftCols(markers.rows()) * markers;
-  Matrix6 own = markers.transpose() * shared.topRows(markers.rows());
-  own.diagonal() += flange_error_weights(problem.flange_error, problem.noise);
-  const Vector6 gradient = markers.transpose() * one.gradient.head(markers.rows());
-  const Eigen::LLT<Matrix6> llt(own);
-  const Vector6 best = llt.solve(gradient);
-  normal.information += one.information - shared * llt.solve(shared.transpose());
-  normal.gradient += one.gradient - shared * best;
-  normal.cost += one.cost - gradient.dot(best);
+  FlangeSums sums = flange_sums(problem, o, unknowns, one);
+  sums.own.diagonal() += flange_error_weights(problem.flange_error, problem.noise);
+  const Eigen::LLT<Matrix6> llt(sums.own);
+  const Vector6 best = llt.solve(sums.gradient);
+  normal.information += one.information - sums.shared * llt.solve(sums.shared.transpose());
+  normal.gradient += one.gradient - sums.shared * best;
+  normal.cost += one.cost - sums.gradient.dot(best);
   normal.rows += one.rows;
   normal.in_front = normal.in_front && one.in_front;
 }

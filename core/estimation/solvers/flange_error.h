@@ -17,6 +17,17 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> markers_by_flange(const Problem& proble
                                                            const ProblemObservation& observation,
                                                            const Unknowns& unknowns);
 
+/// What one observation says of the flange's error.
+struct FlangeSums {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> shared;  // H of the problem's columns x the error's six numbers
+  Matrix6 own;                                      // H of these
+  Vector6 gradient;
+};
+
+/// Of its normal equations `one` (both triangles).
+FlangeSums flange_sums(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
+                       const NormalEquations& one);
+
 /// The weight (noise / sigma)^2 of the error's six numbers; problem.flange_error must be of some size.
 Vector6 flange_error_weights(const FlangeError& error, double noise);
 

@@ -6,14 +6,9 @@
 #include "estimation/start/start_markers.h"
 
 namespace handsight {
-namespace {
 
-constexpr int few = 4;         // points that stand for a piece
-constexpr double sure = 2;     // TargetPose::lead
-constexpr double reach = 0.1;  // m
-
-/// The points that stand for a piece: its middle and three places along the axes of its frame.
 std::vector<Vector3> few_points(const KnownShape& shape, int piece) {
+  constexpr double reach = 0.1;  // m
   Vector3 middle = Vector3::Zero();
   int count = 0;
   for (std::size_t m = 0; m < shape.markers.size(); ++m)
@@ -23,6 +18,11 @@ std::vector<Vector3> few_points(const KnownShape& shape, int piece) {
   for (int axis = 0; axis < 3; ++axis) points.push_back(middle + reach * Vector3::Unit(axis));
   return points;
 }
+
+namespace {
+
+constexpr int few = few_of_a_piece;
+constexpr double sure = 2;  // TargetPose::lead
 
 /// The observations with the few points of every piece whose pose they show, as measured points.
 Problem shown_by_few(const Problem& problem, const std::vector<std::vector<Vector3>>& points, bool only_sure) {

@@ -15,6 +15,12 @@ std::optional<Unknowns> start_by_shape(const Problem& problem, const Mount& moun
 /// The unknowns with the markers as the shape has them, laid onto where they are; one piece.
 Unknowns laid_onto(const KnownShape& shape, const Unknowns& unknowns);
 
+/// Of the points that stand for a piece.
+inline constexpr int few_of_a_piece = 4;
+
+/// The points that stand for a piece, in its frame: its middle and three places 0.1 m along the axes.
+std::vector<Vector3> few_points(const KnownShape& shape, int piece);
+
 /// Sightings by their piece.
 std::vector<std::vector<Sighting>> by_piece(const KnownShape& shape, const std::vector<Sighting>& sightings);
 
