@@ -55,7 +55,8 @@ QString group_of(const Effect& e, const Chain& chain) {
       }))
     return QObject::tr("Joints");
   if (s.robot.tilt_x != 0 || !s.robot.base_compliance.isZero()) return QObject::tr("Base");
-  return QObject::tr("Hand");
+  // A first joint has none before it that it could turn with.
+  return moves_one_joint(e) ? QObject::tr("Joints") : QObject::tr("Hand");
 }
 
 /// An effect, in the model or not.
