@@ -4,6 +4,7 @@
 #include "bench/model_effects.h"
 #include "diagnosis/evidence/scatter_levels.h"
 #include "diagnosis/verdict/finding.h"
+#include "diagnosis/verdict/judging.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "widgets/base/number_text.h"
@@ -163,7 +164,9 @@ QString what_is_left_follows(const Diagnosis& d) {
       return QObject::tr("It follows the %1 (%2).")
           .arg(translated(c.unnamed->localiser.variable->name),
                QString::fromStdString(c.unnamed->localiser.best.shape.text));
-  if (d.patterns.empty()) return {};
+  if (!follows_a_pattern(d))
+    return scatters_too_much(d) ? QObject::tr("It follows nothing that was measured, and robots scatter less.")
+                                : QString();
   return QObject::tr("It follows the %1.").arg(translated(d.patterns.front().against.name));
 }
 

@@ -1308,6 +1308,10 @@
         <translation>Prüfen</translation>
     </message>
     <message>
+        <source>It follows nothing that was measured, and robots scatter less.</source>
+        <translation>Es folgt nichts, was gemessen wurde, und Roboter streuen weniger.</translation>
+    </message>
+    <message>
         <source>It follows the %1 (%2).</source>
         <translation>Es folgt: %1 (%2).</translation>
     </message>

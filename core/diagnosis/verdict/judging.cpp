@@ -40,6 +40,12 @@ double beyond_usual_scatter(const Session& session, const Fit& fit, const Linear
   return std::min(beyond, of_repeats);
 }
 
+bool follows_a_pattern(const Diagnosis& d) {
+  return !d.patterns.empty() && d.patterns.front().p_value < 1e-4 && d.patterns.front().strength > 0.2;
+}
+
+bool scatters_too_much(const Diagnosis& d) { return d.beyond_scatter && *d.beyond_scatter > clearly; }
+
 void judge_what_is_left(bool knows_noise, Diagnosis& d) {
   if (!knows_noise) {
     d.verdict = Verdict::unexplained;
@@ -47,12 +53,12 @@ void judge_what_is_left(bool knows_noise, Diagnosis& d) {
     return;
   }
   const bool fails = d.lack_of_fit_p && *d.lack_of_fit_p < surely;
-  if (fails && !d.patterns.empty() && d.patterns.front().p_value < 1e-4 && d.patterns.front().strength > 0.2) {
+  if (fails && follows_a_pattern(d)) {
     d.verdict = Verdict::unexplained;
     d.reason = follows_pattern_text(d.patterns.front());
     return;
   }
-  if (fails && d.beyond_scatter && *d.beyond_scatter > clearly) {
+  if (fails && scatters_too_much(d)) {
     d.verdict = Verdict::unexplained;
     d.reason = too_much_scatter_text(d);
     return;
