@@ -124,6 +124,15 @@ const Refusal* refusal_of(const std::string& id, const Document& document, const
   return nullptr;
 }
 
+/// Has the first that would be offered half of the best's evidence at least? Less would only stand in for a part of
+/// what has no name.
+bool is_near_the_best(const Diagnosis& d, const Workbench& bench, const std::vector<Refusal>& refused) {
+  for (const DiagnosisCandidate& c : d.candidates)
+    if (can_be_added(c) && c.plausible && !refusal_of(id_of(c), bench.document, refused))
+      return c.ln_bayes_factor >= 0.5 * d.candidates.front().ln_bayes_factor;
+  return false;
+}
+
 }  // namespace
 
 QString odds_text(double ln_odds) {
@@ -152,8 +161,9 @@ std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersio
   std::stable_partition(cards.begin(), cards.end(),
                         [](const CardState& c) { return c.why_not.isEmpty() && c.caution.isEmpty(); });
   if (!honest || stops) return cards;
-  // What is left has no name: that is said first where nothing is left to add.
-  const bool can_go_on = !cards.empty() && cards.front().can_add && cards.front().caution.isEmpty();
+  // What is left has no name: that is said first where nothing is left to add that says nearly as much.
+  const bool can_go_on =
+      !cards.empty() && cards.front().can_add && cards.front().caution.isEmpty() && is_near_the_best(d, bench, refused);
   cards.insert(can_go_on ? cards.end() : cards.begin(), *honest);
   return cards;
 }

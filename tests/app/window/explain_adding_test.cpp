@@ -137,12 +137,12 @@ TEST_F(Explain, AddUntilItStopsSeeksOtherNamesAtItsEnd) {
 
 /// The curve stands behind what is said of it, where its size is that of no robot: the way on is open all the same.
 TEST_F(Explain, AddUntilItStopsIsOfferedForACurveThatIsLargerThanRobotsAreBuilt) {
-  ASSERT_TRUE(simulate({"--curve", "axis_2: 0.03*sin(3q)", "--observations", "80"}));
+  ASSERT_TRUE(simulate({"--curve", "axis_3: 0.03*sin(3q)", "--observations", "80"}));
   desk.window.resize(1440, 900);
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.settle());
   ASSERT_TRUE(explain.open());
-  EXPECT_FALSE(explain.can_add_first()) << "that nothing has a name for it is the first word, and not " << explain.first().title.toStdString();
+  EXPECT_FALSE(explain.can_add_first()) << "that nothing has a name for it is the first word";
   const double before = held_out();
   desk.press_button("until_it_stops");
   ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
