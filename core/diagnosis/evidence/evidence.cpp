@@ -318,7 +318,12 @@ std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Ei
       const Eigen::LLT<Eigen::MatrixXd> llt(rest);
       const Eigen::VectorXd step =
           llt.matrixL().solve(scale * all.gradient.segment(first, count) - columns.transpose() * gradient);
-      largest_here = std::max(s.largest, scale * llt.matrixU().solve(step).cwiseAbs().maxCoeff());
+      if (i == largest_usual) {
+        const Eigen::VectorXd group = llt.matrixU().solve(step);
+        const Eigen::VectorXd beside = s.llt.matrixU().solve(gradient - columns * group);
+        largest_here =
+            scale * std::max(group.cwiseAbs().maxCoeff(), beside.size() > 0 ? beside.cwiseAbs().maxCoeff() : 0);
+      }
       with[static_cast<std::size_t>(g)][i] =
           ln_worth(gradient.squaredNorm() + step.squaredNorm(), w, noise) - 0.5 * (ln_volume + ln_determinant(llt));
     });
