@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "blunders/judging.h"
 #include "blunders/places.h"
+#include "blunders/quick_fits.h"
 #include "blunders/seen_points.h"
 #include "blunders/trials.h"
 #include "estimation/problem/pose_residuals.h"

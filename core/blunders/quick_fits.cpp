@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "blunders/judging.h"
+#include "blunders/quick_fits.h"
 
 #include "base/error.h"
 #include "effects/effect.h"

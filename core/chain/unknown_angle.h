@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The variance of an angle of which nothing is known.
 #pragma once
 
 #include <numbers>

@@ -17,9 +17,9 @@ Eigen::MatrixXd factor_of(const Eigen::MatrixXd& symmetric);
 /// A factor (n x n) of the pseudo-inverse.
 Eigen::MatrixXd pseudo_inverse_factor(const Eigen::MatrixXd& symmetric);
 
-/// A factor of the covariance h m h^T, h = u u^T with u = `unit`, m = `middle` the second moment of the score: u
-/// is as long in a direction as it is unknown, and u^T m u is about 1 in each. h m h itself would lose as many digits
-/// in rounding as the square of that length has.
+/// A factor of the covariance h m h^T, h = u u^T with u = `unit`, m = `middle` the second moment of the score (J^T W
+/// Sigma W J): u is as long in a direction as it is unknown, and u^T m u is about 1 in each. h m h itself would lose as
+/// many digits in rounding as the square of that length has.
 Eigen::MatrixXd sandwich_factor(const Eigen::MatrixXd& unit, const Eigen::MatrixXd& middle);
 
 }  // namespace handsight

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/solvers/covariance_factor.h"
 #include "estimation/solvers/inverse_parts.h"
 
 namespace handsight {
@@ -136,11 +135,6 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
 
 Eigen::MatrixXd unit_covariance(const Solution& s) {
   return s.basis * pseudo_inverse(s.basis.transpose() * s.normal.information * s.basis) * s.basis.transpose();
-}
-
-Eigen::MatrixXd sandwich_covariance(const Solution& s, const Eigen::MatrixXd& middle) {
-  const Eigen::MatrixXd unit = s.basis * pseudo_inverse_factor(s.basis.transpose() * s.normal.information * s.basis);
-  return covariance_from(sandwich_factor(unit, middle));
 }
 
 }  // namespace handsight

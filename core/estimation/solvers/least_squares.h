@@ -44,9 +44,6 @@ Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, boo
 /// Unobservable directions and unseen markers are zero.
 Eigen::MatrixXd unit_covariance(const Solution& solution);
 
-/// The same for errors whose own second moment is `middle` = J^T W Sigma W J rather than H: H^+ middle H^+.
-Eigen::MatrixXd sandwich_covariance(const Solution& solution, const Eigen::MatrixXd& middle);
-
 /// Symmetric pseudo-inverse after scaling the diagonal to 1; directions with an eigenvalue below 1e-12 of the largest
 /// are left out and counted.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out = nullptr);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The unit covariance of a solution as a factor.
 #pragma once
 
 #include "estimation/solvers/least_squares.h"

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <random>
 
+#include "estimation/solvers/covariance_factor.h"
 #include "estimation/solvers/normal_equations.h"
+#include "estimation/solvers/unit_factor.h"
 #include "estimation/start/start.h"
 #include "fixtures/arms.h"
 #include "fixtures/drawn.h"
@@ -134,7 +136,7 @@ TEST(SandwichCovariance, IsThatOfWhatTheRowsReallyScatter) {
   const Unknowns truth = solve(problem, *start_values(problem, exact.session.mount)).unknowns;
   const Solution at_truth = solve(problem, truth);
   const double sigma = 3e-4;
-  EXPECT_LT((sandwich_covariance(at_truth, sigma * sigma * at_truth.normal.information) -
+  EXPECT_LT((covariance_from(sandwich_factor(unit_factor(at_truth), sigma * sigma * at_truth.normal.information)) -
              sigma * sigma * unit_covariance(at_truth))
                 .norm(),
             1e-9 * sigma * sigma * unit_covariance(at_truth).norm());
@@ -147,7 +149,7 @@ TEST(SandwichCovariance, IsThatOfWhatTheRowsReallyScatter) {
     complete(one);
     middle += std::pow(sigma * scale_of(observation), 2) * one.information;
   }
-  const Eigen::MatrixXd predicted = sandwich_covariance(at_truth, middle);
+  const Eigen::MatrixXd predicted = covariance_from(sandwich_factor(unit_factor(at_truth), middle));
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   constexpr int draws = 2000;
