@@ -61,6 +61,8 @@ Solution minimum(const Problem& problem, const Unknowns& start, const SolveOptio
   if (!is_quick && !is_plain) return solve_by_trust_region(problem, start, options);
   Solution ours = solve(problem, start, options);
   if (ours.converged || ours.stopped || problem.flange_error.is_any()) return ours;
+  const bool is_rough = options.least_gain > 0;  // what is left to gain is not worth a second search
+  if (is_rough && ours.normal.in_front && ours.normal.cost < ours.start_cost) return ours;
   Solution farther = solve_by_trust_region(problem, ours.unknowns, options);
   farther.iterations += ours.iterations;
   farther.start_cost = ours.start_cost;

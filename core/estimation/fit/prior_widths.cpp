@@ -12,7 +12,8 @@ struct Width {
   double times, share;  // of the plausible size; of the prior
 };
 constexpr std::array<Width, 3> widths{{{1, 0.7}, {5, 0.2}, {25, 0.1}}};
-constexpr double shows = 0.05;        // sigmas
+constexpr double shows = 0.05;  // sigmas
+constexpr double shows_roughly = 0.3;
 constexpr double unremarkable = 0.5;  // plausible sizes: no width but the first is likelier
 
 /// What the measurements say of a number without its own prior.
@@ -26,10 +27,8 @@ double ln_evidence(const Told& told, double plausible, const Width& width) {
 }
 
 double likeliest_width(const Told& told, double plausible) {
-  const auto better = [&](const Width& a, const Width& b) {
-    return ln_evidence(told, plausible, a) < ln_evidence(told, plausible, b);
-  };
-  return std::max_element(widths.begin(), widths.end(), better)->times;
+  const auto worth = [&](const Width& w) { return ln_evidence(told, plausible, w); };
+  return std::ranges::max_element(widths, {}, worth)->times;
 }
 
 /// By how much more than noise the fit leaves, in squares; 1 at least. A model that lacks something is no sharper than
@@ -59,7 +58,15 @@ bool is_remarkable(const Problem& problem, const Eigen::VectorXd& values, Eigen:
 
 }  // namespace
 
-bool settle_prior_widths(Problem& problem, const Solution& solution) {
+void start_prior_widths(Problem& problem, const Eigen::VectorXd& values) {
+  for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
+    EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
+    if (!is_of_cameras(problem, i)) c.width = likeliest_width({values[i], 0}, c.sigma);
+  }
+}
+
+bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rough) {
+  const double least = is_rough ? shows_roughly : shows;
   const Eigen::VectorXd& values = solution.unknowns.effects;
   bool any = false;
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i)
@@ -79,7 +86,7 @@ bool settle_prior_widths(Problem& problem, const Solution& solution) {
     // By how much the prior's pull changes where the number is, in its sigmas.
     const double moved = std::sqrt(std::max(covariance(at, at), 0.0)) * std::abs(values[i]) *
                          std::abs(std::pow(c.prior_sigma(), -2) - before);
-    is_new = is_new || moved > shows;
+    is_new = is_new || moved > least;
   }
   return is_new;
 }

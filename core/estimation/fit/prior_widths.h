@@ -6,13 +6,17 @@
 
 namespace handsight {
 
+/// The widths that fit values from a fit before (one for each effect number): where the next one starts, so that it
+/// need not come back from where narrower priors would pull it.
+void start_prior_widths(Problem& problem, const Eigen::VectorXd& values);
+
 /// A number's prior is a mixture of normal distributions about 0 whose sigmas are its plausible size, 5 and 25 times
 /// that: most are as large as is usual, a few are far off. Takes for every effect of the robot, hand and mount the
 /// width that is likeliest for what the measurements alone say of it (the evidence of one number, all others at their
 /// priors), so that what they determine is not held back. Numbers of the cameras have a rule of their own
 /// (widen_refuted). True where a number is pulled otherwise than before by a twentieth of its sigma or more: then the
-/// solution is no longer the problem's.
-bool settle_prior_widths(Problem& problem, const Solution& solution);
+/// solution is no longer the problem's. `is_rough`: by three tenths.
+bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rough = false);
 
 /// Where nothing tells the noise, what the solution leaves stands in for it: else priors would be weighed against a
 /// guess. Has it changed by more than a few per cent?

@@ -43,7 +43,7 @@ void settle_priors(const Session& session, Problem& images, const FitOptions& op
   for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
     const bool other_noise =
         options.loss == Loss::none && settle_guessed_noise(images, fit.solution, finest_noise(session));
-    const bool other_widths = settle_prior_widths(images, fit.solution);
+    const bool other_widths = settle_prior_widths(images, fit.solution, options.least_gain > 0);
     fit.problem.noise = images.noise;
     fit.problem.columns_of_effects = images.columns_of_effects;
     if (!other_noise && !other_widths) break;
@@ -104,6 +104,10 @@ void minimise_widening(const Session& session, Problem& images, const Unknowns& 
     return is_wider;
   };
   widened(start.effects);
+  if (options.objective == Objective::image && start.effects.size() == images.effect_count()) {
+    start_prior_widths(images, start.effects);
+    fit.problem.columns_of_effects = images.columns_of_effects;
+  }
   minimise(session, images, start, options, noise, fit);
   while (!fit.solution.stopped && widened(fit.solution.unknowns.effects))
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
