@@ -140,7 +140,8 @@ std::vector<Circumstances> poses_of(const CalibratedRobot& robot, const Position
   return poses;
 }
 
-std::string predicted(const CalibratedRobot& robot, const Positions& positions) {
+std::string predicted(const CalibratedRobot& calibrated, const Positions& positions) {
+  const CalibratedRobot robot = with_moved_hand(calibrated);
   cli::Json list = cli::Json::array();
   for (const Circumstances& pose : poses_of(robot, positions))
     list.push_back(cli::prediction_json(predict_tcp(pose, robot.model), robot.model.rotation_is_observed));
@@ -157,8 +158,9 @@ std::optional<Rigid> target_of(const std::optional<Eigen::Matrix4d>& matrix) {
   return Rigid{r, matrix->topRightCorner<3, 1>()};
 }
 
-std::string correction_text(const CalibratedRobot& robot, const Positions& positions,
+std::string correction_text(const CalibratedRobot& calibrated, const Positions& positions,
                             const std::optional<Eigen::Matrix4d>& target) {
+  const CalibratedRobot robot = with_moved_hand(calibrated);
   const std::optional<Rigid> wanted = target_of(target);
   cli::Json list = cli::Json::array();
   for (const Circumstances& pose : poses_of(robot, positions))

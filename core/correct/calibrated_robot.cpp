@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "estimation/report/hand_end.h"
 
 namespace handsight {
 namespace {
@@ -18,6 +19,17 @@ std::optional<Rig> moved_cameras(const Chain& chain, const PredictionModel& mode
 
 }  // namespace
 
+CalibratedRobot with_moved_hand(CalibratedRobot robot) {
+  if (!robot.of_hand) return robot;
+  robot.chain = chain_of_hand(robot.chain);
+  robot.model = std::move(*robot.of_hand);
+  robot.of_hand.reset();
+  std::swap(robot.tcp, robot.mount);
+  robot.notes.push_back(
+      fmt::format("The sensor rides on the hand: what is told is where link {} is.", in_quotes(robot.tcp)));
+  return robot;
+}
+
 CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& told,
                                  const FitOptions& options, const std::string& software, const Doubt& doubt) {
   CalibratedRobot robot;
@@ -26,6 +38,7 @@ CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const F
   robot.tcp = session.tcp;
   robot.mount = session.mount.link;
   robot.model = prediction_model(fit, doubt);
+  if (hand_carries_sensor(robot.chain)) robot.of_hand = model_of_hand(fit, doubt);
   robot.times = times_of(session);
   for (const Observation& o : session.observations)
     if (is_used(o)) robot.positions.push_back(o.position);
@@ -58,6 +71,7 @@ CalibratedRobot calibrated_robot(const Calibration& c, Robot urdf, const std::st
   robot.model = prediction_model(c, session.robot);
   session.marker_count = std::max(static_cast<int>(c.markers.size()), markers_of(robot.model.effects));
   robot.chain = chain_of(session);
+  if (hand_carries_sensor(robot.chain)) robot.of_hand = model_of_hand(c, robot.chain);
   robot.times = c.times;
   robot.calibration = c;
   robot.notes = c.notes;

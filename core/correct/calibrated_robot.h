@@ -21,8 +21,13 @@ struct CalibratedRobot {
   Calibration calibration;                 // the same in numbers, with their sigmas
   std::optional<Rig> rig;                  // with the effects on rig and cameras; absent: a tracker, or not known
   std::string urdf_text, urdf_file;        // the robot as written; the text is empty where it was not kept
+  std::optional<PredictionModel> of_hand;  // for chain_of_hand, where the sensor rides on the hand (hand_end.h)
   std::vector<std::string> notes;          // a sentence each
 };
+
+/// The robot with the end that it moves as its hand: exchanged ends where the sensor rides on it, else as it is.
+/// Predictions, corrections and programs are of this one.
+CalibratedRobot with_moved_hand(CalibratedRobot robot);
 
 /// The session's fit with what a file of it would say. `software`: name and version.
 CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& told,

@@ -141,7 +141,8 @@ std::vector<int> set_joints(const CalibratedRobot& robot, const std::vector<char
 
 }  // namespace
 
-HandProgram hand_program(const CalibratedRobot& robot) {
+HandProgram hand_program(const CalibratedRobot& calibrated) {
+  const CalibratedRobot robot = with_moved_hand(calibrated);
   HandProgram program;
   program.title = robot.calibration.session;
   program.created = robot.calibration.created;

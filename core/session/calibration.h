@@ -70,6 +70,10 @@ struct Calibration {
   /// (6 + n) square: xi of tcp_from_body, then every parameter of `effects` in their order; those held have zeros.
   std::optional<Eigen::MatrixXd> model_covariance;
   std::optional<CalibrationDoubt> doubt;
+  // Of a hand that carries the sensor, whose TCP link stands still: as the two above for xi of mount_from_sensor
+  // (root_from_sensor = root_from_mount exp(xi) mount_from_sensor), and the scatter of the mount's link in its axes.
+  std::optional<Eigen::MatrixXd> hand_covariance;
+  std::optional<Matrix6> hand_scatter;
   std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
   std::vector<double> times;  // s, of all observations in order: what slips and drifts are placed by
 

@@ -227,6 +227,10 @@ void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignore
     note_unknown(ignored, *scatter, {"order"}, {}, true);
     calibration.tcp_scatter = read_covariance(*scatter);
   }
+  if (const auto scatter = find_child(root, "hand_scatter")) {
+    note_unknown(ignored, *scatter, {"order"}, {}, true);
+    calibration.hand_scatter = read_covariance(*scatter);
+  }
   if (const auto times = find_child(root, "times")) calibration.times = read_times(*times, ignored);
   if (const auto mount = find_child(root, "mount_from_sensor"))
     calibration.mount_from_sensor = read_motion(*mount, ignored);
@@ -239,9 +243,10 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   const XmlNode root = root_of(*document, file, "handsight_calibration");
   require_version_1(root);
   Ignored ignored;
-  note_unknown(ignored, root, {"version", "session", "created", "software"},
-               {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints",
-                "tcp_scatter", "model_covariance", "doubt", "mount_from_sensor", "times"});
+  note_unknown(
+      ignored, root, {"version", "session", "created", "software"},
+      {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints", "tcp_scatter",
+       "model_covariance", "hand_scatter", "hand_covariance", "doubt", "mount_from_sensor", "times"});
   Calibration calibration;
   calibration.session = find_name(root, "session").value_or("");
   calibration.created = find_text(root, "created").value_or("");
@@ -264,6 +269,12 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
     calibration.model_covariance =
         read_model_covariance(*covariance, model_order, number_count(calibration.effects),
                               "row by row: 6 of TCP->Body and one for each parameter of <effects>");
+  }
+  if (const auto covariance = find_child(root, "hand_covariance")) {
+    note_unknown(ignored, *covariance, {"order"}, {}, true);
+    calibration.hand_covariance =
+        read_model_covariance(*covariance, model_order, number_count(calibration.effects),
+                              "row by row: 6 of the mount and one for each parameter of <effects>");
   }
   if (const auto doubt = find_child(root, "doubt"))
     calibration.doubt = read_doubt(*doubt, number_count(calibration.effects), ignored);

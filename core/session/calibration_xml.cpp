@@ -106,6 +106,12 @@ void write_setting(XMLElement& root, const Calibration& calibration) {
     scatter.SetText(matrix_text(*calibration.tcp_scatter).c_str());
   }
   if (calibration.model_covariance) write_square(root, "model_covariance", model_order, *calibration.model_covariance);
+  if (calibration.hand_scatter) {
+    XMLElement& scatter = *root.InsertNewChildElement("hand_scatter");
+    scatter.SetAttribute("order", "x y z rx ry rz");
+    scatter.SetText(matrix_text(*calibration.hand_scatter).c_str());
+  }
+  if (calibration.hand_covariance) write_square(root, "hand_covariance", model_order, *calibration.hand_covariance);
   if (calibration.doubt) {
     XMLElement& doubt = *root.InsertNewChildElement("doubt");
     write_effects(doubt, calibration.doubt->others);
@@ -135,6 +141,8 @@ void require_finite(const Calibration& c) {
   require(!c.mount_from_sensor || is_finite(*c.mount_from_sensor), "the mount or its covariance");
   require(!c.tcp_scatter || c.tcp_scatter->allFinite(), "the scatter of the TCP");
   require(!c.model_covariance || c.model_covariance->allFinite(), "the covariance of the effects");
+  require(!c.hand_scatter || c.hand_scatter->allFinite(), "the scatter of the hand");
+  require(!c.hand_covariance || c.hand_covariance->allFinite(), "the covariance of the hand");
   require(!c.doubt || c.doubt->covariance.allFinite(), "what the choice of the effects leaves open");
   for (const Vector3& marker : c.markers) require(marker.allFinite(), "a marker");
   for (const CalibrationEffect& effect : c.effects)

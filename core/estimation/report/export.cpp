@@ -7,7 +7,7 @@
 
 #include "effects/term_numbers.h"
 #include "effects/units.h"
-#include "estimation/report/prediction.h"
+#include "estimation/report/hand_end.h"
 
 namespace handsight {
 
@@ -89,6 +89,11 @@ void set_effects(const Session& session, const Fit& fit, Calibration& c) {
   const std::vector<Eigen::Index> place_of = after_xi(own.number_of);
   if (!c.effects.empty() && fit.model_covariance.cols() == static_cast<Eigen::Index>(place_of.size()))
     c.model_covariance = fit.model_covariance(place_of, place_of);
+  if (!session.mount.estimate || !hand_carries_sensor(fit.problem.source->chain)) return;
+  const Eigen::MatrixXd of_hand = hand_covariance(fit);
+  if (!c.effects.empty() && of_hand.cols() == static_cast<Eigen::Index>(place_of.size()))
+    c.hand_covariance = of_hand(place_of, place_of);
+  if (const TcpScatter scatter = hand_scatter(fit); scatter.observations >= 3) c.hand_scatter = scatter.covariance;
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemOb
                                           const Unknowns& unknowns);
 
 /// Where a target of one piece lies in the TCP's frame: its own frame (targets/target.h) by its markers as the fit has
-/// them, as large and as bent as its effects make it. Nothing for markers, tags without a common frame, and sensors of poses, whose body is the target's frame.
+/// them, as large and as bent as its effects make it. Nothing for markers, tags without a common frame, and sensors of
+/// poses, whose body is the target's frame.
 std::optional<Rigid> tcp_from_target(const Session& session, const Fit& fit);
 
 }  // namespace handsight

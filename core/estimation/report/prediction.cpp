@@ -33,7 +33,9 @@ struct MeasuredDeviation {
   Matrix6 noise;
 };
 
-std::vector<MeasuredDeviation> measured_deviations(const Fit& fit) {
+using ToFrame = std::function<Matrix6(const ProblemObservation&)>;
+
+std::vector<MeasuredDeviation> measured_deviations(const Fit& fit, const ToFrame& to_frame) {
   std::vector<MeasuredDeviation> all;
   const double variance = fit.noise ? *fit.noise * *fit.noise : 0.0;
   for (const ProblemObservation& o : fit.problem.observations) {
@@ -42,6 +44,10 @@ std::vector<MeasuredDeviation> measured_deviations(const Fit& fit) {
     MeasuredDeviation& m = all.emplace_back();
     m.value << deviation->tcp_from_tcp_est.translation, vector_from_rotation(deviation->tcp_from_tcp_est.rotation);
     m.noise = variance * deviation->unit_covariance;
+    if (!to_frame) continue;
+    const Matrix6 there = to_frame(o);
+    m.value = there * m.value;
+    m.noise = there * m.noise * there.transpose();
   }
   return all;
 }
@@ -74,8 +80,10 @@ Matrix6 covariance_behind(const std::vector<MeasuredDeviation>& all) {
 
 }  // namespace
 
-TcpScatter tcp_scatter(const Fit& fit) {
-  const std::vector<MeasuredDeviation> all = measured_deviations(fit);
+TcpScatter tcp_scatter(const Fit& fit) { return tcp_scatter(fit, nullptr); }
+
+TcpScatter tcp_scatter(const Fit& fit, const ToFrame& to_frame) {
+  const std::vector<MeasuredDeviation> all = measured_deviations(fit, to_frame);
   TcpScatter scatter{.observations = static_cast<int>(all.size())};
   const bool agrees = fit.covariance_kind == CovarianceKind::noise;
   if (scatter.observations >= 3 && !agrees) scatter.covariance = covariance_behind(all);

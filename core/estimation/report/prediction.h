@@ -2,6 +2,8 @@
 // Where the TCP really is in poses that were not measured: the purpose of it all.
 #pragma once
 
+#include <functional>
+
 #include "estimation/report/doubt.h"
 #include "estimation/report/fit_report.h"
 #include "session/calibration.h"
@@ -18,6 +20,9 @@ struct TcpScatter {
 /// likelihood); zero where the model agrees with the measurements down to the noise (CovarianceKind::noise). With fewer
 /// than three such observations nothing is known of it: zero, and `observations` says so.
 TcpScatter tcp_scatter(const Fit& fit);
+
+/// The same of the deviations as another frame has them: `to_frame` carries a small motion there from the TCP's axes.
+TcpScatter tcp_scatter(const Fit& fit, const std::function<Matrix6(const ProblemObservation&)>& to_frame);
 
 /// What a prediction is made from.
 struct PredictionModel {
