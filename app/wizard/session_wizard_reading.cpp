@@ -142,7 +142,7 @@ std::vector<Rigid> SessionWizard::poses_in(const Part& part, PosesOf of_what, st
     throw InputError(tr("%1: holds no poses; expected columns x y z qx qy qz qw, a line for each instant.")
                          .arg(part.path->text())
                          .toStdString());
-  return brought.poses.front().series.poses;
+  return settled_series(brought.poses.front()).poses;
 }
 
 void SessionWizard::read_calibration() {

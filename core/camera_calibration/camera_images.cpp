@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/image_names.h"
 #include "base/text.h"
 
 namespace handsight {
@@ -42,6 +43,14 @@ void list_folder(const fs::path& folder, Listed& listed, std::vector<fs::path>& 
   if (error) throw InputError(fmt::format("{}: the folder cannot be read: {}.", shown_path(folder), error.message()));
 }
 
+/// The name of a file without its ending; a date and time in it is one number.
+std::string stem_of(const fs::path& file) {
+  std::string stem = file.stem().string();
+  if (const auto moment = moment_in_name(stem))
+    stem.replace(moment->begin, moment->end - moment->begin, std::to_string(moment->number));
+  return stem;
+}
+
 /// A name as text between runs of digits, and the runs.
 struct Parts {
   std::vector<std::string> texts, numbers;
@@ -72,7 +81,7 @@ std::string trimmed(std::string text) {
 int moment_of(const std::vector<fs::path>& files) {
   std::map<std::size_t, std::set<std::string>> values;
   for (const fs::path& file : files) {
-    const Parts parts = parts_of(file.stem().string());
+    const Parts parts = parts_of(stem_of(file));
     for (std::size_t i = 0; i < parts.numbers.size(); ++i) values[i].insert(parts.numbers[i]);
   }
   int best = -1;
@@ -89,7 +98,7 @@ std::string without_zeros(const std::string& digits) {
 
 /// Camera and moment of one file.
 std::pair<std::string, std::string> place_of(const fs::path& file, int moment) {
-  const Parts parts = parts_of(file.stem().string());
+  const Parts parts = parts_of(stem_of(file));
   if (moment < 0 || static_cast<std::size_t>(moment) >= parts.numbers.size()) return {"camera", file.stem().string()};
   std::string rest;
   for (std::size_t i = 0; i < parts.texts.size(); ++i) {
@@ -114,7 +123,7 @@ void add(ByCamera& cameras, const std::string& camera, const std::string& moment
 void add_folder(ByCamera& cameras, const std::string& name, const std::vector<fs::path>& files) {
   const int moment = moment_of(files);
   for (const fs::path& file : files) {
-    const Parts parts = parts_of(file.stem().string());
+    const Parts parts = parts_of(stem_of(file));
     const bool has = moment >= 0 && static_cast<std::size_t>(moment) < parts.numbers.size();
     add(cameras, name, has ? without_zeros(parts.numbers[static_cast<std::size_t>(moment)]) : file.stem().string(),
         file);
@@ -169,6 +178,30 @@ void note(GroupedImages& result, int others) {
     result.notes.push_back(fmt::format("{} files are no images by their names and were left out", others));
 }
 
+/// Folders in the one that was named: each with images is a camera's; else those in them ("cam0/data").
+void add_inner_folders(ByCamera& cameras, const std::vector<fs::path>& folders, Listed& listed) {
+  std::vector<fs::path> with_images, deeper;
+  std::vector<std::vector<fs::path>> images;
+  for (const fs::path& folder : folders) {
+    Listed here;
+    list_folder(folder, here, deeper);
+    listed.others += here.others;
+    if (here.images.empty()) continue;
+    with_images.push_back(folder);
+    images.push_back(here.images);
+  }
+  for (const fs::path& folder : with_images.empty() ? deeper : std::vector<fs::path>()) {
+    Listed here;
+    std::vector<fs::path> deepest;
+    list_folder(folder, here, deepest);
+    if (here.images.empty()) continue;
+    with_images.push_back(folder);
+    images.push_back(here.images);
+  }
+  const std::vector<std::string> names = telling_names(with_images);
+  for (std::size_t i = 0; i < names.size(); ++i) add_folder(cameras, names[i], images[i]);
+}
+
 }  // namespace
 
 GroupedImages group_images(const std::vector<fs::path>& paths) {
@@ -186,23 +219,17 @@ GroupedImages group_images(const std::vector<fs::path>& paths) {
   }
   const bool folder_is_camera = folders.size() > 1;
   std::vector<fs::path> inner;
-  for (const fs::path& folder : folders) {
+  const std::vector<std::string> names = telling_names(folders);
+  for (std::size_t i = 0; i < folders.size(); ++i) {
     Listed here;
-    list_folder(folder, here, inner);
+    list_folder(folders[i], here, inner);
     listed.others += here.others;
     if (folder_is_camera && !here.images.empty())
-      add_folder(cameras, fs::path(folder / "").parent_path().filename().string(), here.images);
+      add_folder(cameras, names[i], here.images);
     else
       loose.insert(loose.end(), here.images.begin(), here.images.end());
   }
-  if (!folder_is_camera && loose.empty())
-    for (const fs::path& folder : inner) {
-      Listed here;
-      std::vector<fs::path> deeper;
-      list_folder(folder, here, deeper);
-      listed.others += here.others;
-      if (!here.images.empty()) add_folder(cameras, folder.filename().string(), here.images);
-    }
+  if (loose.empty() && cameras.empty()) add_inner_folders(cameras, inner, listed);
   const int moment = moment_of(loose);
   for (const fs::path& file : loose) {
     const auto [camera, key] = place_of(file, moment);
