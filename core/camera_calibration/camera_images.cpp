@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/error.h"
@@ -146,6 +147,61 @@ bool camera_before(const std::string& a, const std::string& b) {
   return rank(a) != rank(b) ? rank(a) < rank(b) : a < b;
 }
 
+std::optional<std::int64_t> time_of(const std::string& key) {
+  if (key.size() < 10 || key.size() > 18 + (key[0] < '9')) return std::nullopt;  // 64 bits
+  if (!std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isdigit(c); })) return std::nullopt;
+  return std::stoll(key);
+}
+
+/// The times that name a camera's images; empty where not all are times.
+std::vector<std::int64_t> times_of(const std::map<std::string, fs::path>& images) {
+  std::vector<std::int64_t> times;
+  for (const auto& [key, file] : images) {
+    const auto time = time_of(key);
+    if (!time) return {};
+    times.push_back(*time);
+  }
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+std::int64_t usual_step(const std::vector<std::int64_t>& times) {
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  if (steps.empty()) return 0;
+  std::sort(steps.begin(), steps.end());
+  return steps[steps.size() / 2];
+}
+
+/// Cameras that are named by times of their own: each image with the nearest in time of the first camera, no farther
+/// than a fifth of a step. Said, as a board that moves is seen at two places then.
+void bring_times_together(ByCamera& cameras, std::vector<std::string>& notes) {
+  const std::vector<std::int64_t> first =
+      cameras.empty() ? std::vector<std::int64_t>() : times_of(cameras.begin()->second);
+  if (first.size() < 2) return;
+  for (auto camera = std::next(cameras.begin()); camera != cameras.end(); ++camera) {
+    const std::vector<std::int64_t> own = times_of(camera->second);
+    if (own.empty() || std::any_of(own.begin(), own.end(),
+                                   [&](std::int64_t t) { return std::binary_search(first.begin(), first.end(), t); }))
+      continue;
+    const std::int64_t widest = usual_step(first) / 5;
+    std::map<std::string, fs::path> together;
+    for (const auto& [key, file] : camera->second) {
+      const std::int64_t time = *time_of(key);
+      const auto after = std::lower_bound(first.begin(), first.end(), time);
+      std::int64_t nearest = after == first.end() ? first.back() : *after;
+      if (after != first.begin() && time - *std::prev(after) < std::abs(nearest - time)) nearest = *std::prev(after);
+      together.emplace(std::abs(nearest - time) <= widest ? std::to_string(nearest) : key, file);
+    }
+    if (together.size() != camera->second.size()) continue;  // two would be of one moment
+    camera->second = std::move(together);
+    notes.push_back(
+        fmt::format("the images of camera {} have other times than those of camera {}; each is taken as of the "
+                    "moment of the nearest one. A board that moved between is seen at two places",
+                    camera->first, cameras.begin()->first));
+  }
+}
+
 GroupedImages grouped(const ByCamera& cameras) {
   GroupedImages result;
   std::set<std::string> frames;
@@ -241,7 +297,10 @@ GroupedImages group_images(const std::vector<fs::path>& paths) {
     throw InputError(fmt::format("The names of the images speak of {} cameras ({}, {}, ...); expected at most {}.",
                                  cameras.size(), shortened(cameras.begin()->first),
                                  shortened(std::next(cameras.begin())->first), most_cameras));
+  std::vector<std::string> of_times;
+  bring_times_together(cameras, of_times);
   GroupedImages result = grouped(cameras);
+  result.notes = std::move(of_times);
   note(result, listed.others);
   return result;
 }

@@ -30,11 +30,9 @@ bool is_of_target(const std::string& file) {
 std::string called(const NamedPoses& p) { return p.role.empty() ? p.file : p.role; }
 
 std::string sensor_note(const ConvertOptions& o) {
-  std::string unknown = o.sigma ? "" : "places (--sigma, m)";
-  if (!o.sigma_angle) unknown += std::string(unknown.empty() ? "" : " and ") + "turns (--sigma-angle, rad)";
-  return "The target's pose counts whole, place and turn" +
-         (unknown.empty() ? "."
-                          : "; how exactly the sensor tells " + unknown + " is estimated: give it where it is known.");
+  if (o.sigma && o.sigma_angle) return "The target's pose counts whole, place and turn.";
+  return "The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is "
+         "known say it: --sigma (m), --sigma-angle (rad), or in <pose_sensor>.";
 }
 
 }  // namespace
@@ -68,7 +66,6 @@ void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand,
 Conversion from_flange(NamedPoses flange, NamedPoses target, bool eye_in_hand, const ConvertOptions& o, Conversion c) {
   pair_poses(flange, target, o, c.notes);
   choose_turns(flange, target, eye_in_hand, c.notes);
-  say_what_stood(flange.series.poses, target.series.poses, c.notes);
   SessionParts parts;
   set_flange(parts, flange.series, eye_in_hand, c.notes);
   parts.times = target.series.times.empty() ? flange.series.times : target.series.times;

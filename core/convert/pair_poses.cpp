@@ -149,33 +149,6 @@ Rows once(const std::vector<Rigid>& flange, const std::vector<Rigid>& target) {
   return rows;
 }
 
-struct Way {
-  double shift = 0, turn = 0;
-};
-Way way_between(const Rigid& a, const Rigid& b) {
-  return {(a.translation - b.translation).norm(),
-          vector_from_rotation(Matrix3(a.rotation.transpose() * b.rotation)).norm()};
-}
-
-/// Neighbours that are the same in one list and clearly moved in the other.
-void say_stood(const std::vector<Rigid>& stood, const std::vector<Rigid>& moved, const char* what, const char* other,
-               std::vector<std::string>& notes) {
-  constexpr double same_m = 1e-6, same_rad = 1e-6, moved_m = 2e-3, moved_rad = 0.01;
-  std::vector<std::string> where;
-  double farthest = 0;
-  for (std::size_t i = 1; i < stood.size(); ++i) {
-    const Way a = way_between(stood[i - 1], stood[i]), b = way_between(moved[i - 1], moved[i]);
-    if (a.shift > same_m || a.turn > same_rad || (b.shift < moved_m && b.turn < moved_rad)) continue;
-    where.push_back(fmt::format("{} and {}", i - 1, i));
-    farthest = std::max(farthest, b.shift);
-  }
-  if (where.empty()) return;
-  notes.push_back(fmt::format(
-      "The pose of the {} is the same in observations {}, while the {} moved by up to {:.1f} mm: it was not read anew; "
-      "leave out those in which it is old (state=\"excluded\" in session.xml).",
-      what, shortened(fmt::format("{}", fmt::join(where, ", ")), 150), other, 1e3 * farthest));
-}
-
 /// The instants' numbers as those of a table.
 std::vector<double> numbers_of(const std::vector<InstantImages>& images) {
   std::vector<double> numbers;
@@ -258,12 +231,6 @@ void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cam
   const Pairs pairs = pairs_of_images(flange.series, images, cameras, notes);
   flange = rows_of(flange, pairs.first);
   images = some_of(images, pairs.second);
-}
-
-void say_what_stood(const std::vector<Rigid>& flange, const std::vector<Rigid>& target,
-                    std::vector<std::string>& notes) {
-  say_stood(flange, target, "flange", "target", notes);
-  say_stood(target, flange, "target", "flange", notes);
 }
 
 }  // namespace handsight

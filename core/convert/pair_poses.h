@@ -18,9 +18,4 @@ void pair_poses(NamedPoses& flange, NamedPoses& target, const ConvertOptions& op
 /// The same for images and the poses of the flange.
 void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, std::vector<std::string>& notes);
 
-/// Sentences about poses that are the same in neighbouring rows while the other table's moved: one of them was not read
-/// anew.
-void say_what_stood(const std::vector<Rigid>& flange, const std::vector<Rigid>& target,
-                    std::vector<std::string>& notes);
-
 }  // namespace handsight

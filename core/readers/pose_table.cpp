@@ -10,7 +10,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "readers/pose_columns.h"
-#include "readers/pose_files.h"
 
 namespace handsight {
 namespace {

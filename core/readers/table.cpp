@@ -139,6 +139,7 @@ std::vector<Line> lines_of(std::string_view text, std::string_view& last_comment
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
+    if (line.starts_with("p[") && line.ends_with("]")) line = line.substr(2, line.size() - 3);  // as UR's scripts
     const std::size_t hash = line.find('#');
     if (hash == 0 && lines.empty()) last_comment = line.substr(1);
     if (hash != std::string_view::npos) line = line.substr(0, hash);

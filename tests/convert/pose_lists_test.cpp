@@ -142,6 +142,12 @@ TEST_F(PoseLists, APoseThatStoodStillWhileTheOtherMovedIsSaid) {
   flange[6] = flange[5];
   const Conversion c = converted({write("flange.csv", quaternions(flange)), write("target.csv", quaternions(target))});
   EXPECT_THAT(c.notes, Contains(AllOf(HasSubstr("pose of the flange is the same"), HasSubstr("5 and 6"))));
+  std::vector<Rigid> seen = target;
+  seen[9] = seen[8];
+  flange[6].translation.z() += 0.01;
+  const Conversion other =
+      converted({write("flange.csv", quaternions(flange)), write("target.csv", quaternions(seen))});
+  EXPECT_THAT(other.notes, Contains(AllOf(HasSubstr("What was seen is the same"), HasSubstr("8 and 9"))));
 }
 
 }  // namespace

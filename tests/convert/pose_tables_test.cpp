@@ -68,6 +68,9 @@ TEST_F(HandEyeTables, TurnsOfWhichNothingIsSaidAreFoundByTheMotionsOfBoth) {
       converted({write("flange.txt", table("", flange, w_first, 1, " ")), write("target.csv", quaternions(target))})
           .session,
       "w first without a header");
+  std::string script;
+  for (const Rigid& p : flange) script += "p[" + place(p, 1, ", ") + ", " + joined(vector(p), ", ") + "]\n";
+  expect_right(converted({write("flange.script", script), write("target.csv", quaternions(target))}).session, "script");
 }
 
 TEST_F(HandEyeTables, AnglesBeyondATurnAreDegrees) {
