@@ -71,6 +71,7 @@ TEST(FlippedTargets, OtherWrongTurnsAreNotCalledSo) {
 
 TEST(FlippedTargets, AreLeftOutOfTheSession) {
   Session s = tag_session(12);
+  show_poses(s, pose_lever(*s.pose_sensor));
   s = without_flipped(s, {{4, 4, 0.5, 0.01}});
   EXPECT_FALSE(is_used(s.observations[4]));
   EXPECT_TRUE(is_used(s.observations[5]));
