@@ -282,6 +282,9 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
     b.took.push_back(fmt::format("{}: {} files with a pose each", shown_path(folder.filename()), poses.size()));
     add_poses(read_pose_files(poses, shown_path(folder.filename()), b.notes), shown_path(folder.filename()), b);
   }
+  if (!angles.empty() && std::none_of(b.poses.begin(), b.poses.end(), [](const auto& p) { return p.turns.is_told; }))
+    throw InputError(fmt::format("--angles {}: no table of poses here has {} numbers for a turn; leave it out.", angles,
+                                 angle_count(named_angle_kind(angles).kind)));
   if (!waiting.storages.empty()) b.rig = read_rig_calibration(waiting.storages, &b.notes);
   return b;
 }

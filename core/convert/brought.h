@@ -61,6 +61,10 @@ struct Brought {
 Brought bring(const std::vector<std::filesystem::path>& files, const Robot* robot, bool degrees,
               const std::string& angles = {});
 
+/// Which of two series is the flange's, which the target's: by what their files or columns call them. InputError where
+/// these do not say.
+std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses>& poses);
+
 /// The poses where nothing about them is open. InputError where their angles may be read in several ways.
 const PoseSeries& settled_series(const NamedPoses& poses);
 

@@ -63,9 +63,10 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, con
   }
   if (!robot && !b.joints && b.poses.size() == 1 && b.image_folders.empty())
     throw InputError(
-        fmt::format("{}: are the only poses that are here; name those of the other (of the flange, of the "
-                    "target), or a folder of images of a board beside them.",
-                    b.poses[0].file));
+        fmt::format("{}: holds the only poses that are here{}; name those of the other (of the flange, of the target) "
+                    "too, or a folder "
+                    "of images of a board.",
+                    b.poses[0].file, b.points ? " (what has x y z without a whole turn is a table of points)" : ""));
   if (!robot && !b.joints && b.poses.size() == 1 && !b.image_folders.empty())
     return from_flange_images(b, o, std::move(c));
   if (!robot) throw InputError("There is no robot; name its URDF with --robot, or a table of its flange's poses.");

@@ -26,9 +26,6 @@ Conversion from_flange_images(const Brought& brought, const ConvertOptions& opti
 /// The robot of poses in the parts: its flange carries the target or, eye in hand, the camera.
 void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<std::string>& notes);
 
-/// Which of two series is the flange's, which the target's: by what their files or columns call them.
-std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses>& poses);
-
 /// Of a tracker; `speeds` (m/s) of what it saw, where they are known.
 Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const PointSeries& points,
                        const std::vector<double>& speeds, const ConvertOptions& options, Conversion conversion);

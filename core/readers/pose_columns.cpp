@@ -91,6 +91,7 @@ std::optional<Component> component_at_begin(const Names& words) {
 struct Group {
   std::string role;
   std::map<std::string, std::size_t> columns;
+  bool is_doubtful = false;  // a component is there twice: which belongs to which is not known
 };
 
 std::vector<Group> groups_of(const Table& t, std::size_t begin, std::size_t end, bool at_end) {
@@ -102,7 +103,7 @@ std::vector<Group> groups_of(const Table& t, std::size_t begin, std::size_t end,
     if (!component) continue;
     auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.role == component->role; });
     if (group == groups.end()) group = groups.insert(groups.end(), Group{component->role, {}});
-    group->columns.emplace(component->name, c);
+    group->is_doubtful |= !group->columns.emplace(component->name, c).second;
   }
   return groups;
 }
@@ -149,7 +150,7 @@ std::optional<PoseColumns> named_pose(const Table& t, const Group& group) {
   PoseColumns p;
   p.role = group.role;
   p.xyz = columns_of(group, {"x", "y", "z"});
-  if (p.xyz.empty()) return std::nullopt;
+  if (p.xyz.empty() || group.is_doubtful) return std::nullopt;
   for (const Way& way : ways()) {
     p.turn = columns_of(group, way.names);
     if (p.turn.empty()) continue;
@@ -176,7 +177,8 @@ std::vector<PoseColumns> named_poses(const Table& t, std::size_t begin, std::siz
 std::size_t first_repeated(const Table& t) {
   for (std::size_t c = 1; c < t.width(); ++c)
     for (std::size_t before = 0; before < c; ++before)
-      if (!t.columns[c].name.empty() && t.columns[before].name == t.columns[c].name) return c;
+      if (const Names name = words_of(t.columns[c].name); !name.empty() && words_of(t.columns[before].name) == name)
+        return c;
   return t.width();
 }
 

@@ -128,6 +128,7 @@ void say_readings(const Table& t, const PoseColumns& p, const PoseTableOptions& 
       kinds = {told.kind};
       usually_degrees = told.usually_degrees;
       read.turns.first_is_usual = true;
+      read.turns.is_told = true;
     }
   }
   const std::string& unit = t.columns[p.turn[0]].unit;

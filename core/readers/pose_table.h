@@ -22,6 +22,7 @@ struct Turns {
   std::vector<std::vector<double>> numbers;  // one list a pose, as written
   std::vector<TurnReading> readings;         // what they may be, the likeliest first; one: the table says it
   bool first_is_usual = false;               // the first is to be taken wherever it serves
+  bool is_told = false;                      // by PoseTableOptions::angles
 };
 
 /// Poses, their turns by the first reading.

@@ -7190,8 +7190,8 @@
         <translation>Es gibt %1 Tabellen von Posen (%2); erwartet werden die des Flansches und die des Ziels.</translation>
     </message>
     <message>
-        <source>are the only poses that are here; name those of the other (of the flange, of the target), or a folder of images of a board beside them.</source>
-        <translation>sind die einzigen Posen hier; nenne die der anderen (des Flansches, des Ziels) dazu oder einen Ordner mit Bildern einer Tafel.</translation>
+        <source>holds the only poses that are here%1; name those of the other (of the flange, of the target) too, or a folder of images of a board.</source>
+        <translation>hat die einzigen Posen hier%1; nenne auch die der anderen (des Flansches, des Ziels) oder einen Ordner mit Bildern einer Tafel.</translation>
     </message>
     <message>
         <source>The motions of the flange and of the target agree only if the poses of one of them are inverted (the sensor in the target's frame for the target in the sensor's), or with the sensor on the other side (--eye-on-base); see what fit says.</source>

@@ -63,6 +63,8 @@ TEST_F(PoseLists, BothPosesInOneTable) {
   }
   expect_right(converted({write("both.csv", named)}).session, "named");
   expect_right(converted({write("both.csv", twice)}).session, "the same names twice");
+  twice.replace(0, 17, "X,Y,Z,QX,QY,QZ,QW");
+  expect_right(converted({write("both.csv", twice)}).session, "the same names, once in capitals");
   expect_right(converted({write("both.txt", unnamed)}).session, "matrices side by side");
 }
 

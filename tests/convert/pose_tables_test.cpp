@@ -119,6 +119,12 @@ TEST_F(HandEyeTables, WhereTwoReadingsServeItIsAsked) {
   EXPECT_THAT(refusal(files), HasSubstr("rotation_vector"));
 }
 
+TEST_F(HandEyeTables, AConventionThatSuitsNoTableIsRefused) {
+  options.angles = "abc";
+  EXPECT_THAT(refusal({write("flange.csv", quaternions(flange)), write("target.csv", quaternions(target))}),
+              AllOf(HasSubstr("--angles abc"), HasSubstr("no table")));
+}
+
 TEST_F(HandEyeTables, WhereNothingCanBeTriedItIsAsked) {
   flange.resize(3), target.resize(3);
   EXPECT_THAT(
