@@ -82,6 +82,7 @@ std::vector<std::string> standstill_doubts(const Session& session) {
     if (robot.is_none && seen.size > 1) robot_stood.push_back(pair);
     if (seen.is_none && robot.size > 1) sight_stood.push_back(pair);
   }
+  if (robot_stood.size() + 1 == session.observations.size()) robot_stood.clear();  // all are one pose: told as that
   const char* robot = session.robot.is_of_poses ? "The pose of the flange is" : "The joint readings are";
   if (!robot_stood.empty())
     doubts.push_back(
