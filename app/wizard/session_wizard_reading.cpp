@@ -142,7 +142,9 @@ std::vector<Rigid> SessionWizard::poses_in(const Part& part, PosesOf of_what, st
     throw InputError(tr("%1: holds no poses; expected columns x y z qx qy qz qw, a line for each instant.")
                          .arg(part.path->text())
                          .toStdString());
-  return brought.poses.front().series.poses;
+  if (brought.poses.size() != 2) return settled_series(brought.poses.front()).poses;
+  const auto [flange, target] = flange_and_target(brought.poses);
+  return settled_series(of_what == PosesOf::flange ? flange : target).poses;
 }
 
 void SessionWizard::read_calibration() {

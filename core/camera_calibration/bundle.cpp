@@ -2,6 +2,7 @@
 #include "camera_calibration/bundle.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Dense>
 #include <array>
@@ -276,6 +277,7 @@ BundleResult adjust_bundle(const BoardImages& images, const CameraRig& start,
   BundleResult result;
   result.rig = start;
   result.first_from_target = first_from_target;
+  FLAGS_minloglevel = google::GLOG_FATAL;  // core never prints
   ceres::Solver::Options settings;
   settings.linear_solver_type = ceres::DENSE_SCHUR;
   settings.max_num_iterations = options.most_steps;

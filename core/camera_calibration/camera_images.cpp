@@ -5,9 +5,11 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/error.h"
+#include "base/image_names.h"
 #include "base/text.h"
 
 namespace handsight {
@@ -42,6 +44,14 @@ void list_folder(const fs::path& folder, Listed& listed, std::vector<fs::path>& 
   if (error) throw InputError(fmt::format("{}: the folder cannot be read: {}.", shown_path(folder), error.message()));
 }
 
+/// The name of a file without its ending; a date and time in it is one number.
+std::string stem_of(const fs::path& file) {
+  std::string stem = file.stem().string();
+  if (const auto moment = moment_in_name(stem))
+    stem.replace(moment->begin, moment->end - moment->begin, std::to_string(moment->number));
+  return stem;
+}
+
 /// A name as text between runs of digits, and the runs.
 struct Parts {
   std::vector<std::string> texts, numbers;
@@ -72,7 +82,7 @@ std::string trimmed(std::string text) {
 int moment_of(const std::vector<fs::path>& files) {
   std::map<std::size_t, std::set<std::string>> values;
   for (const fs::path& file : files) {
-    const Parts parts = parts_of(file.stem().string());
+    const Parts parts = parts_of(stem_of(file));
     for (std::size_t i = 0; i < parts.numbers.size(); ++i) values[i].insert(parts.numbers[i]);
   }
   int best = -1;
@@ -89,7 +99,7 @@ std::string without_zeros(const std::string& digits) {
 
 /// Camera and moment of one file.
 std::pair<std::string, std::string> place_of(const fs::path& file, int moment) {
-  const Parts parts = parts_of(file.stem().string());
+  const Parts parts = parts_of(stem_of(file));
   if (moment < 0 || static_cast<std::size_t>(moment) >= parts.numbers.size()) return {"camera", file.stem().string()};
   std::string rest;
   for (std::size_t i = 0; i < parts.texts.size(); ++i) {
@@ -114,7 +124,7 @@ void add(ByCamera& cameras, const std::string& camera, const std::string& moment
 void add_folder(ByCamera& cameras, const std::string& name, const std::vector<fs::path>& files) {
   const int moment = moment_of(files);
   for (const fs::path& file : files) {
-    const Parts parts = parts_of(file.stem().string());
+    const Parts parts = parts_of(stem_of(file));
     const bool has = moment >= 0 && static_cast<std::size_t>(moment) < parts.numbers.size();
     add(cameras, name, has ? without_zeros(parts.numbers[static_cast<std::size_t>(moment)]) : file.stem().string(),
         file);
@@ -135,6 +145,61 @@ bool camera_before(const std::string& a, const std::string& b) {
     return name.find("left") != std::string::npos ? 0 : name.find("right") != std::string::npos ? 2 : 1;
   };
   return rank(a) != rank(b) ? rank(a) < rank(b) : a < b;
+}
+
+std::optional<std::int64_t> time_of(const std::string& key) {
+  if (key.size() < 10 || key.size() > 18 + (key[0] < '9')) return std::nullopt;  // 64 bits
+  if (!std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isdigit(c); })) return std::nullopt;
+  return std::stoll(key);
+}
+
+/// The times that name a camera's images; empty where not all are times.
+std::vector<std::int64_t> times_of(const std::map<std::string, fs::path>& images) {
+  std::vector<std::int64_t> times;
+  for (const auto& [key, file] : images) {
+    const auto time = time_of(key);
+    if (!time) return {};
+    times.push_back(*time);
+  }
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+std::int64_t usual_step(const std::vector<std::int64_t>& times) {
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  if (steps.empty()) return 0;
+  std::sort(steps.begin(), steps.end());
+  return steps[steps.size() / 2];
+}
+
+/// Cameras that are named by times of their own: each image with the nearest in time of the first camera, no farther
+/// than a fifth of a step. Said, as a board that moves is seen at two places then.
+void bring_times_together(ByCamera& cameras, std::vector<std::string>& notes) {
+  const std::vector<std::int64_t> first =
+      cameras.empty() ? std::vector<std::int64_t>() : times_of(cameras.begin()->second);
+  if (first.size() < 2) return;
+  for (auto camera = std::next(cameras.begin()); camera != cameras.end(); ++camera) {
+    const std::vector<std::int64_t> own = times_of(camera->second);
+    if (own.empty() || std::any_of(own.begin(), own.end(),
+                                   [&](std::int64_t t) { return std::binary_search(first.begin(), first.end(), t); }))
+      continue;
+    const std::int64_t widest = usual_step(first) / 5;
+    std::map<std::string, fs::path> together;
+    for (const auto& [key, file] : camera->second) {
+      const std::int64_t time = *time_of(key);
+      const auto after = std::lower_bound(first.begin(), first.end(), time);
+      std::int64_t nearest = after == first.end() ? first.back() : *after;
+      if (after != first.begin() && time - *std::prev(after) < std::abs(nearest - time)) nearest = *std::prev(after);
+      together.emplace(std::abs(nearest - time) <= widest ? std::to_string(nearest) : key, file);
+    }
+    if (together.size() != camera->second.size()) continue;  // two would be of one moment
+    camera->second = std::move(together);
+    notes.push_back(
+        fmt::format("the images of camera {} have other times than those of camera {}; each is taken as of the "
+                    "moment of the nearest one. A board that moved between is seen at two places",
+                    camera->first, cameras.begin()->first));
+  }
 }
 
 GroupedImages grouped(const ByCamera& cameras) {
@@ -169,6 +234,30 @@ void note(GroupedImages& result, int others) {
     result.notes.push_back(fmt::format("{} files are no images by their names and were left out", others));
 }
 
+/// Folders in the one that was named: each with images is a camera's; else those in them ("cam0/data").
+void add_inner_folders(ByCamera& cameras, const std::vector<fs::path>& folders, Listed& listed) {
+  std::vector<fs::path> with_images, deeper;
+  std::vector<std::vector<fs::path>> images;
+  for (const fs::path& folder : folders) {
+    Listed here;
+    list_folder(folder, here, deeper);
+    listed.others += here.others;
+    if (here.images.empty()) continue;
+    with_images.push_back(folder);
+    images.push_back(here.images);
+  }
+  for (const fs::path& folder : with_images.empty() ? deeper : std::vector<fs::path>()) {
+    Listed here;
+    std::vector<fs::path> deepest;
+    list_folder(folder, here, deepest);
+    if (here.images.empty()) continue;
+    with_images.push_back(folder);
+    images.push_back(here.images);
+  }
+  const std::vector<std::string> names = telling_names(with_images);
+  for (std::size_t i = 0; i < names.size(); ++i) add_folder(cameras, names[i], images[i]);
+}
+
 }  // namespace
 
 GroupedImages group_images(const std::vector<fs::path>& paths) {
@@ -186,23 +275,17 @@ GroupedImages group_images(const std::vector<fs::path>& paths) {
   }
   const bool folder_is_camera = folders.size() > 1;
   std::vector<fs::path> inner;
-  for (const fs::path& folder : folders) {
+  const std::vector<std::string> names = telling_names(folders);
+  for (std::size_t i = 0; i < folders.size(); ++i) {
     Listed here;
-    list_folder(folder, here, inner);
+    list_folder(folders[i], here, inner);
     listed.others += here.others;
     if (folder_is_camera && !here.images.empty())
-      add_folder(cameras, fs::path(folder / "").parent_path().filename().string(), here.images);
+      add_folder(cameras, names[i], here.images);
     else
       loose.insert(loose.end(), here.images.begin(), here.images.end());
   }
-  if (!folder_is_camera && loose.empty())
-    for (const fs::path& folder : inner) {
-      Listed here;
-      std::vector<fs::path> deeper;
-      list_folder(folder, here, deeper);
-      listed.others += here.others;
-      if (!here.images.empty()) add_folder(cameras, folder.filename().string(), here.images);
-    }
+  if (loose.empty() && cameras.empty()) add_inner_folders(cameras, inner, listed);
   const int moment = moment_of(loose);
   for (const fs::path& file : loose) {
     const auto [camera, key] = place_of(file, moment);
@@ -214,7 +297,10 @@ GroupedImages group_images(const std::vector<fs::path>& paths) {
     throw InputError(fmt::format("The names of the images speak of {} cameras ({}, {}, ...); expected at most {}.",
                                  cameras.size(), shortened(cameras.begin()->first),
                                  shortened(std::next(cameras.begin())->first), most_cameras));
+  std::vector<std::string> of_times;
+  bring_times_together(cameras, of_times);
   GroupedImages result = grouped(cameras);
+  result.notes = std::move(of_times);
   note(result, listed.others);
   return result;
 }

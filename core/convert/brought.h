@@ -17,7 +17,8 @@ enum class FileKind {
   robot,        // URDF
   images,       // a folder of them
   joints,       // a table of joint readings
-  poses,        // a table or list of poses
+  poses,        // a table or list of poses, a storage or a folder of them
+  pose,         // a file with one pose
   points,       // a table of points
   samples,      // of easy_handeye
   storage,      // of OpenCV
@@ -38,7 +39,9 @@ bool has_images(const std::filesystem::path& folder);
 
 struct NamedPoses {
   std::string file;
+  std::string role;  // what the file calls them ("effector_wrt_world"); empty: nothing
   PoseSeries series;
+  Turns turns = {};  // what their turns may be read as; empty: nothing is open
 };
 
 /// Everything that was brought.
@@ -55,7 +58,15 @@ struct Brought {
 };
 
 /// Reads all files; `robot` null: none was named. InputError where one is wrong, or two say the same.
-Brought bring(const std::vector<std::filesystem::path>& files, const Robot* robot, bool degrees);
+Brought bring(const std::vector<std::filesystem::path>& files, const Robot* robot, bool degrees,
+              const std::string& angles = {});
+
+/// Which of two series is the flange's, which the target's: by what their files or columns call them. InputError where
+/// these do not say.
+std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses>& poses);
+
+/// The poses where nothing about them is open. InputError where their angles may be read in several ways.
+const PoseSeries& settled_series(const NamedPoses& poses);
 
 /// The cameras of a calibration: OpenCV's (one or several files), Kalibr's camchain, or camera_info of one or two
 /// cameras of ROS. InputError where they make no rig.

@@ -15,11 +15,13 @@ struct ConvertOptions {
   std::filesystem::path robot;  // URDF; empty: among the files, in the bag, or none (poses of the flange alone)
   std::string tcp, mount;       // links; mount empty: the root link
   std::string title;
-  bool degrees = false;          // joint tables whose header does not say so
-  bool eye_on_base = false;      // easy_handeye's files that do not say where the camera is
-  int markers = 3;               // of sessions with images and anonymous markers
-  std::optional<Target> target;  // what images show, where its points name themselves
-  std::string target_frame;      // of a bag's /tf: the target that a detector publishes
+  bool degrees = false;  // tables of joints or of poses whose header does not say so
+  std::string angles;    // what the angles of tables of poses are (angle_kind_names); empty: found out
+  std::optional<double> sigma, sigma_angle;  // of the sensor: m, rad; unknown ones are estimated
+  bool eye_on_base = false;                  // easy_handeye's files that do not say where the camera is
+  int markers = 3;                           // of sessions with images and anonymous markers
+  std::optional<Target> target;              // what images show, where its points name themselves
+  std::string target_frame;                  // of a bag's /tf: the target that a detector publishes
   bool estimate_lag = false;
   PairingOptions pairing;
   std::function<bool()> goes_on;  // asked from time to time before session.xml is written: is it still wanted?

@@ -172,7 +172,7 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Brought& b, con
   const BagFrame& frame = bag.frames.at(child);
   c.notes.push_back(
       fmt::format("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
-  return from_poses(*robot, bag.joints, frame.series, o, std::move(c));
+  return from_poses(*robot, bag.joints, {child, "", frame.series}, o, std::move(c));
 }
 
 }  // namespace handsight

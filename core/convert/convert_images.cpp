@@ -3,8 +3,12 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/image_names.h"
 #include "base/text.h"
+#include "convert/choose_turns.h"
 #include "convert/convert_ways.h"
+#include "convert/pair_poses.h"
+#include "convert/turns_by_images.h"
 #include "readers/stereo_calibration.h"
 #include "vision/image/image_header.h"
 
@@ -46,9 +50,10 @@ std::vector<std::filesystem::path> folders_by_camera(const Rig& rig, std::vector
                     "for each camera, in this order or with its name in the folder's.",
                     folders.size(), rig.count(), listed_names(rig)));
   std::vector<std::filesystem::path> ordered;
+  const std::vector<std::string> names = telling_names(folders);
   for (const RigCamera& camera : rig.cameras)
-    for (const auto& folder : folders)
-      if (says(folder.filename().string(), {camera.name.c_str()})) ordered.push_back(folder);
+    for (std::size_t i = 0; i < folders.size(); ++i)
+      if (says(names[i], {camera.name.c_str()})) ordered.push_back(folders[i]);
   std::vector<std::filesystem::path> once = ordered;
   std::sort(once.begin(), once.end());
   const bool each_once = ordered.size() == folders.size() && std::adjacent_find(once.begin(), once.end()) == once.end();
@@ -74,7 +79,7 @@ Rig rig_of_brought(const Brought& b) {
 
 Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes) {
   if (std::none_of(files.begin(), files.end(), is_of_kalibr_or_ros)) return read_rig_calibration(files, &notes);
-  const Brought b = bring(files, nullptr, false);
+  const Brought b = bring(files, nullptr, false, {});
   notes.insert(notes.end(), b.notes.begin(), b.notes.end());
   return rig_of_brought(b);
 }
@@ -95,12 +100,12 @@ void require_target(const Rig& rig, const ConvertOptions& o) {
 }
 
 /// Cameras and images beside what the parts say of the robot.
-Session with_images(const SessionParts& parts, const Brought& b, const char* of_what, const ConvertOptions& o,
+Session with_images(const SessionParts& parts, const Brought& b, const ConvertOptions& o,
                     std::vector<std::string>& notes) {
   Rig rig = rig_of_brought(b);
   require_target(rig, o);
   const std::vector<InstantImages> images = find_images(folders_by_camera(rig, b.image_folders));
-  match_images(images, parts.joints.positions.size(), of_what, rig.count());
+  match_images(images, parts.joints.positions.size(), "lines of joint readings", rig.count());
   fit_to_first_images(rig, images, notes);
   return write_camera_session(parts, rig, images, o, notes);
 }
@@ -114,21 +119,27 @@ Conversion from_images(const FieldUrdf& robot, const Brought& b, const ConvertOp
   require_links(robot, o, parts, c.notes);
   parts.joints = *b.joints;
   parts.times = b.joints->times;
-  c.session = with_images(parts, b, "lines of joint readings", o, c.notes);
+  c.session = with_images(parts, b, o, c.notes);
   return c;
 }
 
 Conversion from_flange_images(const Brought& b, const ConvertOptions& o, Conversion c) {
+  NamedPoses flange = b.poses.front();
+  Rig rig = rig_of_brought(b);
+  require_target(rig, o);
+  std::vector<InstantImages> images = find_images(folders_by_camera(rig, b.image_folders));
+  pair_images(flange, images, rig.count(), c.notes);
+  fit_to_first_images(rig, images, c.notes);
   SessionParts parts;
-  const PoseSeries& flange = b.poses.front().series;
-  set_flange(parts, flange, !o.eye_on_base, c.notes);
-  parts.times = flange.times;
+  set_flange(parts, flange.series, !o.eye_on_base, c.notes);
+  parts.times = flange.series.times;
   c.notes.push_back(fmt::format("{}: its poses are taken for base_from_flange; the camera is taken to be {}.",
                                 b.poses.front().file,
                                 o.eye_on_base ? "on a stand and the target on the flange"
                                               : "on the flange and the target beside the robot (--eye-on-base: the "
                                                 "camera stands, the flange carries the target)"));
-  c.session = with_images(parts, b, "poses of the flange", o, c.notes);
+  c.session = write_camera_session(parts, rig, images, o, c.notes);
+  if (is_open(flange)) choose_turns_by_images(flange, !o.eye_on_base, c);
   return c;
 }
 

@@ -4,8 +4,11 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "chain/chain.h"
+#include "convert/choose_turns.h"
 #include "convert/convert_pairing.h"
 #include "convert/convert_ways.h"
+#include "convert/pair_poses.h"
 
 namespace handsight {
 namespace {
@@ -17,15 +20,20 @@ std::string lower(std::string text) {
 
 /// Is the file likely of the robot's flange, by its name?
 bool is_of_flange(const std::string& file) {
-  return says(file, {"flange", "robot", "ee", "tool", "hand", "gripper", "arm"});
+  return says(file, {"flange", "robot", "ee", "tool", "hand", "gripper", "arm", "effector", "tcp", "fpe"});
 }
 bool is_of_target(const std::string& file) {
   return says(file, {"target", "marker", "tag", "board", "cam", "track", "mocap", "object"});
 }
 
-constexpr char sensor_note[] =
-    "The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is known "
-    "write it into <pose_sensor>: sigma (m) and sigma_angle (rad).";
+/// What their file or its columns call them.
+std::string called(const NamedPoses& p) { return p.role.empty() ? p.file : p.role; }
+
+std::string sensor_note(const ConvertOptions& o) {
+  if (o.sigma && o.sigma_angle) return "The target's pose counts whole, place and turn.";
+  return "The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is "
+         "known say it: --sigma (m), --sigma-angle (rad), or in <pose_sensor>.";
+}
 
 }  // namespace
 
@@ -34,16 +42,15 @@ bool says(const std::string& name, std::initializer_list<const char*> words) {
                      [&](const char* w) { return lower(name).find(w) != std::string::npos; });
 }
 
-std::pair<PoseSeries, PoseSeries> flange_and_target(const std::vector<NamedPoses>& poses) {
-  const bool first = is_of_flange(poses[0].file) && !is_of_flange(poses[1].file),
-             second = is_of_flange(poses[1].file) && !is_of_flange(poses[0].file);
-  if (first || (is_of_target(poses[1].file) && !is_of_target(poses[0].file))) return {poses[0].series, poses[1].series};
-  if (second || (is_of_target(poses[0].file) && !is_of_target(poses[1].file)))
-    return {poses[1].series, poses[0].series};
+std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses>& poses) {
+  const std::string a = called(poses[0]), b = called(poses[1]);
+  const bool first = is_of_flange(a) && !is_of_flange(b), second = is_of_flange(b) && !is_of_flange(a);
+  if (first || (!second && is_of_target(b) && !is_of_target(a))) return {poses[0], poses[1]};
+  if (second || (is_of_target(a) && !is_of_target(b))) return {poses[1], poses[0]};
   throw InputError(
       fmt::format("{} and {} are both tables of poses: which is the robot's flange, which the target that "
                   "the sensor sees? Name the files so: flange.csv and target.csv.",
-                  poses[0].file, poses[1].file));
+                  a, b));
 }
 
 void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<std::string>& notes) {
@@ -56,32 +63,54 @@ void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand,
       "URDF and a table of joint readings for that.");
 }
 
-Conversion from_flange(const PoseSeries& flange, const PoseSeries& target, bool eye_in_hand, const ConvertOptions& o,
-                       Conversion c) {
-  if (flange.poses.size() != target.poses.size())
-    throw InputError(
-        fmt::format("There are {} poses of the flange and {} of the target; expected one of each an instant, "
-                    "in the same order.",
-                    flange.poses.size(), target.poses.size()));
+Conversion from_flange(NamedPoses flange, NamedPoses target, bool eye_in_hand, const ConvertOptions& o, Conversion c) {
+  pair_poses(flange, target, o, c.notes);
+  choose_turns(flange, target, eye_in_hand, c.notes);
   SessionParts parts;
-  set_flange(parts, flange, eye_in_hand, c.notes);
-  parts.times = target.times;
-  parts.target_poses = target.poses;
-  c.notes.emplace_back(sensor_note);
+  set_flange(parts, flange.series, eye_in_hand, c.notes);
+  parts.times = target.series.times.empty() ? flange.series.times : target.series.times;
+  parts.target_poses = target.series.poses;
+  c.notes.push_back(sensor_note(o));
   c.session = write_measured_session(parts, o);
   return c;
 }
 
-Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, const PoseSeries& target,
-                      const ConvertOptions& o, Conversion c) {
+namespace {
+
+/// The hand in the mount's frame at these readings, as if it were a flange.
+NamedPoses hand_of(const FieldUrdf& robot, const SessionParts& parts) {
+  Session s;
+  s.robot = robot.robot;
+  s.tcp = parts.tcp;
+  s.mount.link = parts.mount;
+  s.joints = parts.joints.names;
+  const Chain chain = chain_of(s);
+  NamedPoses hand{"the robot", "", {}};
+  for (const Eigen::VectorXd& position : parts.joints.positions) {
+    const ChainEnds ends = chain_ends(chain, position);
+    hand.series.poses.push_back(inverse(ends.root_from_mount) * ends.root_from_tcp);
+  }
+  return hand;
+}
+
+}  // namespace
+
+Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPoses target, const ConvertOptions& o,
+                      Conversion c) {
   SessionParts parts;
   require_links(robot, o, parts, c.notes);
-  const std::vector<double> speeds = target.times.empty() ? std::vector<double>() : speeds_of(target);
-  const Paired p = pair_events(joints, target.times, target.poses.size(), speeds, o, c.notes);
+  const PoseSeries& seen = target.series;
+  const std::vector<double> speeds = seen.times.empty() ? std::vector<double>() : speeds_of(seen);
+  const Paired p = pair_events(joints, seen.times, seen.poses.size(), speeds, o, c.notes);
   parts.joints = {joints.names, {}, p.positions};
-  parts.times = chosen(target.times, p.events);
-  parts.target_poses = chosen(target.poses, p.events);
-  c.notes.emplace_back(sensor_note);
+  target = rows_of(target, p.events);
+  if (is_open(target)) {
+    NamedPoses hand = hand_of(robot, parts);
+    choose_turns(hand, target, false, c.notes);
+  }
+  parts.times = target.series.times;
+  parts.target_poses = target.series.poses;
+  c.notes.push_back(sensor_note(o));
   c.session = write_measured_session(parts, o);
   return c;
 }

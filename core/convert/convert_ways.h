@@ -17,8 +17,8 @@ void require_links(const FieldUrdf& robot, const ConvertOptions& options, Sessio
                    std::vector<std::string>& notes);
 
 /// The way of a flange alone: no robot is known, its pose is.
-Conversion from_flange(const PoseSeries& flange, const PoseSeries& target, bool eye_in_hand,
-                       const ConvertOptions& options, Conversion conversion);
+Conversion from_flange(NamedPoses flange, NamedPoses target, bool eye_in_hand, const ConvertOptions& options,
+                       Conversion conversion);
 
 /// The same with folders of images of a board or of tags in place of the target's poses.
 Conversion from_flange_images(const Brought& brought, const ConvertOptions& options, Conversion conversion);
@@ -26,15 +26,12 @@ Conversion from_flange_images(const Brought& brought, const ConvertOptions& opti
 /// The robot of poses in the parts: its flange carries the target or, eye in hand, the camera.
 void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<std::string>& notes);
 
-/// Which of two series is the flange's, which the target's: by their files' names.
-std::pair<PoseSeries, PoseSeries> flange_and_target(const std::vector<NamedPoses>& poses);
-
 /// Of a tracker; `speeds` (m/s) of what it saw, where they are known.
 Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const PointSeries& points,
                        const std::vector<double>& speeds, const ConvertOptions& options, Conversion conversion);
 
 /// Of a sensor that tells the target's pose.
-Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, const PoseSeries& target,
+Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPoses target,
                       const ConvertOptions& options, Conversion conversion);
 
 /// Folders of images of one to eight cameras.

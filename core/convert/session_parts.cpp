@@ -64,7 +64,10 @@ Session write_measured_session(const SessionParts& parts, const ConvertOptions& 
   s.tcp = parts.tcp;
   s.mount = {parts.mount, Rigid{}, true, false};
   s.joints = parts.joints.names;
-  if (!parts.target_poses.empty()) s.pose_sensor = PoseSensor{};
+  if (!parts.target_poses.empty())
+    s.pose_sensor = PoseSensor{o.sigma, o.sigma_angle};
+  else
+    s.sigma_point = o.sigma;
   for (std::size_t i = 0; i < parts.joints.positions.size(); ++i) {
     Observation& observation = s.observations.emplace_back();
     observation.id = static_cast<std::int64_t>(i);
@@ -99,6 +102,7 @@ Session write_camera_session(const SessionParts& parts, const Rig& rig, const st
   made.rig = rig;
   made.marker_count = o.markers;
   made.target = o.target;
+  if (made.target && o.sigma) made.target->sigma = o.sigma;
   made.joints = parts.joints.names;
   made.positions = parts.joints.positions;
   made.images = images;

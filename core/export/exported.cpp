@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "base/text.h"
 #include "export/cpp_file.h"
 #include "export/number_files.h"
@@ -39,6 +40,12 @@ void note_effects(const CalibratedRobot& robot, ExportedFile& file) {
 }  // namespace
 
 ExportedFile exported_file(const CalibratedRobot& robot, const std::string& kind) {
+  const bool needs_joints = kind == "urdf" || kind == "cpp" || kind == "python";
+  if (needs_joints && robot.chain.robot.is_of_poses)
+    throw InputError(fmt::format(
+        "A file of kind {} is of a robot with joints, and only the poses of the flange are known here; export where "
+        "sensor and target sit as static_tf, yaml, opencv or csv.",
+        kind));
   if (kind == "urdf") return urdf(robot);
   if (kind == "yaml") return {yaml_file(robot), {}};
   if (kind == "csv") return {csv_file(robot), {}};

@@ -6,15 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "readers/pose_list.h"
+#include "readers/pose_table.h"
 #include "readers/series.h"
 #include "readers/table.h"
 #include "readers/yaml_text.h"
 #include "robot/robot.h"
 
 namespace handsight {
-
-/// m: farther than any device sees a hand. Larger lengths are millimetres.
-inline constexpr double longest_m = 50;
 
 /// Pairs of poses that easy_handeye (1 and 2) has sampled.
 struct HandEyeSamples {
@@ -24,15 +23,6 @@ struct HandEyeSamples {
 };
 bool is_hand_eye_samples(const YAML::Node& yaml);
 HandEyeSamples read_hand_eye_samples(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes);
-
-/// A list of {position, orientation} (also translation, rotation; xyz, quaternion), as ROS and people write poses.
-bool is_pose_list(const YAML::Node& yaml);
-PoseSeries read_pose_list(const YAML::Node& yaml, const std::string& file);
-
-/// Has the table columns x y z and a quaternion (or roll pitch yaw), or without a header 7 or 8 columns whose last four
-/// are unit quaternions (TUM: time x y z qx qy qz qw)?
-bool is_pose_table(const Table& table);
-PoseSeries read_pose_table(Table table, std::vector<std::string>& notes);
 
 /// Triples of columns x y z (m1_x m1_y m1_z ...), or a line a point: x y z with marker and time or observation.
 bool is_point_table(const Table& table);

@@ -10,6 +10,9 @@
 
 namespace handsight {
 
+/// m: farther than any device sees a hand. Larger lengths are millimetres.
+inline constexpr double longest_m = 50;
+
 /// Joint readings, in order of time where there are times.
 struct JointSeries {
   std::vector<std::string> names;
@@ -17,10 +20,14 @@ struct JointSeries {
   std::vector<Eigen::VectorXd> positions;  // rad or m
 };
 
-/// Poses of one thing in another's frame.
+/// Poses of one thing in another's frame, and what each is called by where its file says so: lists of one an instant.
 struct PoseSeries {
-  std::vector<double> times;
-  std::vector<Rigid> poses;
+  std::vector<double> times = {};  // s; empty: not told
+  std::vector<Rigid> poses = {};
+  std::vector<double> numbers = {};      // of a column that numbers the instants
+  std::vector<std::string> names = {};   // of the images of the same instants
+  std::vector<std::size_t> places = {};  // the row in the file, from 0, where rows without a pose are left out
+  std::size_t row_count = 0;             // of the file with those rows; 0: every row has its pose
 };
 
 /// Points that a device measured; what it did not see is absent.

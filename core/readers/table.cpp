@@ -2,6 +2,7 @@
 #include "readers/table.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -51,26 +52,35 @@ char separator_of(std::string_view line) {
   return ' ';
 }
 
+/// "deg" for all that people write for degrees, and so on.
+std::string plain_unit(const std::string& unit) {
+  if (unit == "degrees" || unit == "degree" || unit == "°") return "deg";
+  if (unit == "radians" || unit == "radian") return "rad";
+  if (unit == "millimetres" || unit == "millimeters" || unit == "millimeter") return "mm";
+  if (unit == "metres" || unit == "meters" || unit == "meter") return "m";
+  return unit;
+}
+
 /// "shoulder [deg]" and "q1_deg" to name and unit.
 TableColumn column_of(const std::string& cell) {
   TableColumn column{cell, ""};
   const std::size_t open = cell.find_last_of("[(");
   if (open != std::string::npos && open > 0 && (cell.back() == ']' || cell.back() == ')')) {
-    column.unit = lower(trimmed(std::string_view(cell).substr(open + 1, cell.size() - open - 2)));
+    column.unit = plain_unit(lower(trimmed(std::string_view(cell).substr(open + 1, cell.size() - open - 2))));
     column.name = trimmed(std::string_view(cell).substr(0, open));
     return column;
   }
-  for (const char* unit : {"deg", "degrees", "rad", "mm", "ms", "us", "ns"}) {
+  for (const char* unit : {"deg", "degrees", "rad", "mm", "m", "ms", "us", "ns"}) {
     const std::string end = std::string("_") + unit;
     if (cell.size() > end.size() && lower(cell.substr(cell.size() - end.size())) == end) {
-      column.unit = std::string(unit) == "degrees" ? "deg" : unit;
+      column.unit = plain_unit(unit);
       column.name = cell.substr(0, cell.size() - end.size());
     }
   }
-  if (column.unit == "degrees" || column.unit == "degree" || column.unit == "°") column.unit = "deg";
   return column;
 }
 
+constexpr std::array image_endings{".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp"};
 constexpr double empty_cell = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<double> number_of(const std::string& cell, bool decimal_commas) {
@@ -82,10 +92,25 @@ std::optional<double> number_of(const std::string& cell, bool decimal_commas) {
   return parse_number(text);
 }
 
+/// What a cell of a row is: a number, a word where the column is one of names, or nothing that could stand there.
+bool is_image_name(const std::string& cell) {
+  const std::string small = lower(cell);
+  return std::any_of(image_endings.begin(), image_endings.end(),
+                     [&](const char* ending) { return small.ends_with(ending); });
+}
+
+bool names_images(const std::string& column) {
+  const std::string small = lower(column);
+  for (const char* name : {"image", "images", "file", "files", "filename", "file_name", "image_name", "image_file",
+                           "imagename", "img", "picture", "photo", "name", "path", "image_path"})
+    if (small == name) return true;
+  return false;
+}
+
 bool is_header(const Cells& cells, bool decimal_commas) {
   return std::none_of(cells.begin(), cells.end(), [&](const std::string& c) {
     const auto n = number_of(c, decimal_commas);
-    return n && std::isfinite(*n);
+    return (n && std::isfinite(*n)) || is_image_name(c);
   });
 }
 
@@ -114,6 +139,7 @@ std::vector<Line> lines_of(std::string_view text, std::string_view& last_comment
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
+    if (line.starts_with("p[") && line.ends_with("]")) line = line.substr(2, line.size() - 3);  // as UR's scripts
     const std::size_t hash = line.find('#');
     if (hash == 0 && lines.empty()) last_comment = line.substr(1);
     if (hash != std::string_view::npos) line = line.substr(0, hash);
@@ -162,6 +188,13 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
     std::vector<double>& row = table.rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const auto number = number_of(cells[c], decimal_commas);
+      TableColumn& column = table.columns[c];
+      if (names_images(column.name) || is_image_name(cells[c])) {
+        column.words.resize(table.rows.size());
+        column.words.back() = cells[c];
+        row.push_back(number.value_or(empty_cell));
+        continue;
+      }
       if (!number)
         refuse(file, lines[i].number,
                fmt::format("{} stands in column {}{}, expected a finite number such as 0.5.", in_quotes(cells[c]),
@@ -175,6 +208,8 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
     table.lines.push_back(lines[i].number);
   }
   if (table.rows.empty()) return std::nullopt;
+  for (TableColumn& column : table.columns)
+    if (!column.words.empty()) column.words.resize(table.rows.size());
   if (decimal_commas) table.notes.push_back(file + ": commas are read as decimal points.");
   return table;
 }
@@ -235,6 +270,12 @@ void sort_by_time(Table& table, std::vector<double>& times, std::vector<std::str
     sorted.rows[i] = table.rows[order[i]];
     sorted.lines[i] = table.lines[order[i]];
     sorted_times.push_back(times[order[i]]);
+  }
+  for (TableColumn& column : sorted.columns) {
+    if (column.words.empty()) continue;
+    std::vector<std::string> words;
+    for (const std::size_t place : order) words.push_back(column.words[place]);
+    column.words = std::move(words);
   }
   table = std::move(sorted);
   times = std::move(sorted_times);

@@ -10,14 +10,15 @@
 namespace handsight {
 
 struct TableColumn {
-  std::string name;  // as written, without its unit; empty where there is no header
-  std::string unit;  // of "shoulder [deg]", "x(mm)", "q1_deg"; lower case; empty where none is named
+  std::string name;                     // as written, without its unit; empty where there is no header
+  std::string unit;                     // of "shoulder [deg]", "x(mm)", "q1_deg"; lower case; empty where none is named
+  std::vector<std::string> words = {};  // one a row, of a column of names (of images); empty: of numbers
 };
 
 struct Table {
   std::string file;  // as sentences call it
   std::vector<TableColumn> columns;
-  std::vector<std::vector<double>> rows;  // NaN: an empty cell, or "nan"
+  std::vector<std::vector<double>> rows;  // NaN: an empty cell, or "nan", or a word
   std::vector<int> lines;                 // of the rows
   bool has_header = false;
   std::vector<std::string> notes;  // decimal commas, what else was understood; a sentence each
@@ -25,9 +26,9 @@ struct Table {
   std::size_t width() const { return columns.size(); }
 };
 
-/// InputError with the line where a cell is no number, or rows differ in length. Nothing where the text is no table at
-/// all: no row of two numbers or more.
-/// A first line of these names is a header, even where they are numbers ("1", "2": servos are often called so).
+/// InputError with the line where a cell is no number (names of images may be, in a column of theirs), or rows differ
+/// in length. Nothing where the text is no table at all: no row of two numbers or more. A first line of these names is
+/// a header, even where they are numbers ("1", "2": servos are often called so).
 std::optional<Table> parse_table(std::string_view text, const std::string& file,
                                  const std::vector<std::string>& names = {});
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/image_names.h"
 #include "base/text.h"
 
 namespace handsight {
@@ -54,8 +55,9 @@ Listing images_in(const fs::path& folder) {
   return listing;
 }
 
-/// The last number in a name; nothing without one.
+/// The date and time in a name, else its last number; nothing without one.
 std::optional<std::int64_t> number_of(const std::string& stem) {
+  if (const auto moment = moment_in_name(stem)) return moment->number;
   std::size_t end = stem.size();
   while (end > 0 && !is_digit(stem[end - 1])) --end;
   std::size_t begin = end;

@@ -12,11 +12,11 @@ namespace handsight {
 
 /// The two images of one instant; one may be missing (empty).
 struct ImageFiles {
-  std::int64_t number = 0;  // the last number in the files' names
+  std::int64_t number = 0;  // the date and time, else the last number, in the files' names
   std::filesystem::path left, right;
 };
 
-/// Pairs the images of two folders by the last number in their names, ascending. With both folders the same, names
+/// Pairs the images of two folders by the date and time, else the last number, in their names, ascending. With both folders the same, names
 /// tell the sides apart: "left" or "right" in them, else a last letter l or r. InputError where there is no image, or a
 /// side has a number twice. Names that begin with a dot are those of files that are still written.
 std::vector<ImageFiles> find_image_pairs(const std::filesystem::path& left_folder,
@@ -24,13 +24,13 @@ std::vector<ImageFiles> find_image_pairs(const std::filesystem::path& left_folde
 
 /// The images of one instant by camera; missing ones are empty.
 struct InstantImages {
-  std::int64_t number = 0;  // the last number in the files' names
+  std::int64_t number = 0;  // the date and time, else the last number, in the files' names
   std::vector<std::filesystem::path> files;
 };
 
 std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs);
 
-/// The images of each camera's folder, by the last number in their names, ascending; two folders as `find_image_pairs`
+/// The images of each camera's folder, by the date and time, else the last number, in their names, ascending; two folders as `find_image_pairs`
 /// has it. InputError where a folder has no image or a number twice.
 std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>& folders);
 

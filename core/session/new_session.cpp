@@ -2,6 +2,7 @@
 #include "session/new_session.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "base/error.h"
@@ -87,6 +88,17 @@ void bring_images(const NewSession& parts, const InstantImages& instant, const s
     if (!instant.files[c].empty()) o.images[c] = bring_into(instant.files[c], parts.folder, into[c]);
 }
 
+/// Cameras' names stand as attributes, which begin with no digit.
+Rig with_names_for_xml(Rig rig, std::vector<std::string>* notes) {
+  for (RigCamera& camera : rig.cameras) {
+    if (camera.name.empty() || std::isdigit(static_cast<unsigned char>(camera.name[0])) == 0) continue;
+    const std::string name = "camera_" + camera.name;
+    if (notes) notes->push_back(fmt::format("The camera {} is called {} in the session.", camera.name, name));
+    camera.name = name;
+  }
+  return rig;
+}
+
 Session observed_session(const NewSession& parts, const Robot& robot, std::vector<std::string>* notes) {
   Session s;
   s.file = parts.folder / "session.xml";
@@ -95,7 +107,7 @@ Session observed_session(const NewSession& parts, const Robot& robot, std::vecto
   s.tcp = parts.tcp;
   s.mount = {parts.mount, parts.mount_from_sensor, !parts.mount_is_known, parts.mount_is_known};
   if (parts.rig.count() > 0)
-    s.rig = parts.rig;
+    s.rig = with_names_for_xml(parts.rig, notes);
   else
     s.pose_sensor = PoseSensor{};
   s.marker_count = parts.marker_count;

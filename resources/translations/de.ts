@@ -7142,8 +7142,88 @@
         <translation>%1 und %2 sind beides Tabellen von Posen: welche ist der Flansch des Roboters, welche das Ziel, das der Sensor sieht? Nenne die Dateien so: flange.csv und target.csv.</translation>
     </message>
     <message>
-        <source>There are %1 poses of the flange and %2 of the target; expected one of each an instant, in the same order.</source>
-        <translation>Es gibt %1 Posen des Flansches und %2 des Ziels; erwartet wird je Zeitpunkt eine von beiden, in derselben Reihenfolge.</translation>
+        <source>There are %1 poses of the flange and %2 of the target; expected one of each an instant, in the same order, or a column that pairs them: number, image or time.</source>
+        <translation>Es gibt %1 Posen des Flansches und %2 des Ziels; erwartet wird je Zeitpunkt eine von beiden, in derselben Reihenfolge, oder eine Spalte, die sie paart: Nummer, Bild oder Zeit.</translation>
+    </message>
+    <message>
+        <source>The target's pose counts whole, place and turn.</source>
+        <translation>Die Lage des Ziels zählt ganz, Ort und Drehung.</translation>
+    </message>
+    <message>
+        <source>angles of up to %1 can only be degrees; they are read so.</source>
+        <translation>Winkel bis %1 können nur Grad sein; so werden sie gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows hold no whole pose (nan or empty); there nothing was measured.</source>
+        <translation>%1 von %2 Zeilen haben keine ganze Pose (nan oder leer); dort wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 rows repeat another one in both tables; each counts once.</source>
+        <translation>%1 Zeilen wiederholen in beiden Tabellen eine andere; jede zählt einmal.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and of the target are paired by their numbers.</source>
+        <translation>Posen des Flansches und des Ziels sind nach ihren Nummern gepaart.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and of the target are paired by their times.</source>
+        <translation>Posen des Flansches und des Ziels sind nach ihren Zeiten gepaart.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and of the target are paired by the names of their images.</source>
+        <translation>Posen des Flansches und des Ziels sind nach den Namen ihrer Bilder gepaart.</translation>
+    </message>
+    <message>
+        <source>The clocks of the two tables do not agree; their poses are paired row by row.</source>
+        <translation>Die Uhren der beiden Tabellen gehen nicht gleich; ihre Posen sind Zeile für Zeile gepaart.</translation>
+    </message>
+    <message>
+        <source>No row has both a pose of the flange and one of the target; expected one of each an instant.</source>
+        <translation>Keine Zeile hat eine Pose des Flansches und eine des Ziels; erwartet wird je Zeitpunkt eine von beiden.</translation>
+    </message>
+    <message>
+        <source>The camera %1 is called %2 in the session.</source>
+        <translation>Die Kamera %1 heißt in der Sitzung %2.</translation>
+    </message>
+    <message>
+        <source>There are %1 tables of poses (%2); expected the flange's and the target's.</source>
+        <translation>Es gibt %1 Tabellen von Posen (%2); erwartet werden die des Flansches und die des Ziels.</translation>
+    </message>
+    <message>
+        <source>holds the only poses that are here%1; name those of the other (of the flange, of the target) too, or a folder of images of a board.</source>
+        <translation>hat die einzigen Posen hier%1; nenne auch die der anderen (des Flansches, des Ziels) oder einen Ordner mit Bildern einer Tafel.</translation>
+    </message>
+    <message>
+        <source>The motions of the flange and of the target agree only if the poses of one of them are inverted (the sensor in the target's frame for the target in the sensor's), or with the sensor on the other side (--eye-on-base); see what fit says.</source>
+        <translation>Die Bewegungen des Flansches und des Ziels stimmen nur überein, wenn die Posen von einem umgekehrt sind (der Sensor im Rahmen des Ziels statt das Ziel in dem des Sensors) oder der Sensor auf der anderen Seite ist (--eye-on-base); sieh, was fit sagt.</translation>
+    </message>
+    <message>
+        <source>has no row with a whole pose; expected a place and a rotation in each.</source>
+        <translation>hat keine Zeile mit einer ganzen Pose; erwartet wird in jeder ein Ort und eine Drehung.</translation>
+    </message>
+    <message>
+        <source>The pose of the flange is the same in observations %1, while what was seen moved: the reading of one is old, or something slipped between them; leave out what is wrong.</source>
+        <translation>Die Pose des Flansches ist in den Beobachtungen %1 dieselbe, während sich das Gesehene bewegte: eine Ablesung ist alt, oder dazwischen ist etwas gerutscht; lass weg, was falsch ist.</translation>
+    </message>
+    <message>
+        <source>The joint readings are the same in observations %1, while what was seen moved: the reading of one is old, or something slipped between them; leave out what is wrong.</source>
+        <translation>Die Gelenkwerte sind in den Beobachtungen %1 dieselben, während sich das Gesehene bewegte: eine Ablesung ist alt, oder dazwischen ist etwas gerutscht; lass weg, was falsch ist.</translation>
+    </message>
+    <message>
+        <source>What was seen is the same in observations %1, while the robot moved: the measurement of one is old. Leave it out.</source>
+        <translation>Das Gesehene ist in den Beobachtungen %1 dasselbe, während sich der Roboter bewegte: eine Messung ist alt. Lass sie weg.</translation>
+    </message>
+    <message>
+        <source>%1 may be %2, or %3; name the columns roll pitch yaw or rvx rvy rvz, with their unit ([deg]).</source>
+        <translation>%1 können %2 sein oder %3; nenne die Spalten roll pitch yaw oder rvx rvy rvz, mit ihrer Einheit ([deg]).</translation>
+    </message>
+    <message>
+        <source>%1 may be %2, or %3, and nothing here can tell: say it with --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header ([deg]).</source>
+        <translation>%1 können %2 sein oder %3, und nichts hier kann es sagen: gib es an mit --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) und --degrees oder in der Kopfzeile ([deg]).</translation>
+    </message>
+    <message>
+        <source>A file of kind %1 is of a robot with joints, and only the poses of the flange are known here; export where sensor and target sit as static_tf, yaml, opencv or csv.</source>
+        <translation>Eine Datei der Art %1 ist von einem Roboter mit Gelenken, und hier sind nur die Posen des Flansches bekannt; exportiere, wo Sensor und Ziel sitzen, als static_tf, yaml, opencv oder csv.</translation>
     </message>
     <message>
         <source>--tcp is missing: the link that is the hand. At the ends of this robot are: %1.</source>
@@ -7270,8 +7350,8 @@
         <translation>zweiten</translation>
     </message>
     <message>
-        <source>The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is known write it into &lt;pose_sensor&gt;: sigma (m) and sigma_angle (rad).</source>
-        <translation>Die Lage des Ziels zählt ganz, Ort und Drehung; wie genau der Sensor sie angibt, wird geschätzt. Wo es bekannt ist, in &lt;pose_sensor&gt; schreiben: sigma (m) und sigma_angle (rad).</translation>
+        <source>The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is known say it: --sigma (m), --sigma-angle (rad), or in &lt;pose_sensor&gt;.</source>
+        <translation>Die Lage des Ziels zählt ganz, Ort und Drehung; wie genau der Sensor sie angibt, wird geschätzt. Wo es bekannt ist, gib es an: --sigma (m), --sigma-angle (rad), oder in &lt;pose_sensor&gt;.</translation>
     </message>
     <message>
         <source>topic %1 (%2, %3 messages) is left out.</source>

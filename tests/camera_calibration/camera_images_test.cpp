@@ -27,6 +27,38 @@ class CameraImagesByName : public testing::Test {
   fs::path folder_;
 };
 
+TEST_F(CameraImagesByName, FoldersOfTheSameNameAreCamerasByTheFolderAbove) {
+  for (const char* n : {"cam0/data/1403636579.png", "cam0/data/1403636580.png", "cam1/data/1403636579.png"}) make(n);
+  for (const auto& paths : {std::vector<fs::path>{folder_ / "cam0/data", folder_ / "cam1/data/"}, {folder_}}) {
+    const GroupedImages grouped = group_images(paths);
+    ASSERT_EQ(grouped.cameras.size(), 2u);
+    EXPECT_EQ(grouped.cameras[0].name, "cam0");
+    EXPECT_EQ(grouped.cameras[1].name, "cam1");
+    EXPECT_EQ(grouped.frames.size(), 2u);
+  }
+}
+
+TEST_F(CameraImagesByName, TimesThatDifferALittleAreOneMoment) {
+  for (const char* n : {"cam0/data/1575683268010000000.png", "cam0/data/1575683268270000000.png",
+                        "cam0/data/1575683268530000000.png", "cam1/data/1575683268018000000.png",
+                        "cam1/data/1575683268278000000.png", "cam1/data/1575683268700000000.png"})
+    make(n);
+  const GroupedImages grouped = group_images({folder_});
+  ASSERT_EQ(grouped.cameras.size(), 2u);
+  EXPECT_EQ(grouped.frames.size(), 4u) << "two moments of both, one of each alone";
+  EXPECT_EQ(grouped.cameras[1].keys[0], "1575683268010000000");
+  EXPECT_NE(grouped.notes[0].find("nearest"), std::string::npos);
+}
+
+TEST_F(CameraImagesByName, NamesByDateAndTimeAreOneCamera) {
+  for (const char* n : {"shot_2024-07-23_16-02-40.jpg", "shot_2024-07-23_16-03-01.jpg", "shot_2024-07-23_16-02-47.jpg"})
+    make(n);
+  const GroupedImages grouped = group_images({folder_});
+  ASSERT_EQ(grouped.cameras.size(), 1u);
+  EXPECT_EQ(grouped.cameras[0].name, "shot");
+  EXPECT_EQ(grouped.cameras[0].files.back().filename(), "shot_2024-07-23_16-03-01.jpg");
+}
+
 TEST_F(CameraImagesByName, NumbersAfterTheCamera) {
   for (const char* n : {"right01.jpg", "left01.jpg", "left02.jpg", "left11.jpg", "right02.jpg", "intrinsics.yml"})
     make(n);

@@ -122,6 +122,18 @@ TEST_F(Convert, PosesOfATargetCountWhole) {
   }
 }
 
+TEST_F(Convert, TurnsOfATargetAreFoundByTheRobotsJoints) {
+  const Rigid tcp_from_target{rotation_from_rpy({0.3, -0.2, 0.9}), {0.02, 0.05, 0.1}};
+  std::string csv = "x,y,z,rx,ry,rz\n";
+  for (const Rigid& pose : target_poses(truth, tcp_from_target)) {
+    const Vector3 &t = pose.translation, v = vector_from_rotation(pose.rotation);
+    csv += fmt::format("{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g}\n", t.x(), t.y(), t.z(), v.x(), v.y(), v.z());
+  }
+  const Conversion c = converted({write("j.csv", joints_csv()), write("target.csv", csv)});
+  EXPECT_THAT(c.notes, Contains(HasSubstr("read as rotation vectors")));
+  EXPECT_LT(small_motion_between(tcp_from_target, fit(c.session).tcp_from_body).norm(), 1e-6);
+}
+
 /// Samples as easy_handeye2 writes them, with the camera on the hand or on a stand.
 std::string samples_text(const std::string& kind, const std::vector<Rigid>& robot, const std::vector<Rigid>& tracking) {
   const auto pose = [](const Rigid& m) {

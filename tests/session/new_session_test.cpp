@@ -52,6 +52,26 @@ TEST_F(NewSessionTest, PairsGoByTheNumberNotByTheOrder) {
   EXPECT_EQ(pairs[2].left.filename(), "left_10.png");
 }
 
+TEST_F(NewSessionTest, ImagesNamedByDateAndTimeAreInOrderOfTime) {
+  const std::vector<std::string> in_order{"s_2024-07-23_16-02-47.jpg", "s_2024-07-23_16-03-01.jpg",
+                                          "s_2024-07-23_16-03-40.jpg", "s_2024-07-23_16-04-11.jpg"};
+  for (const std::string& name : in_order) touch("a/" + name);
+  const auto images = find_images({folder.path / "a"});
+  ASSERT_EQ(images.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(images[i].files[0].filename(), in_order[i]);
+}
+
+TEST_F(NewSessionTest, ADigitMayBeginACamerasName) {
+  NewSession digits = parts();
+  digits.rig.cameras[0].name = "0";
+  digits.rig.cameras[1].name = "1";
+  std::vector<std::string> notes;
+  const Session made = make_session(digits, &notes);
+  EXPECT_EQ(made.rig->at(0).name, "camera_0");
+  EXPECT_EQ(made.rig->at(1).name, "camera_1");
+  EXPECT_NE(notes[0].find("camera_0"), std::string::npos);
+}
+
 TEST_F(NewSessionTest, OneFolderIsToldApartByNames) {
   for (const char* name : {"a/000_left.png", "a/000_right.png", "a/001_right.png", "a/001_left.png", "a/readme.txt"})
     touch(name);

@@ -15,6 +15,7 @@ namespace {
 struct ConvertArguments {
   std::vector<std::string> files, fixes;
   std::string out, robot;
+  double sigma = 0, sigma_angle = 0;  // 0: not given
   ConvertOptions convert;
   TargetOptions target;
   Output output;
@@ -29,14 +30,15 @@ std::string sensor_text(const Session& s) {
 /// A session with its blunders put right beside it, in place of one that is made of other files.
 int run_fix(const ConvertArguments& o) {
   if (o.files.size() != 1)
-    throw InputError(fmt::format("--fix puts one session right; name its folder and no other file ({} are named).",
-                                 o.files.size()));
+    throw InputError(
+        fmt::format("--fix puts one session right; name its folder and no other file ({} are named).", o.files.size()));
   const Session session = open_searched_session(o.files.front(), o.output);
   const Session made = write_mended(session, o.fixes, o.out);
-  o.output.line(fmt::format("{}: {} observations, put right: {}", o.out, made.observations.size(),
-                            fmt::join(o.fixes, ", ")));
+  o.output.line(
+      fmt::format("{}: {} observations, put right: {}", o.out, made.observations.size(), fmt::join(o.fixes, ", ")));
   o.output.line(fmt::format("Next: handsight-cli fit {}", o.out));
-  o.output.json({{"out", o.out}, {"observations", made.observations.size()}, {"joints", made.joints}, {"fixed", o.fixes}});
+  o.output.json(
+      {{"out", o.out}, {"observations", made.observations.size()}, {"joints", made.joints}, {"fixed", o.fixes}});
   return done;
 }
 
@@ -45,6 +47,8 @@ int run(const ConvertArguments& o) {
   ConvertOptions options = o.convert;
   options.out = o.out;
   options.robot = o.robot;
+  if (o.sigma > 0) options.sigma = o.sigma;
+  if (o.sigma_angle > 0) options.sigma_angle = o.sigma_angle;
   if (is_given(o.target)) options.target = target_from(o.target);
   note_input(o.robot);
   std::vector<std::filesystem::path> files;
@@ -78,8 +82,8 @@ Command add_convert(const CommandLine& program) {
       program.command("convert", "Makes a session of what you have: each file is known by its content");
   command
       .option("WHAT", o->files,
-              "Image folders, joint tables, calibrations of OpenCV, ROS or Kalibr, easy_handeye samples, tables of "
-              "poses or points, ROS 2 bags, a URDF; with --fix a session")
+              "Image folders, joint tables, calibrations of OpenCV, ROS or Kalibr, easy_handeye samples, tables, "
+              "lists, matrices or a folder of poses, tables of points, ROS 2 bags, a URDF; with --fix a session")
       .required();
   command.option("--out", o->out, "Folder to make; it must not hold a session already").required();
   command.option("--fix", o->fixes,
@@ -89,7 +93,19 @@ Command add_convert(const CommandLine& program) {
   command.option("--mount", o->convert.mount, "The link that carries the sensor; the root link where it stands");
   command.option("--title", o->convert.title, "Title of the session");
   command.option("--markers", o->convert.markers, "How many markers the images show").from_to(1, 64);
-  command.flag("--degrees", o->convert.degrees, "Joint tables are in degrees");
+  command.flag("--degrees", o->convert.degrees,
+               "Tables of joints and angles of poses are in degrees where they do not say so");
+  command
+      .option("--angles", o->convert.angles,
+              "What three or four numbers of a pose are: rotation_vector (UR), rpy, abc (KUKA), wpr (Fanuc), oat "
+              "(Kawasaki), staubli, quaternion_xyzw, quaternion_wxyz (ABB) ...; otherwise it is found out")
+      .one_of(angle_kind_names());
+  command
+      .option(
+          "--sigma", o->sigma,
+          "m: how exactly the tracker or the sensor of poses tells a place; of images how exactly the target is known")
+      .within(0, 1);
+  command.option("--sigma-angle", o->sigma_angle, "rad: how exactly a sensor of poses tells a turn").within(0, 3);
   command.flag("--eye-on-base", o->convert.eye_on_base,
                "Poses of the flange in place of a robot: the camera stands, the flange carries the target");
   command.option("--target-frame", o->convert.target_frame, "The target's frame in /tf of a bag");

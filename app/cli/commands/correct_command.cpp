@@ -64,6 +64,7 @@ void tell_gain(const CorrectArguments& o, const CalibratedRobot& source, Json& j
 int run(const CorrectArguments& o) {
   note_input(o.poses.file);
   const CalibratedRobot source = with_moved_hand(predict_source(o.source));
+  require_joints(source);
   o.output.require_places();
   for (const std::string& note : source.notes) Output::note(note);
   const std::optional<Rigid> target = wanted_target(o.target);

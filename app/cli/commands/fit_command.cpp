@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "diagnosis/outliers/flipped_targets.h"
 #include "diagnosis/ranking/clean_model.h"
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
@@ -34,8 +35,9 @@ int run(const FitArguments& o) {
   add_effects(o.effects, session, options.effects, options.estimated);
   std::vector<std::string> notes;
   options.camera_images = camera_images_of(o.camera_images, session, notes);
-  const CleanFit clean =
-      o.without_wrong_points ? clean_model(session, options) : CleanFit{session, fit(session, options), {}};
+  CleanFit clean{session, fit(session, options), {}};
+  const auto flipped = flipped_targets(session, clean.fit);
+  if (o.without_wrong_points) clean = clean_model(without_flipped(session, flipped), options);
   const Fit& result = clean.fit;
   for (const std::string& note : notes) Output::note(note);
   FitReport told = report(clean.session, result, options);
@@ -44,6 +46,9 @@ int run(const FitArguments& o) {
   if (options.camera_images) print_camera_images(o.output, *options.camera_images, *result.problem.rig);
   if (!clean.wrong.empty())
     o.output.line(fmt::format("Left out: {} wrong points (wrong_points of --json)", clean.wrong.size()));
+  if (!flipped.empty())
+    o.output.line(flipped_text(flipped) +
+                  (o.without_wrong_points ? " That is done here." : " --without-wrong-points fits without."));
   const bool is_plain = options.objective == Objective::image && options.loss == Loss::none && !options.fix_markers;
   const auto lone = o.without_wrong_points || !is_plain ? clean.lone : lone_observations(session, result, options);
   if (!o.without_wrong_points && !lone.empty())
@@ -53,6 +58,7 @@ int run(const FitArguments& o) {
   Json json = fit_json(session, result, told, options);
   json["blunders"] = blunders_json(blunders);
   json["lone_observations"] = lone_json(lone);
+  json["flipped_targets"] = flipped_json(flipped);
   if (o.without_wrong_points) json["wrong_points"] = wrong_points_json(clean.wrong, clean.session);
   if (options.camera_images) json["camera_images"] = camera_images_json(*options.camera_images, *result.problem.rig);
   o.output.json(json);

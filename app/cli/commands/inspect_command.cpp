@@ -7,6 +7,7 @@
 #include "command.h"
 #include "diagnosis/attribution/fresh_poses.h"
 #include "diagnosis/attribution/inspection.h"
+#include "diagnosis/outliers/flipped_targets.h"
 #include "diagnosis/ranking/clean_model.h"
 #include "printing/diagnosis_output.h"
 #include "printing/json_values.h"
@@ -30,7 +31,11 @@ struct Inspected {
   FitReport told;
   Inspection all;
   std::vector<FreshPose> fresh;
+  std::vector<FlippedTarget> flipped;
 
+  bool is_flipped(std::int64_t id) const {
+    return std::any_of(flipped.begin(), flipped.end(), [&](const FlippedTarget& f) { return f.id == id; });
+  }
   const Rig* rig() const { return session.rig ? &*session.rig : nullptr; }
 };
 
@@ -55,10 +60,16 @@ SecondLooks look_again(const Session& session, const Fit& fit) {
 Inspected inspected(const Session& session, const InspectArguments& o) {
   FitOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
-  Inspected result{.session = session, .clean = clean_model(session, options)};
+  std::vector<FlippedTarget> flipped;
+  if (session.pose_sensor) flipped = flipped_targets(session, fit(session, options));
+  Inspected result{.session = session, .clean = clean_model(without_flipped(session, flipped), options)};
+  result.flipped = flipped;
   result.told = report(result.clean.session, result.clean.fit, options);
   const SecondLooks looks = o.second_look ? look_again(session, result.clean.fit) : SecondLooks{};
   result.all = inspect(session, result.clean.fit, result.told, looks);
+  for (InspectionRow& row : result.all.rows)
+    if (result.is_flipped(row.id))
+      row.what_would_mend = "its flat target flipped to the mirror tilt: leave the observation out";
   mark_left_out(result.clean.wrong, result.clean.lone, result.all);
   result.fresh = fresh_poses(result.all);
   return result;
@@ -138,7 +149,7 @@ void print(const Inspected& in, int count, const Output& out) {
   for (std::size_t i = 0; i < std::min(rows.size(), static_cast<std::size_t>(count)); ++i) {
     const InspectionRow& r = *rows[i];
     const Observation& o = in.session.observations[static_cast<std::size_t>(r.index)];
-    const std::string cause = cause_of(r.blame, tracker);
+    const std::string cause = in.is_flipped(r.id) ? "target" : cause_of(r.blame, tracker);
     std::optional<double> off;
     if (r.tcp_from_tcp_est) off = r.tcp_from_tcp_est->translation.norm();
     out.line(fmt::format("{:>8} {:<9} {:>11} {:>10} {:>9}  {:<18} {}{}", r.id, state_of(o), size_text(*r.rms, tracker),
@@ -148,6 +159,7 @@ void print(const Inspected& in, int count, const Output& out) {
   if (rows.size() > static_cast<std::size_t>(count))
     out.line(fmt::format("{:>8} better ones are not shown (--count, or per_observation of --json)",
                          rows.size() - static_cast<std::size_t>(count)));
+  if (!in.flipped.empty()) out.line(flipped_text(in.flipped));
   if (const auto tests = that_test(in.fresh); !tests.empty()) {
     out.line();
     out.line(fmt::format(
@@ -160,7 +172,7 @@ Json row_json(const Inspected& in, const InspectionRow& r) {
   const bool tracker = in.session.is_tracker();
   const Json null = nullptr;
   const Observation& o = in.session.observations[static_cast<std::size_t>(r.index)];
-  const std::string cause = cause_of(r.blame, tracker);
+  const std::string cause = in.is_flipped(r.id) ? "target" : cause_of(r.blame, tracker);
   Json worst = nullptr;
   if (r.worst_marker >= 0)
     worst = {{"marker", r.worst_marker},
@@ -204,6 +216,7 @@ Json inspection_json(const Inspected& in) {
           {"blame", {{"cameras", blame.cameras}, {"body", blame.body}, {"robot", blame.robot}}},
           {"wrong_points", wrong_points_json(in.clean.wrong, in.clean.session)},
           {"lone_observations", lone_json(in.clean.lone)},
+          {"flipped_targets", flipped_json(in.flipped)},
           {"per_observation", rows},
           {"fresh_poses", fresh}};
 }

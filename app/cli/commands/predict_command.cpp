@@ -19,6 +19,7 @@ struct PredictArguments {
 int run(const PredictArguments& o) {
   note_input(o.poses.file);
   const CalibratedRobot source = with_moved_hand(predict_source(o.source));
+  require_joints(source);
   o.output.require_places();
   Json list = Json::array();
   for (const std::string& note : source.notes) Output::note(note);

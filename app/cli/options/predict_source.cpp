@@ -15,6 +15,11 @@ namespace {
 CalibratedRobot from_session(const std::string& path, const std::string& robot_file,
                              const std::vector<std::string>& effects) {
   Session session = open_searched_session(path);
+  const bool has_urdf = !session.robot.is_of_poses;
+  if (!has_urdf && !robot_file.empty())
+    throw InputError(fmt::format(
+        "--robot {}: the session has no joint angles for it, only where its flange is; leave the option out.",
+        robot_file));
   std::filesystem::path urdf = folder(session) / session.robot_file;
   if (!robot_file.empty()) bind_robot(session, read_urdf(urdf = robot_file));
   FitOptions options;
@@ -22,6 +27,7 @@ CalibratedRobot from_session(const std::string& path, const std::string& robot_f
   const Fit fitted = fit(session, options);
   CalibratedRobot robot =
       calibrated_robot(session, fitted, report(session, fitted, options), options, "handsight " HANDSIGHT_VERSION);
+  if (!has_urdf) return robot;
   robot.urdf_text = read_file(urdf);
   robot.urdf_file = urdf.filename().string();
   return robot;
@@ -29,6 +35,7 @@ CalibratedRobot from_session(const std::string& path, const std::string& robot_f
 
 CalibratedRobot from_calibration(const std::string& path, const std::string& robot_file) {
   const Calibration c = read_calibration(path);
+  if (c.joints == joint_names(poses_robot())) return calibrated_robot(c, poses_robot(), "", path);
   if (robot_file.empty())
     throw InputError(fmt::format("{}: a calibration alone has no robot; name its URDF with --robot.", path));
   CalibratedRobot robot = calibrated_robot(c, read_urdf(robot_file), robot_file, path);
@@ -46,6 +53,14 @@ CalibratedRobot predict_source(const std::string& source, const std::string& rob
     throw InputError(fmt::format(
         "{}: a calibration holds its effects already; --effects is for sessions, which are fitted here.", source));
   return from_calibration(source, robot_file);
+}
+
+void require_joints(const CalibratedRobot& robot) {
+  if (robot.chain.robot.is_of_poses)
+    throw InputError(
+        "There are no joints, only poses of the flange, which are taken as they are told: nothing of the robot is left "
+        "to predict or to correct. What was found is where the sensor and the target sit: see fit, and export --as "
+        "static_tf, yaml, opencv or csv.");
 }
 
 void add_source_options(const CommandLine& command, SourceOptions& options) {

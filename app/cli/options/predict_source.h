@@ -11,6 +11,9 @@ namespace handsight::cli {
 CalibratedRobot predict_source(const std::string& session_or_calibration, const std::string& robot_file,
                                const std::vector<std::string>& effects = {});
 
+/// InputError where the robot is known by its flange's poses alone: what bends or is off in it was not asked.
+void require_joints(const CalibratedRobot& robot);
+
 /// Where the same is asked for in options: SESSION, --robot, --effects.
 struct SourceOptions {
   std::string source, robot;

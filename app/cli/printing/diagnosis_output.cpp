@@ -258,6 +258,13 @@ Json lone_json(const std::vector<LoneObservation>& lone) {
   return list;
 }
 
+Json flipped_json(const std::vector<FlippedTarget>& flipped) {
+  Json list = Json::array();
+  for (const FlippedTarget& f : flipped)
+    list.push_back({{"id", f.id}, {"turned_rad", number(f.turned)}, {"when_flipped_rad", number(f.when_flipped)}});
+  return list;
+}
+
 Json wrong_points_json(const std::vector<WrongPoint>& wrong, const Session& session) {
   Json list = Json::array();
   for (const WrongPoint& w : wrong)
@@ -377,11 +384,35 @@ Json improvement_json(const Session& session, const Improvement& m) {
   return j;
 }
 
+namespace {
+
+/// "a,b" as "a" and "b". A comma before anything that is no effect belongs to a name.
+std::vector<std::string> apart(const std::vector<std::string>& texts, const OwnEffects& own) {
+  std::vector<std::string> all;
+  for (const std::string& text : texts) {
+    std::string_view left = text;
+    bool is_first = true;
+    while (is_first || !left.empty()) {
+      const std::size_t end = std::min(left.find(','), left.size());
+      const std::string part(left.substr(0, end));
+      if (is_first || find_effect(part.substr(0, part.find(':')), own))
+        all.push_back(part);
+      else
+        all.back() += "," + part;
+      left.remove_prefix(std::min(end + 1, left.size()));
+      is_first = false;
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 void add_effects(const std::vector<std::string>& texts, const Session& session, std::vector<EffectTerm>& held,
                  std::vector<EffectTerm>& estimated) {
   const Chain chain = chain_of(session);
   const OwnEffects own = own_effects_of(session, chain);
-  for (const std::string& text : texts) {
+  for (const std::string& text : apart(texts, own)) {
     if (text.find('=') != std::string::npos) {
       add_effect_value(text, session.robot, held, own);
       continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command.h"
+#include "diagnosis/outliers/flipped_targets.h"
 #include "diagnosis/selection/improvement.h"
 
 namespace handsight::cli {
@@ -10,6 +11,7 @@ namespace handsight::cli {
 void print_diagnosis(const Output& output, const Session& session, const Diagnosis& diagnosis);
 /// The points that a fit leaves out.
 Json lone_json(const std::vector<LoneObservation>& lone);
+Json flipped_json(const std::vector<FlippedTarget>& flipped);
 Json wrong_points_json(const std::vector<WrongPoint>& wrong, const Session& session);
 Json diagnosis_json(const Session& session, const Diagnosis& diagnosis);
 

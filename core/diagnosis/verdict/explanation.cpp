@@ -168,8 +168,8 @@ std::string too_much_scatter_text(const Diagnosis& d) {
 std::string unknown_noise_text(const Diagnosis& d) {
   return fmt::format(
       "Nothing of the catalogue passes, but the noise of the measurements is not known (no sigma declared, no repeated "
-      "poses, and no three markers that tell it), so that nobody can say whether {} is all noise: declare sigma or "
-      "repeat poses.",
+      "poses, and no three markers that tell it), so that nobody can say whether {} is all noise: declare sigma "
+      "(convert --sigma, or sigma of <tracker> or <pose_sensor>) or repeat poses.",
       error_text(d.report.held_out));
 }
 

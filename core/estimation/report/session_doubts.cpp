@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "chain/chain.h"
+#include "estimation/report/stood_still.h"
 
 namespace handsight {
 namespace {
@@ -194,6 +195,8 @@ std::vector<std::string> session_doubts(const Session& session) {
     for (int c = 1; c < session.rig->count(); ++c) doubt_pair(session, c, doubts);
   }
   doubt_gravity(session, doubts);
+  const std::vector<std::string> old = standstill_doubts(session);
+  doubts.insert(doubts.end(), old.begin(), old.end());
   return doubts;
 }
 

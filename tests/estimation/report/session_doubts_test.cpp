@@ -112,6 +112,19 @@ TEST(SessionDoubts, CopiesAreTold) {
   EXPECT_THAT(said, Contains(HasSubstr("same joint positions")));
 }
 
+TEST(SessionDoubts, ReadingsThatWereNotMadeAnewAreTold) {
+  Session stood = made();
+  stood.observations[5].position = stood.observations[4].position;
+  const std::string of_robot = only_doubt(stood);
+  EXPECT_THAT(of_robot, HasSubstr("joint readings are the same in observations 4 and 5"));
+  Session seen = made();
+  seen.observations[8].sightings = seen.observations[7].sightings;
+  EXPECT_THAT(only_doubt(seen), HasSubstr("What was seen is the same in observations 7 and 8"));
+  Session both = stood;
+  both.observations[5].sightings = both.observations[4].sightings;
+  EXPECT_TRUE(session_doubts(both).empty()) << "a pose that was measured again";
+}
+
 TEST(SessionDoubts, GravityOfAnotherPlanetIsTold) {
   Session s = made();
   s.gravity *= 1000;

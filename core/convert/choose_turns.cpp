@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "convert/choose_turns.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "convert/hand_eye_misfit.h"
+
+namespace handsight {
+namespace {
+
+constexpr double well = 0.15;      // rad: what is left of motions that go together, however noisy
+constexpr double as_well = 3;      // times the best
+constexpr double as_exact = 0.01;  // rad
+constexpr double degree = std::numbers::pi / 180;
+
+/// One reading of both tables.
+struct Trial {
+  std::size_t flange = 0, target = 0;  // places among the readings
+  Misfit misfit;
+  std::vector<Rigid> flange_poses, target_poses;
+};
+
+std::size_t count_of(const NamedPoses& p) { return std::max<std::size_t>(1, p.turns.readings.size()); }
+
+std::vector<Rigid> read_by(const NamedPoses& p, std::size_t reading) {
+  PoseSeries series = p.series;
+  if (!p.turns.readings.empty()) read_turns(p.turns, p.turns.readings[reading], series);
+  return series.poses;
+}
+
+/// All that can be tried, the best first.
+std::vector<Trial> trials_of(const NamedPoses& flange, const NamedPoses& target, bool eye_in_hand) {
+  std::vector<Trial> trials;
+  for (std::size_t f = 0; f < count_of(flange); ++f)
+    for (std::size_t t = 0; t < count_of(target); ++t) {
+      Trial trial{f, t, {}, read_by(flange, f), read_by(target, t)};
+      const auto misfit = hand_eye_misfit(trial.flange_poses, trial.target_poses, eye_in_hand);
+      if (!misfit) continue;
+      trial.misfit = *misfit;
+      trials.push_back(std::move(trial));
+    }
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const Trial& a, const Trial& b) { return a.misfit.size() < b.misfit.size(); });
+  return trials;
+}
+
+double largest_turn_between(const std::vector<Rigid>& a, const std::vector<Rigid>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, vector_from_rotation(Matrix3(a[i].rotation.transpose() * b[i].rotation)).norm());
+  return largest;
+}
+
+/// Two readings by which all poses are the same, as far as it matters.
+bool are_alike(const Trial& a, const Trial& b, double noise) {
+  return std::max(largest_turn_between(a.flange_poses, b.flange_poses),
+                  largest_turn_between(a.target_poses, b.target_poses)) < std::max(1e-3, noise);
+}
+
+bool is_usual(const Trial& trial, const NamedPoses& flange, const NamedPoses& target) {
+  return (!flange.turns.first_is_usual || trial.flange == 0) && (!target.turns.first_is_usual || trial.target == 0);
+}
+
+/// Those that serve as well as the best; of them those that take what is usual, where there are some.
+std::vector<const Trial*> serving(const std::vector<Trial>& trials, const NamedPoses& flange,
+                                  const NamedPoses& target) {
+  std::vector<const Trial*> all, usual;
+  const double most = std::max(as_well * trials.front().misfit.size(), as_exact);
+  for (const Trial& trial : trials)
+    if (trial.misfit.size() <= most) {
+      all.push_back(&trial);
+      if (is_usual(trial, flange, target)) usual.push_back(&trial);
+    }
+  return usual.empty() ? all : usual;
+}
+
+std::string readings_text(const NamedPoses& flange, const NamedPoses& target, const Trial& trial) {
+  std::string text;
+  for (const auto& [poses, reading] : {std::pair(&flange, trial.flange), std::pair(&target, trial.target)})
+    if (is_open(*poses))
+      text += fmt::format("{}{}: {} are read as {}", text.empty() ? "" : "; ", poses->file, poses->turns.columns,
+                          reading_text(poses->turns.readings[reading]));
+  return text;
+}
+
+std::string misfit_text(const Misfit& misfit) {
+  return fmt::format("{:.2g} degrees and {:.2g} mm", misfit.turn / degree, 1e3 * misfit.shift);
+}
+
+void take(const Trial& trial, NamedPoses& flange, NamedPoses& target) {
+  flange.series.poses = trial.flange_poses;
+  target.series.poses = trial.target_poses;
+  for (const auto& [poses, reading] : {std::pair(&flange, trial.flange), std::pair(&target, trial.target)})
+    if (is_open(*poses)) poses->turns.readings = {poses->turns.readings[reading]};
+}
+
+bool is_usual_for(const NamedPoses& p) { return !is_open(p) || p.turns.first_is_usual; }
+
+std::string open_tables(const NamedPoses& flange, const NamedPoses& target) {
+  std::string text;
+  for (const NamedPoses* p : {&flange, &target})
+    if (is_open(*p)) text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", p->turns.columns, p->file);
+  return text;
+}
+
+constexpr char how_to_say[] =
+    "say it with --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header ([deg])";
+
+[[noreturn]] void refuse_two(const NamedPoses& flange, const NamedPoses& target, const Trial& a, const Trial& b) {
+  throw InputError(fmt::format("{}, or {}: both suit the other poses as well; {}.",
+                               shortened(readings_text(flange, target, a), 180),
+                               shortened(readings_text(flange, target, b), 180), how_to_say));
+}
+
+/// Where nothing goes together what is usual stays, else nobody knows.
+void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best, std::vector<std::string>& notes) {
+  if (!is_usual_for(flange) || !is_usual_for(target))
+    throw InputError(fmt::format(
+        "No reading of {} makes the motions of both agree (the best leaves {}): do the rows belong together, "
+        "is one of them inverted? If they do, {}.",
+        shortened(open_tables(flange, target), 150), misfit_text(best.misfit), how_to_say));
+  take_usual_turns(flange, notes);
+  take_usual_turns(target, notes);
+  notes.push_back(
+      fmt::format("However they are read, the motions of the flange and of the target do not agree (the best leaves "
+                  "{}); see what fit says.",
+                  misfit_text(best.misfit)));
+}
+
+/// How far the next reading is that is not the same in other words.
+std::string next_best(const std::vector<Trial>& trials, const Trial& chosen) {
+  for (const Trial& trial : trials)
+    if (&trial != &chosen && !are_alike(trial, chosen, chosen.misfit.size()))
+      return fmt::format("; the next best reading leaves {}", misfit_text(trial.misfit));
+  return "";
+}
+
+}  // namespace
+
+bool is_open(const NamedPoses& poses) { return poses.turns.readings.size() > 1; }
+
+void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std::vector<std::string>& notes) {
+  if (!is_open(flange) && !is_open(target)) return;
+  std::vector<Trial> trials = trials_of(flange, target, eye_in_hand);
+  if (trials.empty()) {
+    take_usual_turns(flange, notes);
+    take_usual_turns(target, notes);
+    return;
+  }
+  if (trials.front().misfit.size() > well) {  // as if one table were inverted
+    std::vector<Trial> inverted = trials_of(flange, target, !eye_in_hand);
+    if (inverted.empty() || inverted.front().misfit.size() > well)
+      return without_agreement(flange, target, trials.front(), notes);
+    notes.emplace_back(
+        "The motions of the flange and of the target agree only if the poses of one of them are inverted (the sensor "
+        "in the target's frame for the target in the sensor's), or with the sensor on the other side (--eye-on-base); "
+        "see what fit says.");
+    trials = std::move(inverted);
+  }
+  const std::vector<const Trial*> good = serving(trials, flange, target);
+  for (const Trial* other : good)
+    if (!are_alike(*other, *good.front(), good.front()->misfit.size()))
+      refuse_two(flange, target, *good.front(), *other);
+  const Trial chosen = *good.front();
+  notes.push_back(fmt::format("{}: so the motions of the flange and of the target agree to {}{}.",
+                              readings_text(flange, target, chosen), misfit_text(chosen.misfit),
+                              next_best(trials, *good.front())));
+  take(chosen, flange, target);
+}
+
+void take_usual_turns(NamedPoses& p, std::vector<std::string>& notes) {
+  if (!is_open(p)) return;
+  if (!p.turns.first_is_usual)
+    throw InputError(fmt::format("{}: {} may be {}, or {}, and nothing here can tell: {}.", p.file, p.turns.columns,
+                                 reading_text(p.turns.readings[0]), reading_text(p.turns.readings[1]), how_to_say));
+  p.turns.readings.resize(1);
+  read_turns(p.turns, p.turns.readings[0], p.series);
+  notes.push_back(fmt::format("{}: {} are taken for {}.", p.file, p.turns.columns, reading_text(p.turns.readings[0])));
+}
+
+}  // namespace handsight

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "convert/pair_poses.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "base/error.h"
+#include "base/text.h"
+
+namespace handsight {
+namespace {
+
+using Rows = std::vector<std::size_t>;
+
+struct Pairs {
+  Rows first, second;
+};
+
+template <class T>
+std::vector<T> some_of(const std::vector<T>& all, const Rows& rows) {
+  std::vector<T> some;
+  if (!all.empty())
+    for (const std::size_t r : rows) some.push_back(all[r]);
+  return some;
+}
+
+/// "img_01" of "images/IMG_01.jpg".
+std::string plain_name(const std::string& name) {
+  std::string plain = name.substr(name.find_last_of("/\\") == std::string::npos ? 0 : name.find_last_of("/\\") + 1);
+  if (const std::size_t dot = plain.rfind('.'); dot != std::string::npos && dot > 0) plain.resize(dot);
+  for (char& c : plain) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return plain;
+}
+
+std::vector<std::string> plain_names(const std::vector<std::string>& names) {
+  std::vector<std::string> plain;
+  for (const std::string& name : names) plain.push_back(plain_name(name));
+  return plain;
+}
+
+/// In the order of the first; what has no partner is left out.
+template <class Key>
+Pairs pair_by(const std::vector<Key>& first, const std::vector<Key>& second) {
+  std::map<Key, std::size_t> places;
+  for (std::size_t i = 0; i < second.size(); ++i) places.emplace(second[i], i);
+  Pairs pairs;
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if (const auto found = places.find(first[i]); found != places.end()) {
+      pairs.first.push_back(i);
+      pairs.second.push_back(found->second);
+    }
+  return pairs;
+}
+
+double median_step(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  if (steps.empty()) return 0;
+  std::sort(steps.begin(), steps.end());
+  return steps[steps.size() / 2];
+}
+
+/// Each of the sparser one with the nearest in time of the other.
+Pairs pair_by_time(const std::vector<double>& flange, const std::vector<double>& target, double lag) {
+  constexpr double together = 0.1;  // s: rows that were written together
+  const double widest = std::max(together, 0.4 * std::max(median_step(flange), median_step(target)));
+  Pairs pairs;
+  for (std::size_t t = 0; t < target.size(); ++t) {
+    const double at = target[t] - lag;
+    const auto after = std::lower_bound(flange.begin(), flange.end(), at) - flange.begin();
+    auto best = static_cast<std::size_t>(std::min<std::ptrdiff_t>(after, std::ssize(flange) - 1));
+    if (best > 0 && std::abs(flange[best - 1] - at) < std::abs(flange[best] - at)) --best;
+    if (std::abs(flange[best] - at) > widest) continue;
+    if (!pairs.first.empty() && pairs.first.back() == best) continue;  // of two the earlier one
+    pairs.first.push_back(best);
+    pairs.second.push_back(t);
+  }
+  return pairs;
+}
+
+std::size_t row_count(const PoseSeries& s) { return s.row_count > 0 ? s.row_count : s.poses.size(); }
+
+Rows places_of(const PoseSeries& s) {
+  if (!s.places.empty()) return s.places;
+  Rows places(s.poses.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  return places;
+}
+
+void say_pairs(const char* by, const Pairs& pairs, std::size_t flange, std::size_t other, const char* others,
+               std::vector<std::string>& notes) {
+  notes.push_back(
+      fmt::format("Poses of the flange and {} are paired by {}{}.", others, by,
+                  pairs.first.size() == std::max(flange, other)
+                      ? std::string()
+                      : fmt::format(": {} of {} and {} have a partner", pairs.first.size(), flange, other)));
+}
+
+Pairs pairs_of(const PoseSeries& flange, const PoseSeries& target, const ConvertOptions& o,
+               std::vector<std::string>& notes) {
+  const auto told = [&](const char* by, Pairs pairs) {
+    say_pairs(by, pairs, flange.poses.size(), target.poses.size(), "of the target", notes);
+    return pairs;
+  };
+  if (!flange.names.empty() && !target.names.empty())
+    if (Pairs pairs = pair_by(plain_names(flange.names), plain_names(target.names)); !pairs.first.empty())
+      return told("the names of their images", std::move(pairs));
+  if (!flange.numbers.empty() && !target.numbers.empty())
+    if (Pairs pairs = pair_by(flange.numbers, target.numbers); !pairs.first.empty())
+      return told("their numbers", std::move(pairs));
+  const bool same_count = row_count(flange) == row_count(target);
+  if (!flange.times.empty() && !target.times.empty()) {
+    if (Pairs pairs = pair_by_time(flange.times, target.times, o.pairing.lag); !pairs.first.empty())
+      return told("their times", std::move(pairs));
+    if (!same_count)
+      throw InputError(fmt::format(
+          "No pose of the target has one of the flange at its time: they are from {:.3f} to {:.3f} s, those "
+          "of the flange from {:.3f} to {:.3f} s. Do the clocks agree (--lag)?",
+          target.times.front(), target.times.back(), flange.times.front(), flange.times.back()));
+    notes.emplace_back("The clocks of the two tables do not agree; their poses are paired row by row.");
+  }
+  if (!same_count)
+    throw InputError(fmt::format(
+        "There are {} poses of the flange and {} of the target; expected one of each an instant, in the same "
+        "order, or a column that pairs them: number, image or time.",
+        row_count(flange), row_count(target)));
+  return pair_by(places_of(flange), places_of(target));
+}
+
+std::vector<double> numbers_of(const Rigid& a, const Rigid& b) {
+  std::vector<double> all;
+  for (const Rigid* m : {&a, &b}) {
+    all.insert(all.end(), m->translation.data(), m->translation.data() + 3);
+    all.insert(all.end(), m->rotation.data(), m->rotation.data() + 9);
+  }
+  return all;
+}
+
+/// Those that are no copy of an earlier one.
+Rows once(const std::vector<Rigid>& flange, const std::vector<Rigid>& target) {
+  std::set<std::vector<double>> seen;
+  Rows rows;
+  for (std::size_t i = 0; i < flange.size(); ++i)
+    if (seen.insert(numbers_of(flange[i], target[i])).second) rows.push_back(i);
+  return rows;
+}
+
+/// The instants' numbers as those of a table.
+std::vector<double> numbers_of(const std::vector<InstantImages>& images) {
+  std::vector<double> numbers;
+  for (const InstantImages& instant : images) numbers.push_back(static_cast<double>(instant.number));
+  return numbers;
+}
+
+/// Each name of an instant's images, in any camera.
+Pairs pair_by_image_names(const std::vector<std::string>& names, const std::vector<InstantImages>& images) {
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    for (const auto& file : images[i].files)
+      if (!file.empty()) places.emplace(plain_name(file.filename().string()), i);
+  Pairs pairs;
+  for (std::size_t r = 0; r < names.size(); ++r)
+    if (const auto found = places.find(plain_name(names[r])); found != places.end()) {
+      pairs.first.push_back(r);
+      pairs.second.push_back(found->second);
+    }
+  return pairs;
+}
+
+Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>& images, int cameras,
+                      std::vector<std::string>& notes) {
+  const auto told = [&](const char* by, Pairs pairs) {
+    say_pairs(by, pairs, flange.poses.size(), images.size(), "the images", notes);
+    return pairs;
+  };
+  if (!flange.names.empty()) {
+    Pairs pairs = pair_by_image_names(flange.names, images);
+    if (pairs.first.empty())
+      throw InputError(
+          fmt::format("The table of the flange names images ({} ...), and none of them is there (the first is {}).",
+                      in_quotes(flange.names.front()), in_quotes(images.front().files.front().filename().string())));
+    return told("the images' names", std::move(pairs));
+  }
+  const bool same_count = images.size() == row_count(flange);
+  if (!flange.numbers.empty()) {
+    Pairs pairs = pair_by(flange.numbers, numbers_of(images));
+    if (pairs.first.size() == flange.numbers.size() || (!pairs.first.empty() && !same_count))
+      return told("their numbers", std::move(pairs));
+  }
+  if (!same_count)
+    throw InputError(fmt::format(
+        "There are {} {} and {} poses of the flange; expected one for each, in the order of the images' numbers, or a "
+        "column that pairs them: image or number. The first image has the number {}, the last {}.",
+        images.size(), cameras == 2 ? "pairs of images" : "instants with images", row_count(flange),
+        images.front().number, images.back().number));
+  return {Rows(pair_by(places_of(flange), places_of(flange)).first), places_of(flange)};
+}
+
+}  // namespace
+
+PoseSeries rows_of(const PoseSeries& s, const Rows& rows) {
+  return {some_of(s.times, rows), some_of(s.poses, rows), some_of(s.numbers, rows), some_of(s.names, rows), {}, 0};
+}
+
+NamedPoses rows_of(const NamedPoses& p, const Rows& rows) {
+  NamedPoses some = p;
+  some.series = rows_of(p.series, rows);
+  some.turns.numbers = some_of(p.turns.numbers, rows);
+  return some;
+}
+
+void pair_poses(NamedPoses& flange, NamedPoses& target, const ConvertOptions& o, std::vector<std::string>& notes) {
+  const Pairs pairs = pairs_of(flange.series, target.series, o, notes);
+  if (pairs.first.empty())
+    throw InputError("No row has both a pose of the flange and one of the target; expected one of each an instant.");
+  flange = rows_of(flange, pairs.first);
+  target = rows_of(target, pairs.second);
+  const Rows own = once(flange.series.poses, target.series.poses);
+  if (own.size() == flange.series.poses.size()) return;
+  notes.push_back(fmt::format("{} rows repeat another one in both tables; each counts once.",
+                              flange.series.poses.size() - own.size()));
+  flange = rows_of(flange, own);
+  target = rows_of(target, own);
+}
+
+void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, std::vector<std::string>& notes) {
+  const Pairs pairs = pairs_of_images(flange.series, images, cameras, notes);
+  flange = rows_of(flange, pairs.first);
+  images = some_of(images, pairs.second);
+}
+
+}  // namespace handsight

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hand-eye without a URDF as a user runs it: from two tables of poses to the files that others read.
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+
+#include "cli/cli_runner.h"
+#include "geometry/rigid.h"
+#include "readers/opencv_storage.h"
+#include "temporary_folder.h"
+
+namespace handsight {
+namespace {
+
+using test::run_cli;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class HandEyeCommands : public testing::Test {
+ protected:
+  HandEyeCommands() {
+    std::string flange = "x,y,z,qx,qy,qz,qw\n", target = flange;
+    for (int i = 0; i < 14; ++i) {
+      const double a = 0.7 * i;
+      const Rigid hand{rotation_from_rpy({3.1 + 0.3 * std::sin(a), 0.35 * std::cos(1.3 * a), 0.4 * std::sin(2.1 * a)}),
+                       {0.5 + 0.1 * std::sin(a), 0.1 * std::cos(a), 0.5 + 0.05 * std::sin(3 * a)}};
+      flange += line(hand);
+      target += line(inverse(hand * mount) * board);
+    }
+    test::write_text(folder.path / "flange.csv", flange);
+    test::write_text(folder.path / "target.csv", target);
+    made = run_cli(folder.path, {"convert", at("flange.csv"), at("target.csv"), "--out", at("s"), "--sigma", "0.0005",
+                                 "--sigma-angle", "0.001"});
+  }
+
+  static std::string line(const Rigid& p) {
+    const Eigen::Quaterniond q(p.rotation);
+    const Vector3& t = p.translation;
+    std::string text;
+    for (const double n : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()})
+      text += (text.empty() ? "" : ",") + std::to_string(n);
+    return text + "\n";
+  }
+  std::string at(const std::string& name) const { return (folder.path / name).string(); }
+
+  TemporaryFolder folder;
+  test::CliResult made;
+  const Rigid mount{rotation_from_rpy({0.03, -0.05, 1.5}), {0.062, -0.034, 0.047}},
+      board{rotation_from_rpy({0.02, 0.03, 0.5}), {0.55, 0.08, 0.01}};
+};
+
+TEST_F(HandEyeCommands, SigmasThatAreGivenStandInTheSession) {
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  EXPECT_THAT(test::read_text(folder.path / "s/session.xml"), HasSubstr("sigma_angle"));
+  EXPECT_THAT(made.errors, Not(HasSubstr("is estimated")));
+}
+
+TEST_F(HandEyeCommands, ExportsHoldWhereTheSensorSits) {
+  for (const char* kind : {"opencv", "static_tf", "yaml", "csv"}) {
+    const auto written = run_cli(folder.path, {"export", at("s"), "--as", kind, "--out", at(kind)});
+    ASSERT_EQ(written.exit_code, 0) << kind << written.errors;
+  }
+  const auto storage = parse_opencv_storage(test::read_text(folder.path / "opencv"), "opencv");
+  const std::vector<double>& m = storage.at("mount_from_sensor").numbers;
+  ASSERT_EQ(m.size(), 16u);
+  for (int r = 0; r < 3; ++r) {
+    EXPECT_NEAR(m[static_cast<std::size_t>(4 * r + 3)], mount.translation[r], 1e-4);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(m[static_cast<std::size_t>(4 * r + c)], mount.rotation(r, c), 1e-4);
+  }
+  EXPECT_THAT(test::read_text(folder.path / "static_tf"), AllOf(HasSubstr("\"flange\""), HasSubstr("\"base\"")));
+  EXPECT_THAT(test::read_text(folder.path / "yaml"), HasSubstr("mount_from_sensor"));
+  EXPECT_THAT(test::read_text(folder.path / "csv"), HasSubstr("mount_from_sensor,flange,x"));
+}
+
+TEST_F(HandEyeCommands, ACalibrationOfItNeedsNoRobot) {
+  ASSERT_EQ(run_cli(folder.path, {"fit", at("s"), "--export", at("c.xml")}).exit_code, 0);
+  const auto written = run_cli(folder.path, {"export", at("c.xml"), "--as", "static_tf", "--out", at("tf.py")});
+  EXPECT_EQ(written.exit_code, 0) << written.errors;
+  EXPECT_THAT(test::read_text(folder.path / "tf.py"), HasSubstr("handsight_sensor"));
+}
+
+TEST_F(HandEyeCommands, WhatNeedsJointsSaysSo) {
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"export", at("s"), "--as", "urdf", "--out", at("u")},
+                                             {"export", at("s"), "--as", "cpp", "--out", at("u")},
+                                             {"predict", at("s"), "--position", "0 0 0 0 0 0"},
+                                             {"correct", at("s"), "--position", "0 0 0 0 0 0"}}) {
+    const auto refused = run_cli(folder.path, arguments);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, AllOf(HasSubstr("static_tf"), HasSubstr("joints"))) << arguments[0];
+    EXPECT_THAT(refused.errors, Not(HasSubstr("directory")));
+  }
+}
+
+TEST_F(HandEyeCommands, EffectsMayBeNamedWithCommas) {
+  const std::string session = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/hidden_3";
+  const auto apart =
+                 run_cli(folder.path, {"fit", session, "--effects", "joint_elasticity", "joint_offset", "--json", "-"}),
+             together =
+                 run_cli(folder.path, {"fit", session, "--effects", "joint_elasticity,joint_offset", "--json", "-"});
+  ASSERT_EQ(together.exit_code, 0) << together.errors;
+  EXPECT_EQ(together.json()["effects"], apart.json()["effects"]);
+  const auto wrong = run_cli(folder.path, {"fit", session, "--effects", "joint_elasticity,nonsense"});
+  EXPECT_EQ(wrong.exit_code, 2);
+}
+
+}  // namespace
+}  // namespace handsight
