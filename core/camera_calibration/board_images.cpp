@@ -32,7 +32,11 @@ DetectedImages detect_in_images(const GroupedImages& grouped, const Target& targ
   const PreparedTarget prepared = prepare(target);
   const int pieces = target.kind == TargetKind::tags ? static_cast<int>(target.ids.size()) : 1;
   DetectedImages result;
-  for (const TargetPoint& point : prepared.points) result.board.points.push_back(point.position);
+  for (const TargetPoint& point : prepared.points) {
+    result.board.points.push_back(point.position);
+    result.board.pieces.push_back(point.piece);
+  }
+  result.board.sigma = target.sigma;
   result.board.camera_count = static_cast<int>(grouped.cameras.size());
   result.board.frame_count = static_cast<int>(grouped.frames.size()) * pieces;
   for (std::size_t c = 0; c < grouped.cameras.size(); ++c) {
