@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
+#include "base/error.h"
 #include "camera_calibration/board_images.h"
 #include "camera_calibration/board_report.h"
 #include "camera_calibration/camera_calibration.h"
@@ -164,11 +167,43 @@ void print_camera(const Output& out, const CameraCalibration& c, std::size_t i, 
                          : ""));
 }
 
+/// Why images are of no use, each reason with the images that have it.
+void print_reasons(const DetectedImages& detected, const std::function<void(const std::string&)>& line) {
+  constexpr std::size_t most_names = 6;
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
+  for (const ReadImage& image : detected.images) {
+    if (image.reason.empty()) continue;
+    auto at = std::find_if(by_reason.begin(), by_reason.end(), [&](const auto& r) { return r.first == image.reason; });
+    if (at == by_reason.end()) at = by_reason.insert(at, {image.reason, {}});
+    at->second.push_back(image.file.filename().string());
+  }
+  for (auto& [reason, files] : by_reason) {
+    const std::size_t all = files.size();
+    if (all > most_names) files.resize(most_names), files.push_back(fmt::format("... ({} images)", all));
+    line(fmt::format("not used: {}: {}", fmt::join(files, ", "), reason));
+  }
+  for (const ReadImage& image : detected.images)
+    for (const int number : image.repeated)
+      if (image.points > 0)
+        line(fmt::format("{}: tag {} is there several times and is left out", image.file.filename().string(), number));
+}
+
+/// The calibration; where it cannot be why, of every image, and what the images show in place of the target.
+CameraCalibration calibrated(const DetectedImages& detected, const std::string& model,
+                             const std::string& in_its_place) {
+  try {
+    return calibrate_cameras(detected.board, detected.sizes, detected.names, {model});
+  } catch (const InputError& error) {
+    print_reasons(detected, Output::note);
+    if (in_its_place.empty()) throw;
+    throw InputError(in_its_place);
+  }
+}
+
 void print(const CamerasArguments& o, const CameraCalibration& c, const BoardReport& board,
            const DetectedImages& detected) {
   const Output& out = o.output;
-  for (const ReadImage& image : detected.images)
-    if (!image.reason.empty()) out.line(fmt::format("not used: {}: {}", image.file.filename().string(), image.reason));
+  print_reasons(detected, [&](const std::string& line) { out.line(line); });
   for (const TriedModel& model : c.tried)
     out.line(model.failure.empty() ? fmt::format("{:<9} rms {:.4f} px, held out {:.4f} px", model.name, model.rms_pixel,
                                                  model.held_out_rms_pixel)
@@ -200,7 +235,9 @@ int run(const CamerasArguments& o) {
     Output::note("this chessboard looks the same after half a turn: each image is taken as standing upright.");
   Progress progress("images", count);
   const DetectedImages detected = detect_in_images(grouped, target, [&](std::size_t at) { progress.at(at); });
-  const CameraCalibration calibration = calibrate_cameras(detected.board, detected.sizes, detected.names, {o.model});
+  const std::string in_its_place = shown_in_its_place(detected, target);
+  CameraCalibration calibration = calibrated(detected, o.model, in_its_place);
+  if (!in_its_place.empty()) calibration.warnings.push_back(in_its_place);
   const BoardReport board = board_report(detected.board, calibration, target);
   print(o, calibration, board, detected);
   o.output.json(whole_json(calibration, board, detected, grouped, target));

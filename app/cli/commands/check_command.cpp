@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "detection/target_finding.h"
 #include "printing/blunder_output.h"
 #include "printing/told_json.h"
 
@@ -15,9 +16,22 @@ struct CheckArguments {
   Output output;
 };
 
+/// A target that no image shows is no session that works.
+void add_lost_target(const Session& session, const TargetSearch& search, SessionCheck& check) {
+  if (search.looked_at == 0 || search.found > 0) return;
+  const bool is_seen_elsewhere = std::any_of(session.observations.begin(), session.observations.end(),
+                                             [](const Observation& o) { return !o.sightings.empty(); });
+  std::string text = fmt::format("The {} is found in none of the {} observations whose images were looked at.",
+                                 description_of(*session.target), search.looked_at);
+  if (!search.in_its_place.empty()) text = search.in_its_place;
+  (is_seen_elsewhere ? check.warnings : check.problems).push_back(text);
+}
+
 int run(const CheckArguments& o) {
-  const Session session = open_searched_session(o.session, o.output);
-  const SessionCheck check = check_session(session);
+  TargetSearch search;
+  const Session session = open_searched_session(o.session, o.output, search);
+  SessionCheck check = check_session(session);
+  add_lost_target(session, search, check);
   for (const std::string& line : check.contents) o.output.line(line);
   for (const std::string& line : check.warnings) o.output.line("warning: " + line);
   for (const std::string& line : check.problems) o.output.line("PROBLEM: " + line);
