@@ -33,15 +33,19 @@ int run(const CheckArguments& o) {
   SessionCheck check = check_session(session);
   add_lost_target(session, search, check);
   for (const std::string& line : check.contents) o.output.line(line);
+  const auto size = check.problems.empty() ? target_size_of(session) : std::nullopt;
+  if (size) check.warnings.push_back(size->text + " " + size->fix);
   for (const std::string& line : check.warnings) o.output.line("warning: " + line);
   for (const std::string& line : check.problems) o.output.line("PROBLEM: " + line);
   o.output.line(check.problems.empty() && check.warnings.empty() ? "Everything in the session works."
                 : check.problems.empty() ? "Everything in the session can be used; look at what is odd."
                                          : fmt::format("{} problem{}: these would not work.", check.problems.size(),
                                                        check.problems.size() == 1 ? "" : "s"));
-  const std::vector<Blunder> blunders = check.problems.empty() ? blunders_of(session) : std::vector<Blunder>();
+  const std::vector<Blunder> blunders =
+      check.problems.empty() && !settles_it(size) ? blunders_of(session) : std::vector<Blunder>();
   print_blunders(o.output, o.session, blunders);
   Json json = check_json(session, check);
+  json["target_size"] = target_size_json(size);
   json["blunders"] = blunders_json(blunders);
   o.output.json(json);
   for (const std::string& line : check.problems) Output::note(line);
