@@ -97,10 +97,12 @@ Session open_session(const std::string& path, const Output& output) {
   return session;
 }
 
-Session open_searched_session(const std::string& path) {
+namespace {
+
+Session searched(const std::string& path, TargetSearch& search) {
   Session session = open_session(path);
   std::optional<Progress> progress;
-  const TargetSearch search = find_targets(session, [&](std::size_t done, std::size_t all) {
+  search = find_targets(session, [&](std::size_t done, std::size_t all) {
     if (!progress) progress.emplace("looking for the target", all);
     progress->at(done);
   });
@@ -112,9 +114,21 @@ Session open_searched_session(const std::string& path) {
   return session;
 }
 
+}  // namespace
+
+Session open_searched_session(const std::string& path) {
+  TargetSearch search;
+  return searched(path, search);
+}
+
 Session open_searched_session(const std::string& path, const Output& output) {
   output.require_places();
   return open_searched_session(path);
+}
+
+Session open_searched_session(const std::string& path, const Output& output, TargetSearch& search) {
+  output.require_places();
+  return searched(path, search);
 }
 
 void add_session_option(const CommandLine& command, std::string& session) {

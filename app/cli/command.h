@@ -11,6 +11,10 @@
 #include "session/calibration.h"
 #include "session/session.h"
 
+namespace handsight {
+struct TargetSearch;
+}
+
 namespace handsight::cli {
 
 using Json = nlohmann::ordered_json;
@@ -66,6 +70,9 @@ Session open_session(const std::string& path, const Output& output);
 /// and what was not is noted.
 Session open_searched_session(const std::string& path);
 Session open_searched_session(const std::string& path, const Output& output);
+
+/// The same, with what became of the search.
+Session open_searched_session(const std::string& path, const Output& output, TargetSearch& search);
 
 /// Adds `SESSION` and `--json` to a command.
 void add_session_option(const CommandLine& command, std::string& session);

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "targets/target_guess.h"
 #include "vision/image/image_file.h"
 
 namespace handsight {
@@ -32,7 +33,11 @@ DetectedImages detect_in_images(const GroupedImages& grouped, const Target& targ
   const PreparedTarget prepared = prepare(target);
   const int pieces = target.kind == TargetKind::tags ? static_cast<int>(target.ids.size()) : 1;
   DetectedImages result;
-  for (const TargetPoint& point : prepared.points) result.board.points.push_back(point.position);
+  for (const TargetPoint& point : prepared.points) {
+    result.board.points.push_back(point.position);
+    result.board.pieces.push_back(point.piece);
+  }
+  result.board.sigma = target.sigma;
   result.board.camera_count = static_cast<int>(grouped.cameras.size());
   result.board.frame_count = static_cast<int>(grouped.frames.size()) * pieces;
   for (std::size_t c = 0; c < grouped.cameras.size(); ++c) {
@@ -52,11 +57,25 @@ DetectedImages detect_in_images(const GroupedImages& grouped, const Target& targ
       const TargetSighting sighting = detect_target(image, prepared);
       add_points(result.board, prepared, sighting, static_cast<int>(c), static_cast<int>(frame), pieces);
       result.images.push_back({static_cast<int>(c), static_cast<int>(frame), camera.files[i],
-                               static_cast<int>(sighting.points.size()), sighting.dropped_points, sighting.reason});
+                               static_cast<int>(sighting.points.size()), sighting.dropped_points, sighting.reason,
+                               sighting.repeated});
       if (progress) progress(result.images.size());
     }
   }
   return result;
+}
+
+std::string shown_in_its_place(const DetectedImages& detected, const Target& target) {
+  constexpr std::size_t most = 4;
+  std::vector<const ReadImage*> without;
+  for (const ReadImage& image : detected.images)
+    if (image.points == 0) without.push_back(&image);
+  if (without.empty() || 3 * without.size() <= 2 * detected.images.size()) return {};
+  std::vector<Image> images;
+  const std::size_t step = std::max<std::size_t>(1, without.size() / most);
+  for (std::size_t i = 0; i < without.size() && images.size() < most; i += step)
+    images.push_back(read_image(without[i]->file));
+  return guess_target(images, target, TargetWording::options).text;
 }
 
 }  // namespace handsight

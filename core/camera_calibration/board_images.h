@@ -15,6 +15,7 @@ struct ReadImage {
   std::filesystem::path file;
   int points = 0, dropped = 0;  // seen; left out because they did not agree with the rest
   std::string reason;           // why there are none
+  std::vector<int> repeated;    // numbers of single tags that are there several times, which are left out
 };
 
 struct DetectedImages {
@@ -29,5 +30,9 @@ struct DetectedImages {
 /// `progress` hears how many images are done.
 DetectedImages detect_in_images(const GroupedImages& grouped, const Target& target,
                                 const std::function<void(std::size_t)>& progress = {});
+
+/// What the images show where hardly one of them shows the target; empty where most do, and where nothing can be said.
+/// With the words of the options that say it.
+std::string shown_in_its_place(const DetectedImages& detected, const Target& target);
 
 }  // namespace handsight

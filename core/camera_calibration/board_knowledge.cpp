@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "camera_calibration/camera_calibration.h"
+#include "camera_calibration/held_out.h"
 
 namespace handsight {
 namespace {
@@ -39,6 +40,16 @@ BundleResult start_of(const BoardImages& images, const Rig& rig) {
   for (int frame = 0; frame < images.frame_count; ++frame)
     start.first_from_target.push_back(pose_of_frame(images, start.rig, frame));
   return start;
+}
+
+/// The bundle with the target bent, or of other points than described, where the images say so beyond doubt.
+BundleResult with_the_boards_shape(const BoardImages& images, const BundleResult& flat) {
+  if (!flat.covariance) return flat;
+  std::vector<Candidate> candidates;
+  const Candidate described{flat, held_out(images, flat)};
+  for (const BoardShape shape : shapes_of(images)) candidates.push_back(reshaped(images, described, shape));
+  const Candidate* best = preferred(candidates);
+  return best && best->bundle.covariance ? best->bundle : flat;
 }
 
 /// The session's rig with what the images say in it.
@@ -113,9 +124,10 @@ GroupedImages by_cameras_of(const GroupedImages& grouped, const Rig& rig) {
 CameraKnowledge board_knowledge(const DetectedImages& detected, const Rig& session) {
   require_same_cameras(detected, session);
   const BundleResult start = start_of(detected.board, session);
-  const BundleResult bundle = adjust_robustly(detected.board, adjust_robustly(detected.board, start, false), true);
-  if (bundle.points == 0)
+  const BundleResult flat = adjust_robustly(detected.board, adjust_robustly(detected.board, start, false), true);
+  if (flat.points == 0)
     throw InputError("The target is found in none of the board images; look at one and at what --target says of it.");
+  const BundleResult bundle = with_the_boards_shape(detected.board, flat);
   if (!bundle.covariance)
     throw InputError(
         "These board images do not determine the cameras' numbers; take 10 to 20 of each camera, tilted to all sides, "

@@ -138,7 +138,9 @@ double focal_from_homographies(const BoardImages& images, int camera, const Vect
 }
 
 BoardImages of_camera(const BoardImages& images, int camera) {
-  BoardImages one{images.points, 1, images.frame_count, {}};
+  BoardImages one = images;
+  one.camera_count = 1;
+  one.images.clear();
   for (BoardImage image : images.images) {
     if (image.camera != camera || image.points.size() < least_points) continue;
     image.camera = 0;

@@ -6,55 +6,16 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "camera_calibration/held_out.h"
 
 namespace handsight {
 namespace {
-
-constexpr double kBetter = 0.97;  // of brown's held-out error: what another model must reach
-constexpr int most_folds = 15;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-BoardImages without(const BoardImages& images, const std::vector<bool>& is_left_out) {
-  BoardImages rest = images;
-  std::erase_if(rest.images, [&](const BoardImage& i) { return is_left_out[static_cast<std::size_t>(i.frame)]; });
-  return rest;
-}
-
-int points_of(const BoardImages& images, int frame) {
-  int count = 0;
-  for (const BoardImage& image : images.images)
-    if (image.frame == frame && image.points.size() >= 4) count += static_cast<int>(image.points.size());
-  return count;
-}
-
-HeldOut held_out(const BoardImages& images, const BundleResult& whole) {
-  HeldOut result;
-  result.frames.assign(static_cast<std::size_t>(images.frame_count), std::nullopt);
-  std::vector<int> used;
-  for (int frame = 0; frame < images.frame_count; ++frame)
-    if (whole.first_from_target[static_cast<std::size_t>(frame)]) used.push_back(frame);
-  const int folds = std::min<int>(static_cast<int>(used.size()), used.size() <= most_folds ? most_folds : 10);
-  double squares = 0, count = 0;
-  for (int fold = 0; fold < folds && used.size() > 3; ++fold) {
-    std::vector<bool> is_left_out(static_cast<std::size_t>(images.frame_count), false);
-    for (std::size_t i = static_cast<std::size_t>(fold); i < used.size(); i += static_cast<std::size_t>(folds))
-      is_left_out[static_cast<std::size_t>(used[i])] = true;
-    const BundleResult rest = adjust_robustly(without(images, is_left_out), whole, false);
-    for (const int frame : used) {
-      if (!is_left_out[static_cast<std::size_t>(frame)]) continue;
-      const auto rms = frame_rms(images, rest.rig, frame);
-      result.frames[static_cast<std::size_t>(frame)] = rms;
-      if (rms) squares += *rms * *rms * points_of(images, frame), count += points_of(images, frame);
-    }
-  }
-  result.rms_pixel = count > 0 ? std::sqrt(squares / count) : 0;
-  return result;
 }
 
 /// Brown's solution as the start of the rational model: the further numbers are 0.
@@ -65,11 +26,6 @@ BundleResult as_rational(BundleResult result) {
   }
   return result;
 }
-
-struct Candidate {
-  BundleResult bundle;
-  HeldOut held_out;
-};
 
 std::vector<CameraReport> reports_of(const BoardImages& images, const BundleResult& bundle) {
   std::vector<CameraReport> reports(static_cast<std::size_t>(images.camera_count));
@@ -141,6 +97,7 @@ std::vector<std::string> warnings_of(const CameraCalibration& c, const std::vect
   return warnings;
 }
 
+/// A solution with the target as described.
 BundleResult solution_with(const LensModel& model, const BoardImages& images,
                            const std::vector<std::pair<int, int>>& sizes, const std::vector<std::string>& names,
                            const std::optional<Candidate>& brown) {
@@ -153,6 +110,79 @@ BundleResult solution_with(const LensModel& model, const BoardImages& images,
     if (auto& pose = start.first_from_target[static_cast<std::size_t>(frame)]; !pose)
       pose = pose_of_frame(images, start.rig, frame);
   return adjust_robustly(images, start, true);
+}
+
+/// Every lens with the target as described, then every shape with the lens that is preferred, then every lens with the
+/// shape that is.
+class ModelSearch {
+ public:
+  ModelSearch(const BoardImages& images, const std::vector<std::pair<int, int>>& sizes,
+              const std::vector<std::string>& names)
+      : images_(images), sizes_(sizes), names_(names), shapes_(shapes_of(images)) {}
+
+  /// Why a lens does not serve; empty: it does.
+  std::string add_lens(const LensModel& model) {
+    try {
+      Candidate candidate;
+      candidate.bundle = solution_with(model, images_, sizes_, names_, brown_);
+      if (candidate.bundle.points == 0)
+        throw InputError("its least squares do not come to an end from the starts that were tried");
+      candidate.held_out = held_out(images_, candidate.bundle);
+      if (&model == &brown_lens) brown_ = candidate;
+      as_described_.push_back(candidate);
+      candidates_.push_back(reshaped(images_, candidate, shapes_.front()));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  /// Null where no lens serves.
+  const Candidate* best() {
+    if (candidates_.empty()) return nullptr;
+    // The plain lens first: a bent target seen through it looks much like a flat one seen through another lens.
+    for (const LensModel* lens : {&candidates_.front().lens(), &preferred(candidates_)->lens()}) add_shapes(*lens);
+    const BoardShape shape = preferred(candidates_)->bundle.shape;
+    for (const Candidate& flat : as_described_) add(flat, shape);
+    return preferred(candidates_);
+  }
+
+  const Candidate* find(const LensModel& lens, BoardShape shape) const {
+    const auto found = std::find_if(candidates_.begin(), candidates_.end(),
+                                    [&](const Candidate& c) { return &c.lens() == &lens && c.bundle.shape == shape; });
+    return found == candidates_.end() ? nullptr : &*found;
+  }
+  const std::vector<BoardShape>& shapes() const { return shapes_; }
+
+ private:
+  void add(const Candidate& flat, BoardShape shape) {
+    if (find(flat.lens(), shape)) return;
+    Candidate candidate = reshaped(images_, flat, shape);
+    if (candidate.bundle.shape == shape) candidates_.push_back(std::move(candidate));
+  }
+  void add_shapes(const LensModel& lens) {
+    for (const Candidate& flat : as_described_)
+      if (&flat.lens() == &lens)
+        for (const BoardShape shape : shapes_) add(flat, shape);
+  }
+
+  const BoardImages& images_;
+  const std::vector<std::pair<int, int>>& sizes_;
+  const std::vector<std::string>& names_;
+  std::vector<BoardShape> shapes_;
+  std::optional<Candidate> brown_;
+  std::vector<Candidate> as_described_, candidates_;
+};
+
+std::vector<TriedShape> tried_shapes(const ModelSearch& search, const LensModel& lens) {
+  std::vector<TriedShape> tried;
+  for (const BoardShape shape : search.shapes())
+    if (const Candidate* c = search.find(lens, shape)) {
+      const auto& covariance = c->bundle.bend_covariance;
+      tried.push_back({shape, c->bundle.rms_pixel, c->held_out.rms_pixel, c->bundle.bend,
+                       covariance ? std::optional<Vector3>(covariance->diagonal().cwiseSqrt()) : std::nullopt});
+    }
+  return tried;
 }
 
 }  // namespace
@@ -176,55 +206,41 @@ std::optional<double> frame_rms(const BoardImages& images, const CameraRig& rig,
 
 BundleResult adjust_robustly(const BoardImages& images, const BundleResult& start, bool with_covariances) {
   std::vector<double> lengths;
-  for (const BundleResidual& r : bundle_residuals(images, start.rig, start.first_from_target))
+  for (const BundleResidual& r : bundle_residuals(with_target(images, start), start.rig, start.first_from_target))
     lengths.push_back(r.residual.norm());
   const double sigma = median(lengths) / 1.177;  // of one coordinate, where both are normal
-  return adjust_bundle(images, start.rig, start.first_from_target, {.loss_pixel = std::max(4 * sigma, 0.02)},
+  return adjust_bundle(images, start.rig, start.first_from_target,
+                       {.loss_pixel = std::max(4 * sigma, 0.02),
+                        .shape = start.shape,
+                        .pixel_sigma = sigma,
+                        .bend = start.bend,
+                        .target_points = start.target_points},
                        with_covariances);
 }
-
-namespace {
-
-/// What share of the best held-out error a further model must stay below: of two that predict alike the one with fewer
-/// numbers is taken, and none in place of the usual lens that is not clearly better.
-double least_gain(const LensModel& model, const Candidate& best) {
-  const LensModel& so_far = *best.bundle.rig.lenses[0].model;
-  const bool is_simpler = &so_far != &brown_lens && model.numbers.size() < so_far.numbers.size();
-  return is_simpler ? 1 / kBetter : kBetter;
-}
-
-}  // namespace
 
 CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector<std::pair<int, int>>& sizes,
                                     const std::vector<std::string>& names, const CalibrationOptions& options) {
   CameraCalibration result;
-  std::optional<Candidate> best, brown;
+  ModelSearch search(images, sizes, names);
+  std::vector<const LensModel*> lenses;
   for (const LensModel* model : lens_models()) {
     if (options.model != "best" && options.model != model->name) continue;
-    TriedModel tried{std::string(model->name), 0, 0, {}};
-    try {
-      Candidate candidate;
-      candidate.bundle = solution_with(*model, images, sizes, names, brown);
-      if (candidate.bundle.points == 0)
-        throw InputError("its least squares do not come to an end from the starts that were tried");
-      candidate.held_out = held_out(images, candidate.bundle);
-      tried.rms_pixel = candidate.bundle.rms_pixel, tried.held_out_rms_pixel = candidate.held_out.rms_pixel;
-      if (model == &brown_lens) brown = candidate;
-      const bool is_known = candidate.held_out.rms_pixel > 0 && candidate.bundle.lens_covariances[0].has_value();
-      if (!best || (is_known && candidate.held_out.rms_pixel < least_gain(*model, *best) * best->held_out.rms_pixel))
-        best = candidate;
-    } catch (const InputError& error) {
-      if (model == &brown_lens && options.model == "best" && lens_models().size() == 1) throw;
-      tried.failure = error.what();
-    }
-    result.tried.push_back(std::move(tried));
+    lenses.push_back(model);
+    result.tried.push_back({std::string(model->name), 0, 0, search.add_lens(*model)});
   }
+  const Candidate* best = search.best();
   if (!best)
     throw InputError(result.tried.empty() ? fmt::format("There is no lens model \"{}\".", options.model)
                                           : result.tried.front().failure);
+  for (std::size_t i = 0; i < lenses.size(); ++i)
+    if (const Candidate* c = search.find(*lenses[i], best->bundle.shape))
+      result.tried[i].rms_pixel = c->bundle.rms_pixel, result.tried[i].held_out_rms_pixel = c->held_out.rms_pixel;
+    else if (result.tried[i].failure.empty())
+      result.tried[i].failure = "its least squares do not come to an end with the target's shape in them";
   result.bundle = best->bundle;
   result.held_out = best->held_out;
-  result.cameras = reports_of(images, result.bundle);
+  result.shapes = tried_shapes(search, best->lens());
+  result.cameras = reports_of(with_target(images, result.bundle), result.bundle);
   result.warnings = warnings_of(result, names);
   return result;
 }

@@ -10,8 +10,9 @@
 namespace handsight {
 
 struct CalibrationOptions {
-  std::string model =
-      "best";  // a lens model's name, or "best": the least held-out error; brown unless another is 3 % better
+  /// A lens model's name, or "best": the plain lens (brown), unless views that were held out say beyond doubt that it
+  /// is another one.
+  std::string model = "best";
 };
 
 /// Root of the mean squared length of a point's residual, px, of frames that the cameras' numbers were not fitted to:
@@ -21,10 +22,19 @@ struct HeldOut {
   std::vector<std::optional<double>> frames;  // by frame; nothing where it has no pose
 };
 
+/// A lens model, with what is chosen of the target's shape.
 struct TriedModel {
   std::string name;
   double rms_pixel = 0, held_out_rms_pixel = 0;
   std::string failure;  // why it has none; empty: it has
+};
+
+/// What the target's shape may be, with the chosen lens.
+struct TriedShape {
+  BoardShape shape = BoardShape::held;
+  double rms_pixel = 0, held_out_rms_pixel = 0;
+  Vector3 bend = Vector3::Zero();      // 1/m; of BoardShape::bent
+  std::optional<Vector3> bend_sigmas;  // 1/m
 };
 
 /// Residuals over one camera's image, in 8 x 6 equal cells, row by row.
@@ -44,18 +54,22 @@ struct CameraCalibration {
   BundleResult bundle;
   HeldOut held_out;
   std::vector<TriedModel> tried;
+  std::vector<TriedShape> shapes;  // that were tried with the chosen lens
   std::vector<CameraReport> cameras;
   std::vector<std::string> warnings;  // sentences: where the images do not suffice
 };
 
-/// `sizes` (px) and `names` of the cameras. InputError where the images do not suffice at all.
+/// `sizes` (px) and `names` of the cameras. The target is as described (within BoardImages::sigma), unless views that
+/// were held out say beyond doubt that it is bent or otherwise not so. InputError where the images do not suffice at
+/// all.
 CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector<std::pair<int, int>>& sizes,
                                     const std::vector<std::string>& names, const CalibrationOptions& options = {});
 
 /// The error of one frame as HeldOut says it, by any rig; nothing where it has no pose.
 std::optional<double> frame_rms(const BoardImages& images, const CameraRig& rig, int frame);
 
-/// Robust least squares from a solution: beyond four sigmas of their scatter residuals count linearly.
+/// Robust least squares from a solution, with as much of the target's shape as it has: beyond four sigmas of their
+/// scatter residuals count linearly.
 BundleResult adjust_robustly(const BoardImages& images, const BundleResult& start, bool with_covariances);
 
 /// The rig as OpenCV's FileStorage (YAML): M1 D1 (and M2 D2 ...), R T of X_2 = R X_1 + T (R_3 T_3 ...), image_width,

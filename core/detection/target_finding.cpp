@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "detection/target_finding.h"
 
+#include <algorithm>
 #include <map>
 
 #include "base/error.h"
 #include "session/session_xml.h"
 #include "targets/target_detection.h"
+#include "targets/target_guess.h"
 #include "vision/image/image_file.h"
 #include "vision/markers/corner_pairs.h"
 
@@ -20,6 +22,37 @@ PixelSigma sigma_of(const TargetPixel& seen) {
 
 bool is_to_be_searched(const Observation& o) {
   return o.sightings.empty() && has_images(o) && o.decision != Decision::excluded && o.decision != Decision::rejected;
+}
+
+/// Some images of observations that do not show the target, spread over all of them.
+std::vector<Image> without_target(const Session& session, const std::vector<const Observation*>& observations) {
+  constexpr std::size_t most = 4;
+  std::vector<Image> images;
+  const std::size_t step = std::max<std::size_t>(1, observations.size() / most);
+  for (std::size_t i = 0; i < observations.size() && images.size() < most; i += step)
+    for (int c = 0; c < session.rig->count(); ++c) {
+      const std::string& file = observations[i]->images[static_cast<std::size_t>(c)];
+      if (file.empty()) continue;
+      try {
+        images.push_back(read_image(folder(session) / file, session.rig->at(c).camera, file));
+        break;
+      } catch (const InputError&) {  // has been told
+      }
+    }
+  return images;
+}
+
+std::string repeated_text(const std::map<int, int>& repeated) {
+  std::vector<std::string> numbers;
+  int observations = 0;
+  for (const auto& [number, count] : repeated) {
+    numbers.push_back(std::to_string(number));
+    observations = std::max(observations, count);
+  }
+  return fmt::format(
+      "Images show the tag {} several times (in {} observation{}); which of them is meant nothing tells, "
+      "and it is left out there.",
+      fmt::join(numbers, ", "), observations, observations == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -47,6 +80,7 @@ TargetFinding TargetFinder::find(const Observation& observation) const {
     const TargetSighting seen = detect_target(image, *target_);
     finding.dropped_points += seen.dropped_points;
     finding.dropped_tags += seen.dropped_tags;
+    finding.repeated.insert(finding.repeated.end(), seen.repeated.begin(), seen.repeated.end());
     for (const TargetPixel& point : seen.points) {
       Sighting& sighting = by_number[point.number];
       sighting.marker = point.number;
@@ -71,6 +105,8 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
   const TargetFinder finder(session);
   int unreadable = 0, without = 0;
   std::string first_unreadable, first_without;
+  std::map<int, int> repeated;  // observations by number of the tag
+  std::vector<const Observation*> not_found;
   for (Observation& o : session.observations) {
     if (!is_to_be_searched(o)) continue;
     TargetFinding finding = finder.find(o);
@@ -81,6 +117,8 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
     if (!finding.unreadable.empty() && first_unreadable.empty()) first_unreadable = finding.unreadable.front();
     if (finding.sightings.empty() && finding.unreadable.empty() && without++ == 0)
       first_without = fmt::format("{}: {}", o.id, finding.reason);
+    for (const int number : finding.repeated) ++repeated[number];
+    if (finding.sightings.empty() && finding.unreadable.empty()) not_found.push_back(&o);
     search.found += finding.sightings.empty() ? 0 : 1;
     o.sightings = std::move(finding.sightings);
     if (progress) progress(++done, all);
@@ -89,6 +127,11 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
                                      description_of(*session.target), search.found, search.looked_at));
   if (without > 0)
     search.notes.push_back(fmt::format("It is not found in {} observations, first in {}.", without, first_without));
+  if (3 * search.found < search.looked_at && !not_found.empty())
+    search.in_its_place =
+        guess_target(without_target(session, not_found), *session.target, TargetWording::attributes).text;
+  if (!search.in_its_place.empty()) search.notes.push_back(search.in_its_place);
+  if (!repeated.empty()) search.notes.push_back(repeated_text(repeated));
   if (search.dropped_points + search.dropped_tags > 0)
     search.notes.push_back(
         fmt::format("{} points and {} tags did not agree with the rest of the target and are left out.",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "targets/board_corners.h"
 #include "targets/sampling.h"
 #include "targets/tag_fit.h"
@@ -199,6 +200,27 @@ void fit_plain_tags(Search& search, const Placed& placed) {
   }
 }
 
+/// Tags that stand where they should, and no corner between them that looks like one.
+std::string why_no_corner(const Search& search, const Placed& placed) {
+  constexpr double enough_to_see = 5;  // px around a corner
+  std::vector<double> reaches;
+  for (int number = 0; number < static_cast<int>(search.target.points.size()); ++number) {
+    const ExpectedCorner corner = expected_corner(search.target, number);
+    const auto slope = mapped_slope(search.map, corner.place, 0.5 * corner.reach);
+    const auto at = mapped(search.map, corner.place);
+    if (slope && at && is_inside(search.image, *at, 4))
+      reaches.push_back(corner.reach * std::sqrt(std::abs(slope->determinant())));
+  }
+  std::sort(reaches.begin(), reaches.end());
+  const std::size_t tags = placed.agreement.members.size();
+  if (reaches.size() >= 6 && tags >= 4 && reaches[reaches.size() / 2] > enough_to_see)
+    return fmt::format(
+        "{} of its tags were read where they should be, but none of the {} corners between them looks like one: "
+        "something is drawn or lies over them (an earlier detection drawn into the image?), or it is out of focus",
+        tags, reaches.size());
+  return "its tags were read, but none of its corners is clear enough";
+}
+
 }  // namespace
 
 TargetSighting detect_board(const Image& image, const PreparedTarget& target) {
@@ -228,7 +250,7 @@ TargetSighting detect_board(const Image& image, const PreparedTarget& target) {
   for (const auto& [number, seen] : search.found) sighting.points.push_back(seen);
   sighting.dropped_points = search.dropped;
   drop_far_points(sighting, target.points, image.width, image.height);
-  if (sighting.points.empty()) sighting.reason = "its tags were read, but none of its corners is clear enough";
+  if (sighting.points.empty()) sighting.reason = why_no_corner(search, *placed);
   return sighting;
 }
 

@@ -2,6 +2,9 @@
 // Parts of detect_target, for targets of which points tell each other their numbers.
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "targets/found_target.h"
 #include "vision/image/image.h"
 
@@ -12,5 +15,8 @@ TargetSighting detect_board(const Image& image, const PreparedTarget& target);
 
 /// Chessboards: X-corners that form the whole lattice.
 TargetSighting detect_chessboard(const Image& image, const PreparedTarget& target);
+
+/// Columns and rows of the largest whole lattice of X-corners that the image shows; nothing where there is none of 6.
+std::optional<std::pair<int, int>> chessboard_size(const Image& image);
 
 }  // namespace handsight

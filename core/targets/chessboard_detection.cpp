@@ -155,6 +155,22 @@ void trim(Lattice& lattice, int columns, int rows) {
   }
 }
 
+/// Rows and columns at the rim that are hardly there belong to what stands beside the board.
+void trim_ragged(Lattice& lattice) {
+  for (std::size_t before = 0; before != lattice.size() && !lattice.empty();) {
+    before = lattice.size();
+    const Extent e = extent_of(lattice);
+    const auto cut = [&](auto is_in, int full) {
+      const auto count = std::count_if(lattice.begin(), lattice.end(), [&](const auto& at) { return is_in(at.first); });
+      if (5 * count < 3 * full) std::erase_if(lattice, [&](const auto& at) { return is_in(at.first); });
+    };
+    cut([&](const Cell& c) { return c.column == e.least.column; }, e.rows());
+    cut([&](const Cell& c) { return c.column == e.most.column; }, e.rows());
+    cut([&](const Cell& c) { return c.row == e.least.row; }, e.columns());
+    cut([&](const Cell& c) { return c.row == e.most.row; }, e.columns());
+  }
+}
+
 /// The board's points by number, where the lattice has its size; those that the detector has missed are looked for.
 std::optional<std::vector<TargetPixel>> whole_board(const Image& image, const PreparedTarget& target,
                                                     const std::vector<Corner>& corners, const Lattice& lattice,
@@ -229,6 +245,26 @@ TargetSighting detect_chessboard(const Image& image, const PreparedTarget& targe
   sighting.reason = fmt::format("of {} X-corners none form the whole board of {} x {}", corners.size(),
                                 target.target.columns, target.target.rows);
   return sighting;
+}
+
+std::optional<std::pair<int, int>> chessboard_size(const Image& image) {
+  constexpr std::size_t most_points = 4096;
+  const auto corners = detect_corners(image, {.max_corners = static_cast<int>(most_points)});
+  std::vector<bool> tried(corners.size(), false);
+  Lattice best;
+  for (std::size_t seed = 0; seed < corners.size(); ++seed) {
+    if (tried[seed]) continue;
+    tried[seed] = true;
+    auto lattice = lattice_from(corners, seed, most_points);
+    if (!lattice || lattice->size() < 6) continue;
+    for (const auto& [cell, corner] : *lattice) tried[corner] = true;
+    trim_ragged(*lattice);
+    if (lattice->size() > best.size()) best = std::move(*lattice);
+  }
+  if (best.size() < 6) return std::nullopt;
+  const Extent e = extent_of(best);
+  if (10 * best.size() < 9 * static_cast<std::size_t>(e.columns() * e.rows())) return std::nullopt;
+  return std::pair(e.columns(), e.rows());
 }
 
 }  // namespace handsight

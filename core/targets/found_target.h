@@ -25,6 +25,7 @@ struct TargetSighting {
   int dropped_points = 0;           // far from where the plane of the others has them, or not of their shape
   int dropped_tags = 0;             // read, but not where the other tags of the board have them, or twice
   std::string reason;               // why there are no points; empty where there are
+  std::vector<int> repeated;        // numbers of single tags that are there several times, which are left out
 };
 
 /// A target with what its detection needs of it, worked out once.

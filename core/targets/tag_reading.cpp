@@ -51,21 +51,6 @@ std::vector<float> blurred(const TagPattern& pattern, const double (&shares)[2])
   return values;
 }
 
-/// Mean grey levels of the modules' inner parts, row by row.
-std::vector<float> module_values(const Image& image, const Quad& quad, int side) {
-  const Matrix3 pixel_from_module = homography_from_quad(quad, side);
-  std::vector<float> values;
-  values.reserve(static_cast<std::size_t>(side) * side);
-  for (int row = 0; row < side; ++row)
-    for (int column = 0; column < side; ++column) {
-      double sum = 0;
-      for (const auto& [right, down] : {std::pair{0.5, 0.5}, {0.3, 0.3}, {0.7, 0.3}, {0.3, 0.7}, {0.7, 0.7}})
-        sum += grey_at(image, mapped(pixel_from_module, Vector2(column + right, row + down)));
-      values.push_back(static_cast<float>(sum / 5));
-    }
-  return values;
-}
-
 double deviation(const std::vector<float>& values) {
   double sum = 0, square = 0;
   for (const float value : values) sum += value, square += static_cast<double>(value) * value;
@@ -81,6 +66,20 @@ Quad turned_back(const Quad& quad, int turns) {
 }
 
 }  // namespace
+
+std::vector<float> module_values(const Image& image, const Quad& quad, int side) {
+  const Matrix3 pixel_from_module = homography_from_quad(quad, side);
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(side) * side);
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      double sum = 0;
+      for (const auto& [right, down] : {std::pair{0.5, 0.5}, {0.3, 0.3}, {0.7, 0.3}, {0.3, 0.7}, {0.7, 0.7}})
+        sum += grey_at(image, mapped(pixel_from_module, Vector2(column + right, row + down)));
+      values.push_back(static_cast<float>(sum / 5));
+    }
+  return values;
+}
 
 TagReader::TagReader(const std::vector<TagCandidate>& candidates) {
   for (const TagCandidate& candidate : candidates) {

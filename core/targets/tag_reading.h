@@ -25,6 +25,9 @@ struct TagReading {
   double lead = 0;      // over the likeness of the best other code
 };
 
+/// Mean grey levels of the inner parts of side x side modules in a quad, row by row.
+std::vector<float> module_values(const Image& image, const Quad& quad, int side);
+
 /// Candidates prepared for comparison, all of the same number of modules.
 class TagReader {
  public:

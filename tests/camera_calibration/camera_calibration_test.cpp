@@ -7,59 +7,15 @@
 
 #include "base/error.h"
 #include "camera_calibration/board_images.h"
+#include "camera_calibration/board_views.h"
 #include "fixtures/drawn.h"
 #include "readers/stereo_calibration.h"
 
 namespace handsight {
 namespace {
 
-CameraRig rig_of(const LensModel& model, int cameras) {
-  CameraRig rig;
-  for (int i = 0; i < cameras; ++i) {
-    Lens lens{&model, 640, 480, std::vector<double>(model.numbers.size(), 0)};
-    const double fisheye[] = {190, 192, 318, 243, -0.02, 0.008, -0.004, 0.001};
-    const double brown[] = {540 + 7.0 * i, 542, 325, 236, -0.25, 0.09, 4e-4, -6e-4, 0.02};
-    for (std::size_t k = 0; k < std::min<std::size_t>(lens.numbers.size(), 9); ++k)
-      lens.numbers[k] = &model == &fisheye_lens ? fisheye[k % 8] : brown[k];
-    rig.lenses.push_back(lens);
-    rig.from_first.push_back(
-        i == 0 ? Rigid{}
-               : Rigid{rotation_from_vector<double>(Vector3(0.02, -0.1 * i, 0.03)), Vector3(-0.11 * i, 0.004, 0.01)});
-  }
-  return rig;
-}
-
-/// Poses from all sides; corners with noise of `sigma` px a coordinate; a few may be quite wrong.
-BoardImages images_of(const CameraRig& rig, int frames, double sigma, std::uint64_t seed, int wrong_every = 0,
-                      double nearness = 1) {
-  BoardImages images;
-  for (int row = 0; row < 6; ++row)
-    for (int column = 0; column < 9; ++column) images.points.emplace_back(0.03 * column, 0.03 * row, 0);
-  images.camera_count = static_cast<int>(rig.lenses.size());
-  images.frame_count = frames;
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  int count = 0;
-  for (int frame = 0; frame < frames; ++frame) {
-    const auto off = [&] { return fixture::drawn_3([&] { return uniform(random); }); };
-    const Vector3 turn = off().cwiseProduct(Vector3(0.6, 0.6, 1)),
-                  place = Vector3(-0.05, -0.07, 0.45) + off().cwiseProduct(Vector3(0.1, 0.08, 0.12));
-    const Rigid pose{rotation_from_vector<double>(turn), {place.x(), place.y(), nearness * place.z()}};
-    for (std::size_t c = 0; c < rig.lenses.size(); ++c) {
-      BoardImage image{static_cast<int>(c), frame, {}};
-      for (std::size_t i = 0; i < images.points.size(); ++i) {
-        const Vector3 x = rig.from_first[c] * (pose * images.points[i]);
-        Vector2 pixel = project(rig.lenses[c], x) + sigma * fixture::drawn_2([&] { return normal(random); });
-        if (wrong_every > 0 && ++count % wrong_every == 0) pixel += Vector2(6, -4);
-        if (pixel.x() > 0 && pixel.y() > 0 && pixel.x() < 639 && pixel.y() < 479)
-          image.points.push_back({static_cast<int>(i), pixel, sigma * sigma * Eigen::Matrix2d::Identity()});
-      }
-      images.images.push_back(image);
-    }
-  }
-  return images;
-}
+using fixture::board_views;
+using fixture::rig_of;
 
 CameraCalibration calibrated(const BoardImages& images, const std::string& model) {
   const auto count = static_cast<std::size_t>(images.camera_count);
@@ -71,7 +27,7 @@ CameraCalibration calibrated(const BoardImages& images, const std::string& model
 TEST(CameraCalibration, RecoversWithoutNoise) {
   for (const LensModel* model : {&brown_lens, &fisheye_lens}) {
     const CameraRig truth = rig_of(*model, 3);
-    const CameraCalibration c = calibrated(images_of(truth, 14, 0, 1), std::string(model->name));
+    const CameraCalibration c = calibrated(board_views(truth, 14, 0, 1), std::string(model->name));
     EXPECT_LT(c.bundle.rms_pixel, 1e-5) << model->name;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t k = 0; k < 4; ++k)
@@ -88,7 +44,7 @@ TEST(CameraCalibration, CovariancesAreRight) {
   double lens = 0, placement = 0;
   constexpr int draws = 60;
   for (int draw = 0; draw < draws; ++draw) {
-    const BoardImages images = images_of(truth, 12, 0.1, 100 + static_cast<std::uint64_t>(draw));
+    const BoardImages images = board_views(truth, 12, 0.1, 100 + static_cast<std::uint64_t>(draw));
     const BundleResult start = start_bundle(images, brown_lens, {{640, 480}, {640, 480}}, {"a", "b"});
     const BundleResult result = adjust_bundle(images, start.rig, start.first_from_target, {}, true);
     ASSERT_TRUE(result.lens_covariances[0] && result.placement_covariances[1]);
@@ -105,24 +61,24 @@ TEST(CameraCalibration, CovariancesAreRight) {
 
 TEST(CameraCalibration, WrongCornersDoNotMatterMuch) {
   const CameraRig truth = rig_of(brown_lens, 2);
-  const CameraCalibration c = calibrated(images_of(truth, 14, 0.1, 3, 50), "brown");
+  const CameraCalibration c = calibrated(board_views(truth, 14, 0.1, 3, 50), "brown");
   // Six of the clean sigmas (0.15 px at this noise, by the test above); plain least squares are off by 3 px and more.
   EXPECT_NEAR(c.bundle.rig.lenses[0].numbers[0], truth.lenses[0].numbers[0], 1.0);
 }
 
 TEST(CameraCalibration, ChoosesTheModelThatPredicts) {
-  const CameraCalibration fisheye = calibrated(images_of(rig_of(fisheye_lens, 1), 14, 0.1, 4, 0, 0.35), "best");
+  const CameraCalibration fisheye = calibrated(board_views(rig_of(fisheye_lens, 1), 14, 0.1, 4, 0, 0.35), "best");
   EXPECT_EQ(fisheye.bundle.rig.lenses[0].model, &fisheye_lens)
       << fisheye.tried[0].held_out_rms_pixel << " " << fisheye.tried[1].held_out_rms_pixel << " "
       << fisheye.tried[2].held_out_rms_pixel << fisheye.tried[2].failure;
-  const CameraCalibration brown = calibrated(images_of(rig_of(brown_lens, 1), 14, 0.1, 5), "best");
+  const CameraCalibration brown = calibrated(board_views(rig_of(brown_lens, 1), 14, 0.1, 5), "best");
   EXPECT_EQ(brown.bundle.rig.lenses[0].model, &brown_lens);
   EXPECT_EQ(brown.tried.size(), 3u);
   EXPECT_NEAR(brown.held_out.rms_pixel, 0.1 * std::sqrt(2.0), 0.02);
 }
 
 TEST(CameraCalibration, SaysWherePosesDoNotSuffice) {
-  BoardImages images = images_of(rig_of(brown_lens, 1), 14, 0.1, 6);
+  BoardImages images = board_views(rig_of(brown_lens, 1), 14, 0.1, 6);
   EXPECT_TRUE(calibrated(images, "brown").warnings.empty());
   // Only poses that face the camera.
   const CameraRig rig = rig_of(brown_lens, 1);
@@ -147,7 +103,7 @@ TEST(CameraCalibration, SaysWherePosesDoNotSuffice) {
 }
 
 TEST(CameraCalibration, CamerasThatShareNoMomentAreRefused) {
-  BoardImages images = images_of(rig_of(brown_lens, 2), 12, 0.1, 7);
+  BoardImages images = board_views(rig_of(brown_lens, 2), 12, 0.1, 7);
   std::erase_if(images.images, [](const BoardImage& image) { return (image.camera == 0) != (image.frame < 6); });
   EXPECT_THROW(calibrated(images, "brown"), InputError);
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
+#include "base/error.h"
 #include "camera_calibration/board_images.h"
+#include "camera_calibration/board_report.h"
 #include "camera_calibration/camera_calibration.h"
 #include "command.h"
 #include "options/target_option.h"
@@ -75,8 +79,40 @@ Json frames_json(const CameraCalibration& c, const GroupedImages& grouped, std::
   return frames;
 }
 
-Json whole_json(const CameraCalibration& c, const DetectedImages& detected, const GroupedImages& grouped,
-                const Target& target) {
+const char* name_of(BoardShape shape) {
+  switch (shape) {
+    case BoardShape::held:
+      return "described";
+    case BoardShape::bent:
+      return "bent";
+    case BoardShape::within:
+      return "within_sigma";
+    case BoardShape::free:
+      break;
+  }
+  return "free";
+}
+
+Json board_json(const BoardReport& board, const CameraCalibration& c) {
+  Json tried = Json::array(), points = Json::array();
+  for (const TriedShape& shape : c.shapes)
+    tried.push_back({{"shape", name_of(shape.shape)},
+                     {"rms_pixel", number(shape.rms_pixel)},
+                     {"held_out_rms_pixel", number(shape.held_out_rms_pixel)}});
+  for (const Vector3& point : board.points) points.push_back(numbers(point));
+  return {{"shape", name_of(board.shape)},
+          {"bend", numbers(board.bend)},
+          {"bow_m", number(board.bow)},
+          {"off_rms_m", number(board.off_rms)},
+          {"off_max_m", number(board.off_most)},
+          {"points", points},
+          {"shapes", tried},
+          {"sentences", board.sentences},
+          {"warnings", board.warnings}};
+}
+
+Json whole_json(const CameraCalibration& c, const BoardReport& board, const DetectedImages& detected,
+                const GroupedImages& grouped, const Target& target) {
   Json cameras = Json::array(), images = Json::array(), tried = Json::array();
   for (std::size_t i = 0; i < detected.names.size(); ++i) cameras.push_back(camera_json(c, i, detected.names[i]));
   for (const ReadImage& image : detected.images)
@@ -98,6 +134,7 @@ Json whole_json(const CameraCalibration& c, const DetectedImages& detected, cons
           {"held_out_rms_pixel", number(c.held_out.rms_pixel)},
           {"points", c.bundle.points},
           {"cameras", cameras},
+          {"board", board_json(board, c)},
           {"models", tried},
           {"frames", frames_json(c, grouped, std::max<std::size_t>(pieces, 1))},
           {"images", images},
@@ -130,17 +167,56 @@ void print_camera(const Output& out, const CameraCalibration& c, std::size_t i, 
                          : ""));
 }
 
-void print(const CamerasArguments& o, const CameraCalibration& c, const DetectedImages& detected) {
-  const Output& out = o.output;
+/// Why images are of no use, each reason with the images that have it.
+void print_reasons(const DetectedImages& detected, const std::function<void(const std::string&)>& line) {
+  constexpr std::size_t most_names = 6;
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
+  for (const ReadImage& image : detected.images) {
+    if (image.reason.empty()) continue;
+    auto at = std::find_if(by_reason.begin(), by_reason.end(), [&](const auto& r) { return r.first == image.reason; });
+    if (at == by_reason.end()) at = by_reason.insert(at, {image.reason, {}});
+    at->second.push_back(image.file.filename().string());
+  }
+  for (auto& [reason, files] : by_reason) {
+    const std::size_t all = files.size();
+    if (all > most_names) files.resize(most_names), files.push_back(fmt::format("... ({} images)", all));
+    line(fmt::format("not used: {}: {}", fmt::join(files, ", "), reason));
+  }
   for (const ReadImage& image : detected.images)
-    if (!image.reason.empty()) out.line(fmt::format("not used: {}: {}", image.file.filename().string(), image.reason));
+    for (const int number : image.repeated)
+      if (image.points > 0)
+        line(fmt::format("{}: tag {} is there several times and is left out", image.file.filename().string(), number));
+}
+
+/// The calibration; where it cannot be why, of every image, and what the images show in place of the target.
+CameraCalibration calibrated(const DetectedImages& detected, const std::string& model,
+                             const std::string& in_its_place) {
+  try {
+    return calibrate_cameras(detected.board, detected.sizes, detected.names, {model});
+  } catch (const InputError& error) {
+    print_reasons(detected, Output::note);
+    if (in_its_place.empty()) throw;
+    throw InputError(in_its_place);
+  }
+}
+
+void print(const CamerasArguments& o, const CameraCalibration& c, const BoardReport& board,
+           const DetectedImages& detected) {
+  const Output& out = o.output;
+  print_reasons(detected, [&](const std::string& line) { out.line(line); });
   for (const TriedModel& model : c.tried)
     out.line(model.failure.empty() ? fmt::format("{:<9} rms {:.4f} px, held out {:.4f} px", model.name, model.rms_pixel,
                                                  model.held_out_rms_pixel)
                                    : fmt::format("{:<9} {}", model.name, model.failure));
+  if (c.shapes.size() > 1)
+    for (const TriedShape& shape : c.shapes)
+      out.line(fmt::format("board {:<12} rms {:.4f} px, held out {:.4f} px", name_of(shape.shape), shape.rms_pixel,
+                           shape.held_out_rms_pixel));
   for (std::size_t i = 0; i < detected.names.size(); ++i) print_camera(out, c, i, detected.names[i]);
   out.line(fmt::format("All: rms {:.4f} px of {} points, held out {:.4f} px", c.bundle.rms_pixel, c.bundle.points,
                        c.held_out.rms_pixel));
+  for (const std::string& sentence : board.sentences) out.line(sentence);
+  for (const std::string& warning : board.warnings) out.line("! " + warning);
   for (const std::string& warning : c.warnings) out.line("! " + warning);
 }
 
@@ -159,9 +235,12 @@ int run(const CamerasArguments& o) {
     Output::note("this chessboard looks the same after half a turn: each image is taken as standing upright.");
   Progress progress("images", count);
   const DetectedImages detected = detect_in_images(grouped, target, [&](std::size_t at) { progress.at(at); });
-  const CameraCalibration calibration = calibrate_cameras(detected.board, detected.sizes, detected.names, {o.model});
-  print(o, calibration, detected);
-  o.output.json(whole_json(calibration, detected, grouped, target));
+  const std::string in_its_place = shown_in_its_place(detected, target);
+  CameraCalibration calibration = calibrated(detected, o.model, in_its_place);
+  if (!in_its_place.empty()) calibration.warnings.push_back(in_its_place);
+  const BoardReport board = board_report(detected.board, calibration, target);
+  print(o, calibration, board, detected);
+  o.output.json(whole_json(calibration, board, detected, grouped, target));
   if (!o.out.empty()) {
     write_output(o.out, rig_yaml(calibration.bundle.rig, detected.names), "--out");
     o.output.line("Written: " + o.out);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "detection/target_finding.h"
 #include "printing/blunder_output.h"
 #include "printing/told_json.h"
 
@@ -15,19 +16,36 @@ struct CheckArguments {
   Output output;
 };
 
+/// A target that no image shows is no session that works.
+void add_lost_target(const Session& session, const TargetSearch& search, SessionCheck& check) {
+  if (search.looked_at == 0 || search.found > 0) return;
+  const bool is_seen_elsewhere = std::any_of(session.observations.begin(), session.observations.end(),
+                                             [](const Observation& o) { return !o.sightings.empty(); });
+  std::string text = fmt::format("The {} is found in none of the {} observations whose images were looked at.",
+                                 description_of(*session.target), search.looked_at);
+  if (!search.in_its_place.empty()) text = search.in_its_place;
+  (is_seen_elsewhere ? check.warnings : check.problems).push_back(text);
+}
+
 int run(const CheckArguments& o) {
-  const Session session = open_searched_session(o.session, o.output);
-  const SessionCheck check = check_session(session);
+  TargetSearch search;
+  const Session session = open_searched_session(o.session, o.output, search);
+  SessionCheck check = check_session(session);
+  add_lost_target(session, search, check);
   for (const std::string& line : check.contents) o.output.line(line);
+  const auto size = check.problems.empty() ? target_size_of(session) : std::nullopt;
+  if (size) check.warnings.push_back(size->text + " " + size->fix);
   for (const std::string& line : check.warnings) o.output.line("warning: " + line);
   for (const std::string& line : check.problems) o.output.line("PROBLEM: " + line);
   o.output.line(check.problems.empty() && check.warnings.empty() ? "Everything in the session works."
                 : check.problems.empty() ? "Everything in the session can be used; look at what is odd."
                                          : fmt::format("{} problem{}: these would not work.", check.problems.size(),
                                                        check.problems.size() == 1 ? "" : "s"));
-  const std::vector<Blunder> blunders = check.problems.empty() ? blunders_of(session) : std::vector<Blunder>();
+  const std::vector<Blunder> blunders =
+      check.problems.empty() && !settles_it(size) ? blunders_of(session) : std::vector<Blunder>();
   print_blunders(o.output, o.session, blunders);
   Json json = check_json(session, check);
+  json["target_size"] = target_size_json(size);
   json["blunders"] = blunders_json(blunders);
   o.output.json(json);
   for (const std::string& line : check.problems) Output::note(line);

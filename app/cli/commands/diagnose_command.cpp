@@ -16,6 +16,14 @@ struct DiagnoseArguments {
   Output output;
 };
 
+/// Does the target's size explain nearly all? Then no other mistake is looked for.
+bool is_size_alone(const Diagnosis& d) {
+  constexpr double nearly_all = 0.8;
+  if (d.candidates.empty()) return false;
+  const DiagnosisCandidate& best = d.candidates.front();
+  return best.id == "target_scale" && best.ln_bayes_factor >= d.threshold && best.explained.value_or(0) > nearly_all;
+}
+
 int run(const DiagnoseArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   require_output(o.proof_file, "--proof");
@@ -31,7 +39,8 @@ int run(const DiagnoseArguments& o) {
   const Proofs proofs = proofs_of(session, d, in_full);
   print_diagnosis(o.output, session, d);
   print_proof(o.output, d, proofs);
-  const std::vector<Blunder> blunders = blunders_of(d.model.session, d.model.fit);
+  const std::vector<Blunder> blunders =
+      is_size_alone(d) ? std::vector<Blunder>() : blunders_of(d.model.session, d.model.fit);
   print_blunders(o.output, o.session, blunders);
   if (!o.proof_file.empty()) {
     write_output(o.proof_file, proof_csv(d, proofs), "--proof");

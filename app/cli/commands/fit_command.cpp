@@ -53,9 +53,12 @@ int run(const FitArguments& o) {
   const auto lone = o.without_wrong_points || !is_plain ? clean.lone : lone_observations(session, result, options);
   if (!o.without_wrong_points && !lone.empty())
     o.output.line(lone_text(lone, session.is_tracker(), false) + " --without-wrong-points fits without.");
-  const std::vector<Blunder> blunders = blunders_of(clean.session, result);
+  const auto size = is_plain ? other_target_size(clean.session, result, options) : std::nullopt;
+  print_target_size(o.output, size);
+  const std::vector<Blunder> blunders = settles_it(size) ? std::vector<Blunder>() : blunders_of(clean.session, result);
   print_blunders(o.output, o.session, blunders);
   Json json = fit_json(session, result, told, options);
+  json["target_size"] = target_size_json(size);
   json["blunders"] = blunders_json(blunders);
   json["lone_observations"] = lone_json(lone);
   json["flipped_targets"] = flipped_json(flipped);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int most_observations = 100;  // of a fit that only decides whether to look for blunders
 
-std::string size_text(const Blunder& b, double rms) {
-  return b.in_pixels ? fmt::format("{:.3g} px", rms) : fmt::format("{:.3g} mm", 1e3 * rms);
+std::string size_text(bool in_pixels, double rms) {
+  return in_pixels ? fmt::format("{:.3g} px", rms) : fmt::format("{:.3g} mm", 1e3 * rms);
 }
 
 }  // namespace
@@ -32,6 +32,17 @@ std::vector<Blunder> blunders_of(const Session& session, const Fit& fit) {
   }
 }
 
+std::optional<TargetSize> target_size_of(const Session& session) {
+  if (!session.target && !session.pose_sensor) return std::nullopt;
+  try {
+    const auto sample = sample_of(session, most_observations, most_observations);
+    const Session& judged = sample ? sample->session : session;
+    return other_target_size(judged, fit(judged, {.smallest_step = 1e-6}), {.smallest_step = 1e-6});
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 std::vector<Blunder> blunders_of(const Session& session) {
   try {
     const auto sample = sample_of(session, most_observations, most_observations);
@@ -42,13 +53,37 @@ std::vector<Blunder> blunders_of(const Session& session) {
   }
 }
 
+bool settles_it(const std::optional<TargetSize>& size) {
+  constexpr double little = 0.25;
+  return size && size->rms_after < little * size->rms_before;
+}
+
+void print_target_size(const Output& out, const std::optional<TargetSize>& size) {
+  if (!size) return;
+  out.line();
+  out.line(fmt::format("! {} With that {} is left in place of {}. {}", size->text,
+                       size_text(size->in_pixels, size->rms_after), size_text(size->in_pixels, size->rms_before),
+                       size->fix));
+}
+
+Json target_size_json(const std::optional<TargetSize>& size) {
+  if (!size) return nullptr;
+  const std::string unit = size->in_pixels ? "pixel" : "m";
+  return {{"scale", number(size->scale)},
+          {"sigma", number(size->sigma)},
+          {"rms_before_" + unit, number(size->rms_before)},
+          {"rms_after_" + unit, number(size->rms_after)},
+          {"text", size->text},
+          {"fix", size->fix}};
+}
+
 void print_blunders(const Output& out, const std::string& session_path, const std::vector<Blunder>& blunders) {
   if (blunders.empty()) return;
   out.line();
   const Blunder& first = blunders.front();
   out.line(fmt::format("{}, and with it {} is left in place of {}:",
                        blunders.size() == 1 ? "A mistake explains it" : "Two mistakes together explain it",
-                       size_text(first, first.rms_after), size_text(first, first.rms_before)));
+                       size_text(first.in_pixels, first.rms_after), size_text(first.in_pixels, first.rms_before)));
   std::string fixes;
   for (const Blunder& b : blunders) {
     out.line("  " + b.text);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "blunders/find_blunders.h"
+#include "blunders/target_size.h"
 #include "command.h"
 
 namespace handsight::cli {
@@ -14,6 +15,15 @@ std::vector<Blunder> blunders_of(const Session& session, const Fit& fit);
 /// The same where there is no fit yet: a plain one is made of at most 100 observations. None where nothing can be
 /// fitted.
 std::vector<Blunder> blunders_of(const Session& session);
+
+/// other_target_size by such a plain fit; nothing where nothing can be fitted.
+std::optional<TargetSize> target_size_of(const Session& session);
+
+/// A target of another size than described (target_size.h), which is told in place of blunders where it leaves little.
+bool settles_it(const std::optional<TargetSize>& size);
+void print_target_size(const Output& output, const std::optional<TargetSize>& size);
+/// scale, sigma, text, fix, rms_before_pixel and rms_after_pixel (or ..._m); null where there is none.
+Json target_size_json(const std::optional<TargetSize>& size);
 
 void print_blunders(const Output& output, const std::string& session_path, const std::vector<Blunder>& blunders);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "diagnosis/evidence/body_rows.h"
@@ -211,6 +212,9 @@ FitOptions from_there(const FitOptions& options, const Fit& fit) {
   return again;
 }
 
+/// A fit that goes on from where one has ended that has looked at all starts need not look at them again.
+constexpr double nothing = std::numeric_limits<double>::min();
+
 /// Which points are wrong does not hang on what no Bayes factor shows.
 FitOptions roughly(FitOptions options, const Weighing& by) {
   set_quick(by, options);
@@ -234,7 +238,10 @@ CleanFit clean_fit(const Session& session, const FitOptions& options) {
     clean.wrong.insert(clean.wrong.end(), wrong.begin(), wrong.end());
     is_rough = bends;
     FitOptions again = from_there(options, clean.fit);
-    if (is_rough) again = roughly(again, weighing(clean.fit));
+    if (is_rough)
+      again = roughly(again, weighing(clean.fit));
+    else if (again.least_gain == 0)
+      again.least_gain = nothing;
     clean.fit.problem = {};  // of a long session every copy counts
     clean.fit = fit(clean.session, again);
   }

@@ -24,6 +24,20 @@ Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, boo
 
 namespace {
 
+/// Directions that the information does not determine. Where its factors are far from singular there are none, which
+/// takes a tenth of the time to see.
+int unobservable_in(const Eigen::MatrixXd& h) {
+  constexpr double far_from_singular = 1e-6;  // six powers of ten above what counts as singular
+  const Eigen::VectorXd scale = inverse_scale(h);
+  if (scale.size() > 0 && scale.minCoeff() > 0) {
+    const Eigen::LDLT<Eigen::MatrixXd> ldlt(scale.asDiagonal() * h * scale.asDiagonal());
+    if (ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > far_from_singular) return 0;
+  }
+  int left_out = 0;
+  pseudo_inverse(h, &left_out);
+  return left_out;
+}
+
 Unknowns stepped(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step, bool fixed_body) {
   if (!fixed_body) return moved(problem, unknowns, step);
   Unknowns next = unknowns;
@@ -33,6 +47,11 @@ Unknowns stepped(const Problem& problem, const Unknowns& unknowns, const Eigen::
     next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.segment<6>(6));
   next.effects += step.tail(problem.effect_count());
   return next;
+}
+
+/// The information of the steps; of free markers the basis is the identity, and large.
+Eigen::MatrixXd by_steps(const Eigen::MatrixXd& information, const Eigen::MatrixXd& basis, bool fixed_body) {
+  return fixed_body ? Eigen::MatrixXd(basis.transpose() * information * basis) : information;
 }
 
 /// (H + damping D) step = gradient in the scaled unknowns; a pseudo-inverse where H does not determine them all.
@@ -93,8 +112,10 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   while (can_start && solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
     ++solution.iterations;
     solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
-    const Eigen::MatrixXd h = solution.basis.transpose() * solution.normal.information * solution.basis;
-    const Eigen::VectorXd gradient = solution.basis.transpose() * solution.normal.gradient;
+    const Eigen::MatrixXd h = by_steps(solution.normal.information, solution.basis, options.fixed_body);
+    const Eigen::VectorXd gradient = options.fixed_body
+                                         ? Eigen::VectorXd(solution.basis.transpose() * solution.normal.gradient)
+                                         : solution.normal.gradient;
     const Eigen::VectorXd step = damped_step(h, gradient, damping);
     const Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
     const double size = size_of(original, step);
@@ -129,7 +150,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   }
   if (!solution.normal.in_front) solution.converged = false;
   solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
-  pseudo_inverse(solution.basis.transpose() * solution.normal.information * solution.basis, &solution.unobservable);
+  solution.unobservable = unobservable_in(by_steps(solution.normal.information, solution.basis, options.fixed_body));
   return solution;
 }
 

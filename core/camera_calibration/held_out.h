@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What views that nothing was fitted to say of a model of lens and target, and which of several models they prefer.
+#pragma once
+
+#include "camera_calibration/camera_calibration.h"
+
+namespace handsight {
+
+/// Each frame's error by the cameras and the target's shape from the others (in 10 to 15 parts), the poses its own.
+HeldOut held_out(const BoardImages& images, const BundleResult& whole);
+
+/// A model that was fitted.
+struct Candidate {
+  BundleResult bundle;
+  HeldOut held_out;
+
+  const LensModel& lens() const { return *bundle.rig.lenses[0].model; }
+  /// Its numbers are determined and it has errors of views that were held out.
+  bool is_known() const { return held_out.rms_pixel > 0 && bundle.lens_covariances.at(0).has_value(); }
+};
+
+/// Do the held-out views say beyond doubt that `other` is nearer to the truth: 3 % less error, and so from view to view
+/// that chance would do it once in a thousand?
+bool is_beyond_doubt(const Candidate& simple, const Candidate& other);
+
+/// The simplest of those that no other one excels beyond doubt: the plain lens before others, a target as described
+/// before a bent one and that before one of free points. Null where there is none.
+const Candidate* preferred(const std::vector<Candidate>& candidates);
+
+/// What the target's shape may be, the usual first: as described, bent, or of free points; within its sigma, or free.
+std::vector<BoardShape> shapes_of(const BoardImages& images);
+
+/// The candidate with another shape of the target; itself where its least squares do not come to an end.
+Candidate reshaped(const BoardImages& images, const Candidate& from, BoardShape shape);
+
+}  // namespace handsight

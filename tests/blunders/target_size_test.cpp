@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boards that are described much too large or too small are told at once.
+#include "blunders/target_size.h"
+
+#include <gtest/gtest.h>
+
+#include "effects/own_effect.h"
+#include "fixtures/targets.h"
+#include "session/session_xml.h"
+
+namespace handsight {
+namespace {
+
+using fixture::eye_in_hand_session;
+using fixture::target_session;
+
+SimulatedSession simulated(const Session& like, std::uint64_t seed) {
+  SimulationOptions o;
+  o.observations = 30;
+  o.seed = seed;
+  return simulate_session(like, o);
+}
+
+/// The same measurements of a board that is described so that it really is larger by this share.
+Session described_otherwise(Session session, double larger_by) {
+  for (Vector3& x : session.shape->markers) x /= 1 + larger_by;
+  session.target->square /= 1 + larger_by;
+  session.target->tag /= 1 + larger_by;
+  return session;
+}
+
+std::optional<TargetSize> size_of(const Session& session) { return other_target_size(session, fit(session), {}); }
+
+TEST(TargetSizeAtOnce, IsToldHoweverWrongTheDescription) {
+  for (const Session& like : {target_session(fixture::charuco(), 2), eye_in_hand_session()})
+    for (const double by : {0.09, 0.31, 1.0, -0.11, -0.4}) {
+      const Session session = described_otherwise(simulated(like, 3).session, by);
+      const auto size = size_of(session);
+      ASSERT_TRUE(size.has_value()) << by;
+      EXPECT_NEAR(size->scale, by, 4 * size->sigma + 0.01 * std::abs(by));
+      EXPECT_LT(size->rms_after, 0.2 * size->rms_before);
+      EXPECT_NE(size->text.find(by > 0 ? "larger" : "smaller"), std::string::npos) << size->text;
+    }
+}
+
+TEST(TargetSizeAtOnce, IsNotToldOfARightOne) {
+  for (const Session& like : {target_session(fixture::charuco(), 2), target_session(), eye_in_hand_session()})
+    EXPECT_FALSE(size_of(simulated(like, 4).session).has_value());
+}
+
+TEST(TargetSizeAtOnce, IsNotToldWhereItIsInTheModel) {
+  const Session session = described_otherwise(simulated(eye_in_hand_session(), 5).session, 0.1);
+  const Chain chain = chain_of(session);
+  const FitOptions with{.estimated = effect_terms("target_scale", chain, own_effects_of(session, chain))};
+  EXPECT_FALSE(other_target_size(session, fit(session, with), with).has_value());
+}
+
+/// Squares of 21.8 mm, described as 20, 19 % and 118 % off: what the fit leaves is never called converged beyond what
+/// any robot explains.
+TEST(TargetSizeAtOnce, OfARealBoard) {
+  const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "field/cameras/real_square_size";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
+  const Session as_described = read_session(folder);
+  for (const double square : {0.02, 0.0166, 0.01}) {
+    const Session session = described_otherwise(as_described, 0.02 / square - 1);
+    const Fit f = fit(session);
+    const auto size = other_target_size(session, f, {});
+    ASSERT_TRUE(size.has_value()) << square;
+    EXPECT_NEAR(square * (1 + size->scale), 0.0218, 0.0003) << size->text;
+    if (f.residual_rms > 25) EXPECT_FALSE(f.converged()) << f.residual_rms;
+  }
+}
+
+}  // namespace
+}  // namespace handsight
