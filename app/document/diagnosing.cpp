@@ -147,6 +147,14 @@ void Diagnosing::start() {
         }
         part->has_views = true;
         hand_over(&Diagnosing::views_changed);
+        if (control.is_cancelled()) return true;
+        const ErrorSummary region = region_error(*part->diagnosis);
+        const auto elsewhere = version->fit->problem.rig ? region.rms_pixel : region.rms_m;
+        if (!control.is_cancelled())
+          post([this, result, elsewhere] {
+            result->elsewhere = elsewhere;
+            if (result == now_) emit elsewhere_changed();
+          });
         const ModelSettings& settings = version->settings;
         if (static_cast<int>(settings.estimated.size()) == settings.by_hand || control.is_cancelled()) return true;
         auto certain = std::make_shared<const Certainty>(handsight::certainty(
