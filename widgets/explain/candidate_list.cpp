@@ -198,8 +198,8 @@ void CandidateList::add_at_foot(QWidget* widget, FootPlace place) {
 void CandidateList::lay_out_foot() {
   longest_add_ = std::max({longest_add_, least_add_width, add_->sizeHint().width()});
   int wanted = longest_add_ + why_not_->sizeHint().width() + 3 * kGap;
-  for (const QWidget* w : at_foot_)
-    wanted += w->isHidden() ? 0 : std::max(w->sizeHint().width(), w->minimumWidth()) + kGap;
+  for (const QWidget* w : at_foot_)  // the hidden ones too: they will come
+    wanted += std::max(w->sizeHint().width(), w->minimumWidth()) + kGap;
   const bool has_second = wanted > width();
   if (has_second == has_second_foot_) return;
   has_second_foot_ = has_second;

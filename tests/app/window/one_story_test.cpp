@@ -28,7 +28,7 @@ class OneStory : public Explain {
     options.noise = is_tracker ? 2e-4 : 0.2;
     options.declare_noise = false;
     options.effects = {
-        term_of(*find_effect("joint_offset"), find_joint(like.robot, like.joints[like.joints.size() - 4]))};
+        term_of(*find_effect("joint_offset"), find_joint(like.robot, like.joints[like.joints.size() - 6]))};
     options.effects[0].values = {0.01};
     session = folder.path / name;
     write_simulated(simulate_session(like, options), options, handsight::folder(like) / like.robot_file, {}, session);
