@@ -72,8 +72,9 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   });
   foot_ = new QHBoxLayout;
   foot_->setContentsMargins(0, 0, kGap, 4);
-  foot_->addWidget(add_, 1);
+  foot_->addWidget(add_, 100);  // as wide as its longest text
   foot_->addWidget(why_not_);
+  foot_->addStretch(1);
   layout->addLayout(foot_);
   second_foot_ = new QHBoxLayout;
   second_foot_->setContentsMargins(0, 0, kGap, 4);
@@ -185,11 +186,12 @@ void CandidateList::mark_main() {
 
 void CandidateList::add_at_foot(QWidget* widget, FootPlace place) {
   widget->setFixedHeight(kControlHeight);
-  if (place == FootPlace::before_why_not) {
-    foot_->insertWidget(foot_->indexOf(why_not_), widget);
-  } else {
-    foot_->addWidget(widget);
+  if (place == FootPlace::after_why_not) {
+    // What comes and goes would have no room there, or push the others aside: it stands above, beside the title.
+    static_cast<QHBoxLayout*>(layout()->itemAt(0)->layout())->addWidget(widget);
+    return;
   }
+  foot_->insertWidget(foot_->indexOf(why_not_), widget);
   at_foot_.push_back(widget);
 }
 
@@ -201,6 +203,7 @@ void CandidateList::lay_out_foot() {
   for (const QWidget* w : at_foot_)  // the hidden ones too: they will come
     wanted += std::max(w->sizeHint().width(), w->minimumWidth()) + kGap;
   const bool has_second = wanted > width();
+  add_->setMaximumWidth(longest_add_);
   if (has_second == has_second_foot_) return;
   has_second_foot_ = has_second;
   std::vector<QWidget*> others;
@@ -210,7 +213,7 @@ void CandidateList::lay_out_foot() {
   for (QWidget* w : others) {
     (has_second ? foot_ : second_foot_)->removeWidget(w);
     QHBoxLayout* const row = has_second ? second_foot_ : foot_;
-    row->insertWidget(has_second ? row->count() - 1 : row->count(), w);
+    row->insertWidget(row->count() - 1, w);  // before what stretches
   }
 }
 
