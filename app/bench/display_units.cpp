@@ -29,7 +29,7 @@ std::optional<double> ResidualSize::in(SizeUnit unit) const {
 
 ResidualSize size_of(const ErrorSummary& e, bool in_pixels, std::optional<double> noise) {
   return {.pixel = in_pixels ? e.rms_pixel : std::nullopt,
-          .millimetre = scaled(e.rms_m, 1e3),
+          .millimetre = scaled(in_pixels ? e.hand_m : e.rms_m, 1e3),
           .sigma = in_pixels ? over(e.rms_pixel, noise) : over(scaled(e.rms_m, 1 / as_told(1, false)), noise)};
 }
 
@@ -86,7 +86,7 @@ VersionSizes sizes_of(const FitReport& report, bool in_pixels, std::optional<dou
   sizes.fitted = size_of(report.fitted, in_pixels, noise);
   sizes.held_out = size_of(report.held_out, in_pixels, noise);
   sizes.noise = {.pixel = in_pixels ? own_noise : std::nullopt,
-                 .millimetre = scaled(report.rms_of_noise_m, 1e3),
+                 .millimetre = scaled(in_pixels ? report.noise_of_hand_m : report.rms_of_noise_m, 1e3),
                  .sigma = over(own_noise, noise)};
   return sizes;
 }

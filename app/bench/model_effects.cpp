@@ -45,6 +45,7 @@ QString group_of(const Effect& e, const Chain& chain) {
     e.move(c, place, values, s);
   const auto any = [&](auto&& is_moved) { return std::any_of(s.robot.joints.begin(), s.robot.joints.end(), is_moved); };
   if (e.definition) return QObject::tr("Own");
+  if (e.id.starts_with("target_")) return QObject::tr("Target");  // of a pose sensor its size moves what is seen
   const bool moves_cameras =
       std::any_of(s.cameras.begin(), s.cameras.end(), [](const CameraChange& one) { return !one.is_zero(); });
   if (moves_cameras || !s.mount.isZero() || !s.drift.isZero()) return QObject::tr("Cameras");
@@ -235,8 +236,8 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
     list.push_back(std::move(shown));
   }
   // Groups in the order in which one mends a robot; what cannot be seen last.
-  const QStringList groups = {QObject::tr("Joints"),  QObject::tr("Links"), QObject::tr("Base"),
-                              QObject::tr("Cameras"), QObject::tr("Hand"),  QObject::tr("Own")};
+  const QStringList groups = {QObject::tr("Joints"), QObject::tr("Links"), QObject::tr("Base"), QObject::tr("Cameras"),
+                              QObject::tr("Target"), QObject::tr("Hand"),  QObject::tr("Own")};
   const auto place = [&](const widgets::ModelEffect& e) {
     const auto at = groups.indexOf(e.group);
     return at < 0 ? groups.size() + (e.can_change ? 0 : 1) : at;

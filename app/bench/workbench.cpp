@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/workbench.h"
 
+#include "diagnosis/verdict/finding.h"
 #include "estimation/online/second_look.h"
 #include "words/counted.h"
 
@@ -43,12 +44,45 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
       selection.select_observation(observations.back().id);
   });
   connect(&document, &Document::closed, this, [this] {
+    stories_.clear();
     jobs.cancel();
     background.cancel();
     explaining.cancel();
     images.clear();
     selection.clear();
   });
+}
+
+std::shared_ptr<const Diagnosis> Workbench::diagnosis_of(const ModelVersionPointer& model) const {
+  return model && model == document.model() ? diagnosing.diagnosis() : nullptr;
+}
+
+const Story& Workbench::story_of(const ModelVersionPointer& model) const {
+  constexpr std::size_t most_kept = 4;
+  Told now{.model = model, .diagnosis = diagnosis_of(model)};
+  if (model && model == document.model()) {
+    now.refused = refused_now(refused, document);
+    now.elsewhere = diagnosing.elsewhere();
+  }
+  for (const auto& [told, story] : stories_)
+    if (told == now) return story;
+  Story story = !model || !model->fit ? Story{}
+                                      : handsight::story_of({.fit = *model->fit,
+                                                             .report = *model->report,
+                                                             .blame = model->inspection->blame,
+                                                             .diagnosis = now.diagnosis.get(),
+                                                             .refused = now.refused,
+                                                             .elsewhere = now.elsewhere});
+  stories_.emplace_front(std::move(now), std::move(story));
+  if (stories_.size() > most_kept) stories_.pop_back();
+  return stories_.front().second;
+}
+
+/// What is an observation's own fault (its images, its markers) stays so, whatever all of them lack.
+Blame Workbench::blame_of(const InspectionRow& row) const {
+  const auto diagnosis = diagnosis_of(document.shown_model());
+  if (row.blame.letter != 'R' || !diagnosis || story().causes.empty()) return row.blame;
+  return blame_by_finding(row.blame, *diagnosis, refused_now(refused, document));
 }
 
 const Inspection* Workbench::inspection() const {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <QObject>
+#include <deque>
 #include <unordered_map>
 
 #include "bench/display_units.h"
+#include "diagnosis/story/story.h"
 #include "document/diagnosing.h"
 #include "document/document.h"
 #include "document/refit.h"
@@ -36,6 +38,16 @@ class Workbench : public QObject {
   Jobs explaining;  // diagnoses, added effects, planned poses. After what its work reports to: it dies first
   ImageSource images;
   std::vector<Refusal> refused;  // of this session, by Explain
+
+  /// What there is to say of a version of the model, made once for every place that speaks of it (story.h); of a model
+  /// without a fit an empty one. The diagnosis is of the present model.
+  const Story& story_of(const ModelVersionPointer& model) const;
+  /// Of the shown model, which is the present one but where an earlier one is looked at.
+  const Story& story() const { return story_of(document.is_open() ? document.shown_model() : nullptr); }
+  /// The diagnosis that its story goes by; null where it has none.
+  std::shared_ptr<const Diagnosis> diagnosis_of(const ModelVersionPointer& model) const;
+  /// Whose fault one observation's error is, in the light of the same cause as the whole session's.
+  Blame blame_of(const InspectionRow& row) const;
 
   /// The inspection of the shown model; null before there is one.
   const Inspection* inspection() const;
@@ -70,6 +82,15 @@ class Workbench : public QObject {
 
  private:
   void look_again();
+  /// Of what the story was told: as long as it is the same, the story is.
+  struct Told {
+    ModelVersionPointer model;
+    std::shared_ptr<const Diagnosis> diagnosis;
+    std::set<std::string> refused;
+    std::optional<double> elsewhere;
+    bool operator==(const Told&) const = default;
+  };
+  mutable std::deque<std::pair<Told, Story>> stories_;  // the latest first; a reference stays good while it is kept
   std::optional<double> predicted_error_;
   std::unordered_map<std::int64_t, double> predicted_ratios_;
 };

@@ -64,13 +64,6 @@ QString shape_of(const EffectDefinition& definition, const std::string& place, c
 
 }  // namespace
 
-std::string id_of(const DiagnosisCandidate& c) {
-  if (!c.unnamed) return c.id;
-  return c.terms.empty() ? std::string() : c.terms.front().id;
-}
-
-bool can_be_added(const DiagnosisCandidate& c) { return !c.terms.empty() && (!c.unnamed || c.refitted); }
-
 std::vector<EffectTerm> curves_of(const Fit& fit) {
   std::vector<EffectTerm> curves;
   for (const EffectTerm& term : terms_of(fit))

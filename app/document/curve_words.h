@@ -4,16 +4,9 @@
 
 #include <QString>
 
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/finding.h"
 
 namespace handsight::app {
-
-/// What cards, views and refusals are kept by: the effect's id, "curve_1" of a curve that can be added, empty of a
-/// function that no formula says.
-std::string id_of(const DiagnosisCandidate& candidate);
-
-/// Can it be added to the model: a name, or a curve that was settled and fitted?
-bool can_be_added(const DiagnosisCandidate& candidate);
 
 /// The curves without a name among a fit's terms.
 std::vector<EffectTerm> curves_of(const Fit& fit);

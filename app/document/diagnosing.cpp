@@ -7,6 +7,7 @@ namespace handsight::app {
 namespace {
 
 constexpr std::size_t most_kept = 12;
+constexpr int most_for_regions = 1000;  // observations
 
 std::shared_ptr<const CandidateView> make_view(const ModelResiduals& residuals, const Diagnosis& d,
                                                const DiagnosisCandidate& c) {
@@ -147,6 +148,16 @@ void Diagnosing::start() {
         }
         part->has_views = true;
         hand_over(&Diagnosing::views_changed);
+        if (control.is_cancelled()) return true;
+        // Of long sessions it would take longer than the search.
+        const bool is_short = version->report->used <= most_for_regions;
+        const ErrorSummary region = is_short ? region_error(*part->diagnosis) : part->diagnosis->report.held_out_region;
+        const auto elsewhere = version->fit->problem.rig ? region.rms_pixel : region.rms_m;
+        if (!control.is_cancelled())
+          post([this, result, elsewhere] {
+            result->elsewhere = elsewhere;
+            if (result == now_) emit elsewhere_changed();
+          });
         const ModelSettings& settings = version->settings;
         if (static_cast<int>(settings.estimated.size()) == settings.by_hand || control.is_cancelled()) return true;
         auto certain = std::make_shared<const Certainty>(handsight::certainty(

@@ -47,6 +47,8 @@ class Diagnosing : public QObject {
   std::shared_ptr<const ModelResiduals> residuals() const { return now_ ? now_->residuals : nullptr; }
   std::shared_ptr<const Diagnosis> diagnosis() const { return now_ ? now_->diagnosis : nullptr; }
   std::shared_ptr<const Certainty> certainty() const { return now_ ? now_->certainty : nullptr; }
+  /// The present model's error where whole regions of poses are held out (px or m); nothing until it is worked out.
+  std::optional<double> elsewhere() const { return now_ ? now_->elsewhere : std::nullopt; }
   /// By id_of the candidate, of the present diagnosis; null where it was not worked out (yet).
   std::shared_ptr<const CandidateView> view_of(const std::string& id) const;
   bool is_running() const { return jobs_.is_busy("diagnosis"); }
@@ -65,6 +67,7 @@ class Diagnosing : public QObject {
   void diagnosis_changed();  // the candidates
   void views_changed();      // how candidates show
   void certainty_changed();  // how sure the names are; the document's version then allows for it
+  void elsewhere_changed();  // the error where the robot has not been measured
   void progressed();
 
  private:
@@ -74,6 +77,7 @@ class Diagnosing : public QObject {
     std::shared_ptr<const Diagnosis> diagnosis;
     std::map<std::string, std::shared_ptr<const CandidateView>> views;
     bool has_views = false;
+    std::optional<double> elsewhere;
     std::shared_ptr<const Certainty> certainty;  // null where the model has no effects, or until it is there
   };
   using ResultPointer = std::shared_ptr<Result>;

@@ -12,20 +12,7 @@
 namespace handsight::app {
 
 ErrorAndNoise error_and_noise(const ModelVersion& version) {
-  ErrorAndNoise result;
-  if (!version.fit) return result;
-  const FitReport& report = *version.report;
-  result.in_pixels = version.fit->problem.rig.has_value();
-  const auto of = [&](const ErrorSummary& e) { return result.in_pixels ? e.rms_pixel : e.rms_m; };
-  result.error = of(report.held_out);
-  result.held_out = result.error.has_value();
-  if (!result.error) result.error = of(report.fitted);
-  if (report.used < fewest_that_tell) {
-    result.error.reset();
-    result.held_out = false;
-  }
-  if (version.fit->noise) result.noise = as_told(*version.fit->noise, result.in_pixels);
-  return result;
+  return version.fit ? story_error(*version.fit, *version.report) : ErrorAndNoise{};
 }
 
 Vector6 origin_sigma(const Fit& fit) {

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "diagnosis/attribution/inspection.h"
+#include "diagnosis/story/story.h"
 #include "diagnosis/verdict/diagnosis.h"
 #include "document/edit.h"
 #include "estimation/report/fit_report.h"
@@ -43,19 +44,8 @@ struct ModelVersion {
 };
 using ModelVersionPointer = std::shared_ptr<const ModelVersion>;
 
-/// The error that counts (held out where it is known, else fitted) and what noise alone would make of it: px of one
-/// image coordinate; in tracker sessions m, of positions.
-struct ErrorAndNoise {
-  std::optional<double> error, noise;
-  bool held_out = false;
-  bool in_pixels = true;
-
-  std::optional<double> ratio() const {
-    return error && noise && *noise > 0 ? std::optional(*error / *noise) : std::nullopt;
-  }
-};
-/// With fewer observations than this a fit agrees with them whatever is wrong: no error is told.
-inline constexpr int fewest_that_tell = 3;
+/// As the story tells it (story.h).
+using ErrorAndNoise = StoryError;
 ErrorAndNoise error_and_noise(const ModelVersion& version);
 
 /// Standard deviations of tcp_from_body: of the body's origin (m), and of the rotations about the TCP's axes (rad).

@@ -24,13 +24,17 @@ std::optional<double> number_of(const Json& json, const char* key) {
 }
 
 Json errors_json(const ErrorSummary& e) {
-  return {{"px", number(e.rms_pixel)}, {"m", number(e.rms_m)}, {"mean", number(e.mean_m)}, {"max", number(e.max_m)}};
+  return {{"px", number(e.rms_pixel)},
+          {"m", number(e.rms_m)},
+          {"mean", number(e.mean_m)},
+          {"max", number(e.max_m)},
+          {"hand", number(e.hand_m)}};
 }
 
 ErrorSummary errors_of(const Json& json, const char* key) {
   if (!json.contains(key)) return {};
   const Json& e = json[key];
-  return {number_of(e, "px"), number_of(e, "m"), number_of(e, "mean"), number_of(e, "max")};
+  return {number_of(e, "px"), number_of(e, "m"), number_of(e, "mean"), number_of(e, "max"), number_of(e, "hand")};
 }
 
 }  // namespace

@@ -124,8 +124,9 @@ void Adding::add(const std::string& id) {
   if (found == before->candidates.end()) return;
   const QString name = name_of(*found, bench_.document.session());
   const auto view = bench_.diagnosing.view_of(id);
-  start({before, *found, bench_.document.revision()}, tr("Adding %1").arg(name),
-        {name, view ? view->proof : proof_of(*before, *found)});
+  start(
+      {before, *found, bench_.document.revision()}, tr("Adding %1").arg(name),
+      {name, bench_.story().lead() && bench_.story().lead()->id == id, view ? view->proof : proof_of(*before, *found)});
 }
 
 void Adding::seek_other_names(bool only_likely) {
@@ -216,7 +217,7 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   bench_.document.take_version(version);
   is_taking_ = false;
   added_likely_ = change.steps.back().likely.has_value();
-  taken_ = {offered_.name, outcome.proof};
+  taken_ = {offered_.name, offered_.leads, outcome.proof};
   end(AdditionEnd::taken, version->cause.left(1).toUpper() + version->cause.mid(1) + '.');
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "words/core_words.h"
+#include "document/effect_words.h"
 #include "words/counted.h"
 
 namespace handsight::app {
@@ -13,7 +13,6 @@ AddingOn::AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& car
     : QObject(parent), bench_(bench), adding_(adding), cards_(cards) {
   connect(&adding, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
     if (end == AdditionEnd::taken) note_taken();
-    stands_in_.reset();
     const bool found_none = std::exchange(is_seeking_, false) && end == AdditionEnd::refused;
     if (found_none) sought_at_ = bench_.document.revision();
     if (is_running_ && found_none) this->end(told_at_the_end());
@@ -36,7 +35,6 @@ void AddingOn::note_taken() {
   // Other names are sought by more evidence than it has: it would be taken out again.
   only_likely_ = only_likely_ || is_seeking_;
   ++added_;
-  if (stands_in_) stand_ins_.push_back(*stands_in_);
 }
 
 void AddingOn::start() {
@@ -45,7 +43,6 @@ void AddingOn::start() {
   is_paused_ = false;
   added_ = sought_ = 0;
   found_others_ = only_likely_ = false;
-  stand_ins_.clear();
   emit changed();
   look();
 }
@@ -93,7 +90,6 @@ void AddingOn::add_first() {
   for (int i = 0; i < cards_.count(); ++i) {
     const widgets::CardState& card = cards_.card(i)->state();
     if (card.kind != widgets::CardKind::candidate || !card.can_add) continue;
-    if (!card.caution.isEmpty()) stands_in_ = StandIn{card.id.toStdString(), within_sentence(card.title)};
     return adding_.add(card.id.toStdString());
   }
   seek_or_end();
@@ -111,22 +107,24 @@ void AddingOn::seek_or_end() {
   adding_.seek_other_names(only_likely_ || sought_ > most_times_sought);
 }
 
+/// As the story says it: done is what agrees with the measurements, and stands in for nothing.
 QString AddingOn::told_at_the_end() const {
+  const Story& story = bench_.story_of(bench_.document.model());
   QStringList done;
   if (added_ > 0 || !found_others_) done << tr("%1 added").arg(counted(added_, "%n cause(s)"));
   if (found_others_) done << tr("other names found for what was added");
-  QString sentence = (cards_.card(0)->state().kind == widgets::CardKind::adequate
+  QString sentence = (story.state == StoryState::at_the_noise && story.stands_in.empty()
                           ? tr("Done: %1, and nothing is missing any more.")
+                      : story.state == StoryState::at_the_noise || story.state == StoryState::unnamed_at_the_noise
+                          ? tr("Stopped at the noise: %1.")
                           : tr("Stopped by itself: %1, and nothing is left that would help."))
                          .arg(done.join(", "));
-  const std::vector<EffectTerm>& model = bench_.document.settings().estimated;
   QStringList stand_ins;
-  for (const StandIn& s : stand_ins_)
-    if (std::any_of(model.begin(), model.end(), [&](const EffectTerm& t) { return t.id == s.id; }))
-      stand_ins << s.title;
-  if (!stand_ins.isEmpty())
-    sentence += tr(" Larger than robots are built, so it stands in for another cause: %1.").arg(stand_ins.join(", "));
-  return sentence;
+  for (const StandIn& s : story.stands_in) stand_ins << effect_of(s.id, s.where);
+  // First what is to be doubted: where there is little room the rest is cut off.
+  if (stand_ins.isEmpty()) return sentence;
+  return tr("Larger than robots are built, so it stands in for another cause: %1.").arg(stand_ins.join(", ")) + ' ' +
+         sentence;
 }
 
 }  // namespace handsight::app

@@ -30,11 +30,6 @@ class AddingOn : public QObject {
   void changed();
 
  private:
-  struct StandIn {
-    std::string id;
-    QString title;
-  };
-
   void note_taken();
   void end(const QString& sentence);
   bool is_waiting() const;
@@ -52,8 +47,6 @@ class AddingOn : public QObject {
   bool is_seeking_ = false, found_others_ = false;
   bool only_likely_ = false;               // a name was taken for being likely: other names are no longer sought
   std::optional<std::int64_t> sought_at_;  // the document's revision
-  std::optional<StandIn> stands_in_;       // what is being added, where its size is implausible
-  std::vector<StandIn> stand_ins_;         // those that were added
 };
 
 }  // namespace handsight::app

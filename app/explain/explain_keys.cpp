@@ -3,9 +3,11 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QToolButton>
 
 #include "explain/explain_workspace.h"
 #include "explain/failing_pane.h"
+#include "explain/missing_pane.h"
 #include "explain/watching_pane.h"
 #include "widgets/explain/version_list.h"
 #include "widgets/explain/what_if_slider.h"
@@ -79,9 +81,32 @@ std::vector<Action> ExplainWorkspace::own_actions() const {
   const auto explained = [](const char* id, const QString& gesture, const QString& what) {
     return Action{.id = id, .group = tr("Explain"), .text = what, .gesture = gesture};
   };
-  return {explained("card_keys", tr("Tab, Enter"), tr("look at a card, add it")),
-          explained("hold_keys", tr("N, B held down"), tr("noise alone, before and after")),
-          explained("brush", tr("Shift+drag"), tr("choose observations in a plot"))};
+  const auto done = [this](const char* id, const QString& text, const QString& tip, auto&& run) {
+    return Action{.id = id,
+                  .group = tr("Explain"),
+                  .text = text,
+                  .tip = tip,
+                  .run =
+                      [this, run] {
+                        emit bench_.workspace_requested(Place::explain);
+                        run();
+                      },
+                  .is_possible = [this] { return bench_.document.is_open(); }};
+  };
+  Action reveal =
+      done("reveal", tr("Reveal the &truth"), tr("what was hidden in this session"), [this] { missing_->reveal(); });
+  reveal.is_possible = reveal.is_offered = [this] { return missing_->can_reveal(); };
+  constexpr int of_actions = 2;
+  reveal.section = of_actions;
+  return {
+      done("until_it_stops", tr("Add until it stops"), tr("add the best cause again and again"),
+           [this] { missing_->add_until_it_stops(); }),
+      done("why_not", tr("Why not …?"), tr("all effects, with one verdict each"), [this] { missing_->show_why_not(); }),
+      done("tour", tr("Tour: find the missing effect"), {}, [this] { findChild<QToolButton*>("start_tour")->click(); }),
+      std::move(reveal),
+      explained("card_keys", tr("Tab, Enter"), tr("look at a card, add it")),
+      explained("hold_keys", tr("N, B held down"), tr("noise alone, before and after")),
+      explained("brush", tr("Shift+drag"), tr("choose observations in a plot"))};
 }
 
 }  // namespace handsight::app

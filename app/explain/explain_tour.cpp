@@ -33,7 +33,7 @@ std::vector<TourStep> ExplainWorkspace::tour_steps() {
           "is "
           "what the model would do with it."),
        card},
-      {tr("Add it: press the button on the card. The fit runs before your eyes."), card,
+      {tr("Add it: press the blue button. The fit runs before your eyes."), widget("add_first"),
        [this, index] { return bench_.document.undo_stack().index() > index && !adding_.is_running(); }},
       {tr("The step down is the error on unseen poses. When it reaches the hatched floor, only noise is left. Ctrl+Z "
           "takes the step back."),
@@ -41,7 +41,8 @@ std::vector<TourStep> ExplainWorkspace::tour_steps() {
       {tr("The residuals of all corners, before and after. Hold B to blink between the two on the same axes."),
        widget("cloud")},
       {tr("The sizes that were found stand in the model panel, with what is plausible."), widget("model_panel")},
-      {tr("A sample session knows what was hidden in it: compare."), widget("reveal")},
+      {tr("A sample session knows what was hidden in it: Reveal the truth, in the session's menu, compares."),
+       widget("session_menu")},
   };
 }
 

@@ -174,19 +174,36 @@ void ExplainWorkspace::connect_bench() {
 WorkStatus ExplainWorkspace::status() const {
   const ModelVersionPointer model = bench_.document.shown_model();
   if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
-  if (const auto d = bench_.diagnosing.diagnosis()) {
-    if (d->verdict == Verdict::adequate)
-      return {WorkState::done,
-              curves_of(*model->fit).empty() ? tr("nothing is missing") : tr("at the noise, not all named")};
-    if (d->verdict == Verdict::missing_effect || d->verdict == Verdict::ambiguous)
+  const Story& story = bench_.story();
+  switch (story.state) {
+    case StoryState::at_the_noise:
+      return story.stands_in.empty() ? WorkStatus{WorkState::done, tr("nothing is missing")}
+                                     : WorkStatus{WorkState::care, tr("at the noise, by a stand-in")};
+    case StoryState::unnamed_at_the_noise:
+      return {WorkState::care, tr("at the noise, not all named")};
+    case StoryState::scatter:
+      return {WorkState::care, tr("follows nothing")};
+    case StoryState::missing:
+    case StoryState::ambiguous:
       return {WorkState::care, tr("an effect is missing")};
-    if (d->verdict == Verdict::unexplained) return {WorkState::care, tr("unexplained")};
+    case StoryState::implausible:
+      return {WorkState::care, tr("no plausible cause")};
+    case StoryState::unexplained:
+    case StoryState::refused:
+      return {WorkState::care, tr("unexplained")};
+    case StoryState::too_few_observations:
+      return {WorkState::waiting, tr("waits for more observations")};
+    case StoryState::noise_unknown:
+      return {WorkState::open, tr("noise unknown")};
+    case StoryState::not_looked:
+      break;
   }
   if (model->report->used < fewest_that_tell) return {WorkState::waiting, tr("waits for more observations")};
-  const auto ratio = error_and_noise(*model).ratio();
+  const auto ratio = story.error.ratio();
   if (!ratio) return {WorkState::open, tr("noise unknown")};
-  return *ratio < 1.25 ? WorkStatus{WorkState::done, tr("down at the noise")}
-                       : WorkStatus{WorkState::open, tr("%1 × the noise").arg(widgets::short_text(*ratio))};
+  return *ratio < most_beside_scatter
+             ? WorkStatus{WorkState::done, tr("down at the noise")}
+             : WorkStatus{WorkState::open, tr("%1 × the noise").arg(widgets::short_text(*ratio))};
 }
 
 void ExplainWorkspace::activate() {
@@ -261,15 +278,14 @@ void ExplainWorkspace::refresh_verdict() {
                  : has_labels                ? tr("Waits for a fit: play.")
                                              : tr("Waits for a fit: label three markers, then play.");
   } else {
-    const bool is_present = model == bench_.document.model();
-    v = session_verdict(*model, is_present ? bench_.diagnosing.diagnosis().get() : nullptr,
-                        bench_.diagnosing.is_running(), bench_.units.unit(),
-                        refused_now(adding_.refused(), bench_.document));
+    v = session_verdict(bench_, model);
     if (v.state == widgets::SessionState::looking)
       v.progress = tr("%1 %").arg(std::lround(100 * bench_.diagnosing.share()));
-    if (const auto error = bench_.predicted_error())
-      v.predicted =
+    if (const auto error = bench_.predicted_error()) {
+      const auto tried =
           bench_.units.shown(size_of_error(*error, !bench_.document.session().is_tracker(), model->fit->noise));
+      if (tried.unit == bench_.units.unit()) v.predicted = tried;  // two units in one breath would mislead
+    }
   }
   verdict_->set_verdict(std::move(v));
 }
@@ -281,7 +297,8 @@ void ExplainWorkspace::try_candidate(const QString& id) {
   if (!d || !view || !failing_->residuals()) return;
   trying_ = id;
   missing_->cards()->set_previewed(id);
-  failing_->show_proof({title_of_candidate(id.toStdString()), view->proof});
+  const StoryCause* lead = bench_.story().lead();
+  failing_->show_proof({title_of_candidate(id.toStdString()), lead && lead->id == id.toStdString(), view->proof});
   try_numbers(*view, view->numbers, title_of_candidate(id.toStdString()));
 }
 

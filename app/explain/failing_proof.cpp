@@ -14,8 +14,10 @@ void FailingPane::say_proof() {
   patterns_->setVisible(is_proof && (added_ > 0 || !is_tried_));
   const auto place = static_cast<std::size_t>(std::max(chosen_, 0));
   if (!is_proof) {
-    const auto diagnosis = bench_.diagnosing.diagnosis();
-    const bool agrees = diagnosis && diagnosis->verdict == Verdict::adequate;
+    const auto diagnosis = bench_.diagnosis_of(bench_.document.shown_model());
+    const StoryState state = bench_.story().state;
+    const bool agrees = diagnosis && (state == StoryState::at_the_noise || state == StoryState::unnamed_at_the_noise ||
+                                      state == StoryState::scatter);
     const QString title = agrees ? tr("What is left") : tr("Where it fails");
     title_->setText(residuals_ ? titled(title, *residuals_) : title);
     const PlotKey* key = key_at(chosen_);
@@ -25,8 +27,13 @@ void FailingPane::say_proof() {
             ? tr("Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?")
             : alone);
   } else {
-    title_->setText(added_ > 0 ? tr("Where it failed") : tr("Where it fails: the proof"));
-    hint_->setText(place < proof_.plots.size() ? proof_sentence(proof_.plots[place]) : proof_.name);
+    const ProofPlot* plot = place < proof_.plots.size() ? &proof_.plots[place] : nullptr;
+    const bool is_followed = plot && followed(*plot) > least_followed;
+    title_->setText(added_ > 0                    ? tr("Where it failed")
+                    : proof_.leads && is_followed ? tr("Where it fails: the proof")
+                    : is_followed                 ? tr("What it would explain")
+                                                  : tr("Tried: the points do not follow it"));
+    hint_->setText(plot ? proof_sentence(*plot) : proof_.name);
   }
 }
 

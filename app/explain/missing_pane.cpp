@@ -67,17 +67,13 @@ void MissingPane::make_layout() {
   table_page_ = page_with_way_back(table_, tr("Why not ...? All effects"), "table_back");
   table_page_->layout()->addWidget(row_reason_);
   truth_page_ = page_with_way_back(truth_, tr("The truth"), "truth_back");
-  reveal_ = new QPushButton(tr("Reveal the truth"), this);
-  reveal_->setObjectName("reveal");
-  reveal_->setToolTip(tr("This sample session knows what was hidden in it"));
   auto* cards = new QWidget(this);
   auto* column = new QVBoxLayout(cards);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(cards_, 1);
   make_until_it_stops();
-  cards_->add_at_foot(until_it_stops_);
-  cards_->add_at_foot(pause_);
-  cards_->add_at_foot(reveal_);
+  cards_->add_at_foot(until_it_stops_, widgets::FootPlace::before_why_not);
+  cards_->add_at_foot(pause_, widgets::FootPlace::after_why_not);
   pages_ = new QStackedWidget(this);
   for (QWidget* page : {cards, table_page_, truth_page_, static_cast<QWidget*>(poses_)}) pages_->addWidget(page);
   auto* layout = new QVBoxLayout(this);
@@ -103,6 +99,7 @@ void MissingPane::make_until_it_stops() {
     allow_until_it_stops();
   };
   show_state();
+  until_it_stops_->setMinimumWidth(until_it_stops_->sizeHint().width());  // Stop stands in the same place
   connect(adding_on_, &AddingOn::changed, this, show_state);
   connect(until_it_stops_, &QPushButton::clicked, this,
           [this] { adding_on_->is_running() ? adding_on_->stop() : adding_on_->start(); });
@@ -141,10 +138,6 @@ void MissingPane::connect_all() {
           });
   connect(poses_, &PosesPane::closed, this, &MissingPane::show_cards);
   connect(truth_, &widgets::TruthPanel::row_chosen, this, [this] { pages_->setCurrentWidget(table_page_); });
-  connect(reveal_, &QPushButton::clicked, this, [this] {
-    refresh_truth();
-    pages_->setCurrentWidget(truth_page_);
-  });
   connect(&adding_, &Adding::began, this, [this] {
     show_cards();
     cards_->set_can_add(false);
@@ -163,6 +156,19 @@ void MissingPane::explain_row(const QString& id) {
                            widgets::effect_verdict_text(row.verdict) +
                            (row.same_as.isEmpty() ? QString() : ' ' + row.same_as) + ". " + row.reason);
 }
+
+bool MissingPane::can_reveal() const { return bench_.document.is_open() && knows_truth(bench_.document.session()); }
+
+void MissingPane::reveal() {
+  refresh_truth();
+  pages_->setCurrentWidget(truth_page_);
+}
+
+void MissingPane::add_until_it_stops() {
+  if (until_it_stops_->isEnabled() && !adding_on_->is_running()) adding_on_->start();
+}
+
+void MissingPane::show_why_not() { pages_->setCurrentWidget(table_page_); }
 
 void MissingPane::show_cards() { pages_->setCurrentIndex(0); }
 
@@ -205,7 +211,6 @@ void MissingPane::allow_until_it_stops() {
 void MissingPane::refresh_cards() {
   const ModelVersionPointer model = bench_.document.model();
   const auto diagnosis = bench_.diagnosing.diagnosis();
-  reveal_->setVisible(bench_.document.is_open() && knows_truth(bench_.document.session()));
   if (pages_->currentWidget() == truth_page_) refresh_truth();
   if (!model || !model->fit) {
     const auto& observations = bench_.document.session().observations;
@@ -239,7 +244,7 @@ void MissingPane::refresh_cards() {
   const bool news = shown_for_ && same_fit(*shown_for_, *model);
   shown_for_ = model;
   cards_->set_empty_text(tr("Nothing to add."));
-  cards_->set_cards(candidate_cards(bench_, *model, *diagnosis, adding_.refused()),
+  cards_->set_cards(candidate_cards(bench_, model, *diagnosis, adding_.refused()),
                     news ? widgets::CardOrder::kept : widgets::CardOrder::fresh);
   rows_ = effect_rows(bench_, *model, *diagnosis, adding_.refused());
   table_->set_rows(rows_);

@@ -31,6 +31,12 @@ class MissingPane : public QWidget {
   void refresh();
   void show_cards();
   void show_poses(const std::string& id);
+  void show_why_not();
+  /// What was hidden in a session that knows it, beside what was found.
+  void reveal();
+  bool can_reveal() const;
+  /// As the button of that name; nothing where there is nothing to add.
+  void add_until_it_stops();
   widgets::CandidateList* cards() const { return cards_; }
   PosesPane* poses() const { return poses_; }
 
@@ -61,7 +67,6 @@ class MissingPane : public QWidget {
   widgets::EffectTable* table_;
   widgets::TruthPanel* truth_;
   PosesPane* poses_;
-  QPushButton* reveal_;
   QLabel* row_reason_;
   std::vector<widgets::EffectRow> rows_;
   QWidget *table_page_, *truth_page_;

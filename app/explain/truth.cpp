@@ -163,8 +163,9 @@ TruthComparison compare_with_truth(const Session& session, const Truth& truth, c
     const bool is_seen = d && is_outdone(*d) &&
                          std::find(d->candidates.front().where.begin(), d->candidates.front().where.end(), joint) !=
                              d->candidates.front().where.end();
-    const bool is_in_model = std::any_of(fit.effects.begin(), fit.effects.end(),
-                                         [&, joint = joint](const FittedEffect& f) { return is_curve_at(f.term, joint, session); });
+    const bool is_in_model =
+        std::any_of(fit.effects.begin(), fit.effects.end(),
+                    [&, joint = joint](const FittedEffect& f) { return is_curve_at(f.term, joint, session); });
     row.verdict = is_seen || is_in_model ? widgets::TruthVerdict::right : widgets::TruthVerdict::missed;
     row.remark = is_in_model ? QObject::tr("in the model as a curve without a name")
                  : is_seen   ? QObject::tr("seen, and said to have no name")

@@ -152,7 +152,8 @@ void CorrectionBox::show_gain() {
   }
   QString said =
       tr("Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when "
-         "the corrected angles are commanded: handsight-cli correct, or the exported C++ and Python files.")
+         "the corrected angles are commanded, with all that the model is not sure of: by the C++ and Python files that "
+         "this page saves.")
           .arg(gain_->before.size())
           .arg(widgets::short_text(1e3 * gain_->median_before), widgets::short_text(1e3 * gain_->median_after));
   if (gain_->not_reached > 0)

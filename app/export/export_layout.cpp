@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QEvent>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -172,6 +173,22 @@ void ExportWorkspace::make_layout() {
   for (QPushButton* b : {save_, html_, pdf_}) {
     b->setMinimumHeight(28);
     row->addWidget(b);
+  }
+  other_ = new QComboBox(this);
+  other_->setObjectName("other_kind");
+  other_->setAccessibleName(tr("For other programs"));
+  const std::pair<const char*, QString> kinds[] = {
+      {"urdf", "URDF"},     {"yaml", "YAML"}, {"static_tf", tr("ROS 2 launch file")},
+      {"opencv", "OpenCV"}, {"cpp", "C++"},   {"python", "Python"},
+      {"csv", "CSV"}};
+  for (const auto& [kind, name] : kinds) other_->addItem(name, QString(kind));
+  save_other_ = new QPushButton(tr("Save for it"), this);
+  save_other_->setObjectName("save_other");
+  save_other_->setToolTip(tr("Beside the XML, for another program: the robot, the hand and what corrects them"));
+  row->addSpacing(8);
+  for (QWidget* w : {static_cast<QWidget*>(other_), static_cast<QWidget*>(save_other_)}) {
+    w->setMinimumHeight(28);
+    row->addWidget(w);
   }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 16, 16, 12);

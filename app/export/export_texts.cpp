@@ -148,7 +148,8 @@ ExportRemark verdict_remark(const widgets::SessionVerdict& verdict, const ModelV
       return {verdict.sentence, false};
     case SessionState::waiting:
     case SessionState::looking:
-      return {verdict.sentence, !ratio || *ratio >= 1.25 || model.fit->covariance_kind == CovarianceKind::scatter};
+      return {verdict.sentence,
+              !ratio || *ratio >= most_beside_scatter || model.fit->covariance_kind == CovarianceKind::scatter};
     default:
       return {verdict.sentence, true};
   }

@@ -3,6 +3,7 @@
 
 #include <QButtonGroup>
 #include <QClipboard>
+#include <QComboBox>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
@@ -21,6 +22,7 @@
 #include "base/files.h"
 #include "diagnosis/attribution/fresh_poses.h"
 #include "export/correction_box.h"
+#include "export/exported.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
 #include "findings/explain_texts.h"
@@ -45,6 +47,14 @@ QString fresh_text(const FreshPose& pose) {
       .arg(widgets::short_text(1e3 * pose.distance), widgets::short_text(1e3 * pose.allowed));
 }
 
+/// The end of a file's name, by its kind.
+std::string ending_of(const std::string& kind) {
+  if (kind == "static_tf") return ".launch.py";
+  if (kind == "opencv") return ".opencv.yaml";
+  if (kind == "python") return ".py";
+  return "." + kind;
+}
+
 }  // namespace
 
 ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
@@ -59,9 +69,14 @@ ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(
     emit status_changed();
     if (is_active()) refresh();
   });
-  connect(&bench.diagnosing, &Diagnosing::diagnosis_changed, this, [this] {
-    if (is_active()) refresh();
-  });
+  for (auto signal : {&Diagnosing::diagnosis_changed, &Diagnosing::elsewhere_changed})
+    connect(&bench.diagnosing, signal, this, [this] {
+      if (is_active()) refresh();
+    });
+  connect_buttons();
+}
+
+void ExportWorkspace::connect_buttons() {
   connect(save_, &QPushButton::clicked, this, &ExportWorkspace::save_xml);
   connect(html_, &QPushButton::clicked, this, [this] { save_report(false); });
   connect(pdf_, &QPushButton::clicked, this, [this] { save_report(true); });
@@ -73,6 +88,8 @@ ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(
   });
   connect(calibrate_, &QPushButton::clicked, this, [this] { emit bench_.workspace_requested(Place::calibrate); });
   connect(forms_, &QButtonGroup::idClicked, this, &ExportWorkspace::refresh_motion);
+  connect(save_other_, &QPushButton::clicked, this,
+          [this] { save_for_others(other_->currentData().toString().toStdString()); });
 }
 
 WorkStatus ExportWorkspace::status() const {
@@ -94,9 +111,9 @@ void ExportWorkspace::refresh() {
   empty_->setVisible(!ready);
   calibrate_->setVisible(!ready);
   body_->setVisible(ready);
-  for (QPushButton* b : {save_, html_, pdf_, copy_}) b->setEnabled(ready);
+  for (QPushButton* b : {save_, html_, pdf_, copy_, save_other_}) b->setEnabled(ready);
   correction_->show_model(model);
-  refresh_remarks(ready ? model.get() : nullptr);
+  refresh_remarks(ready ? model : nullptr);
   if (!ready) return;
   refresh_motion();
   refresh_excluded(*model);
@@ -112,12 +129,11 @@ void ExportWorkspace::refresh() {
 }
 
 /// As Explain says it.
-widgets::SessionVerdict ExportWorkspace::verdict(const ModelVersion& model) const {
-  return session_verdict(model, bench_.diagnosing.diagnosis().get(), bench_.diagnosing.is_running(),
-                         bench_.units.unit(), refused_now(bench_.refused, bench_.document));
+widgets::SessionVerdict ExportWorkspace::verdict(const ModelVersionPointer& model) const {
+  return session_verdict(bench_, model);
 }
 
-void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
+void ExportWorkspace::refresh_remarks(const ModelVersionPointer& model) {
   while (QLayoutItem* item = remarks_->takeAt(0)) {
     delete item->widget();
     delete item;
@@ -127,7 +143,7 @@ void ExportWorkspace::refresh_remarks(const ModelVersion* model) {
   bool any_warning = false;
   std::vector<ExportRemark> remarks = export_remarks(bench_.document, *model);
   std::stable_partition(remarks.begin(), remarks.end(), [](const ExportRemark& remark) { return remark.is_warning; });
-  remarks.insert(remarks.begin(), verdict_remark(verdict(*model), *model));
+  remarks.insert(remarks.begin(), verdict_remark(verdict(model), *model));
   for (const ExportRemark& remark : remarks) {
     auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, told_);
     label->setWordWrap(true);
@@ -279,7 +295,7 @@ void ExportWorkspace::save_report(bool pdf) {
   file.replace_extension(pdf ? ".pdf" : ".html");
   try {
     const auto pictures = report_pictures(bench_);
-    const QString sentence = verdict(*model).sentence;
+    const QString sentence = verdict(model).sentence;
     const QByteArray bytes = pdf ? report_pdf(bench_.document, *model, pictures, sentence)
                                  : report_html(bench_.document, *model, pictures, sentence).toUtf8();
     replace_file(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
@@ -287,6 +303,51 @@ void ExportWorkspace::save_report(bool pdf) {
   } catch (const std::exception& error) {
     say(translated_error(error), true);
   }
+}
+
+void ExportWorkspace::save_for_others(const std::string& kind) {
+  const ModelVersionPointer model = bench_.document.model();
+  if (!model || !model->fit) return;
+  const Session& session = bench_.document.session();
+  const std::filesystem::path urdf = folder(session) / session.robot_file;
+  std::filesystem::path file = path();
+  file.replace_extension(ending_of(kind));
+  try {
+    CalibratedRobot robot = calibrated_robot(*model->calibration, session.robot, urdf.string(), path().string());
+    std::error_code error;
+    if (!session.robot_file.empty() && std::filesystem::exists(urdf, error)) {
+      robot.urdf_text = read_file(urdf);
+      robot.urdf_file = urdf.filename().string();
+    }
+    const ExportedFile made = exported_file(robot, kind);
+    replace_file(file, made.text);
+    QStringList lines{tr("Written: %1").arg(QString::fromStdString(file.string()))};
+    for (const std::string& note : made.notes) lines << translated(note);
+    say(lines.join('\n'), false);
+  } catch (const std::exception& error) {
+    say(translated_error(error), true);
+  }
+}
+
+std::vector<Action> ExportWorkspace::own_actions() const {
+  const auto offer = [this](const QString& id, const QString& text, QPushButton* button, const std::string& kind = {}) {
+    return Action{.id = id,
+                  .group = tr("Export"),
+                  .text = text,
+                  .run =
+                      [this, button, kind] {
+                        emit bench_.workspace_requested(Place::write_out);
+                        if (!kind.empty()) other_->setCurrentIndex(other_->findData(QString::fromStdString(kind)));
+                        button->click();
+                      },
+                  .is_possible = [this] { return bench_.document.is_open() && bench_.document.model(); }};
+  };
+  std::vector<Action> actions = {offer("save_report_html", tr("Report as HTML"), html_),
+                                 offer("save_report_pdf", tr("Report as PDF"), pdf_)};
+  for (int i = 0; i < other_->count(); ++i)
+    actions.push_back(offer("save_as_" + other_->itemData(i).toString(), tr("Save as %1").arg(other_->itemText(i)),
+                            save_other_, other_->itemData(i).toString().toStdString()));
+  return actions;
 }
 
 }  // namespace handsight::app

@@ -6,6 +6,7 @@
 #include "export/export_texts.h"
 
 class QButtonGroup;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -24,6 +25,7 @@ class ExportWorkspace : public Workspace {
  public:
   explicit ExportWorkspace(Workbench& bench, QWidget* parent = nullptr);
 
+  std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
   void activate() override;
 
@@ -38,13 +40,15 @@ class ExportWorkspace : public Workspace {
   void refresh();
   void refresh_motion();
   void fit_columns();
-  widgets::SessionVerdict verdict(const ModelVersion& model) const;
-  void refresh_remarks(const ModelVersion* model);
+  widgets::SessionVerdict verdict(const ModelVersionPointer& model) const;
+  void refresh_remarks(const ModelVersionPointer& model);
   void fit_remarks();
   void refresh_excluded(const ModelVersion& model);
   void show_changes(const QString& text);
   void save_xml();
   void save_report(bool pdf);
+  void save_for_others(const std::string& kind);
+  void connect_buttons();
   void say(const QString& sentence, bool is_refusal);
   MotionForm form() const;
   std::filesystem::path path() const;
@@ -58,7 +62,8 @@ class ExportWorkspace : public Workspace {
   QPlainTextEdit* xml_;
   QLineEdit* path_;
   QLabel *fresh_, *excluded_title_, *empty_, *said_;
-  QPushButton *save_, *copy_, *html_, *pdf_, *calibrate_;
+  QPushButton *save_, *copy_, *html_, *pdf_, *calibrate_, *save_other_;
+  QComboBox* other_;            // kinds of files for other programs
   std::int64_t exported_ = -1;  // revision
 };
 

@@ -39,11 +39,11 @@ QString table(const QStringList& head, const std::vector<QStringList>& rows, Col
   return text + "</table></div>\n";
 }
 
+/// As every other place tells it: px and, of the hand, mm; with a tracker mm of each marker.
 QString error_text(const ErrorSummary& e) {
-  QStringList parts;
-  if (e.rms_pixel) parts << widgets::with_unit_text(*e.rms_pixel, "px", 3);
-  if (e.rms_m) parts << widgets::with_unit_text(1e3 * *e.rms_m, "mm", 3);
-  return parts.isEmpty() ? QString("-") : parts.join(", ");
+  if (!e.rms_pixel) return e.rms_m ? widgets::with_unit_text(1e3 * *e.rms_m, "mm") : QString("-");
+  const QString px = widgets::with_unit_text(*e.rms_pixel, "px");
+  return e.hand_m ? QObject::tr("%1 (%2 at the hand)").arg(px, widgets::with_unit_text(1e3 * *e.hand_m, "mm")) : px;
 }
 
 /// Nine places: the full numbers are in the XML.
@@ -70,17 +70,18 @@ QString numbers_part(const Document& document, const ModelVersion& model) {
         {l.name, l.value, l.sigma == QObject::tr("held") || l.sigma.isEmpty() ? l.sigma : "± " + l.sigma, l.unit});
   if (!rows.empty()) text += "<h2>" + QObject::tr("Effects in the model") + "</h2>\n" + table({}, rows);
   const FitReport& r = *model.report;
-  const double scale = model.inspection->in_pixels ? 1 : 1e3;
-  const QString unit = model.inspection->in_pixels ? "px" : "mm";
   text += "<h2>" + QObject::tr("The fit") + "</h2>\n";
-  text +=
-      table({}, {{QObject::tr("Observations"), QString::number(r.observations)},
-                 {QObject::tr("Used"), QString::number(r.used)},
-                 {QObject::tr("Error fitted, rms"), error_text(r.fitted)},
-                 {QObject::tr("Error held out, rms"), error_text(r.held_out)},
-                 {QObject::tr("Noise of one coordinate"),
-                  model.fit->noise ? widgets::with_unit_text(scale * *model.fit->noise, unit, 3) : QString("-")},
-                 {QObject::tr("Chi-squared per degree of freedom"), widgets::short_text(model.fit->chi2_per_dof, 3)}});
+  const StoryError e = error_and_noise(model);
+  rows = {{QObject::tr("Observations"), QString::number(r.observations)},
+          {QObject::tr("Used"), QString::number(r.used)},
+          {QObject::tr("Error fitted, rms"), error_text(r.fitted)},
+          {QObject::tr("Error held out, rms"), error_text(r.held_out)}};
+  if (e.elsewhere)
+    rows.push_back({QObject::tr("Where whole regions of poses are held out"), error_text(r.held_out_region)});
+  rows.push_back(
+      {QObject::tr("What noise alone would leave"), e.noise ? error_with_unit(*e.noise, e.in_pixels) : QString("-")});
+  rows.push_back({QObject::tr("Chi-squared per degree of freedom"), widgets::short_text(model.fit->chi2_per_dof, 3)});
+  text += table({}, rows);
   for (const ExportRemark& remark : export_remarks(document, model))
     text += "<p>" + remark.sentence.toHtmlEscaped() + "</p>\n";
   return text;
@@ -117,9 +118,7 @@ QString actions_part(const Document& document) {
   for (int i = 0; i < stack.index(); ++i) {
     const ModelVersionPointer& after = versions[static_cast<std::size_t>(i) + 1];
     const auto e = after && after->fit ? error_and_noise(*after) : ErrorAndNoise{};
-    rows.push_back({stack.text(i),
-                    e.error ? widgets::with_unit_text((e.in_pixels ? 1 : 1e3) * *e.error, e.in_pixels ? "px" : "mm", 3)
-                            : QString("-")});
+    rows.push_back({stack.text(i), e.error ? error_with_unit(*e.error, e.in_pixels) : QString("-")});
   }
   return "<h2>" + QObject::tr("What was done") + "</h2>\n" +
          table({QObject::tr("Action"), QObject::tr("Error after it")}, rows);

@@ -2,7 +2,9 @@
 // Cards and the table of all effects.
 #include <algorithm>
 
+#include "base/percent.h"
 #include "bench/model_effects.h"
+#include "diagnosis/verdict/finding.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "findings/explain_texts.h"
@@ -15,8 +17,6 @@ namespace {
 
 using widgets::CardKind;
 using widgets::CardState;
-
-constexpr std::size_t most_cards = 4;
 
 /// The held-out error that it would leave; in mm it is known only where the candidate was fitted.
 ResidualSize size_left(const DiagnosisCandidate& c, bool in_pixels, std::optional<double> noise) {
@@ -33,16 +33,36 @@ widgets::ErrorLeft card_error(const DiagnosisCandidate& c, const Diagnosis& d, c
   return {sizes.held_out.in(unit), left.in(unit), sizes.noise.in(unit), !c.held_out, widgets::unit_name(unit)};
 }
 
-/// What the residuals follow that this candidate acts by.
-QString speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
-  for (const DiagnosisPattern& p : d.patterns) {
-    const bool is_own = p.against.joint < 0 || std::any_of(c.terms.begin(), c.terms.end(), [&](const EffectTerm& t) {
-                          return t.joint == p.against.joint;
-                        });
-    if (!is_own) continue;
-    return QObject::tr("The residual follows the %1. ").arg(translated(p.against.name));
+/// What speaks for the candidate: what its own proof follows, where the points do follow it, and how much of the excess
+/// it explains. That something follows, a wrong candidate has too: how much tells them apart.
+QString evidence_text(const DiagnosisCandidate& c, const CandidateView* view) {
+  QString text;
+  if (view && !view->proof.empty() && followed(view->proof.front()) > least_followed)
+    text = QObject::tr("Its points follow the %1. ").arg(translated(view->proof.front().against));
+  if (c.explained)
+    return text + QObject::tr("It explains %1 % of what exceeds the noise.")
+                      .arg(QString::fromStdString(whole_percent(*c.explained)));
+  return text + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
+}
+
+/// A cause in words; of a target what its numbers mean to who has it in the hand.
+QString words_of(const DiagnosisCandidate& c) {
+  const Effect& effect = effect_of(c.terms.front());
+  const std::vector<double>& values = c.terms.front().values;
+  if (c.id == "target_scale") {
+    const double sigma = c.sigmas.empty() ? 0 : c.sigmas.front().front();
+    const QString percent = widgets::with_sigma_text(100 * std::abs(values.front()), 100 * sigma);
+    return (values.front() > 0 ? QObject::tr("The target is %1 % larger than described: printed to fit the page, or a "
+                                             "length typed wrong. Every distance seen is wrong by the same share.")
+                               : QObject::tr("The target is %1 % smaller than described: printed to fit the page, or a "
+                                             "length typed wrong. Every distance seen is wrong by the same share."))
+        .arg(percent);
   }
-  return {};
+  const double bend = c.id == "target_bend" ? std::max(std::abs(values[0]), std::abs(values[1])) : 0;
+  if (bend > 0)
+    return QObject::tr("The target is described as flat and is bent, by a radius of %1 m: its edges stand off.")
+        .arg(widgets::short_text(1 / bend));
+  return translated(effect.cause);
 }
 
 CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ModelVersion& model) {
@@ -50,9 +70,10 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Dia
   CardState card{.id = QString::fromStdString(id_of(c)), .effect = c.id};
   card.title = title_of(c.terms.front(), bench.document.session().robot);
   if (!c.unnamed) card.where = places_text(c.where);
-  card.words = translated(effect.cause);
+  card.words = words_of(c);
+  card.add_text = QObject::tr("Add %1").arg(c.unnamed ? QObject::tr("this curve") : within_sentence(card.title));
   card.error = card_error(c, d, model, bench.units.unit());
-  card.evidence = speaks_for(c, d) + QObject::tr("Odds against nothing missing: %1.").arg(odds_text(c.ln_bayes_factor));
+  card.evidence = evidence_text(c, bench.diagnosing.view_of(id_of(c)).get());
   card.sizes = effect_parameters(bench.document.session(), c.terms, c.sigmas);
   std::erase_if(card.sizes, [](const widgets::ModelParameter& p) { return p.is_choice; });
   QStringList others;
@@ -62,7 +83,9 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Dia
   card.check = translated(effect.check);
   card.can_what_if = find_effect(c.id) != nullptr;  // the slider asks the catalogue where it may sit
   if (!c.unnamed) card.check_number = card_check(c.check, bench.document.reading_of(c.id));
-  if (!c.plausible)
+  if (pushes_back(c.terms, c.sigmas))
+    card.caution = QObject::tr("A spring that pushes back: no joint is built so. Probably another cause.");
+  else if (!c.plausible)
     card.caution = QObject::tr("Its size is more than three times what is plausible. Probably another cause.");
   return card;
 }
@@ -73,46 +96,50 @@ CardState honest_card(CardKind kind, const QString& title, const QString& words)
   return card;
 }
 
-std::optional<CardState> honest_card_of(const ModelVersion& model, const Diagnosis& d, const Workbench& bench,
-                                        const std::set<std::string>& refused) {
-  const widgets::SessionVerdict v = session_verdict(model, &d, false, bench.units.unit(), refused);
-  if (d.verdict == Verdict::adequate && !curves_of(*model.fit).empty()) {
-    CardState card =
-        honest_card(CardKind::adequate, QObject::tr("Down at the noise, but not all has a name"), v.sentence);
-    card.action = QObject::tr("Export it");
-    card.action_id = "export";
-    return card;
-  }
-  switch (v.state) {
-    case widgets::SessionState::adequate: {
-      CardState card = honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), v.sentence);
-      card.action = QObject::tr("Export it");
-      card.action_id = "export";
-      return card;
-    }
-    case widgets::SessionState::scatter: {
-      CardState card = honest_card(CardKind::scatter, QObject::tr("The robot does not repeat better"), v.sentence);
-      card.action = QObject::tr("Export it");
-      card.action_id = "export";
-      return card;
-    }
-    case widgets::SessionState::too_few: {
-      CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"), v.sentence);
+CardState with_export(CardState card) {
+  card.action = QObject::tr("Export it");
+  card.action_id = "export";
+  return card;
+}
+
+/// What is said where no cause leads.
+std::optional<CardState> honest_card_of(const Workbench& bench, const ModelVersionPointer& model) {
+  const Story& story = bench.story_of(model);
+  const QString sentence = session_verdict(bench, model).sentence;
+  switch (story.state) {
+    case StoryState::at_the_noise:
+      if (!story.stands_in.empty())
+        return with_export(
+            honest_card(CardKind::scatter, QObject::tr("At the noise, but by something that stands in"), sentence));
+      return with_export(honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), sentence));
+    case StoryState::unnamed_at_the_noise:
+      return with_export(
+          honest_card(CardKind::scatter, QObject::tr("Down at the noise, but not all has a name"), sentence));
+    case StoryState::scatter:
+      return with_export(
+          honest_card(CardKind::scatter, QObject::tr("More than noise, and it follows nothing"), sentence));
+    case StoryState::too_few_observations: {
+      CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"), sentence);
       card.action = QObject::tr("Plan poses");
       card.action_id = "plan";
       return card;
     }
-    case widgets::SessionState::noise_unknown:
+    case StoryState::noise_unknown:
       return honest_card(
           CardKind::noise_unknown, QObject::tr("The noise is unknown"),
-          QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say when to "
-                      "stop. Nothing that it knows explains more than chance would."));
-    case widgets::SessionState::unexplained: {
-      CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"), v.sentence);
+          story.causes.empty()
+              ? QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say "
+                            "when to stop. Nothing that it knows explains more than chance would.")
+              : QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say "
+                            "when to stop."));
+    case StoryState::unexplained: {
+      CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"), sentence);
       card.action = QObject::tr("Show the curve");
       card.action_id = "curve";
       return card;
     }
+    case StoryState::refused:
+      return honest_card(CardKind::unexplained, QObject::tr("Nothing that helps is left"), sentence);
     default:
       return std::nullopt;
   }
@@ -124,15 +151,6 @@ const Refusal* refusal_of(const std::string& id, const Document& document, const
   return nullptr;
 }
 
-/// Has the first that would be offered half of the best's evidence at least? Less would only stand in for a part of
-/// what has no name.
-bool is_near_the_best(const Diagnosis& d, const Workbench& bench, const std::vector<Refusal>& refused) {
-  for (const DiagnosisCandidate& c : d.candidates)
-    if (can_be_added(c) && c.plausible && !refusal_of(id_of(c), bench.document, refused))
-      return c.ln_bayes_factor >= 0.5 * d.candidates.front().ln_bayes_factor;
-  return false;
-}
-
 }  // namespace
 
 QString odds_text(double ln_odds) {
@@ -142,29 +160,20 @@ QString odds_text(double ln_odds) {
   return QObject::tr("about %1 to one").arg(std::lround(std::round(odds / place) * place));
 }
 
-std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
+std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersionPointer& model, const Diagnosis& d,
                                        const std::vector<Refusal>& refused) {
+  const Story& story = bench.story_of(model);
   std::vector<CardState> cards;
-  const std::optional<CardState> honest = honest_card_of(model, d, bench, refused_now(refused, bench.document));
-  const bool stops = d.verdict == Verdict::adequate || d.verdict == Verdict::too_few_observations;
-  if (honest && stops) cards.push_back(*honest);
-  for (const DiagnosisCandidate& c : d.candidates) {
-    if (stops || !can_be_added(c)) continue;
-    if (c.ln_bayes_factor < d.threshold || cards.size() >= most_cards) break;
-    cards.push_back(card_of(c, bench, d, model));
-    if (const Refusal* r = refusal_of(id_of(c), bench.document, refused)) {
+  for (const StoryCause& cause : story.causes) {
+    cards.push_back(card_of(d.candidates[cause.candidate], bench, d, *model));
+    if (const Refusal* r = refusal_of(cause.id, bench.document, refused)) {
       cards.back().can_add = false;
       cards.back().why_not = r->reason;
     }
   }
-  // What no robot is built like, or what was refused, is never the first word.
-  std::stable_partition(cards.begin(), cards.end(),
-                        [](const CardState& c) { return c.why_not.isEmpty() && c.caution.isEmpty(); });
-  if (!honest || stops) return cards;
-  // What is left has no name: that is said first where nothing is left to add that says nearly as much.
-  const bool can_go_on =
-      !cards.empty() && cards.front().can_add && cards.front().caution.isEmpty() && is_near_the_best(d, bench, refused);
-  cards.insert(can_go_on ? cards.end() : cards.begin(), *honest);
+  // Where no cause leads, that is said first.
+  if (const std::optional<CardState> honest = honest_card_of(bench, model))
+    cards.insert(story.cause_leads ? cards.end() : cards.begin(), *honest);
   return cards;
 }
 

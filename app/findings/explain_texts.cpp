@@ -45,7 +45,7 @@ Told told(const VersionSizes& sizes, widgets::SizeUnit unit) {
 
 QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
   if (!model.fit) return model.refusal;
-  const ErrorAndNoise e = error_and_noise(model);
+  const StoryError e = error_and_noise(model);
   if (model.report->used < fewest_that_tell)
     return QObject::tr("%1 alone cannot show an error: label or play more.")
         .arg(counted(model.report->used, "%n observation(s)"));
@@ -57,40 +57,20 @@ QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
                "say whether that is much.")
         .arg(t.error);
   // So many observations may show that it is not the noise alone, however near it comes.
-  if (*e.ratio() < 1.25 && model.fit->covariance_kind == CovarianceKind::scatter)
+  if (*e.ratio() < most_beside_scatter && model.fit->covariance_kind == CovarianceKind::scatter)
     return QObject::tr("The model comes near the noise (%1), but what is left is more than noise.").arg(t.both);
-  if (*e.ratio() < 1.25)
+  if (*e.ratio() < most_beside_scatter)
     return QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
   return QObject::tr("The model misses by %1%2 where the noise is %3.").arg(t.error, t.at_hand, t.noise);
-}
-
-std::optional<widgets::Blame> session_blame(const Inspection& all) {
-  if (all.blame.letter == 0) return std::nullopt;
-  return widgets::Blame{all.blame.cameras, all.blame.body, all.blame.robot, !all.in_pixels};
 }
 
 namespace {
 
 using widgets::SessionState;
 
-/// The best with a name, of a size that is plausible; where there is none such of half the evidence at least, the best
-/// with a name. None of the refused; null where nothing is left.
-const DiagnosisCandidate* best_named(const Diagnosis& d, const std::set<std::string>& refused) {
-  const DiagnosisCandidate* best = nullptr;
-  for (const DiagnosisCandidate& c : d.candidates) {
-    if (c.unnamed || refused.contains(c.id)) continue;
-    const bool is_near = !best || c.ln_bayes_factor >= 0.5 * best->ln_bayes_factor;
-    if (c.plausible && is_near && c.ln_bayes_factor >= d.threshold) return &c;
-    if (!best) best = &c;
-  }
-  return best;
-}
-
-/// Whose fault the error is, in the light of what was found missing.
-std::optional<widgets::Blame> blame_with_cause(const Inspection& all, const Diagnosis& d) {
-  const Blame blame = blame_by_finding(all.blame, d);
+std::optional<widgets::Blame> shown(const Blame& blame, bool in_pixels) {
   if (blame.letter == 0) return std::nullopt;
-  return widgets::Blame{blame.cameras, blame.body, blame.robot, !all.in_pixels};
+  return widgets::Blame{blame.cameras, blame.body, blame.robot, !in_pixels};
 }
 
 QString blame_sentence(const std::optional<widgets::Blame>& blame, bool in_pixels) {
@@ -131,6 +111,11 @@ QString curves_sentence(const ModelVersion& model, const Diagnosis& d, const Tol
 }
 
 QString scatter_sentence(const Diagnosis& d, const Told& t) {
+  if (!d.scatter.is_any())
+    return QObject::tr(
+               "What is left (%1, noise %2) is more than noise, differs from pose to pose and follows nothing that was "
+               "measured. No effect can remove it.")
+        .arg(t.error, t.noise);
   const QString place = widgets::short_text(1e3 * d.scatter.place);
   if (d.scatter.joints == 0)
     return QObject::
@@ -148,12 +133,6 @@ QString scatter_sentence(const Diagnosis& d, const Told& t) {
       .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter.joints));
 }
 
-bool is_scatter(const Diagnosis& d, const ErrorAndNoise& e) {
-  return d.verdict == Verdict::adequate && d.scatter.is_any() && e.ratio().value_or(0) >= 1.25;
-}
-
-bool lacks_noise(const Diagnosis& d) { return !weighing(d.model.fit).knowledge.known; }
-
 QString what_is_left_follows(const Diagnosis& d) {
   for (const DiagnosisCandidate& c : d.candidates)
     if (c.unnamed && can_be_added(c) && c.ln_bayes_factor >= d.threshold) {
@@ -170,103 +149,138 @@ QString what_is_left_follows(const Diagnosis& d) {
   return QObject::tr("It follows the %1.").arg(translated(d.patterns.front().against.name));
 }
 
-QString unexplained_sentence(const Diagnosis& d, const ErrorAndNoise& e, const Told& t) {
+/// What no robot is built like is said wherever it is in the model.
+QString stand_in_sentence(const Story& story) {
+  QStringList names;
+  for (const StandIn& one : story.stands_in) names << effect_of(one.id, one.where);
+  if (names.isEmpty()) return {};
+  return QObject::tr("No robot is built so, it stands in for another cause: %1.").arg(names.join("; "));
+}
+
+QString unexplained_sentence(const Story& story, const Diagnosis& d, const Told& t) {
+  const QString noise = story.error.noise ? t.noise : QObject::tr("unknown");
+  if (const StoryCause* lead = story.lead(); lead && !lead->unnamed)
+    return QObject::tr(
+               "Something real is left (%1 where the noise is %2): %3 explains a part of it, and nothing in the "
+               "catalogue explains the rest. %4")
+        .arg(t.error, noise, name_of(d.candidates[lead->candidate], d.model.session), what_is_left_follows(d))
+        .trimmed();
   return QObject::tr("Something real is left (%1 where the noise is %2), and nothing in the catalogue explains it. %3")
-      .arg(t.error, e.noise ? t.noise : QObject::tr("unknown"), what_is_left_follows(d));
+      .arg(t.error, noise, what_is_left_follows(d))
+      .trimmed();
 }
 
 /// What, where, how much, whose: names first, so that they are read where there is little room.
-QString missing_sentence(const ModelVersion& model, const Diagnosis& d, const std::optional<widgets::Blame>& blame,
-                         widgets::SizeUnit unit, const DiagnosisCandidate& best) {
-  const ErrorAndNoise e = error_and_noise(model);
+QString missing_sentence(const ModelVersion& model, const Story& story, const Diagnosis& d, widgets::SizeUnit unit) {
   const Told t = told(sizes_of(model, model.fit->noise), unit);
   // How many mm that is at the hand stands beside it.
-  QString misses = e.error && e.noise
+  QString misses = story.error.error && story.error.noise
                        ? QObject::tr("The model misses by %1 where the noise is %2.").arg(t.error, t.noise)
                        : comparison_sentence(model, unit);
-  const QString whose = blame_sentence(blame, e.in_pixels);
+  const QString whose = blame_sentence(shown(story.blame, story.error.in_pixels), story.error.in_pixels);
   if (!whose.isEmpty()) misses += ' ' + whose;
-  const QString name = name_of(best, d.model.session);
-  if (!best.plausible)
+  const StoryCause& lead = story.causes.front();
+  const QString name = name_of(d.candidates[lead.candidate], d.model.session);
+  if (story.state == StoryState::implausible)
     return misses + ' ' +
-           QObject::tr("No plausible cause explains it: %1 would help, but at more than three times what is plausible.")
-               .arg(name);
-  if (d.verdict == Verdict::ambiguous && !best.cannot_be_told_from.empty())
+           QObject::tr("No plausible cause explains it: %1 would help, but no robot is built so.").arg(name);
+  if (story.state == StoryState::ambiguous)
     return QObject::tr("%1 or %2: on these poses they look the same.")
-               .arg(name.left(1).toUpper() + name.mid(1), effect_of(best.cannot_be_told_from.front(), {})) +
+               .arg(name.left(1).toUpper() + name.mid(1), effect_of(lead.cannot_be_told_from.front(), {})) +
            ' ' + misses;
   return QObject::tr("Most likely missing: %1.").arg(name) + ' ' + misses;
 }
 
-widgets::SessionVerdict verdict_of_model(const ModelVersion& model, const Diagnosis* d, bool is_running,
-                                         widgets::SizeUnit unit, const std::set<std::string>& refused) {
+SessionState shown_state(const Story& story, bool is_running) {
+  switch (story.state) {
+    case StoryState::not_looked:
+      if (is_running) return SessionState::looking;
+      return story.error.noise ? SessionState::waiting : SessionState::noise_unknown;
+    case StoryState::too_few_observations:
+      return SessionState::too_few;
+    case StoryState::noise_unknown:
+      return SessionState::noise_unknown;
+    case StoryState::at_the_noise:
+      return story.stands_in.empty() ? SessionState::adequate : SessionState::stand_in;
+    case StoryState::unnamed_at_the_noise:
+      return SessionState::unnamed;
+    case StoryState::scatter:
+      return SessionState::scatter;
+    case StoryState::missing:
+    case StoryState::implausible:
+      return SessionState::missing;
+    case StoryState::ambiguous:
+      return SessionState::ambiguous;
+    case StoryState::unexplained:
+    case StoryState::refused:
+      return SessionState::unexplained;
+  }
+  return SessionState::waiting;
+}
+
+QString sentence_of(const ModelVersion& model, const Story& story, const Diagnosis* d, widgets::SizeUnit unit) {
+  const Told t = told(sizes_of(model, model.fit->noise), unit);
+  if (!d || story.state == StoryState::not_looked) {
+    const QString whose = story.error.ratio().value_or(0) >= most_beside_scatter
+                              ? blame_sentence(shown(story.blame, story.error.in_pixels), story.error.in_pixels)
+                              : QString();
+    return (comparison_sentence(model, unit) + ' ' + whose).trimmed();
+  }
+  switch (story.state) {
+    case StoryState::too_few_observations:
+      return translated(d->reason);
+    case StoryState::at_the_noise:
+      return adequate_sentence(*d, t);
+    case StoryState::unnamed_at_the_noise:
+      return curves_sentence(model, *d, t);
+    case StoryState::scatter:
+      return scatter_sentence(*d, t);
+    case StoryState::missing:
+    case StoryState::ambiguous:
+    case StoryState::implausible:
+      return missing_sentence(model, story, *d, unit);
+    case StoryState::unexplained:
+      return unexplained_sentence(story, *d, t);
+    case StoryState::refused:
+      return QObject::tr(
+                 "Something is left (%1), and what would explain it does not lower the error on observations "
+                 "that the fit has not seen: it was not added.")
+          .arg(t.both);
+    default:
+      return comparison_sentence(model, unit);
+  }
+}
+
+}  // namespace
+
+widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& story, const Diagnosis* d,
+                                        bool is_running, widgets::SizeUnit unit) {
   widgets::SessionVerdict v;
   v.sentence = comparison_sentence(model, unit);
   if (!model.fit) return v;
-  const ErrorAndNoise e = error_and_noise(model);
   const VersionSizes sizes = sizes_of(model, model.fit->noise);
-  const Told t = told(sizes, unit);
   v.unit = unit;
   v.error_px = sizes.error().pixel;
   v.error_mm = sizes.error().millimetre;
   v.error_sigma = sizes.error().sigma;
   v.noise_px = sizes.noise.pixel;
   v.noise_mm = sizes.noise.millimetre;
-  v.blame = session_blame(*model.inspection);
-  v.state = SessionState::looking;
-  if (!d) {
-    if (!is_running) v.state = e.noise ? SessionState::waiting : SessionState::noise_unknown;
-    const QString whose = e.ratio().value_or(0) >= 1.25 ? blame_sentence(v.blame, e.in_pixels) : QString();
-    if (!whose.isEmpty()) v.sentence += ' ' + whose;
-    return v;
-  }
-  switch (d->verdict) {
-    case Verdict::too_few_observations:
-      v.state = SessionState::too_few;
-      v.sentence = translated(d->reason);
-      break;
-    case Verdict::adequate:
-      if (!curves_of(*model.fit).empty()) {
-        v.state = SessionState::unexplained;
-        v.sentence = curves_sentence(model, *d, t);
-        break;
-      }
-      v.state = is_scatter(*d, e) ? SessionState::scatter : SessionState::adequate;
-      v.sentence = is_scatter(*d, e) ? scatter_sentence(*d, t) : adequate_sentence(*d, t);
-      break;
-    case Verdict::missing_effect:
-    case Verdict::ambiguous: {
-      const DiagnosisCandidate* best = best_named(*d, refused);
-      if (!best || best->ln_bayes_factor < d->threshold) {
-        v.blame = blame_with_cause(*model.inspection, *d);
-        v.state = SessionState::unexplained;
-        v.sentence = QObject::tr(
-                         "Something is left (%1), and what would explain it does not lower the error on observations "
-                         "that the fit has not seen: it was not added.")
-                         .arg(t.both);
-        break;
-      }
-      v.state = d->verdict == Verdict::ambiguous ? SessionState::ambiguous : SessionState::missing;
-      v.blame = blame_with_cause(*model.inspection, *d);
-      v.sentence = missing_sentence(model, *d, v.blame, unit, *best);
-      break;
-    }
-    case Verdict::unexplained:
-      v.blame = blame_with_cause(*model.inspection, *d);
-      v.state = lacks_noise(*d) ? SessionState::noise_unknown : SessionState::unexplained;
-      v.sentence = lacks_noise(*d) ? comparison_sentence(model, unit) : unexplained_sentence(*d, e, t);
-      break;
-  }
+  v.blame = shown(story.blame, story.error.in_pixels);
+  v.state = shown_state(story, is_running);
+  v.sentence = sentence_of(model, story, d, unit);
+  // What is in the model and stands in for something else belongs before what agrees by it.
+  const QString stand_in = stand_in_sentence(story);
+  if (!stand_in.isEmpty())
+    v.sentence = story.state == StoryState::missing || story.state == StoryState::ambiguous
+                     ? v.sentence + ' ' + stand_in
+                     : stand_in + ' ' + v.sentence;
+  if (const QString alone = lone_sentence(model); !alone.isEmpty()) v.sentence = alone + ' ' + v.sentence;
   return v;
 }
 
-}  // namespace
-
-widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* d, bool is_running,
-                                        widgets::SizeUnit unit, const std::set<std::string>& refused) {
-  widgets::SessionVerdict v = verdict_of_model(model, d, is_running, unit, refused);
-  if (const QString alone = lone_sentence(model); !alone.isEmpty()) v.sentence = alone + ' ' + v.sentence;
-  return v;
+widgets::SessionVerdict session_verdict(const Workbench& bench, const ModelVersionPointer& model) {
+  return session_verdict(*model, bench.story_of(model), bench.diagnosis_of(model).get(), bench.diagnosing.is_running(),
+                         bench.units.unit());
 }
 
 }  // namespace handsight::app

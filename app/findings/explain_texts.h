@@ -2,8 +2,6 @@
 // What Explain says: the verdict, cards, verdicts on every effect.
 #pragma once
 
-#include <set>
-
 #include "bench/workbench.h"
 #include "diagnosis/evidence/weighing.h"
 #include "document/refusal.h"
@@ -16,16 +14,14 @@ namespace handsight::app {
 /// "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px."
 QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit = widgets::SizeUnit::pixel);
 
-/// Shares of what exceeds the noise over all used observations; nothing where nothing stands out.
-std::optional<widgets::Blame> session_blame(const Inspection& all);
-
-/// The whole session in a sentence. `diagnosis` may be null: only what the fit says. `refused`: ids that were tried on
-/// this model and not taken; none of them is said to be missing.
-widgets::SessionVerdict session_verdict(const ModelVersion& model, const Diagnosis* diagnosis, bool is_running,
-                                        widgets::SizeUnit unit, const std::set<std::string>& refused = {});
+/// The whole session in a sentence, as its story says. `diagnosis` is what the story goes by; null: only what the fit
+/// says.
+widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& story, const Diagnosis* diagnosis,
+                                        bool is_running, widgets::SizeUnit unit);
+widgets::SessionVerdict session_verdict(const Workbench& bench, const ModelVersionPointer& model);
 
 /// The cards, best first; the first is an honest one where there is nothing to add.
-std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const ModelVersion& model,
+std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const ModelVersionPointer& model,
                                                 const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
 
 /// One verdict for every effect of the catalogue.

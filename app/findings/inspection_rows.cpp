@@ -6,6 +6,7 @@
 #include "base/degrees.h"
 #include "bench/display_units.h"
 #include "bench/observation_views.h"
+#include "document/effect_words.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "words/core_words.h"
@@ -74,20 +75,41 @@ std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   return points;
 }
 
-std::optional<widgets::Blame> shown_blame(const Blame& blame, bool of_tracker) {
-  switch (blame.letter) {
+std::optional<widgets::Blame> shown_blame(const Workbench& bench, const InspectionRow& row) {
+  const bool of_tracker = bench.document.session().is_tracker();
+  const Blame& own = row.blame;
+  switch (own.letter) {
     case 'C':
       return widgets::Blame{1, 0, 0, of_tracker};
     case 'B':
-      return widgets::Blame{blame.cameras, blame.body + blame.robot, 0, of_tracker};
-    case 'R':
-      return widgets::Blame{blame.cameras, blame.body, blame.robot, of_tracker};
+      return widgets::Blame{own.cameras, own.body + own.robot, 0, of_tracker};
+    case 'R': {
+      const Blame b = bench.blame_of(row);
+      return widgets::Blame{b.cameras, b.body, b.robot, of_tracker};
+    }
     default:
       return std::nullopt;
   }
 }
 
-QString blame_sentence(const InspectionRow* row, const Observation* observation, bool in_pixels) {
+namespace {
+
+/// What the hand's place alone would put on the robot, and the session's cause puts elsewhere.
+QString in_the_light_of_the_cause(const Workbench& bench, char letter) {
+  const StoryCause& cause = bench.story().causes.front();
+  const QString name = effect_of(cause.id, cause.where);
+  const bool in_pixels = bench.document.session().rig.has_value();
+  return (letter == 'B'
+              ? QObject::tr("The marker body, as in the whole session: what is missing (%1) explains most of it. ")
+          : in_pixels ? QObject::tr("The cameras, as in the whole session: what is missing (%1) explains most of it. ")
+                      : QObject::tr("The tracker, as in the whole session: what is missing (%1) explains most of it. "))
+      .arg(name);
+}
+
+}  // namespace
+
+QString blame_sentence(const Workbench& bench, const InspectionRow* row, const Observation* observation) {
+  const bool in_pixels = bench.document.session().rig.has_value();
   if (!observation) return QObject::tr("Choose an observation in the strip, a plot or the 3D view.");
   if (!row) {
     if (observation->sightings.empty() && observation->decision == Decision::rejected)
@@ -98,6 +120,7 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation,
   }
   if (!row->ratio) return QObject::tr("The noise is not known, so nothing can be said about this observation.");
   QString text;
+  const char letter = bench.blame_of(*row).letter;
   switch (row->blame.letter) {
     case 'C':
       text = in_pixels ? QObject::tr("The cameras: the two images do not agree with each other. ")
@@ -107,7 +130,8 @@ QString blame_sentence(const InspectionRow* row, const Observation* observation,
       text = QObject::tr("The marker body: the markers are not where they sit on the hand. ");
       break;
     case 'R':
-      text = QObject::tr("The robot: the hand is not where the joints say. ");
+      text = letter == 'R' ? QObject::tr("The robot: the hand is not where the joints say. ")
+                           : in_the_light_of_the_cause(bench, letter);
       break;
     default:
       text = QObject::tr("Agrees with the model down to the noise. ");

@@ -11,13 +11,14 @@ namespace handsight::app {
 
 /// The shares as the bar shows them: what follows from the cause to look at first is counted with it. Images that do
 /// not agree make body and robot look wrong too, a body that is wrong the robot. Nothing where nothing stands out.
-std::optional<widgets::Blame> shown_blame(const Blame& blame, bool of_tracker);
+/// What the whole session lacks is to blame for each observation as for all of them (Workbench::blame_of).
+std::optional<widgets::Blame> shown_blame(const Workbench& bench, const InspectionRow& row);
 
 std::vector<widgets::ObservationRow> table_rows(const Workbench& bench);
 std::vector<widgets::MapPoint> map_points(const Workbench& bench);
 
 /// Whose fault, in a sentence, and what would mend it.
-QString blame_sentence(const InspectionRow* row, const Observation* observation, bool in_pixels);
+QString blame_sentence(const Workbench& bench, const InspectionRow* row, const Observation* observation);
 
 /// What an exclusion would change: "7 of 100. Error 9.1 -> 8.8 px; TCP->Body moves 0.3 sigma."
 QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, std::size_t excluded, std::size_t of,

@@ -10,7 +10,8 @@ namespace handsight::app {
 
 /// The proof plots of one effect, or of a curve, by the name under which they are shown.
 struct Proof {
-  QString name;  // "joint elasticity of arm_2"
+  QString name;        // "joint elasticity of arm_2"
+  bool leads = false;  // it is the cause that the story goes by: the plot is its proof where the points follow it
   std::vector<ProofPlot> plots;
 
   bool is_empty() const { return plots.empty(); }

@@ -207,6 +207,10 @@ void InspectWorkspace::connect_bench() {
     stale();
   });
   connect(&bench_.units, &DisplayUnits::changed, this, stale);
+  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, [this] {  // what is missing is to blame here too
+    emit status_changed();
+    if (is_active()) refresh_observation();
+  });
   connect(&bench_.document, &Document::edited, this, [this] {
     if (is_active()) refresh_rows();
     is_stale_ = true;
@@ -246,8 +250,10 @@ WorkStatus InspectWorkspace::status() const {
   const auto& observations = bench_.document.session().observations;
   const auto rejected = std::count_if(observations.begin(), observations.end(),
                                       [](const Observation& o) { return o.decision == Decision::rejected; });
-  if (odd + rejected == 0) return {WorkState::done, tr("nothing odd")};
-  return {WorkState::care, tr("%1 odd").arg(odd + rejected)};
+  const Story& story = bench_.story();
+  if (odd + rejected > 0) return {WorkState::care, tr("%1 odd").arg(odd + rejected)};
+  if (story.many_beyond()) return {WorkState::care, tr("%1 of %2 beyond 3 σ").arg(story.beyond).arg(story.used)};
+  return {WorkState::done, tr("nothing odd")};
 }
 
 void InspectWorkspace::activate() {
@@ -298,9 +304,8 @@ void InspectWorkspace::refresh_plots() {
   histogram_->set_cells(bench_.cells());
   histogram_->fit();
   if (!histogram_->threshold()) {
-    constexpr double times_the_noise = 3;
     const auto noise = all ? noise_in(bench_.units.unit(), *all) : std::nullopt;
-    histogram_->set_threshold(noise ? std::optional(times_the_noise * *noise) : std::nullopt);
+    histogram_->set_threshold(noise ? std::optional(beyond_noise * *noise) : std::nullopt);
     beyond_text_->setText(tr("Drag the threshold: what lies beyond it can be excluded."));
     exclude_beyond_->setEnabled(false);
   }
@@ -346,10 +351,10 @@ void InspectWorkspace::refresh_observation() {
   look_->setEnabled(row && row->worst_marker >= 0);
   const auto& rig = bench_.document.session().rig;
   relabel_->setEnabled(o && !o->images[0].empty() && rig && is_pair(*rig));
-  blame_->set_sentence(blame_sentence(row, o, bench_.document.session().rig.has_value()));
+  blame_->set_sentence(blame_sentence(bench_, row, o));
   const bool is_noise = row && row->ratio && *row->ratio < widgets::noise_limit(row->coordinates);
   blame_->set_none_text(is_noise ? tr("Nothing stands out of the noise") : QString());
-  blame_->set_blame(row ? shown_blame(row->blame, !bench_.document.session().rig) : std::nullopt);
+  blame_->set_blame(row ? shown_blame(bench_, *row) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));
     right_->clear({});

@@ -24,7 +24,9 @@ QString excluded_note(const Workbench& bench) {
   using widgets::SizeUnit;
   const Inspection* all = bench.inspection();
   if (!all) return {};
-  const SizeUnit unit = bench.units.unit();
+  SizeUnit unit = bench.units.unit();
+  // In mm the number beside it is of the hand, which is not known of observations that the fit leaves out.
+  if (unit == SizeUnit::millimetre && all->in_pixels) unit = SizeUnit::pixel;
   double squares = 0;
   int weights = 0, excluded = 0;
   for (const InspectionRow& row : all->rows) {
@@ -139,6 +141,8 @@ Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QW
   connect(&bench.document, &Document::readings_changed, this, &Header::refresh_session);
   connect(&bench.document, &Document::saved_changed, this, &Header::refresh_session);
   connect(&bench, &Workbench::tried, this, &Header::refresh_numbers);
+  for (auto signal : {&Diagnosing::diagnosis_changed, &Diagnosing::elsewhere_changed})
+    connect(&bench.diagnosing, signal, this, &Header::refresh_numbers);
   connect(&bench.units, &DisplayUnits::changed, this, &Header::refresh_numbers);
   refresh_session();
   refresh_job();
@@ -204,12 +208,21 @@ void Header::refresh_numbers() {
     n.now = sizes.error().in(unit);
     n.noise = sizes.noise.in(unit);
     n.ratio = sizes.error().sigma;
+    if (unit == widgets::SizeUnit::millimetre && n.now && n.noise && *n.noise > 0) {
+      n.ratio = *n.now / *n.noise;
+      // Far away cameras see depth so badly that it hides in mm what px show.
+      constexpr double hides = 0.7;
+      if (sizes.error().sigma && *n.ratio < hides * *sizes.error().sigma) n.noise_note = tr("mostly of the depth");
+    }
+    const Story& story = bench_.story();
+    if (story.error.elsewhere)
+      n.elsewhere = size_of_error(*story.error.elsewhere, story.error.in_pixels, noise).in(unit);
     n.is_stale = bench_.document.model() == nullptr;
     n.excluded_note = excluded_note(bench_);
     if (const auto predicted = bench_.predicted_error()) {
-      const auto told = bench_.units.shown(size_of_error(*predicted, !bench_.document.session().is_tracker(), noise));
-      n.predicted = told.value;
-      if (told.unit != unit) n.predicted_unit = widgets::unit_name(told.unit);
+      const ResidualSize tried = size_of_error(*predicted, !bench_.document.session().is_tracker(), noise);
+      n.predicted = tried.in(unit);  // in a unit in which it is not known it is left out
+      if (n.predicted) n.predicted_ratio = tried.sigma;
     }
     stairs_.clear();
     for (const ModelVersionPointer& version : bench_.document.versions()) {

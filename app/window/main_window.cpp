@@ -22,6 +22,7 @@
 #include "widgets/lists/model_panel.h"
 #include "widgets/lists/observation_strip.h"
 #include "window/appearance.h"
+#include "window/blunder_bar.h"
 #include "window/centre_fill.h"
 #include "window/centre_room.h"
 #include "window/doubt_bar.h"
@@ -94,6 +95,9 @@ void MainWindow::make_pages() {
   rows->setSpacing(0);
   rows->addWidget(header_);
   rows->addWidget(new DoubtBar(bench_, session));
+  blunders_ = new BlunderBar(bench_, session);
+  connect(blunders_, &BlunderBar::open_wanted, this, &MainWindow::open);
+  rows->addWidget(blunders_);
   auto* foreign = new ForeignBar(bench_, session);
   connect(foreign, &ForeignBar::save_requested, this, &MainWindow::save);
   rows->addWidget(foreign);
@@ -136,6 +140,9 @@ void MainWindow::bring_to_front(Workspace& page) {
   fill_->put_back();
   centre_->setCurrentWidget(&page);
   fit_panel_to_workspace();
+  // Keys are the workspace's from now on: Space plays, and does not press a button of the header again.
+  const QWidget* focus = focusWidget();
+  if (!focus || !focus->isVisible() || header_->isAncestorOf(focus)) page.setFocus(Qt::OtherFocusReason);
   page.activate();
 }
 

@@ -27,6 +27,7 @@ class UnitSwitch;
 namespace handsight::app {
 
 class Appearance;
+class BlunderBar;
 class CentreFill;
 class ComparePage;
 class FilesWizard;
@@ -110,6 +111,7 @@ class MainWindow : public QMainWindow {
   ComparePage* compare_;
   MergePage* merge_;
   Place place_ = Place::label;
+  BlunderBar* blunders_;
   CentreFill* fill_;
   QSplitter* splitter_;
   widgets::ModelPanel* panel_;

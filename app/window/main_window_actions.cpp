@@ -4,6 +4,7 @@
 
 #include "start/session_places.h"
 #include "widgets/lists/model_panel.h"
+#include "window/blunder_bar.h"
 #include "window/centre_fill.h"
 #include "window/key_list.h"
 #include "window/main_window.h"
@@ -49,6 +50,13 @@ void MainWindow::add_session_actions() {
                 .text = tr("Com&pare with another session…"),
                 .tip = tr("compare with another session of this robot, or with a calibration"),
                 .run = [this] { compare_with({}); },
+                .is_possible = is_open,
+                .section = of_session});
+  actions_.add({.id = "blunders",
+                .group = everywhere,
+                .text = tr("Look for &mistakes of a whole kind"),
+                .tip = tr("a joint that counts the other way, readings paired one off, another unit"),
+                .run = [this] { blunders_->look(); },
                 .is_possible = is_open,
                 .section = of_session});
   const auto collides = [this] { return !bench_.document.collisions().empty(); };

@@ -5,6 +5,254 @@
 <context>
     <name>handsight</name>
     <message>
+        <source>noise, %1</source>
+        <translation>Rauschen, %1</translation>
+    </message>
+    <message>
+        <source>mostly of the depth</source>
+        <translation>meist der Tiefe</translation>
+    </message>
+    <message>
+        <source>Look for &amp;mistakes of a whole kind</source>
+        <translation>Nach groben &amp;Fehlern suchen</translation>
+    </message>
+    <message>
+        <source>a joint that counts the other way, readings paired one off, another unit</source>
+        <translation>ein Gelenk, das andersherum zählt, Messungen um eins versetzt, eine andere Einheit</translation>
+    </message>
+    <message>
+        <source>Write the session put right</source>
+        <translation>Berichtigte Sitzung schreiben</translation>
+    </message>
+    <message>
+        <source>Beside the old one, which stays as it is</source>
+        <translation>Neben die alte, die bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Looking for mistakes of a whole kind</source>
+        <translation>Suche nach groben Fehlern</translation>
+    </message>
+    <message>
+        <source>No mistake of a whole kind makes this session right.</source>
+        <translation>Kein grober Fehler, der sich berichtigen ließe, erklärt diese Sitzung.</translation>
+    </message>
+    <message>
+        <source>With it the model misses by %1; put right, %2 is left.</source>
+        <translation>Damit liegt das Modell um %1 daneben; berichtigt bleiben %2.</translation>
+    </message>
+    <message>
+        <source>With them the model misses by %1; both put right, %2 is left.</source>
+        <translation>Damit liegt das Modell um %1 daneben; beide berichtigt bleiben %2.</translation>
+    </message>
+    <message>
+        <source>Add it: press the blue button. The fit runs before your eyes.</source>
+        <translation>Hinzufügen: der blaue Knopf. Die Schätzung läuft vor Ihren Augen.</translation>
+    </message>
+    <message>
+        <source>A sample session knows what was hidden in it: Reveal the truth, in the session's menu, compares.</source>
+        <translation>Eine Beispielsitzung weiß, was in ihr versteckt wurde: Die Wahrheit zeigen, im Menü der Sitzung, vergleicht.</translation>
+    </message>
+    <message>
+        <source>Reveal the &amp;truth</source>
+        <translation>Die &amp;Wahrheit zeigen</translation>
+    </message>
+    <message>
+        <source>what was hidden in this session</source>
+        <translation>was in dieser Sitzung versteckt wurde</translation>
+    </message>
+    <message>
+        <source>add the best cause again and again</source>
+        <translation>immer wieder die beste Ursache hinzufügen</translation>
+    </message>
+    <message>
+        <source>all effects, with one verdict each</source>
+        <translation>alle Effekte, mit je einem Urteil</translation>
+    </message>
+    <message>
+        <source>Tour: find the missing effect</source>
+        <translation>Rundgang: den fehlenden Effekt finden</translation>
+    </message>
+    <message>
+        <source>Stopped at the noise: %1.</source>
+        <translation>Angehalten beim Rauschen: %1.</translation>
+    </message>
+    <message>
+        <source>Larger than robots are built, so it stands in for another cause: %1.</source>
+        <translation>Größer, als Roboter gebaut sind, also wohl für eine andere Ursache: %1.</translation>
+    </message>
+    <message>
+        <source>at the noise, by a stand-in</source>
+        <translation>beim Rauschen, durch einen Ersatz</translation>
+    </message>
+    <message>
+        <source>follows nothing</source>
+        <translation>folgt nichts</translation>
+    </message>
+    <message>
+        <source>no plausible cause</source>
+        <translation>keine plausible Ursache</translation>
+    </message>
+    <message>
+        <source>What it would explain</source>
+        <translation>Was es erklären würde</translation>
+    </message>
+    <message>
+        <source>Tried: the points do not follow it</source>
+        <translation>Versuch: die Punkte folgen dem nicht</translation>
+    </message>
+    <message>
+        <source>Its points follow the %1. </source>
+        <translation>Die Punkte folgen: %1. </translation>
+    </message>
+    <message>
+        <source>It explains %1 % of what exceeds the noise.</source>
+        <translation>Es erklärt %1 % dessen, was das Rauschen übersteigt.</translation>
+    </message>
+    <message>
+        <source>The target is %1 % larger than described: printed to fit the page, or a length typed wrong. Every distance seen is wrong by the same share.</source>
+        <translation>Das Muster ist %1 % größer als beschrieben: auf Seitengröße gedruckt, oder eine Länge falsch eingetippt. Jeder gesehene Abstand ist um denselben Anteil falsch.</translation>
+    </message>
+    <message>
+        <source>The target is %1 % smaller than described: printed to fit the page, or a length typed wrong. Every distance seen is wrong by the same share.</source>
+        <translation>Das Muster ist %1 % kleiner als beschrieben: auf Seitengröße gedruckt, oder eine Länge falsch eingetippt. Jeder gesehene Abstand ist um denselben Anteil falsch.</translation>
+    </message>
+    <message>
+        <source>The target is described as flat and is bent, by a radius of %1 m: its edges stand off.</source>
+        <translation>Das Muster ist als eben beschrieben und ist gebogen, mit einem Radius von %1 m: seine Ränder stehen ab.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>this curve</source>
+        <translation>Diese Kurve</translation>
+    </message>
+    <message>
+        <source>A spring that pushes back: no joint is built so. Probably another cause.</source>
+        <translation>Eine Feder, die zurückdrückt: so ist kein Gelenk gebaut. Wahrscheinlich eine andere Ursache.</translation>
+    </message>
+    <message>
+        <source>At the noise, but by something that stands in</source>
+        <translation>Beim Rauschen, aber durch einen Ersatz</translation>
+    </message>
+    <message>
+        <source>More than noise, and it follows nothing</source>
+        <translation>Mehr als Rauschen, und es folgt nichts</translation>
+    </message>
+    <message>
+        <source>Without three markers or repeated poses the noise is unknown, so the program cannot say when to stop.</source>
+        <translation>Ohne drei Marker oder wiederholte Stellungen ist das Rauschen unbekannt; das Programm kann nicht sagen, wann Schluss ist.</translation>
+    </message>
+    <message>
+        <source>Nothing that helps is left</source>
+        <translation>Nichts, was hilft, ist übrig</translation>
+    </message>
+    <message>
+        <source>What is left (%1, noise %2) is more than noise, differs from pose to pose and follows nothing that was measured. No effect can remove it.</source>
+        <translation>Was bleibt (%1, Rauschen %2), ist mehr als Rauschen, wechselt von Stellung zu Stellung und folgt nichts Gemessenem. Kein Effekt kann es beseitigen.</translation>
+    </message>
+    <message>
+        <source>No robot is built so, it stands in for another cause: %1.</source>
+        <translation>So ist kein Roboter gebaut, es steht für eine andere Ursache: %1.</translation>
+    </message>
+    <message>
+        <source>Something real is left (%1 where the noise is %2): %3 explains a part of it, and nothing in the catalogue explains the rest. %4</source>
+        <translation>Etwas Wirkliches bleibt (%1 bei einem Rauschen von %2): %3 erklärt einen Teil davon, und nichts im Katalog erklärt den Rest. %4</translation>
+    </message>
+    <message>
+        <source>No plausible cause explains it: %1 would help, but no robot is built so.</source>
+        <translation>Keine plausible Ursache erklärt es: %1 würde helfen, aber so ist kein Roboter gebaut.</translation>
+    </message>
+    <message>
+        <source>The marker body, as in the whole session: what is missing (%1) explains most of it. </source>
+        <translation>Der Markerkörper, wie in der ganzen Sitzung: was fehlt (%1), erklärt das meiste davon. </translation>
+    </message>
+    <message>
+        <source>The cameras, as in the whole session: what is missing (%1) explains most of it. </source>
+        <translation>Die Kameras, wie in der ganzen Sitzung: was fehlt (%1), erklärt das meiste davon. </translation>
+    </message>
+    <message>
+        <source>The tracker, as in the whole session: what is missing (%1) explains most of it. </source>
+        <translation>Der Tracker, wie in der ganzen Sitzung: was fehlt (%1), erklärt das meiste davon. </translation>
+    </message>
+    <message>
+        <source>%1 of %2 beyond 3 σ</source>
+        <translation>%1 von %2 über 3 σ</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>stand-in</source>
+        <translation>Ersatz</translation>
+    </message>
+    <message>
+        <source>not all named</source>
+        <translation>nicht alles benannt</translation>
+    </message>
+    <message>
+        <source>There is nothing to add.</source>
+        <translation>Es gibt nichts hinzuzufügen.</translation>
+    </message>
+    <message>
+        <source>held out; elsewhere %1</source>
+        <translation>ungesehen; anderswo %1</translation>
+    </message>
+    <message>
+        <source>How far the hand is from where it is predicted, all markers of an observation together (with a tracker: each marker), on observations that the fit has not seen; what noise alone would make of it; and how many times larger than that it is. U changes the unit.</source>
+        <translation>Wie weit die Hand von ihrem vorhergesagten Ort ist, alle Marker einer Beobachtung zusammen (mit einem Tracker: jeder Marker), in Beobachtungen, die die Schätzung nicht gesehen hat; was Rauschen allein daraus machte; und wievielmal größer es ist. U wechselt die Einheit.</translation>
+    </message>
+    <message>
+        <source>The error of one coordinate (root mean square) on observations that the fit has not seen, the noise of the measurement, and how many times larger the error is. Elsewhere: where whole regions of poses are held out. U changes the unit.</source>
+        <translation>Der Fehler einer Koordinate (quadratisches Mittel) in Beobachtungen, die die Schätzung nicht gesehen hat, das Rauschen der Messung, und wievielmal größer der Fehler ist. Anderswo: wo ganze Bereiche von Stellungen ungesehen bleiben. U wechselt die Einheit.</translation>
+    </message>
+    <message>
+        <source>Report as HTML</source>
+        <translation>Bericht als HTML</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Bericht als PDF</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Speichern als %1</translation>
+    </message>
+    <message>
+        <source>For other programs</source>
+        <translation>Für andere Programme</translation>
+    </message>
+    <message>
+        <source>ROS 2 launch file</source>
+        <translation>ROS-2-Startdatei</translation>
+    </message>
+    <message>
+        <source>Save for it</source>
+        <translation>Dafür speichern</translation>
+    </message>
+    <message>
+        <source>Beside the XML, for another program: the robot, the hand and what corrects them</source>
+        <translation>Neben der XML, für ein anderes Programm: der Roboter, die Hand und was sie korrigiert</translation>
+    </message>
+    <message>
+        <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when the corrected angles are commanded, with all that the model is not sure of: by the C++ and Python files that this page saves.</source>
+        <translation>Über %1 Stellungen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden, mit allem, worin das Modell unsicher ist: mit den C++- und Python-Dateien, die diese Seite speichert.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 at the hand)</source>
+        <translation>%1 (%2 an der Hand)</translation>
+    </message>
+    <message>
+        <source>Where whole regions of poses are held out</source>
+        <translation>Wo ganze Bereiche von Stellungen ungesehen bleiben</translation>
+    </message>
+    <message>
+        <source>What noise alone would leave</source>
+        <translation>Was Rauschen allein ließe</translation>
+    </message>
+    <message>
         <source>What to command so that the hand arrives where it was meant to be.</source>
         <translation>Was zu befehlen ist, damit die Hand dort ankommt, wo sie hin sollte.</translation>
     </message>
@@ -41,16 +289,8 @@
         <translation>Wird über %1 Stellungen wie die gemessenen berechnet ...</translation>
     </message>
     <message>
-        <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when the corrected angles are commanded: handsight-cli correct, or the exported C++ and Python files.</source>
-        <translation>Über %1 Stellungen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden: handsight-cli correct, oder die exportierten C++- und Python-Dateien.</translation>
-    </message>
-    <message>
         <source>%1 of the poses cannot be corrected within the joints' limits.</source>
         <translation>%1 der Stellungen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
-    </message>
-    <message>
-        <source> Larger than robots are built, so it stands in for another cause: %1.</source>
-        <translation> Größer, als Roboter gebaut sind, also wohl für eine andere Ursache: %1.</translation>
     </message>
     <message>
         <source> (%1 at the hand)</source>
@@ -652,10 +892,6 @@
         <translation>Ein Viertelpixel bleibt. Sind das die Kameras, oder ist etwas zu finden?</translation>
     </message>
     <message>
-        <source>A sample session knows what was hidden in it: compare.</source>
-        <translation>Eine Beispielsitzung weiß, was in ihr versteckt war: vergleiche.</translation>
-    </message>
-    <message>
         <source>A to B: %1 → %2 held out; TCP→Body moves %3 mm.</source>
         <translation>A nach B: %1 → %2 ungesehen; TCP→Body rückt um %3 mm.</translation>
     </message>
@@ -688,10 +924,6 @@
         <translation>Füge einen Kandidaten hinzu, und seine Anpassung wird hier gezeichnet.</translation>
     </message>
     <message>
-        <source>Add it: press the button on the card. The fit runs before your eyes.</source>
-        <translation>Füge sie hinzu: drücke den Knopf auf der Karte. Die Anpassung läuft vor deinen Augen.</translation>
-    </message>
-    <message>
         <source>Rests after the cause that is being added, so that its proof can be looked at</source>
         <translation>Ruht nach der Ursache, die gerade dazukommt, damit man ihren Beweis ansehen kann</translation>
     </message>
@@ -718,10 +950,6 @@
     <message>
         <source>Adds the first card, and the first of what is left, until nothing more helps; then seeks other names that explain what was added better</source>
         <translation>Fügt die erste Karte hinzu, und die erste von denen, die bleiben, bis nichts mehr hilft; sucht dann andere Namen, die das Hinzugefügte besser erklären</translation>
-    </message>
-    <message>
-        <source>Adds what the first card says</source>
-        <translation>Fügt hinzu, was die erste Karte sagt</translation>
     </message>
     <message>
         <source>After: %1</source>
@@ -1248,10 +1476,6 @@
         <translation>Wie weit die Hand von dort war, wo das Modell sie vorhersagt, und wie weit 95 von 100 Stellungen wie die angepassten es sind.</translation>
     </message>
     <message>
-        <source>How far the markers are from where they are predicted, in space, on observations that the fit has not seen; what noise alone would make of it; and how many times larger than the noise the error of a coordinate is. U changes the unit.</source>
-        <translation>Wie weit die Marker im Raum von ihrer Vorhersage liegen, auf ungesehenen Beobachtungen; was Rauschen allein daraus machte; und das Wievielfache des Rauschens der Fehler einer Koordinate ist. U wechselt die Einheit.</translation>
-    </message>
-    <message>
         <source>How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for.</source>
         <translation>Wie viel des Fehlers auf die Kameras (C), den Markerkörper (B) und den Roboter (R) zurückgehen kann.</translation>
     </message>
@@ -1640,10 +1864,6 @@
         <translation>Keine andere Beobachtung hat Bilder.</translation>
     </message>
     <message>
-        <source>No plausible cause explains it: %1 would help, but at more than three times what is plausible.</source>
-        <translation>Keine glaubhafte Ursache erklärt es: %1 hülfe, aber mit mehr als dem Dreifachen dessen, was glaubhaft ist.</translation>
-    </message>
-    <message>
         <source>No pose that the cameras could see would %1.</source>
         <translation>Keine Stellung, die die Kameras sehen, würde %1.</translation>
     </message>
@@ -1662,10 +1882,6 @@
     <message>
         <source>Noise alone on the same poses, draw %1</source>
         <translation>Rauschen allein in denselben Stellungen, Ziehung %1</translation>
-    </message>
-    <message>
-        <source>Noise of one coordinate</source>
-        <translation>Rauschen einer Koordinate</translation>
     </message>
     <message>
         <source>Not added: %1 has no place in this session.</source>
@@ -2016,10 +2232,6 @@
         <translation>Reste über dem Bild, Pfeile vergrößert</translation>
     </message>
     <message>
-        <source>Reveal the truth</source>
-        <translation>Wahrheit aufdecken</translation>
-    </message>
-    <message>
         <source>Rewind</source>
         <translation>Zum Anfang</translation>
     </message>
@@ -2368,10 +2580,6 @@
         <translation>Der Fehler einer Koordinate auf ungesehenen Beobachtungen, und das Rauschen der Messung.</translation>
     </message>
     <message>
-        <source>The error of one coordinate on observations that the fit has not seen, the noise of the measurement, and how many times larger the error is. U changes the unit.</source>
-        <translation>Der Fehler einer Koordinate auf ungesehenen Beobachtungen, das Rauschen der Messung, und das Wievielfache der Fehler ist. U wechselt die Einheit.</translation>
-    </message>
-    <message>
         <source>The error that would be left on observations that the fit has not seen: %1. Today %2; the noise (hatched) is %3.</source>
         <translation>Der Fehler, der auf ungesehenen Beobachtungen bliebe: %1. Heute %2; das Rauschen (schraffiert) ist %3.</translation>
     </message>
@@ -2410,10 +2618,6 @@
     <message>
         <source>The job failed without saying why.</source>
         <translation>Die Arbeit misslang, ohne zu sagen warum.</translation>
-    </message>
-    <message>
-        <source>The robot does not repeat better</source>
-        <translation>Der Roboter wiederholt nicht besser</translation>
     </message>
     <message>
         <source>The marker body</source>
@@ -2486,10 +2690,6 @@
     <message>
         <source>The residual against what it may follow, strongest first</source>
         <translation>Der Rest gegen das, dem er folgen kann, das Stärkste zuerst</translation>
-    </message>
-    <message>
-        <source>The residual follows the %1. </source>
-        <translation>Der Rest folgt: %1. </translation>
     </message>
     <message>
         <source>The residual of every corner comes here.</source>
@@ -2590,10 +2790,6 @@
     <message>
         <source>This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise is, and whose fault the difference is.</source>
         <translation>Diese Zeile sagt alles: um wie viel das Modell in ungesehenen Stellungen danebenliegt, wie groß das Rauschen ist und an wem der Unterschied liegt.</translation>
-    </message>
-    <message>
-        <source>This sample session knows what was hidden in it</source>
-        <translation>Diese Beispielsitzung weiß, was in ihr versteckt war</translation>
     </message>
     <message>
         <source>This session does not know its truth.</source>
@@ -5421,6 +5617,58 @@
 <context>
     <name>core</name>
     <!-- Sentences of the core: %1 and so on stand for whatever is put in. -->
+    <message>
+        <source>Joint %1 counts the other way than the robot's description says.</source>
+        <translation>Gelenk %1 zählt andersherum, als die Beschreibung des Roboters sagt.</translation>
+    </message>
+    <message>
+        <source>Turn the sign of the readings of %1 in %2 (or, where the description is wrong, its &lt;axis&gt; in %3).</source>
+        <translation>Das Vorzeichen der Messungen von %1 in %2 umkehren (oder, wo die Beschreibung falsch ist, seine &lt;axis&gt; in %3).</translation>
+    </message>
+    <message>
+        <source>The readings of joints %1 and %2 are exchanged.</source>
+        <translation>Die Messungen der Gelenke %1 und %2 sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>Exchange the names %1 and %2 in &lt;joints&gt; of %3 (in the header of the table that it was made of).</source>
+        <translation>Die Namen %1 und %2 in &lt;joints&gt; von %3 vertauschen (im Kopf der Tabelle, aus der sie gemacht wurde).</translation>
+    </message>
+    <message>
+        <source>Joint %1 has another zero than the robot's description: %2 are missing in its readings.</source>
+        <translation>Gelenk %1 hat eine andere Null als die Beschreibung des Roboters: in seinen Messungen fehlen %2.</translation>
+    </message>
+    <message>
+        <source>Add %1 to the readings of %2 in %3 (or set the zero of that joint so).</source>
+        <translation>%1 zu den Messungen von %2 in %3 hinzuzählen (oder die Null dieses Gelenks so setzen).</translation>
+    </message>
+    <message>
+        <source>Joint %1 is in degrees, where radians are expected.</source>
+        <translation>Gelenk %1 ist in Grad, wo Bogenmaß erwartet wird.</translation>
+    </message>
+    <message>
+        <source>Write the readings of %1 in %2 in radians (times pi / 180).</source>
+        <translation>Die Messungen von %1 in %2 in Bogenmaß schreiben (mal pi / 180).</translation>
+    </message>
+    <message>
+        <source>The images of the cameras %1 and %2 are exchanged.</source>
+        <translation>Die Bilder der Kameras %1 und %2 sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>Exchange %1 and %2 in &lt;images&gt; and &lt;marker&gt; of every observation of %3 (or exchange the cameras of the calibration).</source>
+        <translation>%1 und %2 in &lt;images&gt; und &lt;marker&gt; jeder Beobachtung von %3 vertauschen (oder die Kameras der Kalibrierung).</translation>
+    </message>
+    <message>
+        <source>Columns and rows of the board are exchanged: it has %1 columns and %2 rows.</source>
+        <translation>Spalten und Zeilen des Bretts sind vertauscht: es hat %1 Spalten und %2 Zeilen.</translation>
+    </message>
+    <message>
+        <source>Write columns="%1" rows="%2" into &lt;target&gt; of %3.</source>
+        <translation>columns="%1" rows="%2" in &lt;target&gt; von %3 schreiben.</translation>
+    </message>
+    <message>
+        <source>Invert each &lt;target_pose&gt; in %1 (each pose in the table of the target that it was made of).</source>
+        <translation>Jede &lt;target_pose&gt; in %1 umkehren (jede Pose in der Tabelle des Musters, aus der sie gemacht wurde).</translation>
+    </message>
     <message>
         <source>%1 does not part these from the rest.</source>
         <translation>%1 trennt diese nicht von den übrigen.</translation>

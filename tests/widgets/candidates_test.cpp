@@ -171,16 +171,31 @@ TEST(CandidateList, TheOrderChangesOnlyWhenAsked) {
   EXPECT_THAT(list.shown(), ElementsAre(second.id));
 }
 
-TEST(CandidateList, OnlyTheFirstCardHasTheMainAction) {
+TEST(CandidateList, TheMainActionStandsBelowTheCardsAndNamesItsCard) {
   CandidateList list;
-  list.set_cards({test::elasticity_card(), test::predicted_card()}, CardOrder::fresh);
-  const auto ground = [&](int card) { return list.card(card)->add_button()->palette().color(QPalette::Button); };
-  EXPECT_EQ(ground(0), colors().accent);
-  EXPECT_NE(ground(1), colors().accent);
-  QSignalSpy why_not(&list, &CandidateList::why_not_requested);
+  CardState first = test::elasticity_card();
+  first.add_text = "Add joint elasticity";
+  list.set_cards({first, test::predicted_card()}, CardOrder::fresh);
+  for (const int card : {0, 1})
+    EXPECT_NE(list.card(card)->add_button()->palette().color(QPalette::Button), colors().accent);
+  EXPECT_EQ(list.add_button()->palette().color(QPalette::Button), colors().accent);
+  EXPECT_EQ(list.add_button()->text(), "Add joint elasticity");
+  QSignalSpy why_not(&list, &CandidateList::why_not_requested), add(&list, &CandidateList::add);
   test::show(list, {464, 600});
+  const QRect where = list.add_button()->geometry(), beside = list.why_not_button()->geometry();
+  test::click(list.add_button(), list.add_button()->rect().center());
+  ASSERT_EQ(add.size(), 1);
+  EXPECT_EQ(add[0][0].toString(), first.id);
   test::click(list.why_not_button(), list.why_not_button()->rect().center());
   EXPECT_EQ(why_not.size(), 1);
+  list.set_can_add(false);
+  EXPECT_FALSE(list.add_button()->isEnabled());
+  EXPECT_EQ(list.add_button()->text(), "Add joint elasticity") << "while it is added, too";
+  list.set_cards({}, CardOrder::fresh);
+  EXPECT_FALSE(list.add_button()->isEnabled());
+  EXPECT_TRUE(list.add_button()->isVisible());
+  EXPECT_EQ(list.add_button()->geometry(), where) << "it neither goes nor moves";
+  EXPECT_EQ(list.why_not_button()->geometry(), beside);
 }
 
 // Nothing of a card lies over its buttons or outside of it, whatever it has to say.

@@ -16,42 +16,16 @@
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/candidate_layout.h"
+#include "widgets/explain/main_button.h"
 
 namespace handsight::widgets {
-namespace {
-
-/// A push button that is filled with the accent while it is the main action: the style would make the colour lighter,
-/// and its text hard to read.
-class CardButton : public QPushButton {
- public:
-  using QPushButton::QPushButton;
-
- protected:
-  void paintEvent(QPaintEvent* event) override {
-    const Colors& c = colors();
-    if (!isEnabled() || palette().color(QPalette::Button) != c.accent) return QPushButton::paintEvent(event);
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(isDown() ? c.accent.darker(115) : c.accent);
-    painter.drawRoundedRect(QRectF(rect()), 3, 3);
-    painter.setPen(c.panel);
-    painter.drawText(rect(), Qt::AlignCenter, text());
-    if (!hasFocus()) return;
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(c.panel, 1));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(3, 3, -3, -3), 2, 2);
-  }
-};
-
-}  // namespace
 
 CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setMinimumWidth(320);
   const auto button = [this](const QString& name, auto&& signal) {
-    auto* made = new CardButton(this);
+    auto* made = new FilledButton(this);
     made->setObjectName(name);
     made->setFixedHeight(kControlHeight);
     made->setAutoDefault(true);  // Enter presses it
@@ -129,17 +103,8 @@ void CandidateCard::set_measured_note(const QString& sentence) {
 
 void CandidateCard::set_main(bool is_main) {
   is_main_ = is_main;
-  const Colors& c = colors();
-  for (QPushButton* button : {add_, action_}) {
-    QPalette inks = QApplication::palette();
-    if (is_main) {
-      inks.setColor(QPalette::Button, c.accent);
-      inks.setColor(QPalette::ButtonText, c.panel);
-      inks.setColor(QPalette::Disabled, QPalette::Button, c.sunken);
-      inks.setColor(QPalette::Disabled, QPalette::ButtonText, c.ink3);
-    }
-    button->setPalette(inks);
-  }
+  add_->setPalette(QApplication::palette());  // the filled one stands below the cards
+  fill_button(*action_, is_main);
   update();
 }
 

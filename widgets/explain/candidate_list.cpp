@@ -13,8 +13,14 @@
 #include <algorithm>
 
 #include "widgets/base/theme.h"
+#include "widgets/explain/main_button.h"
 
 namespace handsight::widgets {
+namespace {
+
+constexpr int least_add_width = 128;
+
+}  // namespace
 
 CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
@@ -57,18 +63,16 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   why_not_ = new QPushButton(tr("Why not …?"), this);
   why_not_->setToolTip(tr("All effects, with one verdict each"));
   why_not_->setFixedHeight(kControlHeight);
-  add_ = new QPushButton(tr("Add"), this);
+  add_ = new MainButton(this);
   add_->setObjectName("add_first");
-  add_->setToolTip(tr("Adds what the first card says"));
   add_->setFixedHeight(kControlHeight);
-  add_->setDefault(true);
-  add_->hide();
+  add_->setEnabled(false);
   connect(add_, &QPushButton::clicked, this, [this] {
-    if (!cards_.empty()) emit add(cards_.front()->state().id);
+    if (const CandidateCard* card = first_to_add()) emit add(card->state().id);
   });
   foot_ = new QHBoxLayout;
   foot_->setContentsMargins(0, 0, kGap, 4);
-  foot_->addWidget(add_);
+  foot_->addWidget(add_, 100);  // as wide as its longest text
   foot_->addWidget(why_not_);
   foot_->addStretch(1);
   layout->addLayout(foot_);
@@ -76,8 +80,6 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   second_foot_->setContentsMargins(0, 0, kGap, 4);
   second_foot_->addStretch(1);
   layout->addLayout(second_foot_);
-  connect(scroll_->verticalScrollBar(), &QScrollBar::valueChanged, this, &CandidateList::show_add);
-  connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, &CandidateList::show_add);
   connect(why_not_, &QPushButton::clicked, this, &CandidateList::why_not_requested);
   connect(resort_, &QPushButton::clicked, this, &CandidateList::resort);
 }
@@ -179,37 +181,56 @@ void CandidateList::let_go(const QString& id) {
 
 void CandidateList::mark_main() {
   for (std::size_t i = 0; i < cards_.size(); ++i) cards_[i]->set_main(i == 0);
-  QTimer::singleShot(0, this, &CandidateList::show_add);
+  show_add();
 }
 
-void CandidateList::add_at_foot(QWidget* widget) {
+void CandidateList::add_at_foot(QWidget* widget, FootPlace place) {
   widget->setFixedHeight(kControlHeight);
-  foot_->insertWidget(foot_->count() - 1, widget);
+  if (place == FootPlace::after_why_not) {
+    // What comes and goes would have no room there, or push the others aside: it stands above, beside the title.
+    static_cast<QHBoxLayout*>(layout()->itemAt(0)->layout())->addWidget(widget);
+    return;
+  }
+  foot_->insertWidget(foot_->indexOf(why_not_), widget);
   at_foot_.push_back(widget);
 }
 
-/// What has no room beside the first two buttons gets a line of its own.
+/// What has no room beside the main button gets a line of its own: by the width and the longest text that the button
+/// had, so that nothing changes its place while the user looks.
 void CandidateList::lay_out_foot() {
-  int wanted = add_->sizeHint().width() + why_not_->sizeHint().width() + 3 * kGap;
-  for (const QWidget* w : at_foot_) wanted += w->isHidden() ? 0 : w->sizeHint().width() + kGap;
+  longest_add_ = std::max({longest_add_, least_add_width, add_->sizeHint().width()});
+  int wanted = longest_add_ + why_not_->sizeHint().width() + 3 * kGap;
+  for (const QWidget* w : at_foot_)  // the hidden ones too: they will come
+    wanted += std::max(w->sizeHint().width(), w->minimumWidth()) + kGap;
   const bool has_second = wanted > width();
+  add_->setMaximumWidth(longest_add_);
   if (has_second == has_second_foot_) return;
   has_second_foot_ = has_second;
-  for (QWidget* w : at_foot_) {
-    QHBoxLayout* const row = has_second ? second_foot_ : foot_;
+  std::vector<QWidget*> others;
+  for (QHBoxLayout* row : {foot_, second_foot_})
+    for (int i = 0; i < row->count(); ++i)
+      if (QWidget* w = row->itemAt(i)->widget(); w && w != add_) others.push_back(w);
+  for (QWidget* w : others) {
     (has_second ? foot_ : second_foot_)->removeWidget(w);
-    row->insertWidget(row->count() - 1, w);
+    QHBoxLayout* const row = has_second ? second_foot_ : foot_;
+    row->insertWidget(row->count() - 1, w);  // before what stretches
   }
 }
 
-/// The first card's button, or another one in its place where that is out of sight.
+const CandidateCard* CandidateList::first_to_add() const {
+  for (const CandidateCard* card : cards_)
+    if (card->state().kind == CardKind::candidate && (card->state().can_add || !can_add_)) return card;
+  return nullptr;
+}
+
+/// The button below the cards is always there and says which card it adds.
 void CandidateList::show_add() {
+  const CandidateCard* first = first_to_add();
+  const QString text = first && !first->state().add_text.isEmpty() ? first->state().add_text : tr("Add");
+  add_->setText(text);
+  add_->setToolTip(first ? tr("Adds it to the model and fits (Enter)") : tr("There is nothing to add."));
+  add_->setEnabled(first && can_add_);
   lay_out_foot();
-  QPushButton* own = cards_.empty() ? nullptr : cards_.front()->add_button();
-  const bool can_add = own && cards_.front()->state().kind == CardKind::candidate && own->isVisibleTo(this);
-  const QRect there = can_add ? QRect(own->mapTo(scroll_->viewport(), QPoint()), own->size()) : QRect();
-  add_->setVisible(can_add && !scroll_->viewport()->rect().contains(there));
-  add_->setEnabled(can_add && own->isEnabled());
 }
 
 void CandidateList::resizeEvent(QResizeEvent* event) {

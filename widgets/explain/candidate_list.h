@@ -19,6 +19,8 @@ namespace handsight::widgets {
 /// in their places, new ones come below, and a chip offers to sort again.
 enum class CardOrder { fresh, kept };
 
+enum class FootPlace { before_why_not, after_why_not };
+
 class CandidateList : public QWidget {
   Q_OBJECT
  public:
@@ -34,10 +36,10 @@ class CandidateList : public QWidget {
   std::vector<QString> shown() const;  // ids in the order shown
   QPushButton* resort_chip() const { return resort_; }
   QPushButton* why_not_button() const { return why_not_; }
-  /// Adds the first card, in sight whatever the card's length; hidden while the card's own button is.
+  /// Adds the first card that can be added, and names it. Always there, below the cards, in the same place.
   QPushButton* add_button() const { return add_; }
-  /// Something small beside the buttons below the cards.
-  void add_at_foot(QWidget* widget);
+  /// A button in the row below the cards: Add | ... | Why not ...? | ...
+  void add_at_foot(QWidget* widget, FootPlace place);
   QSize sizeHint() const override;
 
  signals:
@@ -69,11 +71,13 @@ class CandidateList : public QWidget {
   QLabel *title_, *progress_, *empty_;
   void show_add();
   void lay_out_foot();
+  const CandidateCard* first_to_add() const;
 
   QPushButton *resort_, *why_not_, *add_;
   QHBoxLayout *foot_, *second_foot_;
   std::vector<QWidget*> at_foot_;
   bool has_second_foot_ = false;
+  int longest_add_ = 0;  // px, of the main button
   QScrollArea* scroll_;
   QWidget* content_;
   QVBoxLayout* list_;

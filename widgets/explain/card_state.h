@@ -42,7 +42,8 @@ struct CardState {
   QString cannot_be_told_from;        // "payload, base tilt"; empty: nothing
   QString check;                      // a cheap check with the robot
   std::optional<CardCheck> check_number;
-  QString caution;  // "The fit wants 4 kg; 1 kg is plausible."
+  QString caution;   // "The fit wants 4 kg; 1 kg is plausible."
+  QString add_text;  // "Add joint elasticity": what the button below the cards says; empty: "Add"
   bool can_add = true;
   QString why_not;  // where it cannot be added: the button's tool tip, and shown
   bool can_what_if = true, can_show_poses = false;

@@ -37,6 +37,12 @@ Mood mood_of(SessionState state) {
   }
 }
 
+/// Was it looked for what is missing, and is the noise known?
+bool is_judged(SessionState state) {
+  return state != SessionState::waiting && state != SessionState::looking && state != SessionState::too_few &&
+         state != SessionState::noise_unknown;
+}
+
 QString sign_of(SessionState state) {
   switch (state) {
     case SessionState::waiting:
@@ -67,6 +73,10 @@ QString session_state_text(SessionState state) {
       return said("looking …");
     case SessionState::adequate:
       return said("adequate");
+    case SessionState::stand_in:
+      return said("stand-in");
+    case SessionState::unnamed:
+      return said("not all named");
     case SessionState::missing:
       return said("cause missing");
     case SessionState::ambiguous:
@@ -192,8 +202,8 @@ void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
   painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter,
                    verdict_.blame
                        ? (verdict_.blame->of_tracker ? tr("tracker | body | robot") : tr("cameras | body | robot"))
-                   : verdict_.state == SessionState::adequate ? tr("nothing stands out of the noise")
-                                                              : tr("whose fault: not known yet"));
+                   : is_judged(verdict_.state) ? tr("nothing stands out of the noise")
+                                               : tr("whose fault: not known yet"));
   painter.fillRect(bar, c.sunken);
   if (!verdict_.blame) return;
   const Blame& blame = *verdict_.blame;

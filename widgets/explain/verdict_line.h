@@ -14,6 +14,8 @@ enum class SessionState {
   waiting,  // nothing to judge yet
   looking,  // a diagnosis runs
   adequate,
+  stand_in,  // at the noise, with something in the model that stands in for another cause
+  unnamed,   // at the noise, but not all of it has a name
   missing,
   ambiguous,
   unexplained,

@@ -24,6 +24,7 @@ class BlameBar : public QWidget {
   void set_none_text(const QString& text);
   /// In words: what it is, what would make it right. Wraps.
   void set_sentence(const QString& sentence);
+  const QString& sentence() const { return sentence_; }
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
   bool hasHeightForWidth() const override { return true; }

@@ -21,26 +21,42 @@ constexpr double kStairsWidth = 120;
 constexpr double kNumberLine = 20, kCaptionLine = 6;  // baselines above the lower edge
 
 QString ratio_text(const ErrorNumbers& numbers) {
-  if (numbers.ratio) return short_text(numbers.ratio) + QStringLiteral(" ×");
-  if (!numbers.now || !numbers.noise || *numbers.noise <= 0) return QStringLiteral("-");
-  return short_text(*numbers.now / *numbers.noise) + QStringLiteral(" ×");
+  std::optional<double> ratio = numbers.ratio;
+  if (!ratio && numbers.now && numbers.noise && *numbers.noise > 0) ratio = *numbers.now / *numbers.noise;
+  if (!ratio) return QStringLiteral("-");
+  QString text = short_text(ratio) + QStringLiteral(" ×");
+  if (numbers.predicted_ratio)
+    text += QStringLiteral(" → ") + short_text(numbers.predicted_ratio) + QStringLiteral(" ×");
+  return text;
+}
+
+/// What stands below the first number.
+QString caption_of(const ErrorNumbers& n) {
+  if (!n.excluded_note.isEmpty()) return QObject::tr("error now (%1)").arg(n.excluded_note);
+  if (n.elsewhere) return QObject::tr("held out; elsewhere %1").arg(with_unit_text(n.elsewhere, n.unit));
+  return QObject::tr("error now, held out");
 }
 
 QString now_text(const ErrorNumbers& n) {
   QString text = with_unit_text(n.now, n.unit);
-  if (n.predicted) text += QStringLiteral(" → ") + with_unit_text(n.predicted, n.predicted_unit);
+  if (n.predicted) text += QStringLiteral(" → ") + with_unit_text(n.predicted, n.unit);
   return text;
 }
 
 QString about_numbers(const QString& unit) {
   if (unit == unit_name(SizeUnit::millimetre))
     return QObject::tr(
-        "How far the markers are from where they are predicted, in space, on observations that the fit has not seen; "
-        "what noise alone would make of it; and how many times larger than the noise the error of a coordinate is. "
-        "U changes the unit.");
+        "How far the hand is from where it is predicted, all markers of an observation together (with a tracker: each "
+        "marker), on observations that the fit has not seen; what noise alone would make of it; and how many times "
+        "larger than that it is. U changes the unit.");
   return QObject::tr(
-      "The error of one coordinate on observations that the fit has not seen, the noise of the measurement, and how "
-      "many times larger the error is. U changes the unit.");
+      "The error of one coordinate (root mean square) on observations that the fit has not seen, the noise of the "
+      "measurement, and how many times larger the error is. Elsewhere: where whole regions of poses are held out. U "
+      "changes the unit.");
+}
+
+QString noise_caption(const ErrorNumbers& n) {
+  return n.noise_note.isEmpty() ? QObject::tr("noise floor") : QObject::tr("noise, %1").arg(n.noise_note);
 }
 
 std::optional<double> height_of(const VersionStep& step) { return step.held_out ? step.held_out : step.fitted; }
@@ -69,10 +85,9 @@ QSize ThreeNumbers::sizeHint() const {
   const auto wide = [&](const QString& text, const QString& caption) {
     return std::max(numbers.horizontalAdvance(text), small.horizontalAdvance(caption)) + kWideGap;
   };
-  const QString caption = numbers_.excluded_note.isEmpty() ? QObject::tr("error now, held out")
-                                                           : QObject::tr("error now (%1)").arg(numbers_.excluded_note);
+  const QString caption = caption_of(numbers_);
   const double width = wide(now_text(numbers_), caption) +
-                       wide(with_unit_text(numbers_.noise, numbers_.unit), QObject::tr("noise floor")) +
+                       wide(with_unit_text(numbers_.noise, numbers_.unit), noise_caption(numbers_)) +
                        wide(ratio_text(numbers_), QObject::tr("ratio")) + kStairsWidth;
   return {static_cast<int>(std::ceil(width)) + kGap, 44};
 }
@@ -181,11 +196,10 @@ void ThreeNumbers::paintEvent(QPaintEvent*) {
     painter.drawText(QPointF(x, height() - kCaptionLine), caption);
     x += wide + kWideGap;
   };
-  const QString caption = numbers_.excluded_note.isEmpty() ? QObject::tr("error now, held out")
-                                                           : QObject::tr("error now (%1)").arg(numbers_.excluded_note);
+  const QString caption = caption_of(numbers_);
   column(now_text(numbers_), caption, numbers_.predicted ? c.candidate : c.ink1);
-  column(with_unit_text(numbers_.noise, numbers_.unit), QObject::tr("noise floor"), c.ink1);
-  column(ratio_text(numbers_), QObject::tr("ratio"), c.ink1);
+  column(with_unit_text(numbers_.noise, numbers_.unit), noise_caption(numbers_), c.ink1);
+  column(ratio_text(numbers_), QObject::tr("ratio"), numbers_.predicted_ratio ? c.candidate : c.ink1);
   painter.setRenderHint(QPainter::Antialiasing, false);
   if (!numbers_.versions.empty()) paint_stairs(painter);
   if (hasFocus()) draw_focus(painter, rect());

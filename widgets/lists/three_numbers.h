@@ -21,11 +21,13 @@ struct ErrorNumbers {
   std::optional<double> ratio;       // absent: now over noise
   std::optional<double> predicted;   // with a candidate that is being tried: shown purple and dashed
   QString unit = "px";
-  QString predicted_unit;             // where it is another; empty: the same
-  QString excluded_note;              // "with 7 excluded: 8.1 px", shown beside the first number for good
-  bool is_stale = false;              // a fit runs: the numbers belong to what was
-  std::vector<VersionStep> versions;  // oldest first
-  int current = -1;                   // the version that is shown; -1: the last
+  std::optional<double> predicted_ratio;  // with it
+  std::optional<double> elsewhere;        // held out region by region: where the robot has not been measured
+  QString noise_note;                     // what the noise mostly is, where that is worth saying: "of the depth"
+  QString excluded_note;                  // "with 7 excluded: 8.1 px", shown beside the first number for good
+  bool is_stale = false;                  // a fit runs: the numbers belong to what was
+  std::vector<VersionStep> versions;      // oldest first
+  int current = -1;                       // the version that is shown; -1: the last
 };
 
 /// A click on a step says so, and so do left and right arrows when it has the focus; hover reads a step out.

@@ -10,6 +10,7 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/residuals/trend.h"
+#include "diagnosis/story/story.h"
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/robot_check.h"
 #include "effects/own_effect.h"
@@ -99,9 +100,10 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
   return j;
 }
 
-std::string error_or_unknown(const std::optional<double>& value, bool tracker) {
+/// The noise of one coordinate as it is told beside an error.
+std::string noise_or_unknown(const std::optional<double>& value, bool tracker) {
   if (!value) return "unknown";
-  return tracker ? fmt::format("{:.3f} mm", 1e3 * *value) : fmt::format("{:.3f} px", *value);
+  return tracker ? fmt::format("{:.3f} mm", 1e3 * as_told(*value, false)) : fmt::format("{:.3f} px", *value);
 }
 
 Json blame_json(const Blame& blame) {
@@ -152,6 +154,58 @@ bool is_invisible(const DiagnosisCandidate& c, const Diagnosis& d) {
   return !c.unnamed && std::find(d.invisible.begin(), d.invisible.end(), c.id) != d.invisible.end();
 }
 
+/// "3.4 px held out (rms), 4.1 px elsewhere; noise 0.20 px"
+std::string error_line(const StoryError& e) {
+  if (!e.error) return "unknown";
+  std::string line = story_size_text(*e.error, e.in_pixels) + (e.held_out ? " held out (rms)" : " (rms)");
+  if (e.elsewhere)
+    line += fmt::format(", {} where whole regions are held out", story_size_text(*e.elsewhere, e.in_pixels));
+  return e.noise ? line + "; noise " + story_size_text(*e.noise, e.in_pixels) : line;
+}
+
+const char* next_text(StoryNext next) {
+  switch (next) {
+    case StoryNext::wait:
+      return "wait";
+    case StoryNext::measure_more:
+      return "measure_more";
+    case StoryNext::tell_apart:
+      return "tell_apart";
+    case StoryNext::add:
+      return "add";
+    case StoryNext::add_or_stop:
+      return "add_or_stop";
+    case StoryNext::tell_the_noise:
+      return "tell_the_noise";
+    case StoryNext::look:
+      return "look";
+    case StoryNext::use_it:
+      return "use_it";
+  }
+  return "";
+}
+
+Json story_json(const Diagnosis& d) {
+  const Story s = story_of(d);
+  Json causes = Json::array(), stand_ins = Json::array();
+  for (const StoryCause& c : s.causes)
+    causes.push_back({{"id", c.id}, {"where", c.where}, {"left", number(c.left)}, {"believable", c.believable}});
+  for (const StandIn& one : s.stands_in)
+    stand_ins.push_back({{"id", one.id}, {"where", one.where}, {"pushes_back", one.pushes_back}});
+  return {{"state", story_state_text(s.state)},
+          {"text", story_text(s, d)},
+          {"figure", "rms"},
+          {"unit", s.error.in_pixels ? "px" : "m"},
+          {"error", number(s.error.error)},
+          {"noise", number(s.error.noise)},
+          {"elsewhere", number(s.error.elsewhere)},
+          {"cause_leads", s.cause_leads},
+          {"causes", causes},
+          {"stands_in", stand_ins},
+          {"beyond_three_times_the_noise", s.beyond},
+          {"next", next_text(s.next)}};
+}
+
 std::string sure(double ln_bayes_factor) {
   return ln_bayes_factor > 999 ? ">999" : fmt::format("{:.1f}", ln_bayes_factor);
 }
@@ -160,13 +214,13 @@ std::string sure(double ln_bayes_factor) {
 
 void print_diagnosis(const Output& out, const Session& session, const Diagnosis& d) {
   const bool tracker = session.is_tracker();
+  const Story story = story_of(d);
   out.line(fmt::format("{}: {}", session.title.empty() ? "Session" : session.title, verdict_text(d.verdict)));
-  out.line(d.reason);
+  out.line(story_text(story, d));
   if (d.verdict == Verdict::too_few_observations) return;
   out.line();
   const std::string scatter = d.verdict == Verdict::adequate ? scatter_text(d.scatter) : "";
-  out.line(fmt::format("Error     {} held out; noise {}{}", error_text(d.report.held_out),
-                       error_or_unknown(d.noise, tracker) + (tracker && d.noise ? " a coordinate" : ""),
+  out.line(fmt::format("Error     {}{}{}", error_line(story.error), story.error.noise ? "" : "; noise unknown",
                        scatter.empty() ? "" : "; scatter as of " + scatter));
   if (d.blame.letter != 0)
     out.line(fmt::format("Blame     robot {} %, marker body {} %, cameras {} % of what exceeds the noise",
@@ -206,6 +260,7 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
   const Json null = nullptr;
   Json j{{"verdict", verdict_text(d.verdict)},
          {"reason", d.reason},
+         {"story", story_json(d)},
          {"observations", d.report.observations},
          {"used", d.report.used},
          {"rms_pixel", number(d.report.fitted.rms_pixel)},
@@ -315,12 +370,12 @@ Json certainty_json(const Certainty& certainty) {
 void print_improvement(const Output& out, const Session& session, const Improvement& m) {
   const bool tracker = session.is_tracker();
   out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out",
-                       "by region", tracker ? "noise/coord." : "noise"));
+                       "by region", "noise"));
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
     const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "names sought again" : "+ " + s.added;
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted),
-                         error_text(s.held_out), error_text(s.held_out_region), error_or_unknown(s.noise, tracker),
+                         error_text(s.held_out), error_text(s.held_out_region), noise_or_unknown(s.noise, tracker),
                          listed(s.where)));
     if (!s.formula.empty()) out.line("     " + s.formula);
     if (!s.stands.empty()) out.line("     stands in for something else: no robot has " + listed(s.stands));
@@ -330,7 +385,7 @@ void print_improvement(const Output& out, const Session& session, const Improvem
     out.line(
         fmt::format("     not taken: {}{}: {}", r.id, r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason));
   out.line();
-  out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), m.last.reason));
+  out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), story_text(story_of(m.last), m.last)));
   if (m.named_share && m.unnamed_share)
     out.line(fmt::format("Of what exceeded the noise at the start {} % has names, {} % follows something without one.",
                          whole_percent(*m.named_share), whole_percent(*m.unnamed_share)));

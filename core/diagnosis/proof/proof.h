@@ -49,6 +49,11 @@ std::vector<ProofPlot> proof_of(const Session& session, const Fit& fit, const st
 /// Of a candidate: by its full fit where there was one, else linear. Empty where the candidate has no terms.
 std::vector<ProofPlot> proof_of(const Diagnosis& diagnosis, const DiagnosisCandidate& candidate);
 
+/// How well the points follow the curve: the share of their squares (in units of their sigmas) that it takes away, 0 to
+/// 1. Noise alone takes none; a cause that is wrong leaves most of them where they are.
+double followed(const ProofPlot& plot);
+inline constexpr double least_followed = 0.5;  // from here on one sees it
+
 /// "arm_2 gives way by 150 +- 0.6 urad for each N m: 12 N m at most here, so 1.8 mrad, 1.4 mm at the hand."
 std::string proof_text(const ProofPlot& plot);
 

@@ -73,6 +73,16 @@ std::string capital(std::string text) {
 
 }  // namespace
 
+double followed(const ProofPlot& plot) {
+  double before = 0, left = 0;
+  for (const ProofPoint& p : plot.points) {
+    if (!(p.sigma > 0)) continue;
+    before += p.y * p.y / (p.sigma * p.sigma);
+    left += (p.y - p.curve) * (p.y - p.curve) / (p.sigma * p.sigma);
+  }
+  return before > 0 ? std::clamp(1 - left / before, 0.0, 1.0) : 0;
+}
+
 std::string proof_text(const ProofPlot& plot) {
   const ProofNumber& first = plot.numbers.front();
   if (is_per_load(plot)) {

@@ -107,7 +107,7 @@ std::string no_answer_text(const Diagnosis& d) {
       "The fit finds no answer: {}. What the model lacks cannot be told before; check mount, cameras, "
       "joints' order and labels.",
       d.model.fit.solution.normal.in_front
-          ? "it leaves " + error_text(d.report.fitted) + ", more than any robot explains"
+          ? "it leaves " + told_error(d.report.fitted) + ", more than any robot explains"
           : "a marker would lie behind a camera that saw it");
 }
 
@@ -126,7 +126,7 @@ void conclude(const Session& session, const ImprovementOptions&, std::optional<d
     d.verdict = Verdict::unexplained;
     d.reason =
         fmt::format("{}{} Held out {}.", names.empty() ? "" : "Named: " + names + ". ",
-                    "Without a name: " + curves + (curves.back() == '.' ? "" : "."), error_text(d.report.held_out));
+                    "Without a name: " + curves + (curves.back() == '.' ? "" : "."), told_error(d.report.held_out));
   }
   if (passes) d.reason += refused_text(refused);
   if (has_no_answer(d.model.fit)) {

@@ -21,8 +21,8 @@ std::string odds(double ln_bayes_factor) {
 
 std::string noise_text(const Diagnosis& d) {
   if (!d.noise) return "unknown";
-  const bool tracker = d.model.session.is_tracker();
-  return tracker ? fmt::format("{:.3g} mm a coordinate", 1e3 * *d.noise) : fmt::format("{:.3g} px", *d.noise);
+  const bool in_pixels = !d.model.session.is_tracker();
+  return told_size(as_told(*d.noise, in_pixels), in_pixels);
 }
 
 /// "compliance of arm_2 1.2e-04 +- 3e-06 rad/(N m)"
@@ -64,8 +64,22 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string error_text(const ErrorSummary& e) {
   if (e.rms_pixel) return fmt::format("{:.3g} px", *e.rms_pixel);
-  if (e.mean_m) return fmt::format("{:.3g} mm", 1e3 * *e.mean_m);
+  if (e.rms_m) return fmt::format("{:.3g} mm", 1e3 * *e.rms_m);
   return "unknown";
+}
+
+std::string told_size(double error, bool in_pixels) {
+  const double size = in_pixels ? error : 1e3 * error;
+  const char* unit = in_pixels ? "px" : "mm";
+  if (!(std::abs(size) > 0)) return fmt::format("0 {}", unit);
+  int exponent = static_cast<int>(std::floor(std::log10(std::abs(size))));
+  if (std::round(std::abs(size) / std::pow(10, exponent - 1)) >= 100) ++exponent;  // 0.996 is 1.0
+  return fmt::format("{:.{}f} {}", size, std::max(1 - exponent, 0), unit);
+}
+
+std::string told_error(const ErrorSummary& e) {
+  if (e.rms_pixel) return told_size(*e.rms_pixel, true);
+  return e.rms_m ? told_size(*e.rms_m, false) : "unknown";
 }
 
 std::string explain(const DiagnosisCandidate& c, const Diagnosis& d, const Session& session) {
@@ -106,9 +120,9 @@ std::string too_few_text(int observations, int degrees, int unknowns) {
 std::string missing_text(const DiagnosisCandidate& best, bool rival, const Diagnosis& d) {
   const Effect& effect = effect_of(best.terms.front());
   std::string text =
-      fmt::format("The model misses by {} (held out) where the noise is {}. {}{}: {}", error_text(d.report.held_out),
+      fmt::format("The model misses by {} (held out) where the noise is {}. {}{}: {}", told_error(d.report.held_out),
                   noise_text(d), effect.title, best.where.empty() ? "" : " (" + listed(best.where) + ")", effect.cause);
-  if (best.held_out) text += fmt::format(" With it the held-out error falls to {}.", error_text(*best.held_out));
+  if (best.held_out) text += fmt::format(" With it the held-out error falls to {}.", told_error(*best.held_out));
   if (rival) {
     std::vector<std::string> rivals = best.cannot_be_told_from;
     text += fmt::format(" On these poses it cannot be told from {}; plan poses that would.", listed(rivals));
@@ -122,7 +136,7 @@ std::string too_little_text(const DiagnosisCandidate& best, const Diagnosis& d) 
   return fmt::format(
       "The model misses by {} (held out) where the noise is {}, and the best of the catalogue, {}{}, explains only "
       "{} % of the excess.{}",
-      error_text(d.report.held_out), noise_text(d), best.id, best.where.empty() ? "" : " at " + listed(best.where),
+      told_error(d.report.held_out), noise_text(d), best.id, best.where.empty() ? "" : " at " + listed(best.where),
       whole_percent(best.explained.value_or(0)), follows);
 }
 
@@ -140,7 +154,7 @@ std::string adequate_text(const Diagnosis& d, bool has_scatter) {
   std::string text = fmt::format(
       "Nothing is missing that these {} observations could show: the held-out error is {} and "
       "the noise {}.",
-      d.report.used, error_text(d.report.held_out), noise_text(d));
+      d.report.used, told_error(d.report.held_out), noise_text(d));
   if (has_scatter || d.scatter.is_any()) {
     const std::string size = scatter_text(d.scatter);
     text += fmt::format(" What is left is scatter from pose to pose that follows nothing{}.",
@@ -156,13 +170,15 @@ std::string adequate_text(const Diagnosis& d, bool has_scatter) {
 std::string too_much_scatter_text(const Diagnosis& d) {
   const std::string size = scatter_text(d.scatter);
   const Fit& fit = d.model.fit;
-  std::string text = fmt::format("What is left, {} held out, is {:.1f} times the noise ({}) and follows nothing that was "
-                                 "measured",
-                                 error_text(d.report.held_out), fit.residual_rms / *d.noise, noise_text(d));
+  std::string text = fmt::format(
+      "What is left, {} held out, is {:.1f} times the noise ({}) and follows nothing that was "
+      "measured",
+      told_error(d.report.held_out), fit.residual_rms / *d.noise, noise_text(d));
   if (!size.empty()) text += fmt::format("; from pose to pose it is as of {}", size);
-  return text + ". Robots scatter less (0.3 mrad a joint and 0.3 mm at the hand, where <robot repeatability=\"\"> "
-                "declares nothing else), so something is missing that is not known here. To find out: measure some "
-                "poses again at the end, come to some from both sides, and record times, velocities and torques.";
+  return text +
+         ". Robots scatter less (0.3 mrad a joint and 0.3 mm at the hand, where <robot repeatability=\"\"> "
+         "declares nothing else), so something is missing that is not known here. To find out: measure some "
+         "poses again at the end, come to some from both sides, and record times, velocities and torques.";
 }
 
 std::string unknown_noise_text(const Diagnosis& d) {
@@ -170,7 +186,7 @@ std::string unknown_noise_text(const Diagnosis& d) {
       "Nothing of the catalogue passes, but the noise of the measurements is not known (no sigma declared, no repeated "
       "poses, and no three markers that tell it), so that nobody can say whether {} is all noise: declare sigma "
       "(convert --sigma, or sigma of <tracker> or <pose_sensor>) or repeat poses.",
-      error_text(d.report.held_out));
+      told_error(d.report.held_out));
 }
 
 }  // namespace handsight

@@ -23,7 +23,12 @@ std::string unknown_noise_text(const Diagnosis& diagnosis);
 /// "arm_2 and arm_4"
 std::string listed(const std::vector<std::string>& names);
 
-/// A length or pixel error with its unit: "0.24 px", "3.1 mm".
+/// An error as it is told, the root mean square (as_told), with its unit and the
+/// three digits of tables: "0.243 px", "3.12 mm".
 std::string error_text(const ErrorSummary& error);
+
+/// The same as sentences tell it, to two digits: "0.20 px". told_size: from px or m.
+std::string told_error(const ErrorSummary& error);
+std::string told_size(double error, bool in_pixels);
 
 }  // namespace handsight

@@ -23,19 +23,50 @@ double& share_of_what_moves(const Problem& problem, const std::vector<EffectTerm
 
 }  // namespace
 
-const DiagnosisCandidate* finding_of(const Diagnosis& d) {
-  const DiagnosisCandidate* best = nullptr;
-  for (const DiagnosisCandidate& c : d.candidates) {
-    if (c.ln_bayes_factor < d.threshold || c.terms.empty() || (c.unnamed && !c.refitted)) continue;
-    if (c.plausible) return &c;
-    if (!best) best = &c;
-  }
-  return best;
+std::string id_of(const DiagnosisCandidate& c) {
+  if (!c.unnamed) return c.id;
+  return c.terms.empty() ? std::string() : c.terms.front().id;
 }
 
-Blame blame_by_finding(const Blame& blame, const Diagnosis& d) {
-  const DiagnosisCandidate* finding = finding_of(d);
-  if (blame.letter == 0 || !finding || !finding->plausible || !finding->explained || !d.model.fit.problem.source)
+bool can_be_added(const DiagnosisCandidate& c) { return !c.terms.empty() && (!c.unnamed || c.refitted); }
+
+bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::vector<double>>& sigmas) {
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const Effect& effect = effect_of(terms[t]);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const std::string& name = effect.parameters[p].name;
+      const bool is_spring = name == "compliance" || name == "xx" || name == "yy";
+      if (!is_spring || effect.parameters[p].unit != "rad/(N m)") continue;
+      const double sigma = t < sigmas.size() && p < sigmas[t].size() ? sigmas[t][p] : 0;
+      if (terms[t].values[p] < -2 * sigma) return true;
+    }
+  }
+  return false;
+}
+
+bool is_believable(const DiagnosisCandidate& c) { return c.plausible && !pushes_back(c.terms, c.sigmas); }
+
+std::vector<std::size_t> offered(const Diagnosis& d, const std::set<std::string>& refused) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < d.candidates.size(); ++i)
+    if (can_be_added(d.candidates[i]) && d.candidates[i].ln_bayes_factor >= d.threshold) order.push_back(i);
+  const auto rank = [&](std::size_t i) {
+    const DiagnosisCandidate& c = d.candidates[i];
+    return refused.contains(id_of(c)) ? 2 : is_believable(c) ? 0 : 1;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
+const DiagnosisCandidate* finding_of(const Diagnosis& d, const std::set<std::string>& refused) {
+  const std::vector<std::size_t> order = offered(d, refused);
+  if (order.empty() || refused.contains(id_of(d.candidates[order.front()]))) return nullptr;
+  return &d.candidates[order.front()];
+}
+
+Blame blame_by_finding(const Blame& blame, const Diagnosis& d, const std::set<std::string>& refused) {
+  const DiagnosisCandidate* finding = finding_of(d, refused);
+  if (blame.letter == 0 || !finding || !is_believable(*finding) || !finding->explained || !d.model.fit.problem.source)
     return blame;
   const double share = std::clamp(*finding->explained, 0.0, 1.0);
   Blame b = blame;

@@ -2,17 +2,37 @@
 // What a diagnosis goes by, and whose fault the error is in its light.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
 
-/// The candidate that a diagnosis goes by: the first that passes the threshold, of a plausible size where there is such
-/// a one; curves without a name count where they were fitted. Null: none passes.
-const DiagnosisCandidate* finding_of(const Diagnosis& diagnosis);
+/// What a session's model calls the candidate: the effect's id, of a curve the id of its term; empty where it is a
+/// curve that could not be written down.
+std::string id_of(const DiagnosisCandidate& candidate);
+
+/// Can the model take it in: a name, or a curve that was fitted?
+bool can_be_added(const DiagnosisCandidate& candidate);
+
+/// Does a spring of these terms push back by more than two of its sigmas (negative compliance)? No robot is built so.
+/// `sigmas` may be empty: none is known.
+bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::vector<double>>& sigmas);
+
+/// Of a size that robots have: DiagnosisCandidate::plausible, and no spring that pushes back.
+bool is_believable(const DiagnosisCandidate& candidate);
+
+/// The candidates that pass the threshold, as they are offered: what is believable first, then what no robot is built
+/// like, then those that were refused (by id_of); each by its evidence. Indices into Diagnosis::candidates.
+std::vector<std::size_t> offered(const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
+
+/// The candidate that a diagnosis goes by: the first that is offered. Null: none passes that was not refused.
+const DiagnosisCandidate* finding_of(const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
 
 /// Whose fault an error is, as far as residuals alone say, corrected by what was found: the share of the excess that
 /// the finding explains belongs to what it moves (cameras and their mount, the marker body, the robot); the rest is
 /// parted as before. A lens can look like the robot's error, for both images of a marker may still fit together.
-Blame blame_by_finding(const Blame& blame, const Diagnosis& diagnosis);
+Blame blame_by_finding(const Blame& blame, const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
 
 }  // namespace handsight

@@ -6,6 +6,7 @@
 
 #include "diagnosis/evidence/lack_of_fit.h"
 #include "diagnosis/verdict/explanation.h"
+#include "diagnosis/verdict/finding.h"
 
 namespace handsight {
 namespace {
@@ -91,7 +92,10 @@ void judge(const Session& session, bool knows_noise, const std::map<std::string,
     return !c.unnamed && &c != best && c.ln_bayes_factor > best->ln_bayes_factor - ln_20;
   });
   d.verdict = rival ? Verdict::ambiguous : Verdict::missing_effect;
-  d.reason = missing_text(*best, rival, d);
+  // The words name what every other place puts first: what a robot may have before what none is built like.
+  const DiagnosisCandidate* told = finding_of(d);
+  if (!told || told->unnamed) told = best;
+  d.reason = missing_text(*told, rival && told == best, d);
 }
 
 }  // namespace handsight

@@ -23,10 +23,12 @@ class Mean {
     const auto square = [&](const std::optional<double>& v, double& sum) { sum += v ? weight * *v * *v : 0; };
     square(part.rms_pixel, pixel_);
     square(part.rms_m, metre_);
+    square(part.hand_m, hand_);
     mean_ += part.mean_m ? weight * *part.mean_m : 0;
     largest_ = std::max(largest_, part.max_m.value_or(0));
     has_pixel_ = has_pixel_ || part.rms_pixel;
     has_metre_ = has_metre_ || part.rms_m;
+    has_hand_ = has_hand_ || part.hand_m;
   }
   ErrorSummary all() const {
     ErrorSummary e;
@@ -36,12 +38,13 @@ class Mean {
       e.mean_m = mean_ / weight_;
       e.max_m = largest_;
     }
+    if (has_hand_) e.hand_m = std::sqrt(hand_ / weight_);
     return e;
   }
 
  private:
-  double weight_ = 0, pixel_ = 0, metre_ = 0, mean_ = 0, largest_ = 0;
-  bool has_pixel_ = false, has_metre_ = false;
+  double weight_ = 0, hand_ = 0, pixel_ = 0, metre_ = 0, mean_ = 0, largest_ = 0;
+  bool has_pixel_ = false, has_metre_ = false, has_hand_ = false;
 };
 
 ErrorSummary error_on_the_others(const Session& session, const Sample& sample, const Fit& fit) {
@@ -71,7 +74,7 @@ void check_on_the_others(const Session& session, const Sample& sample, Diagnosis
   d.reason += fmt::format(
       " Judged by {} of the {} observations, evenly over the session; the model meets the others to "
       "{}{}",
-      d.sample->taken, d.sample->all, error_text(d.sample->others),
+      d.sample->taken, d.sample->all, told_error(d.sample->others),
       is_worse ? ", which is worse than what was held out here: wrong points among them, or "
                  "something that these did not show."
                : ", no worse than these.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/report/fit_report.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -24,7 +25,39 @@ struct Residuals {
   int rows = 0;
   std::vector<double> lengths;
   double length_squares_of_noise = 0;  // expected sum of their squares, m^2 per unit of noise squared
+  std::optional<double> hand_squares;  // m^2, of the markers' middle
+  double hand_squares_of_noise = 0;    // what is expected of it, per unit of noise squared
 };
+
+/// One step of Gauss and Newton of the body's own pose about the middle of its markers: how far cameras see it from
+/// where it is predicted. Markers on a line, and fewer than three, tell a shift alone.
+void add_hand(const std::vector<std::pair<Vector3, SightingNormal>>& seen, Residuals& residuals) {
+  constexpr double least_turned = 1e-9;  // of the largest eigenvalue: less turns freely
+  if (seen.empty()) return;
+  Vector3 middle = Vector3::Zero();
+  for (const auto& [x, n] : seen) middle += x / static_cast<double>(seen.size());
+  Matrix6 information = Matrix6::Zero();
+  Vector6 gradient = Vector6::Zero();
+  for (const auto& [x, n] : seen) {
+    Eigen::Matrix<double, 3, 6> by_pose;
+    by_pose << Matrix3::Identity(), -cross_matrix(Vector3(x - middle));
+    information += by_pose.transpose() * n.information * by_pose;
+    gradient += by_pose.transpose() * n.gradient;
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix6> turned(information);
+  if (seen.size() >= 3 && turned.eigenvalues()[0] > least_turned * turned.eigenvalues()[5]) {
+    const Matrix6 covariance = information.inverse();
+    residuals.hand_squares = (covariance * gradient).head<3>().squaredNorm();
+    residuals.hand_squares_of_noise = covariance.topLeftCorner<3, 3>().trace();
+    return;
+  }
+  const Matrix3 shifts = information.topLeftCorner<3, 3>();
+  const Eigen::SelfAdjointEigenSolver<Matrix3> shifted(shifts);
+  if (!(shifted.eigenvalues()[0] > least_turned * shifted.eigenvalues()[2])) return;
+  const Matrix3 covariance = shifts.inverse();
+  residuals.hand_squares = (covariance * gradient.head<3>()).squaredNorm();
+  residuals.hand_squares_of_noise = covariance.trace();
+}
 
 /// One camera shows no points, but of a body of known shape its pose: the points are then where that has them.
 void add_lengths_of_pose(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns,
@@ -48,9 +81,11 @@ void add_lengths_of_pose(const Problem& images, const ProblemObservation& o, con
 Residuals residuals_of(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns) {
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
   Residuals residuals;
+  std::vector<std::pair<Vector3, SightingNormal>> seen;
   for (const Sighting& s : o.sightings) {
     const Vector3 predicted = sensor_from_tcp * marker_at(o, unknowns, s.marker);
     const SightingNormal n = sighting_normal(images.rig_or_null(), s, predicted);
+    if (images.rig) seen.emplace_back(predicted, n);
     residuals.squares += n.cost;
     residuals.rows += n.rows;
     if (s.point && !s.along) {
@@ -68,6 +103,7 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
     residuals.lengths.push_back(pose->place.norm());
     residuals.length_squares_of_noise += 3;
   }
+  add_hand(seen, residuals);
   return residuals;
 }
 
@@ -81,13 +117,15 @@ ErrorSummary summary(const std::vector<Residuals>& all, bool pixels) {
   ErrorSummary s;
   double squares = 0;
   int rows = 0;
-  std::vector<double> lengths;
+  std::vector<double> lengths, hands;
   for (const Residuals& r : all) {
     squares += r.squares;
     rows += r.rows;
+    if (r.hand_squares) hands.push_back(std::sqrt(*r.hand_squares));
     lengths.insert(lengths.end(), r.lengths.begin(), r.lengths.end());
   }
   if (pixels && rows > 0) s.rms_pixel = std::sqrt(squares / rows);
+  if (!hands.empty()) s.hand_m = rms(hands);
   if (lengths.empty()) return s;
   s.rms_m = rms(lengths);
   s.mean_m = 0;
@@ -223,6 +261,17 @@ std::optional<double> rms_of_noise(const std::vector<Residuals>& all, std::optio
   for (const Residuals& r : all) {
     squares += r.length_squares_of_noise;
     count += static_cast<double>(r.lengths.size());
+  }
+  if (count == 0 || !noise) return std::nullopt;
+  return *noise * std::sqrt(squares / count);
+}
+
+std::optional<double> noise_of_hand(const std::vector<Residuals>& all, std::optional<double> noise) {
+  double squares = 0, count = 0;
+  for (const Residuals& r : all) {
+    if (!r.hand_squares) continue;
+    squares += r.hand_squares_of_noise;
+    ++count;
   }
   if (count == 0 || !noise) return std::nullopt;
   return *noise * std::sqrt(squares / count);
@@ -371,6 +420,7 @@ FitReport report(const Session& session, const Fit& fit, const FitOptions& optio
   for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
   r.fitted = summary(all, images.rig.has_value());
   r.rms_of_noise_m = rms_of_noise(all, fit.noise);
+  r.noise_of_hand_m = noise_of_hand(all, fit.noise);
   r.held_out = held_out(images, fit, options, session.observations.size());
   const std::vector<char> out = outliers(all, fit.noise);
   for (std::size_t i = 0; i < all.size(); ++i) {

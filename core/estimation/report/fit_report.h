@@ -29,9 +29,10 @@ struct Unused {
 };
 
 /// Root mean square, mean and maximum. Pixel: over image coordinates. Metres: over the lengths of the markers' 3D
-/// residuals in the sensor's frame, of markers seen as points.
+/// residuals in the sensor's frame, of markers seen as points. Of cameras, hand_m: root mean square of how far the hand
+/// is from where it is predicted, the markers of an observation taken together (their middle), to first order.
 struct ErrorSummary {
-  std::optional<double> rms_pixel, rms_m, mean_m, max_m;
+  std::optional<double> rms_pixel, rms_m, mean_m, max_m, hand_m;
 };
 
 /// What the noise of one coordinate makes of an rms error as it is told: in px it is over coordinates, in metres over
@@ -46,6 +47,7 @@ struct FitReport {
   /// What the noise alone makes of the 3D residuals' lengths, rms, m; absent where no marker is seen as a point or the
   /// noise is unknown. Cameras see depth badly: of a small error in metres this is often the greater part.
   std::optional<double> rms_of_noise_m;
+  std::optional<double> noise_of_hand_m;  // what the noise alone makes of ErrorSummary::hand_m
   ErrorSummary held_out;         // five folds over observations: floor(rank by time / 4) mod 5, repeated poses together
   ErrorSummary held_out_region;  // five regions (regions.h), each foretold from the others; where asked for
   std::vector<ObservationReport> per_observation;  // of the used, in order of time

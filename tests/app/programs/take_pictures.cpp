@@ -183,7 +183,7 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   photo.take_now("explain_versions");
   desk.press_button("tab_fit");
   photo.take_now("explain_fit");
-  desk.press_button("reveal");
+  desk.choose("reveal");
   photo.take_now("explain_truth");
   desk.press_button("truth_back");
   auto* lock = desk.find<QWidget>("hold_joint_elasticity_1");

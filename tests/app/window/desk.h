@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QElapsedTimer>
+#include <QMenu>
 #include <QScrollArea>
 #include <QTest>
 #include <filesystem>
@@ -72,6 +74,14 @@ class Desk {
     ASSERT_TRUE(button->isVisible()) << name << " cannot be seen";
     ASSERT_TRUE(button->isEnabled()) << name << " cannot be pressed";
     click(button);
+  }
+  /// Chooses an entry of the session's menu by its name.
+  void choose(const char* name) {
+    emit find<QMenu>("menu")->aboutToShow();
+    auto* entry = find<QAction>(name);
+    ASSERT_TRUE(entry && entry->isVisible() && entry->isEnabled()) << name << " is not offered";
+    entry->trigger();
+    QTest::qWait(5);
   }
   void drag(QWidget* widget, const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
     QWindow* top = widget->window()->windowHandle();

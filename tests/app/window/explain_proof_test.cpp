@@ -98,8 +98,7 @@ TEST_F(Explain, ACurveWithoutANameIsACardLikeAnyOther) {
   const double after = held_out();
   EXPECT_LT(after, 0.8 * before);
   EXPECT_EQ(effects_in_the_model(), std::set<std::string>{"curve_1 axis_3"});
-  EXPECT_EQ(explain.verdict().state, widgets::SessionState::unexplained)
-      << "at the noise, but not all of it has a name";
+  EXPECT_EQ(explain.verdict().state, widgets::SessionState::unnamed) << "at the noise, but not all of it has a name";
   EXPECT_TRUE(explain.verdict().sentence.contains("not all of it has a name"));
   EXPECT_TRUE(desk.find<QAbstractButton>("effect_curve_1")->isChecked());
   EXPECT_EQ(desk.document().undo_stack().undoText(), "added the angle of axis_3 moves with sin(2.963 q) of axis_3");

@@ -31,7 +31,7 @@ TEST_P(HiddenSession, TheFirstCardUntilItSaysStopGivesWhatImproveGives) {
   } else {
     EXPECT_NEAR(held_out(), improved["held_out_rms_pixel"].get<double>(), 1e-9);
   }
-  desk.press_button("reveal");
+  desk.choose("reveal");
   auto* truth = desk.find<widgets::TruthPanel>("truth");
   EXPECT_TRUE(truth->isVisible());
   for (const widgets::TruthRow& row : truth->rows())

@@ -51,7 +51,8 @@ TEST_F(Export, NearTheNoiseIsNotDownToTheNoise) {
   report->held_out.rms_pixel = 1.2 * *fit->noise;
   model.fit = fit;
   model.report = report;
-  const widgets::SessionVerdict verdict = app::session_verdict(model, nullptr, false, widgets::SizeUnit::pixel);
+  const Story story = story_of({.fit = *model.fit, .report = *model.report, .blame = model.inspection->blame});
+  const widgets::SessionVerdict verdict = app::session_verdict(model, story, nullptr, false, widgets::SizeUnit::pixel);
   EXPECT_TRUE(verdict.sentence.contains("comes near the noise")) << verdict.sentence.toStdString();
   EXPECT_TRUE(app::verdict_remark(verdict, model).is_warning);
 }

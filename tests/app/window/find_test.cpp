@@ -63,6 +63,26 @@ TEST_F(Find, ActionsObservationsJointsAndEffects) {
   EXPECT_EQ(desk.window.workspace(), app::Place::explain) << "Esc chooses nothing";
 }
 
+/// What stands on a button is found by its words.
+TEST_F(Find, WhatStandsOnButtonsElsewhere) {
+  const std::pair<const char*, const char*> words[] = {{"until", "Add until it stops"},
+                                                       {"report", "Report as HTML"},
+                                                       {"tour", "Tour: find the missing effect"},
+                                                       {"urdf", "Save as URDF"},
+                                                       {"mistake", "Look for mistakes of a whole kind"}};
+  for (const auto& [word, text] : words) {
+    desk.key(Qt::Key_K, Qt::ControlModifier);
+    for (const char* c = word; *c; ++c) QTest::keyClick(desk.window.windowHandle(), *c);
+    auto* list = desk.find<QListWidget>("find_list");
+    ASSERT_GT(list->count(), 0);
+    EXPECT_EQ(list->item(0)->text(), text) << word;
+    desk.key(Qt::Key_Escape);
+  }
+  find("tour");
+  EXPECT_EQ(desk.window.workspace(), app::Place::explain);
+  EXPECT_TRUE(desk.find<QWidget>("tour")->isVisible());
+}
+
 TEST_F(Find, AnArrowKeyChoosesTheNextOne) {
   desk.key(Qt::Key_K, Qt::ControlModifier);
   auto* list = desk.find<QListWidget>("find_list");

@@ -58,8 +58,7 @@ TEST_F(Story, FromOneObservationNoErrorNoGreenMarkAndNothingReady) {
     EXPECT_NE(status.state, app::WorkState::done) << place;
     EXPECT_FALSE(status.line.contains("ready")) << place << ": " << status.line.toStdString();
   }
-  const widgets::SessionVerdict verdict =
-      app::session_verdict(*desk.document().model(), nullptr, false, widgets::SizeUnit::pixel);
+  const widgets::SessionVerdict verdict = app::session_verdict(desk.window.bench(), desk.document().model());
   EXPECT_NE(verdict.state, widgets::SessionState::adequate);
   EXPECT_TRUE(verdict.sentence.contains("alone cannot show an error")) << verdict.sentence.toStdString();
 }

@@ -68,12 +68,12 @@ TEST_F(Units, UTurnsEveryViewFromPxToMmToSigmaAndBack) {
   auto* histogram = desk.find<widgets::HistogramPlot>("histogram");
   const auto cell = [&] { return strip->cells()[static_cast<std::size_t>(row.index)]; };
   const auto colour = cell().rms_over_sigma;
-  const auto expect = [&](SizeUnit unit, double error, double of_row, double floor) {
+  const auto expect = [&](SizeUnit unit, double error, double of_row, double floor, double floor_of_row) {
     const QString name = widgets::unit_name(unit);
     EXPECT_EQ(numbers(desk).unit, name);
     EXPECT_NEAR(*numbers(desk).now, error, 1e-9 * error);
     EXPECT_NEAR(*numbers(desk).noise, floor, 1e-9 * floor);
-    EXPECT_NEAR(*numbers(desk).ratio, *held_out.rms_pixel / noise, 1e-9) << "how bad it is does not hang on the unit";
+    EXPECT_NEAR(*numbers(desk).ratio, error / floor, 1e-9) << "of the numbers beside it";
     EXPECT_NEAR(*numbers(desk).versions.back().held_out, error, 1e-9 * error) << "the small staircase too";
     EXPECT_EQ(head_of_sizes(desk), name);
     EXPECT_NEAR(first_size(desk), of_row, 0.5);
@@ -87,16 +87,17 @@ TEST_F(Units, UTurnsEveryViewFromPxToMmToSigmaAndBack) {
     const QString axis = histogram->plot()->xAxis->label();
     EXPECT_TRUE(axis.contains(unit == SizeUnit::sigma ? QString("rms / noise") : "(" + name + ")"))
         << axis.toStdString();
-    EXPECT_NEAR(*histogram->threshold(), 3 * floor, 1e-9) << "three times the noise, whatever it is told in";
+    EXPECT_NEAR(*histogram->threshold(), 3 * floor_of_row, 1e-9) << "three times the noise, whatever it is told in";
   };
-  expect(SizeUnit::pixel, *held_out.rms_pixel, *row.rms, noise);
+  expect(SizeUnit::pixel, *held_out.rms_pixel, *row.rms, noise, noise);
   desk.key(Qt::Key_U);
-  expect(SizeUnit::millimetre, 1e3 * *held_out.rms_m, 1e3 * *row.rms_m,
+  expect(SizeUnit::millimetre, 1e3 * *held_out.hand_m, 1e3 * *row.rms_m,
+         1e3 * *desk.document().model()->report->noise_of_hand_m,
          1e3 * *desk.document().model()->report->rms_of_noise_m);
   desk.key(Qt::Key_U);
-  expect(SizeUnit::sigma, *held_out.rms_pixel / noise, *row.ratio, 1);
+  expect(SizeUnit::sigma, *held_out.rms_pixel / noise, *row.ratio, 1, 1);
   desk.key(Qt::Key_U);
-  expect(SizeUnit::pixel, *held_out.rms_pixel, *row.rms, noise);
+  expect(SizeUnit::pixel, *held_out.rms_pixel, *row.rms, noise, noise);
 }
 
 TEST_F(Units, ACornerInMmIsAcrossItsLineOfSight) {
@@ -152,7 +153,7 @@ TEST_F(Units, ExplainTellsTheVerdictTheStaircaseAndThePatternsInIt) {
   EXPECT_TRUE(explain.verdict().sentence.contains("px"));
   desk.key(Qt::Key_U);
   EXPECT_EQ(stairs->state().unit, "mm");
-  EXPECT_NEAR(*stairs->state().versions.back().held_out, 1e3 * *desk.document().model()->report->held_out.rms_m, 1e-9);
+  EXPECT_NEAR(*stairs->state().versions.back().held_out, 1e3 * *desk.document().model()->report->held_out.hand_m, 1e-9);
   EXPECT_TRUE(explain.verdict().sentence.contains("mm")) << explain.verdict().sentence.toStdString();
   ASSERT_EQ(page->plots().size(), in_px.size());
   EXPECT_EQ(page->plots()[0].y_unit, in_px[0].y_unit) << "a motion of the hand has its own unit";

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/blunder_bar.h"
+
+#include <fmt/format.h>
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "base/error.h"
+#include "blunders/find_blunders.h"
+#include "blunders/mended.h"
+#include "session/sample.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "words/core_words.h"
+
+namespace handsight::app {
+namespace {
+
+/// Times the noise: far beyond what robots lack, so that the search is worth its seconds without being asked for.
+constexpr double lost = 50;
+constexpr int most_observations = 100;
+
+bool is_lost(const Session& session, const ModelVersion& model) {
+  const StoryError e = error_and_noise(model);
+  return may_be_a_blunder(session, *model.fit) && (!e.ratio() || *e.ratio() > lost);
+}
+
+/// Of the session alone, with nothing in its model; an answer that nothing was found where it cannot be fitted.
+std::vector<Blunder> searched(const Session& session, JobControl& control) {
+  try {
+    const auto sample = sample_of(session, most_observations, most_observations);
+    const Session& few = sample ? sample->session : session;
+    const Fit quick = fit(few, {.smallest_step = 1e-6});
+    return find_blunders(few, quick, [&](double share) {
+      control.report(share);
+      return !control.is_cancelled();
+    });
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+QString size_text(const Blunder& b, double rms) {
+  return b.in_pixels ? widgets::with_unit_text(rms, QObject::tr("px"))
+                     : widgets::with_unit_text(1e3 * as_told(rms, false), QObject::tr("mm"));
+}
+
+}  // namespace
+
+std::filesystem::path mended_folder(const Session& session) {
+  const std::filesystem::path old = std::filesystem::absolute(folder(session)).lexically_normal();
+  const std::filesystem::path named = old.has_filename() ? old : old.parent_path();
+  std::error_code error;
+  for (int i = 1;; ++i) {
+    const std::filesystem::path made =
+        named.parent_path() / (named.filename().string() + (i == 1 ? "_mended" : fmt::format("_mended_{}", i)));
+    if (!std::filesystem::exists(made, error)) return made;
+  }
+}
+
+BlunderBar::BlunderBar(Workbench& bench, QWidget* parent) : QFrame(parent), bench_(bench) {
+  setObjectName("blunders");
+  setAutoFillBackground(true);
+  const auto label = [this](const char* name) {
+    auto* made = new QLabel(this);
+    made->setObjectName(name);
+    made->setWordWrap(true);
+    made->setTextFormat(Qt::PlainText);
+    made->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return made;
+  };
+  text_ = label("blunders_text");
+  sizes_ = label("blunders_sizes");
+  said_ = label("blunders_said");
+  const auto button = [this](const char* name, const QString& text) {
+    auto* made = new QPushButton(text, this);
+    made->setObjectName(name);
+    made->setMinimumHeight(widgets::kControlHeight);
+    made->setAutoDefault(false);
+    return made;
+  };
+  write_ = button("blunders_write", tr("Write the session put right"));
+  write_->setToolTip(tr("Beside the old one, which stays as it is"));
+  open_ = button("blunders_open", tr("Open it"));
+  auto* away = new QToolButton(this);
+  away->setObjectName("blunders_away");
+  away->setText(tr("Put away"));
+  away->setMinimumHeight(widgets::kControlHeight);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(widgets::kGap, 4, widgets::kGap, 4);
+  grid->setVerticalSpacing(2);
+  grid->addWidget(text_, 0, 0);
+  grid->addWidget(sizes_, 1, 0);
+  grid->addWidget(said_, 2, 0);
+  grid->setColumnStretch(0, 1);
+  grid->addWidget(write_, 0, 1, 2, 1, Qt::AlignTop);
+  grid->addWidget(open_, 0, 2, 2, 1, Qt::AlignTop);
+  grid->addWidget(away, 0, 3, 2, 1, Qt::AlignTop);
+  connect(write_, &QPushButton::clicked, this, &BlunderBar::write);
+  connect(open_, &QPushButton::clicked, this, [this] { emit open_wanted(written_); });
+  connect(away, &QToolButton::clicked, this, &QWidget::hide);
+  connect(&bench.document, &Document::opened, this, [this] {
+    has_looked_ = false;
+    found_.clear();
+    refresh();
+  });
+  connect(&bench.document, &Document::closed, this, [this] {
+    bench_.background.cancel("blunders");
+    found_.clear();
+    refresh();
+  });
+  connect(&bench.document, &Document::model_changed, this, &BlunderBar::follow);
+  refresh();
+}
+
+/// Once a session, where its first fit is lost.
+void BlunderBar::follow() {
+  const ModelVersionPointer model = bench_.document.model();
+  if (has_looked_ || !model || !model->fit || !model->fit->effects.empty()) return;
+  has_looked_ = true;
+  if (is_lost(bench_.document.session(), *model)) search(false);
+}
+
+void BlunderBar::look() {
+  if (bench_.document.is_open()) search(true);
+}
+
+void BlunderBar::search(bool is_asked_for) {
+  bench_.background.start<std::vector<Blunder>>(
+      "blunders", tr("Looking for mistakes of a whole kind"),
+      [session = bench_.document.shared_session()](JobControl& control) { return searched(*session, control); },
+      [this, is_asked_for](const std::vector<Blunder>& found) {
+        found_ = found;
+        refresh();
+        if (found.empty() && is_asked_for)
+          emit bench_.document.noticed(tr("No mistake of a whole kind makes this session right."));
+      });
+}
+
+void BlunderBar::refresh() {
+  written_.clear();
+  said_->hide();
+  open_->hide();
+  setVisible(!found_.empty());
+  if (found_.empty()) return;
+  QStringList lines;
+  for (const Blunder& b : found_) lines << translated(b.text) + ' ' + translated(b.fix);
+  text_->setText(QString::fromUtf8("▲  ") + lines.join('\n'));
+  const Blunder& first = found_.front();
+  sizes_->setText((found_.size() == 1 ? tr("With it the model misses by %1; put right, %2 is left.")
+                                      : tr("With them the model misses by %1; both put right, %2 is left."))
+                      .arg(size_text(first, first.rms_before), size_text(first, first.rms_after)));
+  write_->setEnabled(true);
+  QPalette tinted = palette();
+  tinted.setColor(QPalette::Window, widgets::colors().care_tint);
+  setPalette(tinted);
+}
+
+void BlunderBar::write() {
+  std::vector<std::string> ids;
+  for (const Blunder& b : found_) ids.push_back(name_of(b));
+  const std::filesystem::path made = mended_folder(bench_.document.session());
+  try {
+    write_mended(bench_.document.session(), ids, made);
+    written_ = QString::fromStdString(made.string());
+    write_->setEnabled(false);
+    open_->show();
+    say(tr("Written: %1").arg(written_), false);
+  } catch (const std::exception& error) {
+    say(translated_error(error), true);
+  }
+}
+
+void BlunderBar::say(const QString& sentence, bool is_refusal) {
+  QPalette inks = said_->palette();
+  inks.setColor(QPalette::WindowText, is_refusal ? widgets::colors().bad : widgets::colors().ink1);
+  said_->setPalette(inks);
+  said_->setText(sentence);
+  said_->show();
+}
+
+void BlunderBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::ApplicationPaletteChange && !found_.empty()) {
+    QPalette tinted = palette();
+    tinted.setColor(QPalette::Window, widgets::colors().care_tint);
+    setPalette(tinted);
+  }
+  QFrame::changeEvent(event);
+}
+
+}  // namespace handsight::app

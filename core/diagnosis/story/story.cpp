@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/story/story.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/verdict/finding.h"
+
+namespace handsight {
+namespace {
+
+constexpr std::size_t most_causes = 4;
+constexpr double as_much = 0.5;  // of the best evidence: less only stands in for a part of what has no name
+constexpr double too_large = 3;  // plausible sizes
+
+std::optional<double> size_of(const ErrorSummary& e, bool in_pixels) { return in_pixels ? e.rms_pixel : e.rms_m; }
+
+StoryCause cause_of(const Diagnosis& d, std::size_t i, bool in_pixels, const std::set<std::string>& refused) {
+  const DiagnosisCandidate& c = d.candidates[i];
+  StoryCause cause{.candidate = i, .id = id_of(c), .where = c.where};
+  if (c.held_out) cause.left = size_of(*c.held_out, in_pixels);
+  cause.is_predicted = !cause.left;
+  if (!cause.left) cause.left = c.predicted_held_out;
+  cause.unnamed = c.unnamed.has_value();
+  cause.believable = is_believable(c);
+  cause.refused = refused.contains(cause.id);
+  cause.cannot_be_told_from = c.cannot_be_told_from;
+  return cause;
+}
+
+bool has_curves(const Fit& fit) {
+  return std::any_of(fit.effects.begin(), fit.effects.end(),
+                     [](const FittedEffect& f) { return effect_of(f.term).is_unnamed(); });
+}
+
+bool agrees(const StoryError& e, const Diagnosis& d) {
+  return e.ratio() && *e.ratio() < (d.scatter.is_any() ? most_beside_scatter : most_that_agrees);
+}
+
+StoryState state_of(const Story& s, const Diagnosis& d, const Fit& fit) {
+  switch (d.verdict) {
+    case Verdict::too_few_observations:
+      return StoryState::too_few_observations;
+    case Verdict::adequate:
+      if (!s.error.noise) return StoryState::noise_unknown;
+      if (!agrees(s.error, d)) return StoryState::scatter;
+      return has_curves(fit) ? StoryState::unnamed_at_the_noise : StoryState::at_the_noise;
+    case Verdict::missing_effect:
+    case Verdict::ambiguous:
+      if (s.causes.empty() || s.causes.front().refused) return StoryState::refused;
+      if (!s.causes.front().believable) return StoryState::implausible;
+      if (s.causes.front().unnamed) return StoryState::unexplained;
+      return d.verdict == Verdict::ambiguous && !s.causes.front().cannot_be_told_from.empty() ? StoryState::ambiguous
+                                                                                              : StoryState::missing;
+    case Verdict::unexplained:
+      return weighing(fit).knowledge.known ? StoryState::unexplained : StoryState::noise_unknown;
+  }
+  return StoryState::not_looked;
+}
+
+/// Where nothing has a name for it, a cause is the first word only if it says nearly as much as what has none.
+bool leads(const Story& s, const Diagnosis& d) {
+  if (s.causes.empty() || s.causes.front().refused) return false;
+  switch (s.state) {
+    case StoryState::missing:
+    case StoryState::ambiguous:
+    case StoryState::implausible:
+      return true;
+    case StoryState::noise_unknown:
+    case StoryState::unexplained:
+      return s.causes.front().believable &&
+             d.candidates[s.causes.front().candidate].ln_bayes_factor >= as_much * d.candidates.front().ln_bayes_factor;
+    default:
+      return false;
+  }
+}
+
+StoryNext next_of(const Story& s) {
+  switch (s.state) {
+    case StoryState::not_looked:
+      return StoryNext::wait;
+    case StoryState::too_few_observations:
+      return StoryNext::measure_more;
+    case StoryState::noise_unknown:
+      return s.cause_leads ? StoryNext::add : StoryNext::tell_the_noise;
+    case StoryState::at_the_noise:
+    case StoryState::unnamed_at_the_noise:
+    case StoryState::scatter:
+      return StoryNext::use_it;
+    case StoryState::missing:
+      return StoryNext::add;
+    case StoryState::ambiguous:
+      return StoryNext::tell_apart;
+    case StoryState::implausible:
+      return StoryNext::add_or_stop;
+    case StoryState::unexplained:
+      return s.cause_leads ? StoryNext::add : StoryNext::look;
+    case StoryState::refused:
+      return StoryNext::look;
+  }
+  return StoryNext::look;
+}
+
+bool is_too_large(const EffectTerm& term, const Chain& chain) {
+  const Effect& effect = effect_of(term);
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    if (is_free(effect, term, p) && std::abs(term.values[p]) > too_large * plausible_size(effect.parameters[p], chain))
+      return true;
+  return false;
+}
+
+/// What the fit estimates (not what the user holds) and no robot is built like.
+std::vector<StandIn> stand_ins(const Fit& fit) {
+  std::vector<StandIn> list;
+  if (!fit.problem.source) return list;
+  const Chain& chain = fit.problem.source->chain;
+  for (const FittedEffect& f : fit.effects) {
+    const bool is_estimated = std::any_of(f.sigmas.begin(), f.sigmas.end(), [](double s) { return s > 0; });
+    if (!is_estimated || effect_of(f.term).is_unnamed()) continue;
+    const bool back = pushes_back({f.term}, {f.sigmas});
+    if (!back && !is_too_large(f.term, chain)) continue;
+    auto same = std::find_if(list.begin(), list.end(), [&](const StandIn& s) { return s.id == f.term.id; });
+    if (same == list.end()) same = list.insert(list.end(), StandIn{.id = f.term.id});
+    const std::string place = place_name(effect_of(f.term), f.term.joint, chain.robot);
+    if (!place.empty()) same->where.push_back(place);
+    same->pushes_back = same->pushes_back || back;
+  }
+  return list;
+}
+
+void count_beyond(const FitReport& report, Story& s) {
+  s.used = report.used;
+  if (!s.error.noise || !(*s.error.noise > 0)) return;
+  for (const ObservationReport& o : report.per_observation) {
+    const auto size = s.error.in_pixels ? o.rms_pixel : o.rms_m;
+    if (size && *size > beyond_noise * *s.error.noise) ++s.beyond;
+  }
+}
+
+}  // namespace
+
+const char* story_state_text(StoryState state) {
+  switch (state) {
+    case StoryState::not_looked:
+      return "not_looked";
+    case StoryState::too_few_observations:
+      return "too_few_observations";
+    case StoryState::noise_unknown:
+      return "noise_unknown";
+    case StoryState::at_the_noise:
+      return "at_the_noise";
+    case StoryState::unnamed_at_the_noise:
+      return "unnamed_at_the_noise";
+    case StoryState::scatter:
+      return "scatter";
+    case StoryState::missing:
+      return "missing";
+    case StoryState::ambiguous:
+      return "ambiguous";
+    case StoryState::implausible:
+      return "implausible";
+    case StoryState::unexplained:
+      return "unexplained";
+    case StoryState::refused:
+      return "refused";
+  }
+  return "";
+}
+
+StoryError story_error(const Fit& fit, const FitReport& report) {
+  StoryError e;
+  e.in_pixels = fit.problem.rig.has_value();
+  if (report.used >= fewest_that_tell) {
+    e.error = size_of(report.held_out, e.in_pixels);
+    e.held_out = e.error.has_value();
+    if (!e.error) e.error = size_of(report.fitted, e.in_pixels);
+    e.elsewhere = size_of(report.held_out_region, e.in_pixels);
+  }
+  if (fit.noise) e.noise = as_told(*fit.noise, e.in_pixels);
+  return e;
+}
+
+Story story_of(const StoryBasis& b) {
+  Story s;
+  s.error = story_error(b.fit, b.report);
+  if (!s.error.elsewhere) s.error.elsewhere = b.elsewhere;
+  s.blame = b.blame;
+  count_beyond(b.report, s);
+  s.stands_in = stand_ins(b.fit);
+  if (!b.diagnosis) return s;
+  const Diagnosis& d = *b.diagnosis;
+  if (!s.error.elsewhere) s.error.elsewhere = size_of(d.report.held_out_region, s.error.in_pixels);
+  const bool can_add = d.verdict != Verdict::adequate && d.verdict != Verdict::too_few_observations;
+  if (can_add)
+    for (const std::size_t i : offered(d, b.refused)) {
+      if (s.causes.size() >= most_causes) break;
+      s.causes.push_back(cause_of(d, i, s.error.in_pixels, b.refused));
+    }
+  s.state = state_of(s, d, b.fit);
+  s.cause_leads = leads(s, d);
+  s.next = next_of(s);
+  if (can_add) s.blame = blame_by_finding(b.blame, d, b.refused);
+  return s;
+}
+
+Story story_of(const Diagnosis& d) {
+  Story s = story_of(StoryBasis{.fit = d.model.fit, .report = d.report, .blame = {}, .diagnosis = &d});
+  s.blame = d.blame;
+  return s;
+}
+
+}  // namespace handsight
