@@ -231,18 +231,19 @@ UrdfFile urdf_file(const CalibratedRobot& robot) {
   const std::vector<Rigid> link_from_true = move_joints(root, r, said.sites.robot.joints);
   UrdfFile file;
   file.not_said = said.not_said;
-  file.hand_link = robot.tcp;
-  const Rigid hand =
-      link_from_true[static_cast<std::size_t>(robot.chain.tcp_link)] * small_motion<double>(said.sites.hand);
-  if (!is_identity(hand)) file.hand_link = add_link(root, r, robot.tcp, hand, robot.tcp + "_calibrated");
-  file.body_link =
-      add_link(root, r, file.hand_link, robot.model.tcp_from_body * small_motion<double>(said.sites.body), "body");
+  const auto calibrated = [&](const std::string& link, const Rigid& from_true) {
+    return is_identity(from_true) ? link : add_link(root, r, link, from_true, link + "_calibrated");
+  };
+  const Rigid& mount_from_true = link_from_true[static_cast<std::size_t>(robot.chain.mount_link)];
+  const std::string tcp = calibrated(robot.tcp, link_from_true[static_cast<std::size_t>(robot.chain.tcp_link)] *
+                                                    small_motion<double>(said.sites.hand));
+  file.hand_link = robot.of_hand ? calibrated(robot.mount, mount_from_true) : tcp;
+  file.body_link = add_link(root, r, tcp, robot.model.tcp_from_body * small_motion<double>(said.sites.body), "body");
   if (robot.model.mount_from_sensor)
-    file.sensor_link =
-        add_link(root, r, robot.mount,
-                 link_from_true[static_cast<std::size_t>(robot.chain.mount_link)] * *robot.model.mount_from_sensor *
-                     small_motion<double>(said.sites.mount) * small_motion<double>(said.sites.drift),
-                 robot.rig ? robot.rig->at(0).name + "_camera" : "sensor");
+    file.sensor_link = add_link(root, r, robot.mount,
+                                mount_from_true * *robot.model.mount_from_sensor *
+                                    small_motion<double>(said.sites.mount) * small_motion<double>(said.sites.drift),
+                                robot.rig ? robot.rig->at(0).name + "_camera" : "sensor");
   root.InsertFirstChild(document->NewComment(comment_text(file, robot).c_str()));
   file.text = xml_text(*document);
   return file;

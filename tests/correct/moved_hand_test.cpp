@@ -6,8 +6,11 @@
 #include "estimation/report/fit_report.h"
 #include "estimation/report/hand_end.h"
 #include "export/exported.h"
+#include "export/urdf_file.h"
 #include "fixtures/arms.h"
+#include "fixtures/robot_texts.h"
 #include "fixtures/targets.h"
+#include "robot/urdf.h"
 #include "session/calibration_xml.h"
 
 namespace handsight {
@@ -47,7 +50,6 @@ TEST(MovedHand, IsTheLinkThatCarriesTheSensor) {
   EXPECT_TRUE(hand_carries_sensor(wrist));
   EXPECT_FALSE(hand_carries_sensor(stand));
   EXPECT_EQ(chain_of_hand(wrist).tcp_link, wrist.mount_link);
-  std::mt19937_64 random(1);
   EXPECT_EQ(with_moved_hand(CalibratedRobot{.chain = stand, .tcp = "hand", .mount = "stand"}).tcp, "hand");
 }
 
@@ -97,6 +99,23 @@ TEST(MovedHand, IsWhatAProgramMoves) {
   const Calibrated c = calibrated_wrist_camera();
   const ExportedFile file = exported_file(c.robot, "python");
   for (const std::string& note : file.notes) EXPECT_EQ(note.find("does not move the hand"), std::string::npos) << note;
+}
+
+TEST(MovedHand, IsTheHandOfTheUrdf) {
+  Calibrated c = calibrated_wrist_camera();
+  c.robot.urdf_text = fixture::urdf_text(c.simulated.session.robot);
+  c.robot.urdf_file = "arm.urdf";
+  const UrdfFile file = urdf_file(c.robot);
+  Session calibrated = c.simulated.session;
+  calibrated.robot = parse_urdf(file.text, "calibrated.urdf", nullptr);
+  calibrated.mount.link = file.hand_link;
+  const Chain chain = chain_of_hand(chain_of(calibrated));
+  for (int i = 0; i < 5; ++i) {
+    const Eigen::VectorXd& pose = c.simulated.session.observations[static_cast<std::size_t>(i)].position;
+    const Rigid told = predict_tcp(c.hand.chain, pose, c.hand.model).root_from_tcp_est;
+    const Rigid there = observed_ends(circumstances_at(chain, pose), {}).ends.root_from_tcp;
+    EXPECT_LT(small_motion_between(told, there).norm(), 1e-9) << "an offset of a joint's zero is all that was found";
+  }
 }
 
 }  // namespace
