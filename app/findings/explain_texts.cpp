@@ -182,8 +182,8 @@ QString missing_sentence(const ModelVersion& model, const Story& story, const Di
   const StoryCause& lead = story.causes.front();
   const QString name = name_of(d.candidates[lead.candidate], d.model.session);
   if (story.state == StoryState::implausible)
-    return misses + ' ' +
-           QObject::tr("No plausible cause explains it: %1 would help, but no robot is built so.").arg(name);
+    return QObject::tr("No plausible cause explains it: %1 would help, but no robot is built so.").arg(name) + ' ' +
+           misses;
   if (story.state == StoryState::ambiguous)
     return QObject::tr("%1 or %2: on these poses they look the same.")
                .arg(name.left(1).toUpper() + name.mid(1), effect_of(lead.cannot_be_told_from.front(), {})) +
