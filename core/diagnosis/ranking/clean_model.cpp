@@ -2,6 +2,7 @@
 #include "diagnosis/ranking/clean_model.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "diagnosis/ranking/refitting.h"
 
@@ -24,10 +25,20 @@ bool parts_points(const RankedEffect& r, const LinearModel& linear, const Chain&
   });
 }
 
+/// The same fit of nearly the same points from where one has ended that has looked at all starts: they need not be
+/// looked at again. A model with effects, whose priors follow from where it starts, is fitted anew.
+FitOptions going_on(const FitOptions& options, const Fit& from) {
+  if (!options.estimated.empty() || options.start || options.least_gain > 0) return options;
+  FitOptions again = options;
+  again.start = estimate(from);
+  again.least_gain = std::numeric_limits<double>::min();
+  return again;
+}
+
 /// The points without which an effect that makes most of the wrong ones right leaves the session; nothing where none
 /// does.
 std::optional<CleanFit> with_an_explanation(const Session& session, const FitOptions& options, const CleanFit& clean) {
-  const CleanFit whole{session, fit(session, options), {}};
+  const CleanFit whole{session, fit(session, going_on(options, clean.fit)), {}};
   if (whole.fit.solution.stopped) return std::nullopt;
   const Weighing by = weighing(clean.fit);
   const Candidates candidates = all_candidates(whole.fit.problem);
@@ -56,7 +67,7 @@ CleanFit clean_of_images(const Session& session, const FitOptions& options) {
   if (!explained) return clean;
   clean.session = std::move(explained->session);
   clean.wrong = std::move(explained->wrong);
-  clean.fit = fit(clean.session, options);
+  clean.fit = fit(clean.session, going_on(options, clean.fit));
   return clean;
 }
 
