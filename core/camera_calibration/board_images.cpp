@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "targets/target_detection.h"
 #include "targets/target_guess.h"
 #include "vision/image/image_file.h"
 

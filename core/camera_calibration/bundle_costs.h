@@ -7,7 +7,7 @@
 #include <array>
 #include <memory>
 
-#include "camera_calibration/bundle.h"
+#include "camera_calibration/bundle_parts.h"
 
 namespace handsight {
 

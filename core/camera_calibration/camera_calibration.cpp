@@ -11,13 +11,6 @@
 namespace handsight {
 namespace {
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Brown's solution as the start of the rational model: the further numbers are 0.
 BundleResult as_rational(BundleResult result) {
   for (Lens& lens : result.rig.lenses) {
@@ -186,37 +179,6 @@ std::vector<TriedShape> tried_shapes(const ModelSearch& search, const LensModel&
 }
 
 }  // namespace
-
-std::optional<double> frame_rms(const BoardImages& images, const CameraRig& rig, int frame) {
-  const auto pose = pose_of_frame(images, rig, frame);
-  if (!pose) return std::nullopt;
-  double squares = 0;
-  int count = 0;
-  for (const BoardImage& image : images.images) {
-    if (image.frame != frame || image.points.size() < 4) continue;
-    const auto camera = static_cast<std::size_t>(image.camera);
-    for (const TargetPixel& seen : image.points) {
-      const Vector3 x = rig.from_first[camera] * (*pose * images.points[static_cast<std::size_t>(seen.number)]);
-      squares += (project(rig.lenses[camera], x) - seen.pixel).squaredNorm();
-      ++count;
-    }
-  }
-  return count > 0 ? std::optional<double>(std::sqrt(squares / count)) : std::nullopt;
-}
-
-BundleResult adjust_robustly(const BoardImages& images, const BundleResult& start, bool with_covariances) {
-  std::vector<double> lengths;
-  for (const BundleResidual& r : bundle_residuals(with_target(images, start), start.rig, start.first_from_target))
-    lengths.push_back(r.residual.norm());
-  const double sigma = median(lengths) / 1.177;  // of one coordinate, where both are normal
-  return adjust_bundle(images, start.rig, start.first_from_target,
-                       {.loss_pixel = std::max(4 * sigma, 0.02),
-                        .shape = start.shape,
-                        .pixel_sigma = sigma,
-                        .bend = start.bend,
-                        .target_points = start.target_points},
-                       with_covariances);
-}
 
 CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector<std::pair<int, int>>& sizes,
                                     const std::vector<std::string>& names, const CalibrationOptions& options) {

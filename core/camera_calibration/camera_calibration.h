@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "camera_calibration/bundle.h"
+#include "camera_calibration/held_out.h"
 
 namespace handsight {
 
@@ -13,13 +13,6 @@ struct CalibrationOptions {
   /// A lens model's name, or "best": the plain lens (brown), unless views that were held out say beyond doubt that it
   /// is another one.
   std::string model = "best";
-};
-
-/// Root of the mean squared length of a point's residual, px, of frames that the cameras' numbers were not fitted to:
-/// each frame's pose is then fitted to all its images with the cameras held.
-struct HeldOut {
-  double rms_pixel = 0;
-  std::vector<std::optional<double>> frames;  // by frame; nothing where it has no pose
 };
 
 /// A lens model, with what is chosen of the target's shape.
@@ -64,13 +57,6 @@ struct CameraCalibration {
 /// all.
 CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector<std::pair<int, int>>& sizes,
                                     const std::vector<std::string>& names, const CalibrationOptions& options = {});
-
-/// The error of one frame as HeldOut says it, by any rig; nothing where it has no pose.
-std::optional<double> frame_rms(const BoardImages& images, const CameraRig& rig, int frame);
-
-/// Robust least squares from a solution, with as much of the target's shape as it has: beyond four sigmas of their
-/// scatter residuals count linearly.
-BundleResult adjust_robustly(const BoardImages& images, const BundleResult& start, bool with_covariances);
 
 /// The rig as OpenCV's FileStorage (YAML): M1 D1 (and M2 D2 ...), R T of X_2 = R X_1 + T (R_3 T_3 ...), image_width,
 /// image_height, camera names and models; one camera alone also as camera_matrix and distortion_coefficients.

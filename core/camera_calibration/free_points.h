@@ -2,7 +2,7 @@
 // How firmly the points of a target are held to where they are described while they are estimated.
 #pragma once
 
-#include "camera_calibration/bundle.h"
+#include "camera_calibration/bundle_parts.h"
 
 namespace handsight {
 

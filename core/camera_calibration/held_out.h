@@ -2,9 +2,26 @@
 // What views that nothing was fitted to say of a model of lens and target, and which of several models they prefer.
 #pragma once
 
-#include "camera_calibration/camera_calibration.h"
+#include <optional>
+#include <vector>
+
+#include "camera_calibration/bundle.h"
 
 namespace handsight {
+
+/// Root of the mean squared length of a point's residual, px, of frames that the cameras' numbers were not fitted to:
+/// each frame's pose is then fitted to all its images with the cameras held.
+struct HeldOut {
+  double rms_pixel = 0;
+  std::vector<std::optional<double>> frames;  // by frame; nothing where it has no pose
+};
+
+/// The error of one frame as HeldOut says it, by any rig; nothing where it has no pose.
+std::optional<double> frame_rms(const BoardImages& images, const CameraRig& rig, int frame);
+
+/// Robust least squares from a solution, with as much of the target's shape as it has: beyond four sigmas of their
+/// scatter residuals count linearly.
+BundleResult adjust_robustly(const BoardImages& images, const BundleResult& start, bool with_covariances);
 
 /// Each frame's error by the cameras and the target's shape from the others (in 10 to 15 parts), the poses its own.
 HeldOut held_out(const BoardImages& images, const BundleResult& whole);
