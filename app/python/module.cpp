@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "diagnosis/ranking/clean_model.h"
 #include "options/predict_source.h"
+#include "printing/blunder_output.h"
 #include "printing/diagnosis_output.h"
 #include "printing/fit_output.h"
 #include "printing/told_json.h"
@@ -105,6 +106,18 @@ Fitted fitted(const Session& session, const Names& effects, const std::string& o
   return {text_of(json), calibrated_robot(session, clean.fit, told, options, software)};
 }
 
+std::string checked(const Session& session) {
+  SessionCheck check = check_session(session);
+  const bool works = check.problems.empty();
+  const auto size = works ? cli::target_size_of(session) : std::nullopt;
+  if (size) check.warnings.push_back(size->text + " " + size->fix);
+  cli::Json json = cli::check_json(session, check);
+  json["target_size"] = cli::target_size_json(size);
+  json["blunders"] =
+      cli::blunders_json(works && !cli::settles_it(size) ? cli::blunders_of(session) : std::vector<Blunder>());
+  return text_of(json);
+}
+
 std::string diagnosis_text(const Session& session, const Names& effects) {
   DiagnosisOptions options;
   cli::add_effects(effects, session, options.effects, options.estimated);
@@ -193,8 +206,7 @@ PYBIND11_MODULE(_core, m) {
   m.def(
       "read_session", [](const std::string& path) { return read_session(path); }, arg("path"));
   m.def("session_of", &session_of, arg("text"), arg("robot"));
-  m.def(
-      "check", [](const Session& s) { return text_of(cli::check_json(s, check_session(s))); }, without_python);
+  m.def("check", &checked, without_python);
   m.def("fit", &fitted, without_python);
   m.def("diagnose", &diagnosis_text, without_python);
   m.def("improve", &improvement_of, without_python);
