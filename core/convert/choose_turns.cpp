@@ -174,8 +174,11 @@ void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std:
 void take_usual_turns(NamedPoses& p, std::vector<std::string>& notes) {
   if (!is_open(p)) return;
   if (!p.turns.first_is_usual)
-    throw InputError(fmt::format("{}: {} may be {}, or {}, and nothing here can tell: {}.", p.file, p.turns.columns,
-                                 reading_text(p.turns.readings[0]), reading_text(p.turns.readings[1]), how_to_say));
+    throw InputError(
+        fmt::format("{}: {} may be {}, or {}, and nothing here can tell: say it with --angles "
+                    "(rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header "
+                    "([deg]).",
+                    p.file, p.turns.columns, reading_text(p.turns.readings[0]), reading_text(p.turns.readings[1])));
   p.turns.readings.resize(1);
   read_turns(p.turns, p.turns.readings[0], p.series);
   notes.push_back(fmt::format("{}: {} are taken for {}.", p.file, p.turns.columns, reading_text(p.turns.readings[0])));

@@ -91,31 +91,32 @@ Rows places_of(const PoseSeries& s) {
   return places;
 }
 
-void say_pairs(const char* by, const Pairs& pairs, std::size_t flange, std::size_t other, const char* others,
+/// `sentence` says by what; where poses are left over it goes on with how many have a partner.
+void say_pairs(std::string sentence, const Pairs& pairs, std::size_t flange, std::size_t other,
                std::vector<std::string>& notes) {
-  notes.push_back(
-      fmt::format("Poses of the flange and {} are paired by {}{}.", others, by,
-                  pairs.first.size() == std::max(flange, other)
-                      ? std::string()
-                      : fmt::format(": {} of {} and {} have a partner", pairs.first.size(), flange, other)));
+  if (pairs.first.size() != std::max(flange, other)) {
+    sentence.pop_back();
+    sentence += fmt::format(": {} of {} and {} have a partner.", pairs.first.size(), flange, other);
+  }
+  notes.push_back(std::move(sentence));
 }
 
 Pairs pairs_of(const PoseSeries& flange, const PoseSeries& target, const ConvertOptions& o,
                std::vector<std::string>& notes) {
-  const auto told = [&](const char* by, Pairs pairs) {
-    say_pairs(by, pairs, flange.poses.size(), target.poses.size(), "of the target", notes);
+  const auto told = [&](const char* sentence, Pairs pairs) {
+    say_pairs(sentence, pairs, flange.poses.size(), target.poses.size(), notes);
     return pairs;
   };
   if (!flange.names.empty() && !target.names.empty())
     if (Pairs pairs = pair_by(plain_names(flange.names), plain_names(target.names)); !pairs.first.empty())
-      return told("the names of their images", std::move(pairs));
+      return told("Poses of the flange and of the target are paired by the names of their images.", std::move(pairs));
   if (!flange.numbers.empty() && !target.numbers.empty())
     if (Pairs pairs = pair_by(flange.numbers, target.numbers); !pairs.first.empty())
-      return told("their numbers", std::move(pairs));
+      return told("Poses of the flange and of the target are paired by their numbers.", std::move(pairs));
   const bool same_count = row_count(flange) == row_count(target);
   if (!flange.times.empty() && !target.times.empty()) {
     if (Pairs pairs = pair_by_time(flange.times, target.times, o.pairing.lag); !pairs.first.empty())
-      return told("their times", std::move(pairs));
+      return told("Poses of the flange and of the target are paired by their times.", std::move(pairs));
     if (!same_count)
       throw InputError(fmt::format(
           "No pose of the target has one of the flange at its time: they are from {:.3f} to {:.3f} s, those "
@@ -173,8 +174,8 @@ Pairs pair_by_image_names(const std::vector<std::string>& names, const std::vect
 
 Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>& images, int cameras,
                       std::vector<std::string>& notes) {
-  const auto told = [&](const char* by, Pairs pairs) {
-    say_pairs(by, pairs, flange.poses.size(), images.size(), "the images", notes);
+  const auto told = [&](const char* sentence, Pairs pairs) {
+    say_pairs(sentence, pairs, flange.poses.size(), images.size(), notes);
     return pairs;
   };
   if (!flange.names.empty()) {
@@ -183,13 +184,13 @@ Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>
       throw InputError(
           fmt::format("The table of the flange names images ({} ...), and none of them is there (the first is {}).",
                       in_quotes(flange.names.front()), in_quotes(images.front().files.front().filename().string())));
-    return told("the images' names", std::move(pairs));
+    return told("Poses of the flange and the images are paired by the images' names.", std::move(pairs));
   }
   const bool same_count = images.size() == row_count(flange);
   if (!flange.numbers.empty()) {
     Pairs pairs = pair_by(flange.numbers, numbers_of(images));
     if (pairs.first.size() == flange.numbers.size() || (!pairs.first.empty() && !same_count))
-      return told("their numbers", std::move(pairs));
+      return told("Poses of the flange and the images are paired by their numbers.", std::move(pairs));
   }
   if (!same_count)
     throw InputError(fmt::format(

@@ -7174,8 +7174,12 @@
         <translation>enthält schon eine Sitzung, nimm sie, wie sie ist</translation>
     </message>
     <message>
-        <source>is a folder without images and without a bag</source>
-        <translation>ist ein Ordner ohne Bilder und ohne Bag</translation>
+        <source>is a folder without images, without files of poses and without a bag</source>
+        <translation>ist ein Ordner ohne Bilder, ohne Dateien von Posen und ohne Bag</translation>
+    </message>
+    <message>
+        <source>--angles %1: no table of poses here has %2 numbers for a turn; leave it out.</source>
+        <translation>--angles %1: keine Tabelle von Posen hat hier %2 Zahlen für eine Drehung; lass es weg.</translation>
     </message>
     <message>
         <source>is a bag in MCAP, which cannot be read here; write it as sqlite3 with `ros2 bag convert -i BAG -o options.yaml` (storage_id: sqlite3).</source>
@@ -7412,6 +7416,14 @@
     <message>
         <source>Poses of the flange and of the target are paired by their numbers.</source>
         <translation>Posen des Flansches und des Ziels sind nach ihren Nummern gepaart.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and the images are paired by the images' names.</source>
+        <translation>Posen des Flansches und die Bilder sind nach den Namen der Bilder gepaart.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and the images are paired by their numbers.</source>
+        <translation>Posen des Flansches und die Bilder sind nach ihren Nummern gepaart.</translation>
     </message>
     <message>
         <source>Poses of the flange and of the target are paired by their times.</source>

@@ -83,12 +83,15 @@ std::vector<std::string> standstill_doubts(const Session& session) {
     if (seen.is_none && robot.size > 1) sight_stood.push_back(pair);
   }
   if (robot_stood.size() + 1 == session.observations.size()) robot_stood.clear();  // all are one pose: told as that
-  const char* robot = session.robot.is_of_poses ? "The pose of the flange is" : "The joint readings are";
   if (!robot_stood.empty())
     doubts.push_back(
-        fmt::format("{} the same in observations {}, while what was seen moved: the reading of one is old, or "
-                    "something slipped between them; leave out what is wrong.",
-                    robot, listed(robot_stood)));
+        session.robot.is_of_poses
+            ? fmt::format("The pose of the flange is the same in observations {}, while what was seen moved: the "
+                          "reading of one is old, or something slipped between them; leave out what is wrong.",
+                          listed(robot_stood))
+            : fmt::format("The joint readings are the same in observations {}, while what was seen moved: the reading "
+                          "of one is old, or something slipped between them; leave out what is wrong.",
+                          listed(robot_stood)));
   if (!sight_stood.empty())
     doubts.push_back(
         fmt::format("What was seen is the same in observations {}, while the robot moved: the measurement of one is "

@@ -84,8 +84,9 @@ class StoppedWizard : public FilesWizardTest {
   app::Jobs& jobs() { return desk.window.bench().background; }
   QAbstractButton* stop() { return desk.find<QAbstractButton>("files_stop"); }
   bool begin_making() {
-    replace_file(folder.path / "flange.csv", pose_table({Rigid{}, Rigid{}, Rigid{}}));
-    replace_file(folder.path / "target.csv", pose_table({Rigid{}, Rigid{}, Rigid{}}));
+    const std::vector<Rigid> three{Rigid{}, {Matrix3::Identity(), {0.1, 0, 0}}, {Matrix3::Identity(), {0, 0.1, 0}}};
+    replace_file(folder.path / "flange.csv", pose_table(three));
+    replace_file(folder.path / "target.csv", pose_table(three));
     if (!files.drop({folder.path / "flange.csv", folder.path / "target.csv"}, &desk.window)) return false;
     if (!QTest::qWaitForWindowExposed(files.dialog())) return false;
     files.fill("files_title", "Monday");
