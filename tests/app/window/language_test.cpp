@@ -133,10 +133,12 @@ TEST(Language, ErrorsAreTranslatedWhateverFileTheyName) {
             "morning.db3, topic /left: es ist kein schlichtes CDR; das Bag ist beschädigt, oder die Nachricht ist von "
             "anderer Art, als sie sagt.");
   EXPECT_EQ(
-      told("photos: is a folder without images and without a bag; expected a URDF, a folder of images, a table "
+      told("photos: is a folder without images, without files of poses and without a bag; expected a URDF, a folder of "
+           "images, a table "
            "(CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or "
            "a ROS 2 bag in sqlite3."),
-      "photos: ist ein Ordner ohne Bilder und ohne Bag; erwartet wird eine URDF, ein Ordner mit Bildern, eine "
+      "photos: ist ein Ordner ohne Bilder, ohne Dateien von Posen und ohne Bag; erwartet wird eine URDF, ein Ordner "
+      "mit Bildern, eine "
       "Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von "
       "easy_handeye oder ein ROS-2-Bag in sqlite3.");
   EXPECT_EQ(told("angles.csv, line 2: the line has 6 columns, expected 7."),
