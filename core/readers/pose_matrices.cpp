@@ -55,7 +55,7 @@ Rigid of_place_and_vector(const std::vector<double>& n) {
 
 /// "rows: 6, cols: 1, data: ..." of ViSP, or a matrix that YAML holds.
 std::optional<Rigid> pose_of_yaml(const YAML::Node& yaml) {
-  if (const auto pose = find_pose(yaml, "", 0)) return pose;
+  if (auto pose = find_pose(yaml, "", 0)) return pose;
   const auto numbers = yaml.IsMap() && yaml["data"] ? yaml_numbers(yaml["data"]) : std::nullopt;
   if (!numbers) return std::nullopt;
   if (numbers->size() == 6) return of_place_and_vector(*numbers);
