@@ -8,10 +8,12 @@
 
 #include "base/error.h"
 #include "diagnosis/ranking/clean_model.h"
+#include "options/named_effects.h"
 #include "options/predict_source.h"
 #include "printing/blunder_output.h"
 #include "printing/diagnosis_output.h"
 #include "printing/fit_output.h"
+#include "printing/improvement_output.h"
 #include "printing/told_json.h"
 #include "robot/urdf.h"
 #include "session/calibration_xml.h"

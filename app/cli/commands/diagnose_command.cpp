@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "options/named_effects.h"
 #include "printing/blunder_output.h"
 #include "printing/diagnosis_output.h"
 #include "printing/outputs.h"

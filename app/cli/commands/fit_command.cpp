@@ -9,6 +9,7 @@
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
 #include "options/camera_images_option.h"
+#include "options/named_effects.h"
 #include "printing/blunder_output.h"
 #include "printing/diagnosis_output.h"
 #include "printing/fit_output.h"

@@ -3,8 +3,9 @@
 
 #include "command.h"
 #include "estimation/report/export.h"
-#include "printing/diagnosis_output.h"
+#include "options/named_effects.h"
 #include "printing/fit_output.h"
+#include "printing/improvement_output.h"
 
 namespace handsight::cli {
 namespace {

@@ -9,6 +9,7 @@
 #include "diagnosis/attribution/inspection.h"
 #include "diagnosis/outliers/flipped_targets.h"
 #include "diagnosis/ranking/clean_model.h"
+#include "options/named_effects.h"
 #include "printing/diagnosis_output.h"
 #include "printing/json_values.h"
 #include "vision/image/image_file.h"

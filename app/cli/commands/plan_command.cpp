@@ -5,7 +5,7 @@
 #include "base/numbers.h"
 #include "command.h"
 #include "diagnosis/planning/planning.h"
-#include "printing/diagnosis_output.h"
+#include "options/named_effects.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
 

@@ -3,7 +3,7 @@
 
 #include "base/files.h"
 #include "estimation/report/fit_report.h"
-#include "printing/diagnosis_output.h"
+#include "options/named_effects.h"
 #include "printing/outputs.h"
 #include "robot/urdf.h"
 #include "session/calibration_xml.h"

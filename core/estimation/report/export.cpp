@@ -86,14 +86,15 @@ void set_effects(const Session& session, const Fit& fit, Calibration& c) {
   for (const FittedEffect& e : fit.effects) sigmas.insert(sigmas.end(), e.sigmas.begin(), e.sigmas.end());
   WrittenTerms own = written(terms_of(fit), sigmas, session.robot, c.definitions);
   c.effects = std::move(own.effects);
+  if (c.effects.empty()) return;
   const std::vector<Eigen::Index> place_of = after_xi(own.number_of);
-  if (!c.effects.empty() && fit.model_covariance.cols() == static_cast<Eigen::Index>(place_of.size()))
-    c.model_covariance = fit.model_covariance(place_of, place_of);
-  if (!session.mount.estimate || !hand_carries_sensor(fit.problem.source->chain)) return;
-  const Eigen::MatrixXd of_hand = hand_covariance(fit);
-  if (!c.effects.empty() && of_hand.cols() == static_cast<Eigen::Index>(place_of.size()))
-    c.hand_covariance = of_hand(place_of, place_of);
-  if (const TcpScatter scatter = hand_scatter(fit); scatter.observations >= 3) c.hand_scatter = scatter.covariance;
+  const auto in_file = [&](const Eigen::MatrixXd& of_fit) -> std::optional<Eigen::MatrixXd> {
+    if (of_fit.cols() != static_cast<Eigen::Index>(place_of.size())) return std::nullopt;
+    return of_fit(place_of, place_of);
+  };
+  c.model_covariance = in_file(fit.model_covariance);
+  if (session.mount.estimate && hand_carries_sensor(fit.problem.source->chain))
+    c.hand_covariance = in_file(hand_covariance(fit));
 }
 
 }  // namespace
@@ -147,6 +148,8 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
                         fit.parameter_covariance.block<6, 6>(fit.problem.mount_column(), fit.problem.mount_column())};
   const TcpScatter scatter = tcp_scatter(fit);
   if (scatter.observations >= 3) c.tcp_scatter = scatter.covariance;
+  if (!session.mount.estimate || !hand_carries_sensor(fit.problem.source->chain)) return c;
+  if (const TcpScatter of_hand = hand_scatter(fit); of_hand.observations >= 3) c.hand_scatter = of_hand.covariance;
   return c;
 }
 

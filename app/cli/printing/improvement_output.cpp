@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "improvement_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/percent.h"
+#include "diagnosis/story/story.h"
+#include "diagnosis/verdict/explanation.h"
+#include "diagnosis_output.h"
+#include "fit_output.h"
+#include "json_values.h"
+
+namespace handsight::cli {
+namespace {
+
+/// The noise of one coordinate as it is told beside an error.
+std::string noise_or_unknown(const std::optional<double>& value, bool tracker) {
+  if (!value) return "unknown";
+  return tracker ? fmt::format("{:.3f} mm", 1e3 * as_told(*value, false)) : fmt::format("{:.3f} px", *value);
+}
+
+/// What else went and came with a step that is not the first.
+std::string changes_text(const ImprovementStep& s) {
+  if (s.added.empty() && s.removed.empty() && s.exchanged.empty()) return "the same names at other places";
+  if (s.removed.empty()) return s.exchanged.empty() ? "" : "beside what stands: " + listed(s.exchanged);
+  return "no longer needed: " + s.removed + (s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged));
+}
+
+/// "backlash (axis_4) 23 %, payload 8 %"
+std::string certainty_text(const Certainty& certainty, bool of_model) {
+  std::vector<std::string> texts;
+  for (const NameCertainty& n : certainty.names) {
+    if (n.is_in_model != of_model) continue;
+    const std::string where = n.where.empty() ? "" : " (" + listed(n.where) + ")";
+    // Never quite sure, nor quite sure that not.
+    const std::string percent = n.probability > 0.999 ? "over 99.9" : two_digit_percent(std::max(n.probability, 0.001));
+    texts.push_back(fmt::format("{}{} {} %", n.id, where, percent));
+  }
+  return listed(texts);
+}
+
+void print_certainty(const Output& out, const Certainty& certainty) {
+  const std::string of_model = certainty_text(certainty, true), others = certainty_text(certainty, false);
+  if (!of_model.empty()) out.line("How sure its names are: " + of_model + ".");
+  if (!others.empty()) out.line("What may be there too: " + others + ". Predictions allow for it.");
+}
+
+Json certainty_json(const Certainty& certainty) {
+  Json list = Json::array();
+  for (const NameCertainty& n : certainty.names)
+    list.push_back({{"id", n.id}, {"where", n.where}, {"probability", n.probability}, {"in_model", n.is_in_model}});
+  return list;
+}
+
+}  // namespace
+
+void print_improvement(const Output& out, const Session& session, const Improvement& m) {
+  const bool tracker = session.is_tracker();
+  out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out",
+                       "by region", "noise"));
+  for (std::size_t i = 0; i < m.steps.size(); ++i) {
+    const ImprovementStep& s = m.steps[i];
+    const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "names sought again" : "+ " + s.added;
+    out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted),
+                         error_text(s.held_out), error_text(s.held_out_region), noise_or_unknown(s.noise, tracker),
+                         listed(s.where)));
+    if (!s.formula.empty()) out.line("     " + s.formula);
+    if (!s.stands.empty()) out.line("     stands in for something else: no robot has " + listed(s.stands));
+    if (const std::string changes = i > 0 ? changes_text(s) : ""; !changes.empty()) out.line("     " + changes);
+  }
+  for (const RefusedStep& r : m.refused)
+    out.line(
+        fmt::format("     not taken: {}{}: {}", r.id, r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason));
+  out.line();
+  out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), story_text(story_of(m.last), m.last)));
+  if (m.named_share && m.unnamed_share)
+    out.line(fmt::format("Of what exceeded the noise at the start {} % has names, {} % follows something without one.",
+                         whole_percent(*m.named_share), whole_percent(*m.unnamed_share)));
+  print_certainty(out, m.certainty);
+  out.line();
+  print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
+}
+
+Json improvement_json(const Session& session, const Improvement& m) {
+  const bool tracker = session.is_tracker();
+  const Json null = nullptr;
+  const Session& fitted = m.last.sample ? m.last.model.session : session;
+  Json j = fit_json(fitted, m.last.model.fit, m.last.report, m.last.model_options);
+  Json steps = Json::array(), refused = Json::array();
+  for (const ImprovementStep& s : m.steps)
+    steps.push_back({{"added", s.added.empty() ? null : Json(s.added)},
+                     {"removed", s.removed.empty() ? null : Json(s.removed)},
+                     {"exchanged", s.exchanged},
+                     {"where", s.where},
+                     {"formula", s.formula.empty() ? null : Json(s.formula)},
+                     {"variable", s.variable.empty() ? null : Json(s.variable)},
+                     {"stands_in", s.stands},
+                     {"rms_pixel", number(s.fitted.rms_pixel)},
+                     {"held_out_rms_pixel", number(s.held_out.rms_pixel)},
+                     {"noise_pixel", tracker ? null : number(s.noise)},
+                     {"rms_m", number(s.fitted.rms_m)},
+                     {"mean_m", number(s.fitted.mean_m)},
+                     {"held_out_rms_m", number(s.held_out.rms_m)},
+                     {"held_out_mean_m", number(s.held_out.mean_m)},
+                     {"held_out_region_pixel", number(s.held_out_region.rms_pixel)},
+                     {"held_out_region_rms_m", number(s.held_out_region.rms_m)},
+                     {"held_out_region_mean_m", number(s.held_out_region.mean_m)},
+                     {"noise_m", tracker ? number(s.noise) : null}});
+  for (const RefusedStep& r : m.refused) refused.push_back({{"id", r.id}, {"where", r.where}, {"reason", r.reason}});
+  j["steps"] = steps;
+  j["refused"] = refused;
+  j["verdict"] = verdict_text(m.last.verdict);
+  j["reason"] = m.last.reason;
+  j["left"] = diagnosis_json(session, m.last);
+  j["left"]["named_share"] = number(m.named_share);
+  j["left"]["unnamed_share"] = number(m.unnamed_share);
+  Json worth = Json::array();
+  for (const Worth& w : m.worth)
+    worth.push_back({{"id", w.id},
+                     {"where", w.where},
+                     {"unnamed", w.unnamed},
+                     {"follows", w.text.empty() ? null : Json(w.text)},
+                     {"hand_m", number(w.hand_m)}});
+  j["worth"] = worth;
+  j["certainty"] = certainty_json(m.certainty);
+  return j;
+}
+
+}  // namespace handsight::cli
