@@ -10,6 +10,7 @@
 
 #include "convert/convert.h"
 #include "estimation/fit/fit.h"
+#include "fixtures/drawn.h"
 #include "temporary_folder.h"
 
 namespace handsight {
@@ -19,9 +20,7 @@ class HandEyeTables : public testing::Test {
   HandEyeTables() {
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
-    const auto drawn = [&](double size) {
-      return Vector3(size * Vector3(normal(random), normal(random), normal(random)));
-    };
+    const auto drawn = [&](double size) { return Vector3(size * fixture::drawn_3([&] { return normal(random); })); };
     for (int i = 0; i < 16; ++i) {
       const Vector3 turn = drawn(0.35), place = drawn(0.12);
       flange.push_back(

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "board_targets.h"
 #include "fixtures/target_images.h"
 
 namespace handsight {
@@ -43,16 +44,9 @@ void expect_found(const Target& target, const TargetView& view, const TargetSigh
   }
 }
 
-const Target chessboard{.kind = TargetKind::chessboard, .columns = 9, .rows = 6, .square = 0.025};
-const Target charuco{
-    .kind = TargetKind::charuco, .columns = 8, .rows = 6, .square = 0.03, .tag = 0.022, .dictionary = "DICT_5X5_100"};
-const Target grid{.kind = TargetKind::aprilgrid,
-                  .columns = 6,
-                  .rows = 4,
-                  .tag = 0.03,
-                  .spacing = 0.3,
-                  .dictionary = "tag36h11",
-                  .border = 2};
+using fixture::charuco;
+using fixture::chessboard;
+using fixture::grid;
 
 TEST(TargetDetection, FindsEveryPointOfWholeBoards) {
   for (const Target& target : {chessboard, charuco, grid}) {

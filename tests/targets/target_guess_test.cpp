@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "board_targets.h"
 #include "fixtures/target_images.h"
 #include "targets/drawn_over.h"
 #include "targets/tag_survey.h"
@@ -35,16 +36,9 @@ std::vector<Image> images_of(const Target& target) {
   return images;
 }
 
-const Target charuco{
-    .kind = TargetKind::charuco, .columns = 8, .rows = 6, .square = 0.03, .tag = 0.022, .dictionary = "DICT_5X5_100"};
-const Target grid{.kind = TargetKind::aprilgrid,
-                  .columns = 6,
-                  .rows = 4,
-                  .tag = 0.03,
-                  .spacing = 0.3,
-                  .dictionary = "tag36h11",
-                  .border = 2};
-const Target chessboard{.kind = TargetKind::chessboard, .columns = 9, .rows = 6, .square = 0.025};
+using fixture::charuco;
+using fixture::chessboard;
+using fixture::grid;
 
 struct Mistake {
   Target real;

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "fixtures/drawn.h"
 #include "session/pose_points.h"
 
 namespace handsight {
@@ -17,9 +18,7 @@ constexpr double pi = 3.14159265358979323846;
 Session tag_session(int count) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
-  const auto drawn = [&](double size) {
-    return Vector3(size * Vector3(normal(random), normal(random), normal(random)));
-  };
+  const auto drawn = [&](double size) { return Vector3(size * fixture::drawn_3([&] { return normal(random); })); };
   const Rigid flange_from_camera{rotation_from_rpy({0, 0.03, 1.5}), {0.06, -0.03, 0.05}},
       base_from_tag{rotation_from_rpy({0.01, 0.02, 0.5}), {0.55, 0.08, 0.01}};
   Session s;
