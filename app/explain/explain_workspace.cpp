@@ -201,9 +201,8 @@ WorkStatus ExplainWorkspace::status() const {
   if (model->report->used < fewest_that_tell) return {WorkState::waiting, tr("waits for more observations")};
   const auto ratio = story.error.ratio();
   if (!ratio) return {WorkState::open, tr("noise unknown")};
-  return *ratio < most_beside_scatter
-             ? WorkStatus{WorkState::done, tr("down at the noise")}
-             : WorkStatus{WorkState::open, tr("%1 × the noise").arg(widgets::short_text(*ratio))};
+  return *ratio < most_beside_scatter ? WorkStatus{WorkState::done, tr("down at the noise")}
+                                      : WorkStatus{WorkState::open, tr("above the noise")};
 }
 
 void ExplainWorkspace::activate() {

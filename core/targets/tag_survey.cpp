@@ -98,7 +98,7 @@ struct Way {
   std::string dictionary;
   int border = 1;
   bool is_inverted = false, is_mirrored = false;
-  auto operator<=>(const Way&) const = default;
+  auto operator<=>(const Way&) const = default;  // NOLINT(modernize-use-nullptr): not of the code
 };
 
 /// Clockwise again in the mirrored image, from the same corner.

@@ -205,7 +205,7 @@ std::optional<Target> board_of(const std::vector<Image>& images, const Surveyed&
   std::stable_sort(fullest.begin(), fullest.end(),
                    [](const TagSurvey* a, const TagSurvey* b) { return a->tags.size() > b->tags.size(); });
   for (const TagSurvey* one : fullest)
-    if (const auto board = board_by(*one, upright, all, described)) return board;
+    if (auto board = board_by(*one, upright, all, described)) return board;
   return std::nullopt;
 }
 

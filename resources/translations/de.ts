@@ -577,8 +577,8 @@
         <translation>einer Kurve über: %1</translation>
     </message>
     <message>
-        <source>%1 × the noise</source>
-        <translation>%1 × Rauschen</translation>
+        <source>above the noise</source>
+        <translation>über dem Rauschen</translation>
     </message>
     <message>
         <source>%1, %2 mm at the hand</source>
