@@ -6,6 +6,7 @@
 
 #include "base/threads.h"
 #include "estimation/problem/column_products.h"
+#include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/priors.h"
 
 namespace handsight {
@@ -51,11 +52,13 @@ class Builder {
     const Eigen::Index candidates = p_.effect_count() - base_effects_;
     Eigen::Index total = 0;
     for (const ProblemObservation& o : p_.observations) total += std::min<Eigen::Index>(6, rows_of(o));
+    if (holds_robot_scale(p_)) ++total;
     model_.external.resize(total, model_.base + candidates);
     model_.external_error.resize(total);
     const Eigen::Index inner = model_.base + static_cast<Eigen::Index>(direct_.size()) + 1;
     model_.internal = Eigen::MatrixXd::Zero(inner, inner);
     add_observations();
+    add_robot_scale();
     model_.external.conservativeResize(next_, Eigen::NoChange);
     model_.external_error.conservativeResize(next_);
     add_shape();
@@ -199,6 +202,17 @@ class Builder {
         weight * prior.information.topLeftCorner(base_effects_, base_effects_);
     model_.internal.row(error).segment(at, base_effects_) += weight * prior.gradient.head(base_effects_).transpose();
     model_.internal(error, error) += weight * prior.cost;
+  }
+
+  /// So are the robot's own lengths where nothing else tells one: a row that belongs to no observation.
+  void add_robot_scale() {
+    if (!holds_robot_scale(p_)) return;
+    const Eigen::RowVectorXd by_effect = noise_ / robot_scale_sigma * p_.robot_scale->by_effect.transpose();
+    auto row = model_.external.row(next_);
+    row.setZero();
+    row.tail(by_effect.size()) = by_effect;
+    model_.external_error[next_] = -noise_ * p_.robot_scale->change / robot_scale_sigma;
+    ++next_;
   }
 
   void scale_and_weigh() {

@@ -11,7 +11,9 @@
 #include "diagnosis/ranking/posture_remainder.h"
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/conclusion.h"
+#include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/other_names.h"
+#include "diagnosis/selection/simple_models.h"
 #include "diagnosis/selection/upkeep.h"
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/sampled.h"
@@ -64,20 +66,6 @@ void take_back(Improvement& settled, Improvement& m) {
                          "with it an unnamed curve, which is to be left out, still explains more than any name"});
   m.steps = std::move(settled.steps);
   m.last = std::move(settled.last);
-}
-
-constexpr double most_elsewhere = 1.02;  // times the error before: chance of where regions end
-
-/// Is the error larger where the robot has not been measured? What time seems to explain where poses come region by
-/// region, and what only bends to the poses at hand, shows there. Why a change is refused then; empty where it is not.
-/// Works the regions' errors of `after` out.
-std::string worse_elsewhere(const Diagnosis& before, Diagnosis& after) {
-  const auto size = [](const ErrorSummary& e) { return e.rms_pixel ? e.rms_pixel : e.rms_m; };
-  after.report.held_out_region = region_error(after);
-  const ErrorSummary was = region_error(before), &is = after.report.held_out_region;
-  if (!size(was) || !size(is) || *size(is) <= most_elsewhere * *size(was)) return "";
-  return fmt::format("where a whole region of poses is held out, the error rises from {} to {}", error_text(was),
-                     error_text(is));
 }
 
 /// Slips and drifts must overcome the odds against them, also beside whatever may follow the posture: poses seldom come
@@ -271,6 +259,11 @@ class Improving {
       note_refusals(change);
     }
     if (!change.model && !m_.stopped && m_.steps.size() > 1) change = one_that_is_likely();
+    if (!change.model && !m_.stopped && m_.steps.size() > 1 && !sought_simpler_) {
+      sought_simpler_ = true;
+      change = seek_simpler_model(session_, options_, m_.last);
+      note_refusals(change);
+    }
     if (!change.model) return false;
     m_.steps.insert(m_.steps.end(), change.steps.begin(), change.steps.end());
     m_.last = std::move(*change.model);
@@ -312,7 +305,8 @@ class Improving {
   Improvement settled_;               // names alone: the last model that no unnamed curve outdoes
   std::vector<RefusedStep> refused_;  // of the last model
   int sought_ = 0;                    // times
-  std::set<std::string> tried_;       // likely names
+  bool sought_simpler_ = false;
+  std::set<std::string> tried_;  // likely names
 };
 
 }  // namespace

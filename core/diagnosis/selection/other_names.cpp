@@ -49,6 +49,9 @@ class Search {
     return best_of(made);
   }
 
+  /// The best that comes of none, whatever stands: where names were added one after another, the order has a say.
+  Weighed grown_afresh(const Chosen& /*chosen*/) const { return grown({{}, all_.worth({})}, units_.size()); }
+
   /// The best that comes of these where others grow in the place of one unit.
   Weighed with_others_for_a_unit(const Chosen& chosen) const {
     std::vector<Weighed> made(chosen.size());
@@ -148,8 +151,9 @@ std::vector<std::string> difference(const std::set<std::string>& all, const std:
 /// The best by first order, sought from what is present on; nothing where that is not clearly better.
 std::optional<Chosen> better_choice(const Explanations& explanations, const std::function<bool()>& goes_on) {
   using Move = Weighed (Search::*)(const Chosen&) const;
-  constexpr std::array<Move, 4> moves{&Search::with_one_more, &Search::with_one_name_more,
-                                      &Search::with_others_for_a_unit, &Search::with_others_for_a_name};
+  constexpr std::array<Move, 5> moves{&Search::with_one_more, &Search::with_one_name_more,
+                                      &Search::with_others_for_a_unit, &Search::with_others_for_a_name,
+                                      &Search::grown_afresh};
   const Search search(explanations);
   Weighed best{explanations.present(), 0};
   best.worth = explanations.worth(best.chosen);

@@ -11,6 +11,7 @@
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/problem/pose_residuals.h"
+#include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/covariance_factor.h"
 #include "estimation/start/competition.h"
 #include "estimation/start/start.h"
@@ -72,6 +73,10 @@ void set_body(const FitOptions& options, const Eigen::MatrixXd& factor, Fit& fit
 void add_notes(const Session& session, Fit& fit) {
   if (fit.problem.observations.size() == 1)
     fit.notes.push_back("Only one observation is used: tcp_from_body is that of thesis (4.35), and nothing checks it.");
+  if (holds_robot_scale(fit.problem))
+    fit.notes.push_back(
+        "Nothing that was measured tells a length (every marker was measured at one place only): the robot's size is "
+        "taken from its description, within 0.1 %. Measure a marker at two places of known distance to find it.");
   std::vector<std::size_t> unseen;
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) unseen.push_back(m);

@@ -6,6 +6,7 @@
 #include "estimation/fit/noise.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/problem/column_products.h"
+#include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/covariance_factor.h"
 #include "estimation/solvers/priors.h"
 #include "estimation/solvers/unit_factor.h"
@@ -32,6 +33,12 @@ double known_by_priors(const Problem& problem, const Unknowns& unknowns, const E
     const Eigen::Index at = problem.effect_column(), count = problem.effect_count();
     const Eigen::MatrixXd told = camera_prior(problem).information;
     known += problem.noise * problem.noise * told.cwiseProduct(inverse.block(at, at, count, count)).sum();
+  }
+  if (holds_robot_scale(problem)) {
+    const Eigen::VectorXd& scale = problem.robot_scale->by_effect;
+    known +=
+        std::pow(problem.noise / robot_scale_sigma, 2) *
+        scale.dot(inverse.block(problem.effect_column(), problem.effect_column(), scale.size(), scale.size()) * scale);
   }
   return known;
 }
@@ -60,6 +67,9 @@ void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, const E
   }
   if (learns_from_camera_images(problem))
     gathered.add(problem.noise * problem.noise * factor_of(camera_prior(problem).information).transpose() *
+                 by_columns.middleRows(problem.effect_column(), effects));
+  if (holds_robot_scale(problem))
+    gathered.add(problem.noise / robot_scale_sigma * problem.noise * problem.robot_scale->by_effect.transpose() *
                  by_columns.middleRows(problem.effect_column(), effects));
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "estimation/problem/robot_scale.h"
+
 namespace handsight {
 namespace {
 
@@ -26,9 +28,16 @@ double ln_evidence(const Told& told, double plausible, const Width& width) {
   return std::log(width.share) - 0.5 * std::log(variance) - 0.5 * told.value * told.value / variance;
 }
 
-double likeliest_width(const Told& told, double plausible) {
-  const auto worth = [&](const Width& w) { return ln_evidence(told, plausible, w); };
+double likeliest_width(const Told& told, double plausible, double most) {
+  const auto worth = [&](const Width& w) { return w.times > most ? -1e300 : ln_evidence(told, plausible, w); };
   return std::ranges::max_element(widths, {}, worth)->times;
+}
+
+/// Where the robot alone tells a length, one of its lengths may not make up for all others: nothing would contradict
+/// it.
+double most_width(const Problem& problem, Eigen::Index effect) {
+  constexpr double most_of_a_length = 5;
+  return holds_robot_scale(problem) && problem.robot_scale->by_effect[effect] != 0 ? most_of_a_length : 1e300;
 }
 
 /// By how much more than noise the fit leaves, in squares; 1 at least. A model that lacks something is no sharper than
@@ -61,7 +70,7 @@ bool is_remarkable(const Problem& problem, const Eigen::VectorXd& values, Eigen:
 void start_prior_widths(Problem& problem, const Eigen::VectorXd& values) {
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
-    if (!is_of_cameras(problem, i)) c.width = likeliest_width({values[i], 0}, c.sigma);
+    if (!is_of_cameras(problem, i)) c.width = likeliest_width({values[i], 0}, c.sigma, most_width(problem, i));
   }
 }
 
@@ -80,7 +89,7 @@ bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rou
     EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
     const Eigen::Index at = problem.effect_column() + i;
     const auto told = told_by_measurements(values[i], covariance(at, at), c.prior_sigma(), more);
-    const double width = told ? likeliest_width(*told, c.sigma) : 1;
+    const double width = told ? likeliest_width(*told, c.sigma, most_width(problem, i)) : 1;
     const double before = std::pow(c.prior_sigma(), -2);
     c.width = width;
     // By how much the prior's pull changes where the number is, in its sigmas.

@@ -5,6 +5,7 @@
 
 #include "base/threads.h"
 #include "estimation/problem/problem.h"
+#include "estimation/problem/robot_scale.h"
 #include "robot/posture_tangent.h"
 
 namespace handsight {
@@ -209,12 +210,14 @@ Problem with_motions(const Problem& problem) {
 
 void place_observations(Problem& problem) {
   place_cameras(problem);
+  follow_robot_scale(problem);
   place_each(problem.effect_count() > 0 || problem.with_motions, problem);
 }
 
 void follow_effects(Problem& problem, const Eigen::VectorXd& values) {
   set_effect_values(problem, values);
   place_cameras(problem);
+  follow_robot_scale(problem);
   place_each(false, problem);
 }
 

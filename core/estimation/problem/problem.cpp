@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "effects/own_effect.h"
+#include "estimation/problem/robot_scale.h"
 #include "session/by_time.h"
 
 namespace handsight {
@@ -64,6 +65,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     if (places) c.tcp = nominal_tcp(source->chain, c.sensor);
   }
   problem.source = source;
+  if (measures_no_length(session, chain)) problem.robot_scale = described_scale(problem);
 
   const double usual = usual_sigma(session);
   for (const int index : by_time(session)) {
@@ -104,6 +106,7 @@ void set_effects(Problem& problem, const Eigen::VectorXd& values) {
 void hold_effects(Problem& problem) {
   problem.columns_of_effects.clear();
   problem.cameras_by_effect.resize(0, 0);
+  if (problem.robot_scale) problem.robot_scale->by_effect.resize(0);
   for (ProblemObservation& o : problem.observations) o.motion = EffectMotion{};
 }
 

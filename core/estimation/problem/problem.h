@@ -73,6 +73,14 @@ struct ProblemSource {
   OwnEffects own_effects;                    // of the session, beside the catalogue
 };
 
+/// How large the robot is as the effects have it, against its description (robot_scale.h).
+struct RobotScale {
+  std::shared_ptr<const ProblemSource> postures;  // all over the joints' range
+  double described = 0;                           // size without effects, m
+  double change = 0;                              // ln of the size by that
+  Eigen::VectorXd by_effect;                      // of `change`, by the effects' columns
+};
+
 struct Problem {
   std::vector<ProblemObservation> observations;
   std::optional<Rig> rig;  // absent: sightings are points
@@ -83,12 +91,13 @@ struct Problem {
   std::shared_ptr<const ProblemSource> source;
   std::vector<EffectTerm> terms;  // the model's effects at their present values
   std::vector<EffectColumn> columns_of_effects;
-  Rigid tcp_from_slip;                // the frame in which slips of the body and its markers are measured
-  bool with_motions = false;          // EffectMotion is filled even where no effect is estimated
-  double noise = 1;                   // px or m: what the priors of the effects are weighed against
-  bool noise_is_guessed = false;      // nothing tells it
-  FlangeError flange_error;           // part of what is measured (solvers/flange_error.h)
-  Eigen::MatrixXd cameras_by_effect;  // rows: the rig's numbers as in camera/rig.h; empty: none
+  Rigid tcp_from_slip;                    // the frame in which slips of the body and its markers are measured
+  bool with_motions = false;              // EffectMotion is filled even where no effect is estimated
+  double noise = 1;                       // px or m: what the priors of the effects are weighed against
+  bool noise_is_guessed = false;          // nothing tells it
+  FlangeError flange_error;               // part of what is measured (solvers/flange_error.h)
+  Eigen::MatrixXd cameras_by_effect;      // rows: the rig's numbers as in camera/rig.h; empty: none
+  std::optional<RobotScale> robot_scale;  // only where nothing but the robot tells how long a metre is
 
   std::shared_ptr<const CameraKnowledge> camera_images;  // what images of a board say of the rig; null: nothing
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "estimation/problem/robot_scale.h"
 #include "geometry/orthonormal_columns.h"
 
 namespace handsight {
@@ -79,6 +80,17 @@ void add(const Prior& prior, double weight, Eigen::Index at, NormalEquations& no
 
 }  // namespace
 
+Prior robot_scale_prior(const Problem& problem) {
+  Prior prior;
+  if (!holds_robot_scale(problem)) return prior;
+  const Eigen::VectorXd by_effect = problem.robot_scale->by_effect / robot_scale_sigma;
+  const double off = problem.robot_scale->change / robot_scale_sigma;
+  prior.information = by_effect * by_effect.transpose();
+  prior.gradient = -off * by_effect;
+  prior.cost = off * off;
+  return prior;
+}
+
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const double weight = problem.noise / problem.columns_of_effects[static_cast<std::size_t>(i)].prior_sigma();
@@ -88,6 +100,7 @@ void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquation
     normal.prior_cost += std::pow(weight * unknowns.effects[i], 2);
   }
   add(camera_prior(problem), problem.noise * problem.noise, problem.effect_column(), normal);
+  add(robot_scale_prior(problem), problem.noise * problem.noise, problem.effect_column(), normal);
   add(shape_prior(problem, unknowns.markers_in_tcp), 1, 0, normal);
   normal.cost += normal.prior_cost;
 }

@@ -32,6 +32,10 @@ inline bool learns_from_camera_images(const Problem& p) {
 /// sigmas. Empty where they say nothing.
 Prior camera_prior(const Problem& problem);
 
+/// Where the measurements tell no length: the robot is as large as described within robot_scale_sigma, where the
+/// problem stands; by the effects' columns, in units of that. Empty elsewhere.
+Prior robot_scale_prior(const Problem& problem);
+
 /// Adds these and the priors of the effects' sizes to the normal equations of all columns.
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal);
 

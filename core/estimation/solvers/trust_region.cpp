@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 
+#include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/priors.h"
 
 namespace handsight {
@@ -254,6 +255,25 @@ class CameraImagesCost : public ceres::CostFunction {
   Eigen::VectorXd shift_;
 };
 
+/// robot_scale_prior.
+class RobotScaleCost : public ceres::CostFunction {
+ public:
+  explicit RobotScaleCost(const Place& place) : place_(place) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(place.effects.size()));
+  }
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    const RobotScale& scale = *place_.problem.robot_scale;
+    residuals[0] = scale.change / robot_scale_sigma;
+    for (Eigen::Index i = 0; jacobians && jacobians[0] && i < scale.by_effect.size(); ++i)
+      jacobians[0][i] = scale.by_effect[i] / robot_scale_sigma * place_.sigma(i);
+    return true;
+  }
+
+ private:
+  const Place& place_;
+};
+
 /// What is known of the shape of markers that are not held: their places off the known ones, laid onto them as well as
 /// can be, in units of the sigma.
 class ShapeCost : public ceres::CostFunction {
@@ -361,6 +381,7 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
     squares.AddResidualBlock(new PriorCost(static_cast<int>(place.effects.size())), nullptr, place.effects.data());
   if (learns_from_camera_images(problem))
     squares.AddResidualBlock(new CameraImagesCost(place), nullptr, place.effects.data());
+  if (holds_robot_scale(problem)) squares.AddResidualBlock(new RobotScaleCost(place), nullptr, place.effects.data());
   if (problem.has_shape_prior() && !place.is_fixed_body) {
     std::vector<double*> markers;
     for (Vector3& x : place.unknowns.markers_in_tcp) markers.push_back(x.data());

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/selection/simple_models.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/combinations.h"
+#include "diagnosis/evidence/candidates.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/ranking/slips.h"
+#include "diagnosis/selection/elsewhere.h"
+#include "diagnosis/selection/exchange.h"
+#include "diagnosis/selection/upkeep.h"
+#include "diagnosis/verdict/candidate_report.h"
+
+namespace handsight {
+namespace {
+
+constexpr double clearly = 3;            // ln of a Bayes factor, odds of 20
+constexpr double clearly_better = 0.95;  // times the held-out error
+
+/// One effect alone in the place of a model's names.
+struct SimpleModel {
+  std::string id;
+  FitOptions options;    // the model with it, at its answer
+  double ln_gained = 0;  // evidence against the model that stands, with what either costs to choose
+};
+
+/// At how many places each effect could sit.
+std::map<std::string, int> places_of_effects(const Candidates& candidates) {
+  std::map<std::string, int> places;
+  for (const CandidateEffect& e : candidates.effects) places[e.effect->id] = static_cast<int>(e.units.size());
+  return places;
+}
+
+/// ln of the odds against the names of these terms, and of the ways in which they could have sat at so many places.
+double cost_of(const std::vector<EffectTerm>& terms, const std::map<std::string, int>& places, double cost_of_a_name) {
+  double cost = 0;
+  std::map<std::string, int> counted;
+  for (const EffectTerm& t : terms)
+    if (counted[t.id]++ == 0)
+      cost += cost_of_a_name + (is_curve(t) ? ln_ways_of_curves - ln_odds_of_unnamed : ln_odds_against_time(t));
+  for (const auto& [id, count] : counted)
+    if (const auto all = places.find(id); all != places.end() && all->second >= count)
+      cost += ln_choose(all->second, count);
+  return cost;
+}
+
+std::vector<EffectTerm> everywhere(const CandidateEffect& effect) {
+  std::vector<EffectTerm> terms;
+  for (const CandidateUnit& u : effect.units) terms.push_back(u.term);
+  return terms;
+}
+
+/// Effects that have a moment, or several forms at one place, are no simple models.
+bool is_simple(const CandidateEffect& effect, const Problem& model) {
+  const EffectTerm& one = effect.units.front().term;
+  if (follows_time(one) || (one.id == "target_scale" && !model.rig)) return false;
+  std::set<int> joints;
+  for (const CandidateUnit& u : effect.units)
+    if (!joints.insert(u.term.joint).second) return false;
+  return true;
+}
+
+/// In the place of all estimated terms from `first` on, the likeliest first; fitted in full on the model's points.
+/// Those are left out that fit the measurements worse than the model predicts them.
+std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first,
+                                       const std::function<bool()>& goes_on) {
+  const Fit& present = model.model.fit;
+  const Weighing by = weighing(present);
+  FitOptions o = model.model_options;
+  const std::vector<EffectTerm> names(o.estimated.begin() + static_cast<std::ptrdiff_t>(first), o.estimated.end());
+  o.estimated.resize(first);
+  o.start.reset();
+  set_quick(by, o);
+  const CleanFit plain{model.model.session, fit(model.model.session, o), {}};
+  for (std::size_t t = 0; t < o.estimated.size(); ++t) o.estimated[t] = plain.fit.effects[o.effects.size() + t].term;
+  const Candidates candidates = all_candidates(plain.fit.problem);
+  const auto places = places_of_effects(candidates);
+  const Eigen::Index base = plain.fit.problem.effect_count();
+  const double stands = fit_evidence(present, base, by).ln_evidence - cost_of(names, places, model.threshold);
+  // Held out, an error of points is told by length, and what a fit leaves by coordinate.
+  const double predicted = held_out_error(model) / (model.report.held_out.rms_pixel ? 1 : std::sqrt(3.0));
+
+  std::vector<SimpleModel> found;
+  for (const CandidateEffect& effect : candidates.effects) {
+    if (!is_simple(effect, plain.fit.problem)) continue;
+    if (!goes_on()) return {};
+    const std::vector<EffectTerm> terms = everywhere(effect);
+    const Refit r = refit_with(plain, o, terms, by);
+    if (!r.fit.converged() || r.fit.residual_rms > predicted) continue;
+    found.push_back({effect.effect->id, r.options,
+                     fit_evidence(r.fit, base, by).ln_evidence - cost_of(terms, places, model.threshold) - stands});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const SimpleModel& a, const SimpleModel& b) { return a.ln_gained > b.ln_gained; });
+  return found;
+}
+
+std::string ids_of(const std::vector<EffectTerm>& terms) {
+  std::vector<std::string> ids;
+  for (const EffectTerm& t : terms)
+    if (std::find(ids.begin(), ids.end(), t.id) == ids.end()) ids.push_back(t.id);
+  return fmt::format("{}", fmt::join(ids, ", "));
+}
+
+}  // namespace
+
+ModelChange seek_simpler_model(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
+  ModelChange change;
+  const auto goes_on = [&] {
+    if (options.on_progress && !options.on_progress(0.97)) change.stopped = true;
+    return !change.stopped;
+  };
+  const std::size_t first = options.estimated.size();
+  const std::vector<EffectTerm>& all = model.model_options.estimated;
+  const std::vector<EffectTerm> gone(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
+  if (ids_of(gone).find(',') == std::string::npos) return change;  // one alone stands already
+  for (const SimpleModel& simple : simple_models(model, first, goes_on)) {
+    const double most = (simple.ln_gained > clearly ? as_good_as_told : clearly_better) * held_out_error(model);
+    Diagnosis next = diagnosed_from(session, options, simple.options.estimated, simple.options.start, most);
+    change.stopped = change.stopped || next.stopped;
+    if (change.stopped) return change;
+    if (held_out_error(next) > most || !worse_elsewhere(model, next).empty()) continue;
+    ImprovementStep step = step_of(next);
+    step.added = simple.id;
+    step.terms = {next.model_options.estimated.begin() + static_cast<std::ptrdiff_t>(first),
+                  next.model_options.estimated.end()};
+    step.where = places_of(step.terms, session);
+    step.removed = ids_of(gone);
+    change.steps.push_back(std::move(step));
+    change.model = std::move(next);
+    return change;
+  }
+  return change;
+}
+
+}  // namespace handsight
