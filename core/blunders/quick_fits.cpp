@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "blunders/quick_fits.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.h"
 #include "effects/effect.h"
 #include "estimation/fit/sure_fit.h"
@@ -19,17 +22,27 @@ std::optional<Unknowns> start_at(const Session& session, const Chain& chain, con
   return start;
 }
 
+/// Zeros that far off are a mistake of their own kind: half turns of the joints beside it make a joint count the other
+/// way.
+bool is_no_deviation(const FittedEffect& e) {
+  constexpr double most = 0.5;  // rad or m
+  return e.term.id == "joint_offset" && std::abs(e.term.values.front()) > most;
+}
+
 Left left_by(const Session& session, const std::optional<Rigid>& mount, const std::vector<std::string>& effects) {
   const Chain chain = chain_of(session);
   FitOptions options;
   for (const std::string& effect : effects)
-    for (const EffectTerm& term : effect_terms(effect, chain)) options.estimated.push_back(term);
+    for (const int place :
+         effect_places(*find_effect(effect), chain))  // none where another link leaves no joint between
+      options.estimated.push_back(term_of(*find_effect(effect), place));
   options.start = start_at(session, chain, mount);
   options.most_iterations = 30;
   options.smallest_step = 1e-6;
   options.least_gain = session.is_tracker() ? 1e-12 : 1e-4;  // m^2, px^2: a quick answer
   try {
     const Fit found = fit(session, options);
+    if (std::ranges::any_of(found.effects, is_no_deviation)) return {};
     return {found.residual_rms,
             has_no_answer(found) || (found.converged() && looks_lost(found.problem, found.solution))};
   } catch (const InputError&) {  // nothing can be fitted

@@ -151,6 +151,7 @@ std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain
                       effect->scope == EffectScope::mimic_joint ? "joints that follow others"
                       : effect->scope == EffectScope::camera    ? "cameras, which this session has not got for it"
                       : effect->scope == EffectScope::session   ? "a target of one piece whose shape is known"
+                      : effect->scope == EffectScope::joint     ? "joints between the sensor and the TCP"
                                                                 : "markers"));
   } else if (effect->scope == EffectScope::session) {
     throw InputError(fmt::format("Effect \"{}\" sits at no joint; write {} alone.", text, id));

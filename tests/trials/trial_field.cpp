@@ -21,6 +21,7 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 constexpr int fresh = 100;
+constexpr double tracker_sigma = 1e-4;  // m
 
 /// What is true and hidden.
 struct World {
@@ -30,9 +31,10 @@ struct World {
   std::set<std::string> dominant;  // those that come first
   std::string blunder;             // ID:WHERE of a mistake
   double target_scale = 0;         // by which the target is larger than described
-  std::vector<Curve> curves;       // what no name has
-  bool has_remainder = false;
+  double scatter = 0;              // of each joint from pose to pose, rad
+  bool has_remainder = false;      // something is left that nothing in the catalogue says
   std::vector<Vector3> markers_in_tcp;
+  Rigid mount_from_sensor;
   std::vector<Eigen::VectorXd> fresh_poses;  // over the whole joint range
 };
 
@@ -58,7 +60,8 @@ EffectTerm term_with(const std::string& id, int place, std::vector<double> value
 bool shows(const Session& like, const SimulationOptions& o, const EffectTerm& term) {
   SimulationOptions alone = o;
   alone.effects = {term};
-  return noncentrality_of(like, alone) > 100;
+  const double in_noise = like.is_tracker() ? std::pow(sigma / tracker_sigma, 2) : 1;
+  return in_noise * noncentrality_of(like, alone) > 100;
 }
 
 std::vector<EffectTerm> hidden(const std::string& kind, const Session& like, const SimulationOptions& o, Draw& draw) {
@@ -92,18 +95,6 @@ void add_to(std::vector<EffectTerm>& terms, const EffectTerm& more) {
       return;
     }
   terms.push_back(more);
-}
-
-/// A turn of one joint that follows another joint's angle, which no name describes: 1 mrad.
-std::vector<Curve> remainder(const Session& like, Draw& draw) {
-  const std::vector<int> joints = effect_places(*find_effect("joint_offset"), chain_of(like));
-  std::vector<Curve> curves;
-  for (int i = 0; i < 3; ++i) {
-    const std::string name = like.robot.joints[static_cast<std::size_t>(draw.one_of(joints))].name;
-    curves.push_back(parse_curve(fmt::format("{}: {:.5f}*sin({:.2f}q)", name, 1e-3 * draw.sign(), draw.between(1.5, 4)),
-                                 like.robot));
-  }
-  return curves;
 }
 
 constexpr int kinds_of_rig = 8;
@@ -171,6 +162,7 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   const int robot = like.rig && like.rig->count() == 2 && !like.target ? static_cast<int>(seed % kinds_of_rig) : 1;
   SimulationOptions o = simulation(seed + 90000, robot);
   o.observations = observations;
+  if (like.is_tracker()) o.noise = tracker_sigma;
   World w;
   w.effects = hidden(kind, like, o, draw);
   for (const EffectTerm& t : w.effects) w.dominant.insert(t.id);
@@ -180,17 +172,19 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   o.effects = w.effects;
   if (kind == "regions") {
     o.follow = true;
-    o.curves = w.curves = remainder(like, draw);
+    if (const auto shift = hidden_shift(like, 0.6, draw.random)) w.effects.push_back(*shift);
+    o.effects = w.effects;
     w.has_remainder = true;
   }
   SimulatedSession s = simulate_session(like, o);
   w.session = s.session;
   misdescribe(kind, like, draw, w);
-  const double scatter = kind == "scatter" ? draw.log_between(1e-4, 3e-3) : 5e-5;
+  const double scatter = w.scatter = kind == "scatter" ? draw.log_between(1e-4, 3e-3) : 5e-5;
   for (Observation& observation : w.session.observations)
     for (double& q : observation.position) q += scatter * draw.normal(draw.random);
-  w.has_remainder = w.has_remainder || scatter > 3.3e-4;
+  w.has_remainder = w.has_remainder || scatter > 4.5e-4;
   w.markers_in_tcp = s.markers_in_tcp;
+  w.mount_from_sensor = like.mount.mount_from_sensor;
   SimulationOptions later = o;
   later.seed = seed + 170000;
   later.observations = fresh;
@@ -201,12 +195,13 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   return w;
 }
 
-/// The hand before the root; of a camera that is carried, the body before it.
-Rigid hand_at(const Chain& chain, const Eigen::VectorXd& pose, const std::vector<EffectTerm>& terms,
-              const std::vector<Curve>& curves = {}) {
-  const Circumstances c = circumstances_at(chain, pose);
-  const auto ends = observed_ends(c, moved_sites(c, terms, curves)).ends;
-  return chain.mount_link > chain.tcp_link ? inverse(ends.root_from_mount) * ends.root_from_tcp : ends.root_from_tcp;
+/// The body's origin as the sensor sees it.
+Vector3 seen_at(const Chain& chain, const Eigen::VectorXd& pose, const std::vector<EffectTerm>& terms,
+                const Rigid& mount_from_sensor, const Vector3& body) {
+  const Sites sites = moved_sites(circumstances_at(chain, pose), terms);
+  const auto ends = observed_ends(circumstances_at(chain, pose), sites).ends;
+  return inverse(ends.root_from_mount * mount_from_sensor * small_motion<double>(sites.mount)) * ends.root_from_tcp *
+         body;
 }
 
 /// Mean distance (mm) of the body's true origin in fresh poses from where the fit puts it.
@@ -215,8 +210,8 @@ double error_on_fresh(const World& w, const Fit& f) {
   const Vector3 body = body_frame(f.sides, w.markers_in_tcp).tcp_from_body.translation;
   double sum = 0;
   for (const Eigen::VectorXd& pose : w.fresh_poses)
-    sum += (hand_at(chain, pose, w.effects, w.curves) * body -
-            hand_at(chain, pose, terms_of(f)) * f.tcp_from_body.translation)
+    sum += (seen_at(chain, pose, w.effects, w.mount_from_sensor, body) -
+            seen_at(chain, pose, terms_of(f), estimate(f).mount_from_sensor, f.tcp_from_body.translation))
                .norm();
   return 1e3 * sum / static_cast<double>(w.fresh_poses.size());
 }
@@ -255,7 +250,7 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score) {
   const bool is_first = w.dominant.empty() ? named.empty() || named.starts_with("curve_") : w.dominant.contains(named);
   score.first += is_first;
   int disowned = 0, wrong = 0;
-  for (const ImprovementStep& s : m.steps) disowned += w.right.contains(s.added) && !s.stands.empty();
+  for (const ImprovementStep& s : m.steps) disowned += w.dominant.contains(s.added) && !s.stands.empty();
   for (const NameCertainty& n : m.certainty.names) {
     if (n.probability < 0.95 || n.id.starts_with("curve_")) continue;
     ++score.names;
@@ -271,7 +266,7 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score) {
   const bool is_worse = found > 1.5 * plain;
   score.worse_than_plain += is_worse;
   if (is_first && disowned + wrong == 0 && !is_adequate && !is_worse && found < 2 * best) return;
-  fmt::print("  seed {}:", seed);
+  fmt::print("  seed {}, scatter {:.2g} mrad, target {:.1f} %:", seed, 1e3 * w.scatter, 1e2 * w.target_scale);
   for (const ImprovementStep& s : m.steps) fmt::print(" {}{}", s.added, s.stands.empty() ? "" : " (disowned)");
   fmt::print("; {} disowned, {} wrong names, hand {:.2f} mm, told {:.2f}, plain {:.2f}, {}\n", disowned, wrong, found,
              best, plain, verdict_text(m.last.verdict));
