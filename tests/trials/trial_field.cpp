@@ -169,6 +169,8 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   if (kind != "scatter" && kind != "regions")
     for (EffectTerm& t : background(like, draw)) add_to(w.effects, t);
   for (const EffectTerm& t : w.effects) w.right.insert(t.id);
+  // What the first joint's zero and place do, a mount that is held does too.
+  if (!like.mount.estimate) w.right.insert("camera_mount");
   o.effects = w.effects;
   if (kind == "regions") {
     o.follow = true;
@@ -182,7 +184,7 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   const double scatter = w.scatter = kind == "scatter" ? draw.log_between(1e-4, 3e-3) : 5e-5;
   for (Observation& observation : w.session.observations)
     for (double& q : observation.position) q += scatter * draw.normal(draw.random);
-  w.has_remainder = w.has_remainder || scatter > 4.5e-4;
+  w.has_remainder = w.has_remainder || scatter > 8e-4;
   w.markers_in_tcp = s.markers_in_tcp;
   w.mount_from_sensor = like.mount.mount_from_sensor;
   SimulationOptions later = o;
@@ -225,7 +227,10 @@ Fit told(const World& w) {
     o.estimated.push_back(t);
   }
   for (const char* id : {"target_scale", "camera_mount"})
-    if (w.dominant.contains(id)) o.estimated.push_back(term_of(*find_effect(id), -1));
+    if (w.dominant.contains(id)) {
+      const Chain chain = chain_of(w.session);
+      for (EffectTerm& t : effect_terms(id, chain, own_effects_of(w.session, chain))) o.estimated.push_back(t);
+    }
   return fit(w.session, o);
 }
 
@@ -250,11 +255,14 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score) {
   const bool is_first = w.dominant.empty() ? named.empty() || named.starts_with("curve_") : w.dominant.contains(named);
   score.first += is_first;
   int disowned = 0, wrong = 0;
+  std::string wrong_names;
   for (const ImprovementStep& s : m.steps) disowned += w.dominant.contains(s.added) && !s.stands.empty();
   for (const NameCertainty& n : m.certainty.names) {
     if (n.probability < 0.95 || n.id.starts_with("curve_")) continue;
     ++score.names;
-    wrong += !w.right.contains(n.id);
+    if (w.right.contains(n.id)) continue;
+    ++wrong;
+    wrong_names += fmt::format(" {} {:.4f}{}", n.id, n.probability, n.is_in_model ? "" : " (not in the model)");
   }
   score.disowned += disowned;
   score.wrong_names += wrong;
@@ -268,8 +276,8 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score) {
   if (is_first && disowned + wrong == 0 && !is_adequate && !is_worse && found < 2 * best) return;
   fmt::print("  seed {}, scatter {:.2g} mrad, target {:.1f} %:", seed, 1e3 * w.scatter, 1e2 * w.target_scale);
   for (const ImprovementStep& s : m.steps) fmt::print(" {}{}", s.added, s.stands.empty() ? "" : " (disowned)");
-  fmt::print("; {} disowned, {} wrong names, hand {:.2f} mm, told {:.2f}, plain {:.2f}, {}\n", disowned, wrong, found,
-             best, plain, verdict_text(m.last.verdict));
+  fmt::print("; {} disowned, {} wrong names{}, hand {:.2f} mm, told {:.2f}, plain {:.2f}, {}\n", disowned, wrong,
+             wrong_names, found, best, plain, verdict_text(m.last.verdict));
 }
 
 void judge(std::uint64_t seed, const World& w, Score& score) {

@@ -302,7 +302,9 @@ void set_names(const Explanations& all, const OpenUnits& units, const Weights& w
 Certainty certainty(const Diagnosis& model, std::size_t first, const std::function<bool()>& goes_on) {
   Certainty c;
   const Fit& fit = model.model.fit;
-  if (fit.fixed_markers || fit.sides.markers.empty()) return c;
+  // A shape that is held is one more measurement of the linear model; markers that are held without one are not.
+  const bool are_held = fit.fixed_markers && !fit.problem.has_shape_prior();
+  if (are_held || fit.sides.markers.empty()) return c;
   const Explanations all(model, first, cost_of_a_name);
   const OpenUnits units = open_units(all, goes_on);
   const OpenScore score = open_score(all, units);

@@ -48,6 +48,7 @@ Explanations::Explanations(const Diagnosis& model, std::size_t first, double cos
   whitened_.model = nullptr;  // it ends here
   whitened_.external.resize(0, 0);
   whitened_.external_error.resize(0);
+  widen(answer.effects.tail(fit.problem.effect_count() - base_));
   move_to_zero(answer.effects.tail(fit.problem.effect_count() - base_));
 }
 
@@ -82,6 +83,19 @@ void Explanations::list_units(const Problem& model, std::size_t first_term, cons
     }
   std::stable_sort(units_.begin(), units_.end(),
                    [](const ExplanationUnit& a, const ExplanationUnit& b) { return a.name < b.name; });
+}
+
+/// A place whose number is clearly large is plausible in its own way: with one size for all, the small ones beside it
+/// would be charged for it, and fewer numbers that stand in for them would seem likelier.
+void Explanations::widen(const Eigen::VectorXd& value) {
+  Eigen::VectorXd times = Eigen::VectorXd::Ones(score_.gradient.size());
+  for (Eigen::Index i = 0; i < value.size(); ++i) {
+    times[i] = times_plausible(value[i] / plausible(i));
+    sizes_[static_cast<std::size_t>(i)] *= times[i];
+  }
+  score_.gradient.array() *= times.array();
+  score_.information = times.asDiagonal() * score_.information * times.asDiagonal();
+  whitened_.shared = whitened_.shared * times.asDiagonal();
 }
 
 /// The score as it would be with all units at 0; it was taken with the present ones at these values.

@@ -64,13 +64,14 @@ class Explanations {
  private:
   std::size_t name_of(const EffectTerm& term, double cost);
   void list_units(const Problem& model, std::size_t first_term, const Candidates& others, double cost);
+  void widen(const Eigen::VectorXd& value);
   void move_to_zero(Eigen::VectorXd value);
 
   Weighing by_;
   Eigen::Index base_ = 0;
   std::vector<ExplanationName> names_;
   std::vector<ExplanationUnit> units_;
-  std::vector<double> sizes_;       // plausible, by number
+  std::vector<double> sizes_;       // plausible, by number; of what is clearly larger a third of what it is
   std::vector<double> base_sizes_;  // of the base's columns: what their unit is, m, rad or the effect's own
   WhitenedModel whitened_;
   Score score_;

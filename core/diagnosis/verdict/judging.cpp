@@ -11,9 +11,10 @@
 namespace handsight {
 namespace {
 
-constexpr double surely = 1e-3;  // p-value of a lack of fit
-constexpr double half = 0.5;     // of what the model misses
-constexpr double clearly = 1.1;  // times: more than usual scatter leaves
+constexpr double surely = 1e-3;      // p-value of a lack of fit
+constexpr double half = 0.5;         // of what the model misses
+constexpr double clearly = 1.1;      // times: more than usual scatter leaves
+constexpr double quite_sure = 1.65;  // sigmas, of one in twenty
 
 void put_variable_first(const Variable& variable, Diagnosis& d) {
   std::stable_partition(d.patterns.begin(), d.patterns.end(), [&](const DiagnosisPattern& p) {
@@ -31,11 +32,22 @@ bool explains_too_little(const DiagnosisCandidate& best, const std::map<std::str
 
 }  // namespace
 
+/// Unknowns that the body's motions tell: a shape that is not known is told by the rows beside them.
+static Eigen::Index unknowns_of_motions(const Fit& fit) {
+  const int of_shape = fit.problem.shape ? 0 : std::max(3 * fit.problem.marker_count - 6, 0);
+  return std::max(fit.unknowns - of_shape, 0);
+}
+
 double beyond_usual_scatter(const Session& session, const Fit& fit, const LinearModel& model,
                             const NoiseKnowledge& noise) {
   const Scatter usual{session.repeatability.value_or(usual_scatter.joints), usual_scatter.place};
-  const WhitenedModel w = whiten(model, usual, noise);
-  const double beyond = std::sqrt(w.residual_squares / std::max(fit.rows - fit.unknowns, 1));
+  // The rows that the body's motions reach: of a board the others are many, and noise alone.
+  const double inner = model.internal(model.internal.rows() - 1, model.internal.cols() - 1);
+  const double outer = std::max(whiten(model, usual, noise).residual_squares - inner, 0.0);
+  const auto degrees =
+      static_cast<double>(std::max(model.external_error.size() - unknowns_of_motions(fit), Eigen::Index{1}));
+  const double chance = 1 + quite_sure / std::sqrt(2 * degrees);
+  const double beyond = std::sqrt(outer / degrees) / chance;
   const auto repeated = noise_from_repeats(fit.problem, estimate(fit));
   const double of_repeats = repeated && repeated->sigma > 0 ? fit.residual_rms / repeated->sigma : beyond;
   return std::min(beyond, of_repeats);
