@@ -166,6 +166,10 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   World w;
   w.effects = hidden(kind, like, o, draw);
   for (const EffectTerm& t : w.effects) w.dominant.insert(t.id);
+  // Where the first joint sits and where a mount is that is held are one and the same.
+  const bool is_first = !w.effects.empty() &&
+                        w.effects.front().joint == effect_places(*find_effect("joint_offset"), chain_of(like)).front();
+  if (!like.mount.estimate && is_first) w.dominant.insert("camera_mount");
   if (kind != "scatter" && kind != "regions")
     for (EffectTerm& t : background(like, draw)) add_to(w.effects, t);
   for (const EffectTerm& t : w.effects) w.right.insert(t.id);

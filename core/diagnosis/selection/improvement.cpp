@@ -16,6 +16,7 @@
 #include "diagnosis/selection/simple_models.h"
 #include "diagnosis/selection/upkeep.h"
 #include "diagnosis/verdict/explanation.h"
+#include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/sampled.h"
 #include "effects/units.h"
 #include "estimation/fit/sure_fit.h"
@@ -86,6 +87,15 @@ std::string unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& c
       beside, least, kind);
 }
 
+/// By their evidence; but first what comes before the best.
+std::vector<const DiagnosisCandidate*> in_order_of_trial(const Diagnosis& model) {
+  std::vector<const DiagnosisCandidate*> order;
+  for (const DiagnosisCandidate& c : model.candidates) order.push_back(&c);
+  std::stable_partition(order.begin(), order.end(),
+                        [&](const DiagnosisCandidate* c) { return comes_before(*c, model.candidates.front()); });
+  return order;
+}
+
 /// What was not taken beside other names and is in the model now was not refused.
 void forget_refusals_of(const std::vector<std::string>& come, std::vector<RefusedStep>& refused) {
   std::erase_if(refused, [&](const RefusedStep& r) { return std::find(come.begin(), come.end(), r.id) != come.end(); });
@@ -149,7 +159,8 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
 ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
   ModelChange all;
   if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return all;
-  for (const DiagnosisCandidate& c : model.candidates) {
+  for (const DiagnosisCandidate* candidate : in_order_of_trial(model)) {
+    const DiagnosisCandidate& c = *candidate;
     const bool can_be_taken = !c.unnamed || (options.with_curves && c.refitted);
     if (c.ln_bayes_factor < model.threshold || !can_be_taken) continue;
     if (has_no_answer(model.model.fit) && !c.refitted)

@@ -21,6 +21,12 @@ double& share_of_what_moves(const Problem& problem, const std::vector<EffectTerm
   return blame.robot;
 }
 
+std::size_t count_of_numbers(const DiagnosisCandidate& c) {
+  std::size_t count = 0;
+  for (const EffectTerm& t : c.terms) count += t.values.size();
+  return count;
+}
+
 }  // namespace
 
 std::string id_of(const DiagnosisCandidate& c) {
@@ -46,13 +52,24 @@ bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::ve
 
 bool is_believable(const DiagnosisCandidate& c) { return c.plausible && !pushes_back(c.terms, c.sigmas); }
 
+bool comes_before(const DiagnosisCandidate& c, const DiagnosisCandidate& best) {
+  constexpr double about_as_much = 0.5;  // of the evidence
+  constexpr double nearly = 0.99;        // of what is explained
+  if (&c == &best || c.unnamed || !c.refitted) return false;
+  const bool is_of_target = c.id == "target_scale" || c.id == "target_bend";
+  if (is_of_target && c.plausible && c.ln_bayes_factor > about_as_much * best.ln_bayes_factor) return true;
+  return !best.plausible && 2 * count_of_numbers(c) <= count_of_numbers(best) &&
+         c.explained.value_or(0) >= nearly * best.explained.value_or(1);
+}
+
 std::vector<std::size_t> offered(const Diagnosis& d, const std::set<std::string>& refused) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < d.candidates.size(); ++i)
     if (can_be_added(d.candidates[i]) && d.candidates[i].ln_bayes_factor >= d.threshold) order.push_back(i);
   const auto rank = [&](std::size_t i) {
     const DiagnosisCandidate& c = d.candidates[i];
-    return refused.contains(id_of(c)) ? 2 : is_believable(c) ? 0 : 1;
+    if (refused.contains(id_of(c))) return 3;
+    return comes_before(c, d.candidates.front()) ? 0 : is_believable(c) ? 1 : 2;
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;

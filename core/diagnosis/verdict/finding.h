@@ -23,8 +23,14 @@ bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::ve
 /// Of a size that robots have: DiagnosisCandidate::plausible, and no spring that pushes back.
 bool is_believable(const DiagnosisCandidate& candidate);
 
-/// The candidates that pass the threshold, as they are offered: what is believable first, then what no robot is built
-/// like, then those that were refused (by id_of); each by its evidence. Indices into Diagnosis::candidates.
+/// Does a candidate come before the one with the most evidence? What the target is comes before what the robot is,
+/// where it explains about as much: a wrong size bends every link a little. And few numbers come before many that no
+/// robot has, where they explain nearly as much: what is left then is the next step's.
+bool comes_before(const DiagnosisCandidate& candidate, const DiagnosisCandidate& best);
+
+/// The candidates that pass the threshold, as they are offered: what comes before the best, what is believable, then
+/// what no robot is built like, then those that were refused (by id_of); each by its evidence. Indices into
+/// Diagnosis::candidates.
 std::vector<std::size_t> offered(const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
 
 /// The candidate that a diagnosis goes by: the first that is offered. Null: none passes that was not refused.

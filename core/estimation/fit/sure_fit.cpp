@@ -187,7 +187,8 @@ void minimise_surely(const Session& session, Problem& images, const Unknowns& st
                      double noise, Fit& fit) {
   minimise_widening(session, images, start, options, noise, fit);
   if (options.least_gain > 0 || options.objective != Objective::image) return;
-  if (looks_lost(images, fit.solution)) compete(session, images, start, options, noise, fit);
+  // From an answer of another model all starts have been looked at before.
+  if (!options.start && looks_lost(images, fit.solution)) compete(session, images, start, options, noise, fit);
   const bool is_whole = options.reuse_below == 0 && options.loss == Loss::none && !fit.solution.stopped;
   if (is_whole && fit.problem.effect_count() > 0 && leaves_more_than_noise(images, fit.solution))
     try_other_sizes(session, images, options, noise, fit);
