@@ -145,8 +145,14 @@ bool widen_refuted(Problem& problem, const Eigen::VectorXd& values) {
 
 namespace {
 
+/// Does the model, at its minimum, leave so many times the noise's squares?
+bool leaves_more_than_noise(const Problem& images, const Solution& s, double times) {
+  return s.normal.data_cost() > times * s.normal.rows * images.noise * images.noise;
+}
+
+/// `until`: enough is enough once a solution is so.
 void compete(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options, double noise,
-             Fit& fit) {
+             const std::function<bool(const Problem&, const Solution&)>& until, Fit& fit) {
   for (const Unknowns& other : competing_starts(images, start)) {
     Fit again = fit;
     Problem wide = images;
@@ -158,14 +164,8 @@ void compete(const Session& session, Problem& images, const Unknowns& start, con
       fit = std::move(again);
       images = std::move(wide);
     }
-    if (!looks_lost(images, fit.solution) || fit.solution.stopped) return;
+    if (until(images, fit.solution) || fit.solution.stopped) return;
   }
-}
-
-/// Does the model, at its minimum, leave clearly more than the noise?
-bool leaves_more_than_noise(const Problem& images, const Solution& s) {
-  constexpr double clearly = 2;  // in squares
-  return s.normal.data_cost() > clearly * s.normal.rows * images.noise * images.noise;
 }
 
 /// From other sizes of the effects, where the minimum that was found does not explain the measurements.
@@ -187,10 +187,19 @@ void minimise_surely(const Session& session, Problem& images, const Unknowns& st
                      double noise, Fit& fit) {
   minimise_widening(session, images, start, options, noise, fit);
   if (options.least_gain > 0 || options.objective != Objective::image) return;
-  // From an answer of another model all starts have been looked at before.
-  if (!options.start && looks_lost(images, fit.solution)) compete(session, images, start, options, noise, fit);
+  // From an answer of another model all starts have been looked at before. What leaves more than twice the noise may
+  // have stopped in a minimum beside the best one.
+  if (!options.start && looks_lost(images, fit.solution))
+    compete(
+        session, images, start, options, noise, [](const Problem& p, const Solution& s) { return !looks_lost(p, s); },
+        fit);
+  if (!options.start && !images.noise_is_guessed && leaves_more_than_noise(images, fit.solution, 4))
+    compete(
+        session, images, start, options, noise,
+        [](const Problem& p, const Solution& s) { return !leaves_more_than_noise(p, s, 4); }, fit);
+  constexpr double clearly = 2;
   const bool is_whole = options.reuse_below == 0 && options.loss == Loss::none && !fit.solution.stopped;
-  if (is_whole && fit.problem.effect_count() > 0 && leaves_more_than_noise(images, fit.solution))
+  if (is_whole && fit.problem.effect_count() > 0 && leaves_more_than_noise(images, fit.solution, clearly))
     try_other_sizes(session, images, options, noise, fit);
   if (is_no_answer(images, fit.solution)) fit.solution.converged = false;
 }
