@@ -62,6 +62,9 @@ bool comes_before(const DiagnosisCandidate& c, const DiagnosisCandidate& best) {
          c.explained.value_or(0) >= nearly * best.explained.value_or(1);
 }
 
+/// Of the best one's evidence: what is believable and explains less is no rival of what is only large.
+static constexpr double as_good_a_reason = 0.5;
+
 std::vector<std::size_t> offered(const Diagnosis& d, const std::set<std::string>& refused) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < d.candidates.size(); ++i)
@@ -69,7 +72,8 @@ std::vector<std::size_t> offered(const Diagnosis& d, const std::set<std::string>
   const auto rank = [&](std::size_t i) {
     const DiagnosisCandidate& c = d.candidates[i];
     if (refused.contains(id_of(c))) return 3;
-    return comes_before(c, d.candidates.front()) ? 0 : is_believable(c) ? 1 : 2;
+    if (comes_before(c, d.candidates.front())) return 0;
+    return is_believable(c) && c.ln_bayes_factor >= as_good_a_reason * d.candidates.front().ln_bayes_factor ? 1 : 2;
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;

@@ -28,9 +28,9 @@ bool is_believable(const DiagnosisCandidate& candidate);
 /// robot has, where they explain nearly as much: what is left then is the next step's.
 bool comes_before(const DiagnosisCandidate& candidate, const DiagnosisCandidate& best);
 
-/// The candidates that pass the threshold, as they are offered: what comes before the best, what is believable, then
-/// what no robot is built like, then those that were refused (by id_of); each by its evidence. Indices into
-/// Diagnosis::candidates.
+/// The candidates that pass the threshold, as they are offered: what comes before the best, what is believable and has
+/// half as much evidence, then what no robot is built like, then those that were refused (by id_of); each by its
+/// evidence. Indices into Diagnosis::candidates.
 std::vector<std::size_t> offered(const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
 
 /// The candidate that a diagnosis goes by: the first that is offered. Null: none passes that was not refused.

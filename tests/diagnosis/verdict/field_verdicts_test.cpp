@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// What laboratories bring: robots that scatter before a board, many zeros that are degrees off, a board of another size
+// over a robot with small deviations everywhere.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/finding.h"
+#include "diagnosis/verdict/judging.h"
+#include "fixtures/arms.h"
+#include "fixtures/targets.h"
+
+namespace handsight {
+namespace {
+
+Session scattering(const Session& like, double scatter, std::uint64_t seed) {
+  SimulationOptions o;
+  o.observations = 40;
+  o.seed = seed;
+  Session s = simulate_session(like, o).session;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  for (Observation& observation : s.observations)
+    for (double& q : observation.position) q += scatter * normal(random);
+  return s;
+}
+
+DiagnosisOptions quick() {
+  DiagnosisOptions o;
+  o.with_held_out = false;
+  return o;
+}
+
+TEST(FieldVerdicts, ABoardsManyRowsDoNotHideARobotsScatter) {
+  for (const std::uint64_t seed : {3, 4, 5}) {
+    const Session like = fixture::target_session();
+    const Diagnosis wild = diagnose(scattering(like, 1.5e-3, seed), quick());
+    EXPECT_TRUE(scatters_too_much(wild)) << *wild.beyond_scatter;
+    EXPECT_NE(wild.verdict, Verdict::adequate) << wild.reason;
+    const Diagnosis usual = diagnose(scattering(like, 1e-4, seed), quick());
+    EXPECT_FALSE(scatters_too_much(usual)) << *usual.beyond_scatter;
+    EXPECT_EQ(usual.verdict, Verdict::adequate) << usual.reason;
+  }
+}
+
+/// A tenth of what is usual, everywhere.
+void add_small_deviations(const Chain& chain, std::mt19937_64& random, std::vector<EffectTerm>& terms) {
+  std::normal_distribution<double> normal;
+  for (const char* id : {"link_geometry", "encoder_eccentricity"}) {
+    const Effect& e = *find_effect(id);
+    for (const int place : effect_places(e, chain)) {
+      EffectTerm t = term_of(e, place);
+      for (std::size_t p = 0; p < t.values.size(); ++p)
+        if (!e.parameters[p].is_choice) t.values[p] = 0.1 * plausible_size(e.parameters[p], chain) * normal(random);
+      terms.push_back(t);
+    }
+  }
+}
+
+std::vector<EffectTerm> zeros_degrees_off(const Chain& chain, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(0.02, 0.1);
+  std::vector<EffectTerm> terms;
+  const Effect& e = *find_effect("joint_offset");
+  for (const int place : effect_places(e, chain)) {
+    EffectTerm t = term_of(e, place);
+    const double size = uniform(random);
+    t.values = {random() % 2 ? size : -size};
+    terms.push_back(t);
+  }
+  return terms;
+}
+
+TEST(FieldVerdicts, ZerosComeBeforeAGeometryThatStandsInForThem) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Session like = fixture::stand_session(4);
+    const Chain chain = chain_of(like);
+    std::mt19937_64 random(seed);
+    SimulationOptions o;
+    o.observations = 80;
+    o.seed = seed;
+    o.effects = zeros_degrees_off(chain, random);
+    add_small_deviations(chain, random, o.effects);
+    const Diagnosis d = diagnose(simulate_session(like, o).session, quick());
+    const DiagnosisCandidate* finding = finding_of(d);
+    ASSERT_NE(finding, nullptr);
+    EXPECT_EQ(finding->id, "joint_offset") << d.reason;
+  }
+}
+
+TEST(FieldVerdicts, ABoardsSizeComesBeforeARobotThatIsBentByIt) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Session like = fixture::target_session(fixture::charuco(), 2);
+    std::mt19937_64 random(seed);
+    SimulationOptions o;
+    o.observations = 80;
+    o.seed = seed;
+    add_small_deviations(chain_of(like), random, o.effects);
+    Session s = simulate_session(like, o).session;
+    for (Vector3& x : s.shape->markers) x /= 1.008;
+    s.target->square /= 1.008;
+    s.target->tag /= 1.008;
+    const Improvement m = improve(s, {});
+    ASSERT_GT(m.steps.size(), 1u);
+    EXPECT_EQ(m.steps[1].added, "target_scale");
+    // The board's shape is held, and yet it is said how sure the names are.
+    const auto scale = std::find_if(m.certainty.names.begin(), m.certainty.names.end(),
+                                    [](const NameCertainty& n) { return n.id == "target_scale"; });
+    ASSERT_NE(scale, m.certainty.names.end());
+    EXPECT_GT(scale->probability, 0.99);
+    EXPECT_GT(m.certainty.doubt.covariance.norm(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace handsight
