@@ -20,7 +20,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "readers/ros_bag.h"
+#include "readers/bags/bag.h"
+#include "readers/robots/robot_file.h"
 #include "session/new_session.h"
 #include "widgets/base/theme.h"
 #include "wizard/target_form.h"
@@ -126,14 +127,14 @@ void FilesWizard::read_robot() {
   }
   for (Named& n : files_) try {
       const FileKind kind = file_kind(n.path, nullptr);
-      if (kind == FileKind::robot && !robot_) robot_ = field_urdf(read_file(n.path), n.path.filename().string());
+      if (kind == FileKind::robot && !robot_) robot_ = robot_of_file(n.path);
     } catch (const std::exception& error) {
       n.refusal = translated_error(error);  // of a table it may be told otherwise once the robot is known
     }
   if (!robot_)
     for (const Named& n : files_) try {
         if (!is_bag(n.path)) continue;
-        const std::string text = robot_description_of(n.path);
+        const std::string text = robot_description_of(open_bag(n.path));
         if (!text.empty()) robot_ = field_urdf(text, "robot_description");
       } catch (const std::exception&) {
         // A bag that cannot be read says so itself, below.
