@@ -14,6 +14,8 @@
 
 namespace handsight {
 
+inline constexpr std::size_t longest_topic = 200;  // bytes of a name that are kept, as sentences show it
+
 struct BagTopic {
   std::string name;      // "/joint_states"
   std::string type;      // "sensor_msgs/JointState", without the "/msg" of ROS 2

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "readers/bags/messages.h"
 
 namespace handsight::mcap {
@@ -49,8 +50,8 @@ void Channels::take(const Record& record) {
   } else if (record.opcode == op_channel) {
     const auto schema = schemas_.find(in.number<std::uint16_t>());
     BagTopic topic;
-    topic.name = in.text();
-    topic.encoding = in.text();
+    topic.name = shortened(in.text(), longest_topic);
+    topic.encoding = shortened(in.text(), 20);
     if (schema != schemas_.end()) topic.type = ros::type_of(schema->second);
     if (!in.ended) all.emplace(id, std::move(topic));  // said again in the summary
   }

@@ -182,7 +182,7 @@ Transform read_pose(const Message& message) {
 std::string read_string(const Message& message) { return Reader(message).text(); }
 
 std::string type_of(std::string_view name) {
-  std::string type(name);
+  std::string type = shortened(name, 100);
   if (const std::size_t at = type.find("/msg/"); at != std::string::npos) type.erase(at, 4);
   return type;
 }

@@ -85,8 +85,9 @@ class SqliteBag : public BagFile {
         "topics");
     for (int status; (status = sqlite3_step(rows.get())) != SQLITE_DONE;) {
       if (status != SQLITE_ROW) fail(sqlite3_errmsg(db_.get()));
-      topics_[sqlite3_column_int64(rows.get(), 0)] = {text_of(rows, 1), ros::type_of(text_of(rows, 2)),
-                                                      text_of(rows, 3), sqlite3_column_int64(rows.get(), 4)};
+      topics_[sqlite3_column_int64(rows.get(), 0)] = {shortened(text_of(rows, 1), longest_topic),
+                                                      ros::type_of(text_of(rows, 2)), shortened(text_of(rows, 3), 20),
+                                                      sqlite3_column_int64(rows.get(), 4)};
     }
   }
 
