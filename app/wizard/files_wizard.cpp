@@ -182,7 +182,8 @@ void FilesWizard::offer_links() {
 }
 
 void FilesWizard::show_questions() {
-  const bool has_robot = robot_.has_value(), is_bag_there = has(FileKind::bag), images = shows_images();
+  const bool has_robot = robot_.has_value(), is_bag_there = has(FileKind::bag),
+             images = shows_images() && !has(FileKind::target);
   const bool is_flange = !has_robot && (has(FileKind::poses) || has(FileKind::samples));
   questions_->setRowVisible(tcp_, has_robot);
   questions_->setRowVisible(mount_, has_robot);
@@ -190,7 +191,7 @@ void FilesWizard::show_questions() {
   questions_->setRowVisible(markers_, images && shown_->currentIndex() == markers);
   questions_->setRowVisible(degrees_, has(FileKind::joints));
   questions_->setRowVisible(eye_on_base_, is_flange);
-  questions_->setRowVisible(frame_, is_bag_there);
+  questions_->setRowVisible(frame_, is_bag_there || has(FileKind::mocap));
   questions_->setRowVisible(still_, has_robot && (is_bag_there || has(FileKind::joints)));
   questions_->setRowVisible(find_lag_, has_robot && (is_bag_there || has(FileKind::joints)));
   questions_->setRowVisible(title_, !files_.empty());
@@ -211,13 +212,15 @@ QString FilesWizard::what_is_missing() const {
   if (!robot_ && !has(FileKind::samples) && !has(FileKind::poses))
     return tr("There is no robot among them: add its URDF, or a table of its flange's poses.");
   const bool is_measured = has(FileKind::images) || has(FileKind::bag) || has(FileKind::samples) ||
-                           has(FileKind::poses) || has(FileKind::points);
+                           has(FileKind::poses) || has(FileKind::points) || has(FileKind::mocap);
   if (!is_measured) return tr("What a sensor measured is missing: images, points, or poses of a target.");
   const auto poses =
       std::count_if(files_.begin(), files_.end(), [](const Named& n) { return n.kind == FileKind::poses; });
   if (robot_ && !has(FileKind::bag) && !has(FileKind::joints) && !has(FileKind::samples) && poses != 2)
     return tr("The joint readings are missing: add a table of them, a column for each joint.");
-  if (has(FileKind::images) && !has(FileKind::camera_info) && !has(FileKind::camchain) && !has(FileKind::storage))
+  const bool has_camera =
+      std::any_of(files_.begin(), files_.end(), [](const Named& n) { return n.kind && is_one_camera(*n.kind); });
+  if (has(FileKind::images) && !has_camera && !has(FileKind::camchain) && !has(FileKind::storage))
     return tr("The cameras' calibration is missing: add camera_info of ROS, a camchain of Kalibr, or OpenCV's.");
   if (target_->isVisibleTo(this) && !target_->target()) return tr("The numbers of the target are of none.");
   if (out_->text().trimmed().isEmpty()) return tr("The new session needs a folder.");

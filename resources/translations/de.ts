@@ -7993,6 +7993,98 @@
         <source>a target of Kalibr</source>
         <translation>ein Ziel von Kalibr</translation>
     </message>
+    <message>
+        <source>topic %1: %2 of %3 messages are damaged and are left out.</source>
+        <translation>Topic %1: %2 von %3 Nachrichten sind beschädigt und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1 messages whose compression is damaged are left out.</source>
+        <translation>%1 Nachrichten, deren Kompression beschädigt ist, bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1 more places are damaged.</source>
+        <translation>%1 weitere Stellen sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 messages are of channels that are described nowhere and are left out.</source>
+        <translation>%1 Nachrichten sind von Kanälen, die nirgends beschrieben sind, und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>its checksum does not agree: some of its bytes have changed since it was written; its messages are taken as they are.</source>
+        <translation>die Prüfsumme stimmt nicht: einige Bytes haben sich geändert, seit sie geschrieben wurde; die Nachrichten werden genommen, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>the chunk at byte %1 is left out: %2.</source>
+        <translation>der Abschnitt ab Byte %1 bleibt weg: %2.</translation>
+    </message>
+    <message>
+        <source>it is broken off at byte %1 of a record that begins at %2: after %3 messages the rest is lost.</source>
+        <translation>sie bricht bei Byte %1 eines Eintrags ab, der bei %2 beginnt: nach %3 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>at byte %1 of %2 stands no record: it is damaged, and after %3 messages the rest is lost.</source>
+        <translation>bei Byte %1 von %2 steht kein Eintrag: sie ist beschädigt, und nach %3 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>is damaged at byte %1: %2 bytes up to the next chunk are left out.</source>
+        <translation>ist bei Byte %1 beschädigt: %2 Byte bis zum nächsten Abschnitt bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1 messages are of connections that are described nowhere and are left out.</source>
+        <translation>%1 Nachrichten sind von Verbindungen, die nirgends beschrieben sind, und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>it is broken off or damaged at byte %1 of %2: after %3 messages the rest is lost.</source>
+        <translation>sie bricht bei Byte %1 von %2 ab oder ist dort beschädigt: nach %3 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>is damaged (%1): after %2 messages the rest is lost.</source>
+        <translation>ist beschädigt (%1): nach %2 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>its zstd is damaged (%1): what comes after the damage is lost.</source>
+        <translation>ihr zstd ist beschädigt (%1): was nach dem Schaden kommt, ist verloren.</translation>
+    </message>
+    <message>
+        <source>%1 markers beside the rigid bodies are left out.</source>
+        <translation>%1 Marker neben den starren Körpern bleiben weg.</translation>
+    </message>
+    <message>
+        <source>its coefficients are of the model inverse Brown-Conrady; they are taken as Brown's, as librealsense projects with them.</source>
+        <translation>ihre Koeffizienten sind vom Modell inverse Brown-Conrady; sie werden als die von Brown genommen, wie librealsense mit ihnen projiziert.</translation>
+    </message>
+    <message>
+        <source>%1 columns are read as %2; 0 is the middle of each range: where the robot's URDF has another zero, joint_offset finds it.</source>
+        <translation>%1 Spalten werden als %2 gelesen; 0 ist die Mitte jedes Bereichs: wo die URDF des Roboters eine andere Null hat, findet sie joint_offset.</translation>
+    </message>
+    <message>
+        <source>no column has the name of a servo of LeRobot's calibration, which is not used.</source>
+        <translation>keine Spalte heißt wie ein Servo aus LeRobots Kalibrierung; sie wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>that %1 follows %2 is left out: it is no straight line.</source>
+        <translation>dass %1 %2 folgt, bleibt weg: es ist keine Gerade.</translation>
+    </message>
+    <message>
+        <source>%1 stand still in the session's copy: a session has one number a joint.</source>
+        <translation>%1 stehen in der Kopie der Sitzung still: eine Sitzung hat eine Zahl je Gelenk.</translation>
+    </message>
+    <message>
+        <source>is a model of MuJoCo; the session's robot is a URDF of its bodies and joints.</source>
+        <translation>ist ein Modell von MuJoCo; der Roboter der Sitzung ist eine URDF seiner Körper und Gelenke.</translation>
+    </message>
+    <message>
+        <source>was expanded by xacro, with the arguments that it has by itself.</source>
+        <translation>wurde von xacro entfaltet, mit den Argumenten, die sie selbst hat.</translation>
+    </message>
+    <message>
+        <source>the section %1 is left out.</source>
+        <translation>der Abschnitt %1 bleibt weg.</translation>
+    </message>
+    <message>
+        <source>its markers are left out, its rigid bodies count.</source>
+        <translation>ihre Marker bleiben weg, ihre starren Körper zählen.</translation>
+    </message>
 </context>
 <context>
     <name>system</name>

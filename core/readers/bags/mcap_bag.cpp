@@ -155,11 +155,11 @@ class McapBag : public BagFile {
 
   void lose_chunk(std::uint64_t at, const std::string& why, const std::optional<Chunk>& chunk) {
     const std::uint64_t count = messages_indexed_behind(at);
-    lost_->push_back(fmt::format("{}: the chunk at byte {}{} is left out{}: {}.", name_, at,
-                                 chunk && chunk->end >= chunk->begin && chunk->end < 1e11
-                                     ? fmt::format(" ({:.3f} s to {:.3f} s)", chunk->begin, chunk->end)
-                                     : "",
-                                 count > 0 ? fmt::format(", with {} messages", count) : "", shortened(why, 100)));
+    std::string told = shortened(why, 100);
+    if (chunk && chunk->end >= chunk->begin && chunk->end < 1e11)
+      told += fmt::format(" ({:.3f} s to {:.3f} s)", chunk->begin, chunk->end);
+    if (count > 0) told += fmt::format(", {} messages", count);
+    lost_->push_back(fmt::format("{}: the chunk at byte {} is left out: {}.", name_, at, told));
   }
 
   /// Of the records behind a chunk that say where its messages are.

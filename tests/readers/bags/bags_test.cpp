@@ -69,6 +69,54 @@ TEST_F(Bags, MessagesThatWereRecordedOutOfOrderArePutInOrder) {
   expect_whole(written("reversed.mcap", fixture::mcap_of(r, {"lz4"})));
 }
 
+/// 256 MB of images in chunks of 4 MB, and a bag of ROS 1 of as many: no more than a few chunks are in memory.
+TEST_F(Bags, OneChunkAtATimeIsInMemory) {
+  constexpr int chunks = 64;
+  const fixture::Recording r = small_recording(false);
+  const std::string payload(std::size_t{4} << 20, 'x');
+  const auto mcap = folder_.path / "large.mcap", ros1 = folder_.path / "large.bag";
+  {
+    fixture::Recording one = r;
+    one.messages.resize(1);
+    std::ofstream out(mcap, std::ios::binary);
+    const std::string begin = fixture::mcap_of(one, {"", false, false, false});
+    out << begin.substr(0, begin.size() - 9 - 4 - 9 - 20 - 8);  // without what closes it
+    std::ofstream old(ros1, std::ios::binary);
+    one.ros1 = true;
+    old << fixture::ros1_bag_of(one, "none", false);
+    for (int i = 0; i < chunks; ++i) {
+      const std::string message =
+          fixture::mcap_record(5, fixture::raw(std::uint16_t{60}) + fixture::raw(0u) + fixture::raw(std::uint64_t{1}) +
+                                      fixture::raw(std::uint64_t{1}) + payload);
+      out << fixture::mcap_record(6, fixture::raw(std::uint64_t{1}) + fixture::raw(std::uint64_t{1}) +
+                                         fixture::raw(static_cast<std::uint64_t>(message.size())) + fixture::raw(0u) +
+                                         fixture::prefixed("") +
+                                         fixture::raw(static_cast<std::uint64_t>(message.size())) + message);
+      const std::string record =
+          fixture::bag_record(fixture::field("op", "\2") + fixture::field("conn", fixture::raw(6u)) +
+                                  fixture::field("time", fixture::raw(std::uint64_t{1})),
+                              payload);
+      old << fixture::bag_record(fixture::field("op", "\5") + fixture::field("compression", "none") +
+                                     fixture::field("size", fixture::raw(static_cast<std::uint32_t>(record.size()))),
+                                 record);
+    }
+  }
+  const auto megabytes = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+  };
+  const long before = megabytes();
+  for (const auto& file : {mcap, ros1}) {
+    std::size_t bytes = 0;
+    read_bag(
+        open_bag(file), [](const BagTopic& t) { return t.name == "/chatter"; },
+        [&](const BagTopic&, std::int64_t, std::string_view message) { bytes += message.size(); });
+    EXPECT_EQ(bytes, chunks * payload.size()) << file;
+  }
+  EXPECT_LT(megabytes() - before, 48);
+}
+
 TEST_F(Bags, WhatIsNoBagIsNamedForWhatItIs) {
   const auto refused = [&](const std::filesystem::path& file) { return refusal_of([&] { open_bag(file); }); };
   EXPECT_THAT(refused(written("a.mcap", "\x89MCAP0\r\n")), HasSubstr("holds no channel"));

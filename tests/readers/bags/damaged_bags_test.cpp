@@ -59,8 +59,8 @@ TEST_F(DamagedBags, AChunkWhoseSumDoesNotAgreeIsLeftOutAndCounted) {
     const Reading reading = read("changed.mcap", bytes);
     EXPECT_EQ(reading.messages, r.messages.size() - 30) << compression;
     ASSERT_EQ(reading.lost.size(), 1u) << testing::PrintToString(reading.lost);
-    EXPECT_THAT(reading.lost[0], HasSubstr(fmt::format("the chunk at byte {} (", writer.chunks()[1])));
-    EXPECT_THAT(reading.lost[0], HasSubstr("with 30 messages"));
+    EXPECT_THAT(reading.lost[0], HasSubstr(fmt::format("the chunk at byte {} is left out: ", writer.chunks()[1])));
+    EXPECT_THAT(reading.lost[0], HasSubstr(", 30 messages."));
   }
 }
 
