@@ -148,7 +148,7 @@ class Ros1Bag : public BagFile {
   std::optional<Record> record_at(std::uint64_t at) {
     if (at + 8 > file_.size()) return std::nullopt;
     const std::uint64_t size = size_of_record(at);
-    if (size > file_.size() - at || size > 3 * largest_record) return std::nullopt;
+    if (size > file_.size() - at || size > largest_record + (1u << 20)) return std::nullopt;
     Fields bytes(file_.view(at, size));
     return next_record(bytes);
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One recording in every kind of bag comes to the same numbers.
+#include <sys/resource.h>
+
 #include "base/files.h"
 #include "readers/bags/bag.h"
 #include "readers/bags/small_bag.h"
