@@ -3,11 +3,12 @@
 
 build_packages=(clang g++ cmake ninja-build ccache libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev libtinyxml2-dev
   libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libmuparser-dev libyaml-cpp-dev
-  libsqlite3-dev pkg-config)
+  libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev pkg-config)
 window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev libvtk9-dev libqcustomplot-dev
   libqcustomplot2.1-qt6 fonts-dejavu-core)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick poppler-utils
-  python3 dpkg-dev)  # dpkg-dev: what a package depends on
+  python3 dpkg-dev  # dpkg-dev: what a package depends on
+  libmujoco-dev python3-rosbag python3-sensor-msgs python3-tf2-msgs)  # independent writers and readers of what users bring
 python_packages=(pybind11-dev python3-dev python3-numpy python3-venv)  # the module, and an environment to try its wheel in
 
 new_packages=""

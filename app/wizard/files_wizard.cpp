@@ -20,7 +20,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "readers/ros_bag.h"
+#include "readers/bags/bag.h"
+#include "readers/robots/robot_file.h"
 #include "session/new_session.h"
 #include "widgets/base/theme.h"
 #include "wizard/target_form.h"
@@ -126,14 +127,14 @@ void FilesWizard::read_robot() {
   }
   for (Named& n : files_) try {
       const FileKind kind = file_kind(n.path, nullptr);
-      if (kind == FileKind::robot && !robot_) robot_ = field_urdf(read_file(n.path), n.path.filename().string());
+      if (kind == FileKind::robot && !robot_) robot_ = robot_of_file(n.path);
     } catch (const std::exception& error) {
       n.refusal = translated_error(error);  // of a table it may be told otherwise once the robot is known
     }
   if (!robot_)
     for (const Named& n : files_) try {
         if (!is_bag(n.path)) continue;
-        const std::string text = robot_description_of(n.path);
+        const std::string text = robot_description_of(open_bag(n.path));
         if (!text.empty()) robot_ = field_urdf(text, "robot_description");
       } catch (const std::exception&) {
         // A bag that cannot be read says so itself, below.
@@ -181,7 +182,8 @@ void FilesWizard::offer_links() {
 }
 
 void FilesWizard::show_questions() {
-  const bool has_robot = robot_.has_value(), is_bag_there = has(FileKind::bag), images = shows_images();
+  const bool has_robot = robot_.has_value(), is_bag_there = has(FileKind::bag),
+             images = shows_images() && !has(FileKind::target);
   const bool is_flange = !has_robot && (has(FileKind::poses) || has(FileKind::samples));
   questions_->setRowVisible(tcp_, has_robot);
   questions_->setRowVisible(mount_, has_robot);
@@ -189,7 +191,7 @@ void FilesWizard::show_questions() {
   questions_->setRowVisible(markers_, images && shown_->currentIndex() == markers);
   questions_->setRowVisible(degrees_, has(FileKind::joints));
   questions_->setRowVisible(eye_on_base_, is_flange);
-  questions_->setRowVisible(frame_, is_bag_there);
+  questions_->setRowVisible(frame_, is_bag_there || has(FileKind::mocap));
   questions_->setRowVisible(still_, has_robot && (is_bag_there || has(FileKind::joints)));
   questions_->setRowVisible(find_lag_, has_robot && (is_bag_there || has(FileKind::joints)));
   questions_->setRowVisible(title_, !files_.empty());
@@ -210,13 +212,15 @@ QString FilesWizard::what_is_missing() const {
   if (!robot_ && !has(FileKind::samples) && !has(FileKind::poses))
     return tr("There is no robot among them: add its URDF, or a table of its flange's poses.");
   const bool is_measured = has(FileKind::images) || has(FileKind::bag) || has(FileKind::samples) ||
-                           has(FileKind::poses) || has(FileKind::points);
+                           has(FileKind::poses) || has(FileKind::points) || has(FileKind::mocap);
   if (!is_measured) return tr("What a sensor measured is missing: images, points, or poses of a target.");
   const auto poses =
       std::count_if(files_.begin(), files_.end(), [](const Named& n) { return n.kind == FileKind::poses; });
   if (robot_ && !has(FileKind::bag) && !has(FileKind::joints) && !has(FileKind::samples) && poses != 2)
     return tr("The joint readings are missing: add a table of them, a column for each joint.");
-  if (has(FileKind::images) && !has(FileKind::camera_info) && !has(FileKind::camchain) && !has(FileKind::storage))
+  const bool has_camera =
+      std::any_of(files_.begin(), files_.end(), [](const Named& n) { return n.kind && is_one_camera(*n.kind); });
+  if (has(FileKind::images) && !has_camera && !has(FileKind::camchain) && !has(FileKind::storage))
     return tr("The cameras' calibration is missing: add camera_info of ROS, a camchain of Kalibr, or OpenCV's.");
   if (target_->isVisibleTo(this) && !target_->target()) return tr("The numbers of the target are of none.");
   if (out_->text().trimmed().isEmpty()) return tr("The new session needs a folder.");

@@ -22,7 +22,8 @@ constexpr std::size_t most_cameras = 8;
 bool is_image(const fs::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array<std::string_view, 8> endings{".png", ".jpg", ".jpeg", ".tif", ".tiff", ".pgm", ".bmp", ".ppm"};
+  constexpr std::array<std::string_view, 9> endings{".png", ".jpg", ".jpeg", ".tif", ".tiff",
+                                                    ".pgm", ".bmp", ".ppm",  ".webp"};
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 

@@ -2,187 +2,23 @@
 #include "convert/brought.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
+#include <utility>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "readers/kalibr_target.h"
+#include "readers/maker_cameras.h"
+#include "readers/mocap_csv.h"
 #include "readers/pose_matrices.h"
-#include "readers/ros_bag.h"
 #include "readers/stereo_calibration.h"
-#include "session/new_session.h"
+#include "robot/robot.h"
 
 namespace handsight {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string_view first_line(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
-    if (!line.empty() && line.front() != '#' && line != "---") return line;
-  }
-  return {};
-}
-
-/// "name: value", "name:" or "- value": no table begins so.
-bool looks_like_yaml(std::string_view text) {
-  const std::string_view line = first_line(text);
-  return line.starts_with("- ") || line.starts_with("[") || line.ends_with(":") ||
-         (line.find(": ") != std::string_view::npos && line.find_first_of(",;\t") == std::string_view::npos) ||
-         (line.find(": ") != std::string_view::npos && line.find('[') != std::string_view::npos);
-}
-
-std::vector<std::string> names_of(const Robot* robot) {
-  return robot ? joint_names(*robot) : std::vector<std::string>();
-}
-
-/// What OpenCV's FileStorage writes.
-bool is_storage_text(const std::string& text) {
-  return first_line(text).starts_with("%YAML") || text.find("!!opencv-matrix") != std::string::npos ||
-         text.find("<opencv_storage") != std::string::npos;
-}
-
-/// A storage of poses, not of cameras.
-FileKind storage_kind(const fs::path& path, const std::string& text) {
-  std::vector<std::string> notes;
-  const bool has_poses =
-      text.find("amera") == std::string::npos && !poses_of_storage(text, shown_path(path.filename()), notes).empty();
-  return has_poses ? FileKind::poses : FileKind::storage;
-}
-
-/// JSON: a list of poses, or a storage of OpenCV.
-FileKind json_kind(const std::string& text) {
-  try {
-    return is_pose_list(parse_yaml(text, "")) ? FileKind::poses : FileKind::storage;
-  } catch (const InputError&) {
-    return FileKind::storage;
-  }
-}
-
-bool has_number(const fs::path& path) {
-  const std::string stem = path.stem().string();
-  return stem.find_first_of("0123456789") != std::string::npos;
-}
-
-[[noreturn]] void refuse_kind(const fs::path& path, const std::string& looks_like) {
-  throw InputError(fmt::format(
-      "{}: {}; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, "
-      "ROS or Kalibr, samples of easy_handeye, or a ROS 2 bag in sqlite3.",
-      shown_path(path), looks_like));
-}
-
-FileKind xml_kind(const fs::path& path, const std::string& text) {
-  if (text.find("<robot") != std::string::npos) return FileKind::robot;
-  if (text.find("<opencv_storage") != std::string::npos) return storage_kind(path, text);
-  if (text.find("<handsight_session") != std::string::npos) refuse_kind(path, "is a session already, use it as it is");
-  if (text.find("<sdf") != std::string::npos) refuse_kind(path, "is an SDF of Gazebo; name the URDF of the robot");
-  if (text.find("<mujoco") != std::string::npos) refuse_kind(path, "is a MuJoCo model; name the URDF of the robot");
-  refuse_kind(path, "is XML of a kind that is not known");
-}
-
-FileKind yaml_kind(const fs::path& path, const std::string& text) {
-  const YAML::Node yaml = parse_yaml(text, shown_path(path.filename()));
-  if (is_camchain(yaml)) return FileKind::camchain;
-  if (is_camera_info(yaml)) return FileKind::camera_info;
-  if (is_hand_eye_samples(yaml)) return FileKind::samples;
-  if (is_pose_list(yaml)) return FileKind::poses;
-  refuse_kind(path, "is YAML of a kind that is not known");
-}
-
-FileKind table_kind(const fs::path& path, const Table& table, const Robot* robot) {
-  const int joints = robot ? joint_columns(table, *robot) : 0;
-  if (joints >= 2) return FileKind::joints;
-  if (is_pose_table(table, robot != nullptr)) return FileKind::poses;
-  if (joints >= 1) return FileKind::joints;
-  if (robot && !table.has_header) {
-    std::size_t moving = 0;
-    for (const Joint& j : robot->joints) moving += j.moves() && !j.is_mimic();
-    if (table.width() == moving || table.width() == moving + 1) return FileKind::joints;
-  }
-  if (is_point_table(table)) return FileKind::points;
-  refuse_kind(path, "is a table whose columns are neither joints of the robot nor places (x y z); write a header");
-}
-
-}  // namespace
-
-bool has_images(const fs::path& folder) {
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    std::string ending = entry.path().extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    for (const char* known : {".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff"})
-      if (ending == known) return true;
-  }
-  return false;
-}
-
-FileKind file_kind(const fs::path& path, const Robot* robot) {
-  std::error_code error;
-  if (!fs::exists(path, error))
-    throw InputError(fmt::format("{}: is not there; name a file or folder.", shown_path(path)));
-  if (fs::is_directory(path)) {
-    if (is_bag(path)) return FileKind::bag;
-    if (fs::exists(path / "session.xml")) refuse_kind(path, "holds a session already, use it as it is");
-    if (has_images(path)) return FileKind::images;
-    if (!pose_files_in(path).empty()) return FileKind::poses;
-    refuse_kind(path, "is a folder without images, without files of poses and without a bag");
-  }
-  if (is_bag(path)) return FileKind::bag;
-  const std::string text = read_file(path);
-  if (text.starts_with("\x89MCAP"))
-    throw InputError(
-        fmt::format("{}: is a bag in MCAP, which cannot be read here; write it as sqlite3 with `ros2 bag "
-                    "convert -i BAG -o options.yaml` (storage_id: sqlite3).",
-                    shown_path(path)));
-  if (text.starts_with("#ROSBAG"))
-    throw InputError(
-        fmt::format("{}: is a bag of ROS 1; convert it with `rosbags-convert`, storage sqlite3.", shown_path(path)));
-  const std::string_view begin = first_line(text);
-  if (begin.starts_with("<")) return xml_kind(path, text);
-  if (has_number(path) && single_pose(text)) return FileKind::pose;
-  if (is_storage_text(text)) return storage_kind(path, text);
-  if (begin.starts_with("{")) return json_kind(text);
-  if (text.find('\0') != std::string::npos) refuse_kind(path, "is no text");
-  if (looks_like_yaml(text)) return yaml_kind(path, text);
-  if (const auto table = parse_table(text, shown_path(path.filename()), names_of(robot)))
-    return table_kind(path, *table, robot);
-  refuse_kind(path, "is a text of a kind that is not known");
-}
-
-const char* kind_text(FileKind kind) {
-  switch (kind) {
-    case FileKind::robot:
-      return "the robot's URDF";
-    case FileKind::images:
-      return "a folder of images";
-    case FileKind::joints:
-      return "a table of joint readings";
-    case FileKind::poses:
-      return "a table of poses";
-    case FileKind::pose:
-      return "a file with one pose";
-    case FileKind::points:
-      return "a table of points";
-    case FileKind::samples:
-      return "samples of easy_handeye";
-    case FileKind::storage:
-      return "a calibration of OpenCV";
-    case FileKind::camera_info:
-      return "a camera_info of ROS";
-    case FileKind::camchain:
-      return "a camchain of Kalibr";
-    case FileKind::bag:
-      return "a ROS 2 bag";
-  }
-  return "";
-}
-
-namespace {
 
 /// What is read when all files are known.
 struct Waiting {
@@ -209,7 +45,7 @@ void bring_poses(const fs::path& path, const std::string& file, const Robot* rob
   } else if (looks_like_yaml(text) || first_line(text).starts_with("{")) {
     add_poses(read_pose_list(parse_yaml(text, file), file, b.notes), file, b);
   } else {
-    const Table table = *parse_table(text, file, names_of(robot));
+    const Table table = *parse_table(text, file, robot ? joint_names(*robot) : std::vector<std::string>());
     b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
     add_poses(read_pose_table(table, robot != nullptr, o, b.notes), file, b);
   }
@@ -217,14 +53,48 @@ void bring_poses(const fs::path& path, const std::string& file, const Robot* rob
 
 void bring_table(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot, bool degrees,
                  Brought& b) {
-  Table table = *parse_table(read_file(path), file, names_of(robot));
+  Table table = *parse_table(read_file(path), file, robot ? joint_names(*robot) : std::vector<std::string>());
   b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
   if (kind == FileKind::joints) {
     require_new(!b.joints, file, kind);
+    if (!b.servos.empty()) set_radians(table, b.servos, std::exchange(degrees, false), b.notes);
     b.joints = read_joint_table(std::move(table), *robot, degrees, b.notes);
   } else {
     require_new(!b.points, file, kind);
     b.points = read_point_table(std::move(table), b.notes);
+  }
+}
+
+void bring_mocap(const fs::path& path, const std::string& file, const PoseTableOptions& o, Brought& b) {
+  const std::string text = read_file(path);
+  MocapTables all = is_motive_csv(text) ? read_motive_csv(text, file) : read_vicon_csv(text, file);
+  b.notes.insert(b.notes.end(), all.notes.begin(), all.notes.end());
+  for (const MocapBody& body : all.bodies) {
+    auto read = read_pose_table(body.table, true, o, b.notes);
+    for (ReadPoses& one : read) one.role = "mocap " + body.name;
+    add_poses(std::move(read), file, b);
+  }
+  if (all.markers.columns.empty()) return;
+  require_new(!b.points, file, FileKind::points);
+  b.points = read_point_table(std::move(all.markers), b.notes);
+}
+
+RosCamera camera_of_yaml(const YAML::Node& yaml, const std::string& file) {
+  return is_camera_info(yaml) ? read_camera_info(yaml, file) : read_echoed_camera_info(yaml, file);
+}
+
+void bring_cameras(const fs::path& path, const std::string& file, FileKind kind, Brought& b) {
+  const std::string text = read_file(path);
+  if (kind == FileKind::ost) {
+    for (RosCamera& camera : read_ost(text, file)) b.cameras.push_back(std::move(camera));
+  } else if (kind == FileKind::camodocal) {
+    b.cameras.push_back(read_camodocal(text, file));
+  } else if (kind == FileKind::camera_info) {
+    b.cameras.push_back(camera_of_yaml(parse_yaml(text, file), file));
+  } else if (is_realsense_listing(text)) {
+    b.cameras.push_back(read_realsense_listing(text, file, b.notes));
+  } else {
+    b.cameras.push_back(read_realsense(parse_yaml(text, file), file, b.notes));
   }
 }
 
@@ -249,7 +119,14 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
       b.rig = read_camchain(parse_yaml(read_file(path), file), file, b.notes);
       return;
     case FileKind::camera_info:
-      b.cameras.push_back(read_camera_info(parse_yaml(read_file(path), file), file));
+    case FileKind::ost:
+    case FileKind::realsense:
+    case FileKind::camodocal:
+      return bring_cameras(path, file, kind, b);
+    case FileKind::target:
+      require_new(!b.target, file, kind);
+      b.target = read_kalibr_target(parse_yaml(read_file(path), file), file);
+      b.notes.push_back(fmt::format("{}: {}.", file, description_of(*b.target)));
       return;
     case FileKind::samples:
       require_new(!b.samples, file, kind);
@@ -257,6 +134,10 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
       return;
     case FileKind::poses:
       return bring_poses(path, file, robot, o, b);
+    case FileKind::servos:
+      return;  // known before any table is read
+    case FileKind::mocap:
+      return bring_mocap(path, file, o, b);
     case FileKind::pose:
       waiting.single_poses[path.parent_path()].push_back(path);
       return;
@@ -272,8 +153,15 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
   Brought b;
   Waiting waiting;
   if (!angles.empty()) named_angle_kind(angles);  // refused before anything is read
+  std::vector<FileKind> kinds;
   for (const fs::path& path : files) {
-    const FileKind kind = file_kind(path, robot);
+    kinds.push_back(file_kind(path, robot));
+    const std::string name = shown_path(path.filename());
+    if (kinds.back() == FileKind::servos) b.servos = read_lerobot_calibration(parse_yaml(read_file(path), name), name);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const fs::path& path = files[i];
+    const FileKind kind = kinds[i];
     const std::string file = shown_path(path.filename().empty() ? path.parent_path().filename() : path.filename());
     if (kind != FileKind::pose) b.took.push_back(file + ": " + kind_text(kind));
     bring_one(path, file, kind, robot, {angles, degrees}, b, waiting);

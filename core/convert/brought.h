@@ -7,35 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "convert/file_kind.h"
+#include "print/target.h"
 #include "readers/bag_contents.h"
 #include "readers/camera_files.h"
 #include "readers/pose_files.h"
+#include "readers/robots/lerobot.h"
 
 namespace handsight {
-
-enum class FileKind {
-  robot,        // URDF
-  images,       // a folder of them
-  joints,       // a table of joint readings
-  poses,        // a table or list of poses, a storage or a folder of them
-  pose,         // a file with one pose
-  points,       // a table of points
-  samples,      // of easy_handeye
-  storage,      // of OpenCV
-  camera_info,  // of ROS
-  camchain,     // of Kalibr
-  bag,          // of ROS 2
-};
-
-/// What a file or folder is, without the robot: a table of joints is one whose columns name no place. InputError where
-/// it is nothing that a session is made from: the sentence says what it looks like and what to do.
-FileKind file_kind(const std::filesystem::path& path, const Robot* robot);
-
-/// "a table of joint readings".
-const char* kind_text(FileKind kind);
-
-/// Is there an image in the folder?
-bool has_images(const std::filesystem::path& folder);
 
 struct NamedPoses {
   std::string file;
@@ -54,6 +33,8 @@ struct Brought {
   std::vector<RosCamera> cameras;
   std::vector<std::filesystem::path> image_folders;
   std::filesystem::path bag;
+  std::optional<Target> target;
+  std::vector<Servo> servos;             // what the readings of joints mean
   std::vector<std::string> took, notes;  // what each was taken for; what else is to be said
 };
 
@@ -68,8 +49,8 @@ std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses
 /// The poses where nothing about them is open. InputError where their angles may be read in several ways.
 const PoseSeries& settled_series(const NamedPoses& poses);
 
-/// The cameras of a calibration: OpenCV's (one or several files), Kalibr's camchain, or camera_info of one or two
-/// cameras of ROS. InputError where they make no rig.
+/// The cameras of a calibration: OpenCV's (one or several files), Kalibr's camchain, camodocal's or RealSense's camera,
+/// or those of one or two cameras of ROS. InputError where they make no rig.
 Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes);
 
 /// The same of what was brought.

@@ -1,41 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "convert/convert.h"
 
+#include <algorithm>
+#include <fstream>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "convert/convert_ways.h"
 #include "estimation/report/session_doubts.h"
-#include "readers/ros_bag.h"
+#include "readers/bags/bag.h"
+#include "readers/robots/robot_file.h"
 
 namespace handsight {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_urdf(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return begin != std::string::npos && text[begin] == '<' && text.find("<robot") != std::string::npos;
+/// Files of gigabytes are not read whole to see that they are no robots.
+bool begins_with_bracket(const fs::path& file) {
+  std::ifstream stream(file);
+  char first = 0;
+  stream >> first;  // "<", or the mark of UTF-8 before it
+  return first == '<' || first == '\xEF';
 }
 
 /// The robot of --robot, among the files, or in the bag; takes it out of the files.
-std::optional<FieldUrdf> find_robot(std::vector<fs::path>& files, const ConvertOptions& o, Conversion& c) {
-  if (!o.robot.empty()) return field_urdf(read_file(o.robot), o.robot.filename().string());
+std::optional<FieldUrdf> find_robot(std::vector<fs::path>& files, const std::optional<Bag>& bag,
+                                    const ConvertOptions& o, Conversion& c) {
+  if (!o.robot.empty()) return robot_of_file(o.robot);
   for (auto f = files.begin(); f != files.end(); ++f)
-    if (fs::is_regular_file(*f) && !is_bag(*f) && is_urdf(read_file(*f))) {
-      const std::string name = f->filename().string();
-      FieldUrdf robot = field_urdf(read_file(*f), name);
-      c.took.push_back(name + ": " + kind_text(FileKind::robot));
+    if (fs::is_regular_file(*f) && !is_bag(*f) && begins_with_bracket(*f) && is_robot_text(read_file(*f))) {
+      FieldUrdf robot = robot_of_file(*f);
+      c.took.push_back(f->filename().string() + ": " + kind_text(FileKind::robot));
       files.erase(f);
       return robot;
     }
-  for (const fs::path& f : files)
-    if (is_bag(f))
-      if (const std::string text = robot_description_of(f); !text.empty()) {
-        c.notes.emplace_back("The robot is the one that the bag publishes as robot_description.");
-        return field_urdf(text, "robot_description");
-      }
+  if (const std::string text = bag ? robot_description_of(*bag) : ""; !text.empty()) {
+    c.notes.emplace_back("The robot is the one that the bag publishes as robot_description.");
+    return field_urdf(text, "robot_description");
+  }
   return std::nullopt;
+}
+
+/// Of several rigid bodies the one that --target-frame names.
+void choose_target(Brought& b, const std::string& name) {
+  const auto is_it = [&](const NamedPoses& p) { return p.role == name || p.role == "mocap " + name; };
+  if (b.joints && b.poses.size() > 1 && std::any_of(b.poses.begin(), b.poses.end(), is_it))
+    std::erase_if(b.poses, [&](const NamedPoses& p) { return !is_it(p); });
 }
 
 std::string names_of(const std::vector<NamedPoses>& poses) {
@@ -44,8 +56,15 @@ std::string names_of(const std::vector<NamedPoses>& poses) {
   return names;
 }
 
-Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, const ConvertOptions& o, Conversion c) {
-  if (!b.bag.empty()) return from_bag(robot, b, o, std::move(c));
+/// The first bag among the files, open.
+std::optional<Bag> find_bag(const std::vector<fs::path>& files) {
+  const auto found = std::find_if(files.begin(), files.end(), is_bag);
+  return found == files.end() ? std::nullopt : std::optional(open_bag(*found));
+}
+
+Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<Bag>& bag, const Brought& b,
+                    const ConvertOptions& o, Conversion c) {
+  if (bag) return from_bag(robot, *bag, b, o, std::move(c));
   if (b.samples) {
     const bool in_hand = b.samples->kind_is_known ? b.samples->eye_in_hand : !o.eye_on_base;
     NamedPoses flange{"samples", "robot", {.poses = b.samples->base_from_effector}},
@@ -54,7 +73,7 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, con
       for (Rigid& pose : flange.series.poses) pose = inverse(pose);
     return from_flange(std::move(flange), std::move(target), in_hand, o, std::move(c));
   }
-  if (b.poses.size() > 2)
+  if (b.poses.size() > 2 && !b.joints)
     throw InputError(fmt::format("There are {} tables of poses ({}); expected the flange's and the target's.",
                                  b.poses.size(), shortened(names_of(b.poses), 200)));
   if (!b.joints && b.poses.size() == 2) {
@@ -74,6 +93,9 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, con
   if (!b.joints) throw InputError("There are no joint readings; name a table (CSV) of them, a column a joint.");
   if (b.points) return from_points(*robot, *b.joints, *b.points, {}, o, std::move(c));
   if (b.poses.size() == 1) return from_poses(*robot, *b.joints, b.poses[0], o, std::move(c));
+  if (b.poses.size() > 1)
+    throw InputError(fmt::format("There are {} things with poses ({}); say with --target-frame which is on the hand.",
+                                 b.poses.size(), shortened(names_of(b.poses), 200)));
   throw InputError(
       "There is nothing that a sensor measured: no images, no points, no poses of a target. Name their folder "
       "or file too.");
@@ -83,18 +105,21 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const Brought& b, con
 
 namespace {
 
-Conversion converted(const std::vector<fs::path>& given, const ConvertOptions& o) {
+Conversion converted(const std::vector<fs::path>& given, ConvertOptions o) {
   if (fs::exists(o.out / "session.xml"))
     throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(o.out)));
   Conversion c;
   std::vector<fs::path> files = given;
-  const std::optional<FieldUrdf> robot = find_robot(files, o, c);
+  const std::optional<Bag> bag = find_bag(files);
+  const std::optional<FieldUrdf> robot = find_robot(files, bag, o, c);
   if (robot) c.notes.insert(c.notes.end(), robot->notes.begin(), robot->notes.end());
-  const Brought b = bring(files, robot ? &robot->robot : nullptr, o.degrees, o.angles);
+  Brought b = bring(files, robot ? &robot->robot : nullptr, o.degrees, o.angles);
+  choose_target(b, o.target_frame);
   c.took.insert(c.took.end(), b.took.begin(), b.took.end());
   c.notes.insert(c.notes.end(), b.notes.begin(), b.notes.end());
   ask_whether_to_go_on(o);
-  c = assemble(robot, b, o, std::move(c));
+  if (!o.target) o.target = b.target;
+  c = assemble(robot, bag, b, o, std::move(c));
   for (const std::string& doubt : session_doubts(c.session)) c.notes.push_back(doubt);
   return c;
 }

@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "convert/convert_pairing.h"
 #include "convert/convert_ways.h"
-#include "readers/ros_bag.h"
 
 namespace handsight {
 namespace {
@@ -111,9 +110,9 @@ Together taken_together(const std::vector<const BagImages*>& topics) {
 
 /// The images of all topics for these events, written into `folder`; none of them stays where that ends in an
 /// exception.
-std::vector<InstantImages> write_images(const std::filesystem::path& file, const BagRig& found,
-                                        const Together& together, const std::vector<std::size_t>& events,
-                                        const std::filesystem::path& folder, const ConvertOptions& o) {
+std::vector<InstantImages> write_images(const Bag& file, const BagRig& found, const Together& together,
+                                        const std::vector<std::size_t>& events, const std::filesystem::path& folder,
+                                        const ConvertOptions& o) {
   std::vector<InstantImages> images(events.size());
   try {
     for (std::size_t camera = 0; camera < found.topics.size(); ++camera) {
@@ -135,8 +134,8 @@ std::vector<InstantImages> write_images(const std::filesystem::path& file, const
   return images;
 }
 
-Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const BagRig& found,
-                           const std::filesystem::path& file, const ConvertOptions& o, Conversion c) {
+Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const BagRig& found, const Bag& file,
+                           const ConvertOptions& o, Conversion c) {
   SessionParts parts;
   require_links(robot, o, parts, c.notes);
   const Together together = taken_together(found.topics);
@@ -157,9 +156,10 @@ Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const
 
 }  // namespace
 
-Conversion from_bag(const std::optional<FieldUrdf>& robot, const Brought& b, const ConvertOptions& o, Conversion c) {
+Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, const Brought& b, const ConvertOptions& o,
+                    Conversion c) {
   if (!robot) throw InputError("The bag publishes no robot_description; name the robot's URDF with --robot.");
-  BagContents bag = read_bag_contents(b.bag, robot->robot, [&] { ask_whether_to_go_on(o); });
+  BagContents bag = read_bag_contents(file, robot->robot, [&] { ask_whether_to_go_on(o); });
   c.notes.insert(c.notes.end(), bag.notes.begin(), bag.notes.end());
   if (b.joints) bag.joints = *b.joints;
   if (bag.joints.positions.empty())
@@ -167,7 +167,7 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Brought& b, con
         "The bag has no sensor_msgs/JointState with joints of this robot; record /joint_states too, or name "
         "the robot that it was recorded with.");
   if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b, o) : std::nullopt)
-    return from_bag_images(*robot, bag, *rig, b.bag, o, std::move(c));
+    return from_bag_images(*robot, bag, *rig, file, o, std::move(c));
   const std::string child = target_frame_of(bag, o.target_frame);
   const BagFrame& frame = bag.frames.at(child);
   c.notes.push_back(

@@ -32,10 +32,10 @@ void match_images(const std::vector<InstantImages>& instants, std::size_t lines,
       instants.front().number, instants.back().number));
 }
 
-bool is_of_kalibr_or_ros(const std::filesystem::path& file) {
+bool is_of_kalibr_ros_or_makers(const std::filesystem::path& file) {
   try {
     const FileKind kind = file_kind(file, nullptr);
-    return kind == FileKind::camchain || kind == FileKind::camera_info;
+    return kind == FileKind::camchain || is_one_camera(kind);
   } catch (const InputError&) {
     return false;  // the reader of OpenCV's says what is wrong with it
   }
@@ -78,7 +78,7 @@ Rig rig_of_brought(const Brought& b) {
 }
 
 Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes) {
-  if (std::none_of(files.begin(), files.end(), is_of_kalibr_or_ros)) return read_rig_calibration(files, &notes);
+  if (std::none_of(files.begin(), files.end(), is_of_kalibr_ros_or_makers)) return read_rig_calibration(files, &notes);
   const Brought b = bring(files, nullptr, false, {});
   notes.insert(notes.end(), b.notes.begin(), b.notes.end());
   return rig_of_brought(b);

@@ -38,9 +38,9 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
 Conversion from_images(const FieldUrdf& robot, const Brought& brought, const ConvertOptions& options,
                        Conversion conversion);
 
-/// A bag of ROS 2, with images of two cameras (of one with a target) or with the target's frames.
-Conversion from_bag(const std::optional<FieldUrdf>& robot, const Brought& brought, const ConvertOptions& options,
-                    Conversion conversion);
+/// A bag of ROS, with images of two cameras (of one with a target) or with the target's frames.
+Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& bag, const Brought& brought,
+                    const ConvertOptions& options, Conversion conversion);
 
 /// The cameras' sizes as the first of these images of each has them.
 void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<std::string>& notes);

@@ -21,49 +21,6 @@ std::vector<double> required(const YAML::Node& yaml, const char* key, std::size_
   return *numbers;
 }
 
-void check_numbers(const Camera& c, const std::string& file) {
-  if (c.fx == 0)
-    throw InputError(file +
-                     ": the camera's matrix holds zeros: the driver publishes no calibration; calibrate it, or "
-                     "name a file that has one.");
-  for (const double f : {c.fx, c.fy})
-    if (!bounds::focal_length.hold(f))
-      throw InputError(fmt::format("{}: has a focal length of {:g} px; expected one from {:g} to {:g}.", file, f,
-                                   bounds::focal_length.lowest, bounds::focal_length.highest));
-  for (const double p : {c.cx, c.cy, c.skew})
-    if (!bounds::pixel.hold(p)) throw InputError(fmt::format("{}: holds {:g}, no place in an image.", file, p));
-  for (const double d : {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6})
-    if (!bounds::distortion.hold(d)) throw InputError(fmt::format("{}: holds {:g}, no lens bends so.", file, d));
-  if (c.width <= 0 || c.height <= 0 || c.width > 100000 || c.height > 100000)
-    throw InputError(file + ": does not say how large the images are; expected image_width and image_height.");
-}
-
-/// The lens by what ROS and Kalibr call its model.
-void set_distortion(Camera& c, const std::vector<double>& d, const std::string& model, const std::string& file) {
-  c.is_fisheye = model == "equidistant" || model == "fisheye";
-  const bool is_rational = model == "rational_polynomial" || (model.empty() && d.size() == 8);
-  const bool is_plain = model.empty() || model == "plumb_bob" || model == "radtan" || model == "none";
-  if (!c.is_fisheye && !is_rational && !is_plain)
-    throw InputError(
-        fmt::format("{}: the lens is of the model {}, which sessions do not have; calibrate with plumb_bob "
-                    "(k1 k2 p1 p2 k3), rational_polynomial or equidistant.",
-                    file, in_quotes(model)));
-  double* const plain[] = {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3, &c.k4, &c.k5, &c.k6};
-  double* const fisheye[] = {&c.k1, &c.k2, &c.k3, &c.k4};
-  const std::span<double* const> into = c.is_fisheye  ? std::span<double* const>(fisheye)
-                                        : is_rational ? std::span<double* const>(plain)
-                                                      : std::span<double* const>(plain, 5);
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    if (i < into.size())
-      *into[i] = d[i];
-    else if (d[i] != 0)
-      throw InputError(fmt::format("{}: the lens has {} distortion terms; calibrate it with {}.", file, d.size(),
-                                   c.is_fisheye  ? "the four of a fisheye"
-                                   : is_rational ? "eight (k1 k2 p1 p2 k3 k4 k5 k6)"
-                                                 : "five (k1 k2 p1 p2 k3)"));
-  }
-}
-
 void set_rectification(RosCamera& c, const double* r, const double* p) {
   const Matrix3 rotation = Matrix3(Eigen::Map<const Matrix3>(r)).transpose();
   if (!((rotation * rotation.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < 1e-3) || !(p[0] > 0)) return;
@@ -99,11 +56,53 @@ Camera kalibr_camera(const YAML::Node& yaml, const std::string& file) {
   c.height = static_cast<int>(std::clamp(size[1], 0.0, 1e6));
   set_distortion(c, yaml_numbers(yaml["distortion_coeffs"]).value_or(std::vector<double>()),
                  yaml_word(yaml, "distortion_model"), file);
-  check_numbers(c, file);
+  check_camera(c, file);
   return c;
 }
 
 }  // namespace
+
+void check_camera(const Camera& c, const std::string& file) {
+  if (c.fx == 0)
+    throw InputError(file +
+                     ": the camera's matrix holds zeros: the driver publishes no calibration; calibrate it, or "
+                     "name a file that has one.");
+  for (const double f : {c.fx, c.fy})
+    if (!bounds::focal_length.hold(f))
+      throw InputError(fmt::format("{}: has a focal length of {:g} px; expected one from {:g} to {:g}.", file, f,
+                                   bounds::focal_length.lowest, bounds::focal_length.highest));
+  for (const double p : {c.cx, c.cy, c.skew})
+    if (!bounds::pixel.hold(p)) throw InputError(fmt::format("{}: holds {:g}, no place in an image.", file, p));
+  for (const double d : {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6})
+    if (!bounds::distortion.hold(d)) throw InputError(fmt::format("{}: holds {:g}, no lens bends so.", file, d));
+  if (c.width <= 0 || c.height <= 0 || c.width > 100000 || c.height > 100000)
+    throw InputError(file + ": does not say how large the images are; expected image_width and image_height.");
+}
+
+void set_distortion(Camera& c, const std::vector<double>& d, const std::string& model, const std::string& file) {
+  c.is_fisheye = model == "equidistant" || model == "fisheye";
+  const bool is_rational = model == "rational_polynomial" || (model.empty() && d.size() == 8);
+  const bool is_plain = model.empty() || model == "plumb_bob" || model == "radtan" || model == "none";
+  if (!c.is_fisheye && !is_rational && !is_plain)
+    throw InputError(
+        fmt::format("{}: the lens is of the model {}, which sessions do not have; calibrate with plumb_bob "
+                    "(k1 k2 p1 p2 k3), rational_polynomial or equidistant.",
+                    file, in_quotes(model)));
+  double* const plain[] = {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3, &c.k4, &c.k5, &c.k6};
+  double* const fisheye[] = {&c.k1, &c.k2, &c.k3, &c.k4};
+  const std::span<double* const> into = c.is_fisheye  ? std::span<double* const>(fisheye)
+                                        : is_rational ? std::span<double* const>(plain)
+                                                      : std::span<double* const>(plain, 5);
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    if (i < into.size())
+      *into[i] = d[i];
+    else if (d[i] != 0)
+      throw InputError(fmt::format("{}: the lens has {} distortion terms; calibrate it with {}.", file, d.size(),
+                                   c.is_fisheye  ? "the four of a fisheye"
+                                   : is_rational ? "eight (k1 k2 p1 p2 k3 k4 k5 k6)"
+                                                 : "five (k1 k2 p1 p2 k3)"));
+  }
+}
 
 bool is_camera_info(const YAML::Node& yaml) {
   return yaml.IsMap() && yaml["camera_matrix"] && yaml["image_width"] && !yaml["cam0"];
@@ -122,7 +121,7 @@ RosCamera read_camera_info(const YAML::Node& yaml, const std::string& file) {
   c.camera.height = static_cast<int>(std::clamp(yaml_number(yaml, "image_height").value_or(0), 0.0, 1e6));
   set_distortion(c.camera, yaml_numbers(yaml["distortion_coefficients"]).value_or(std::vector<double>()),
                  yaml_word(yaml, "distortion_model"), file);
-  check_numbers(c.camera, file);
+  check_camera(c.camera, file);
   const auto r = yaml_numbers(yaml["rectification_matrix"]), p = yaml_numbers(yaml["projection_matrix"]);
   if (r && r->size() == 9 && p && p->size() == 12) set_rectification(c, r->data(), p->data());
   return c;
@@ -135,7 +134,7 @@ RosCamera camera_from_message(const ros::CameraInfo& message, const std::string&
   c.camera.width = static_cast<int>(std::min(message.width, 1000000u));
   c.camera.height = static_cast<int>(std::min(message.height, 1000000u));
   set_distortion(c.camera, message.d, message.model, file);
-  check_numbers(c.camera, file);
+  check_camera(c.camera, file);
   set_rectification(c, message.r, message.p);
   return c;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "camera/rig.h"
-#include "readers/cdr.h"
+#include "readers/bags/messages.h"
 #include "readers/yaml_text.h"
 
 namespace handsight {
@@ -20,6 +20,13 @@ struct RosCamera {
   double baseline = 0;  // m: -P[3] / P[0], > 0 for the right camera of a rectified rig
   bool has_rectification = false;
 };
+
+/// InputError where these are no numbers of a camera, or the images' size is missing; `file` begins the sentence.
+void check_camera(const Camera& camera, const std::string& file);
+
+/// The lens by what ROS and Kalibr call its model; an empty name is told by the count of its numbers.
+void set_distortion(Camera& camera, const std::vector<double>& numbers, const std::string& model,
+                    const std::string& file);
 
 /// Is this a camera_info YAML, a camchain?
 bool is_camera_info(const YAML::Node& yaml);

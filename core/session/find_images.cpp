@@ -37,7 +37,7 @@ struct Listing {
 };
 
 bool is_image_ending(const std::string& ending) {
-  const auto endings = {".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff"};
+  const auto endings = {".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp"};
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 

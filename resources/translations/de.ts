@@ -6926,10 +6926,6 @@
         <translation>Die Bilder haben %1 x %2 px, die Kalibrierung der Kamera (%3) ist von %4 x %5 px: nenne die Kalibrierung dieser Bilder oder Bilder dieser Größe.</translation>
     </message>
     <message>
-        <source>is no image that can be read (%1 bytes); PNG, JPEG, PGM, BMP and TIFF can.</source>
-        <translation>ist kein Bild, das sich lesen lässt (%1 Bytes); PNG, JPEG, PGM, BMP und TIFF gehen.</translation>
-    </message>
-    <message>
         <source>the image is cut off after %1 bytes; copy it again from where it came.</source>
         <translation>das Bild bricht nach %1 Bytes ab; kopiere es noch einmal von dort, wo es herkam.</translation>
     </message>
@@ -7134,24 +7130,12 @@
         <translation>die Zeilen sind kürzer als die Breite.</translation>
     </message>
     <message>
-        <source>compressed images of the format %1 cannot be read; expected PNG or JPEG.</source>
-        <translation>komprimierte Bilder des Formats %1 lassen sich nicht lesen; erwartet wird PNG oder JPEG.</translation>
-    </message>
-    <message>
-        <source>%1; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or a ROS 2 bag in sqlite3.</source>
-        <translation>%1; erwartet wird eine URDF, ein Ordner mit Bildern, eine Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von easy_handeye oder ein ROS-2-Bag in sqlite3.</translation>
-    </message>
-    <message>
         <source>is a session already, use it as it is</source>
         <translation>ist schon eine Sitzung, nimm sie, wie sie ist</translation>
     </message>
     <message>
         <source>is an SDF of Gazebo; name the URDF of the robot</source>
         <translation>ist ein SDF von Gazebo; nenne die URDF des Roboters</translation>
-    </message>
-    <message>
-        <source>is a MuJoCo model; name the URDF of the robot</source>
-        <translation>ist ein Modell von MuJoCo; nenne die URDF des Roboters</translation>
     </message>
     <message>
         <source>is XML of a kind that is not known</source>
@@ -7180,14 +7164,6 @@
     <message>
         <source>--angles %1: no table of poses here has %2 numbers for a turn; leave it out.</source>
         <translation>--angles %1: keine Tabelle von Posen hat hier %2 Zahlen für eine Drehung; lass es weg.</translation>
-    </message>
-    <message>
-        <source>is a bag in MCAP, which cannot be read here; write it as sqlite3 with `ros2 bag convert -i BAG -o options.yaml` (storage_id: sqlite3).</source>
-        <translation>ist ein Bag in MCAP, das hier nicht gelesen werden kann; schreibe es als sqlite3 mit `ros2 bag convert -i BAG -o options.yaml` (storage_id: sqlite3).</translation>
-    </message>
-    <message>
-        <source>is a bag of ROS 1; convert it with `rosbags-convert`, storage sqlite3.</source>
-        <translation>ist ein Bag von ROS 1; wandle es mit `rosbags-convert` um, Speicher sqlite3.</translation>
     </message>
     <message>
         <source>is no text</source>
@@ -7316,10 +7292,6 @@
     <message>
         <source>the image ends too early</source>
         <translation>das Bild endet zu früh</translation>
-    </message>
-    <message>
-        <source>the transform of %1 holds no unit quaternion</source>
-        <translation>die Transformation von %1 enthält kein Einheitsquaternion</translation>
     </message>
     <message>
         <source>There is no robot; name its URDF with --robot, or a table of its flange's poses.</source>
@@ -7522,16 +7494,8 @@
         <translation>ist nicht vollständig</translation>
     </message>
     <message>
-        <source>is no ROS 2 bag in sqlite3 that can be read: %1; write it again with `ros2 bag convert` (storage sqlite3, no compression).</source>
-        <translation>ist kein ROS-2-Bag in sqlite3, das sich lesen ließe: %1; schreibe es neu mit `ros2 bag convert` (Speicher sqlite3, ohne Kompression).</translation>
-    </message>
-    <message>
         <source>%1 %2: the robot has no such link; it has: %3.</source>
         <translation>%1 %2: der Roboter hat kein solches Glied; er hat: %3.</translation>
-    </message>
-    <message>
-        <source>topic %1 is serialised as %2</source>
-        <translation>das Thema %1 ist serialisiert als %2</translation>
     </message>
     <message>
         <source>%1 stands in column %2, expected a number of at most %3.</source>
@@ -7776,6 +7740,350 @@
     <message>
         <source>it cannot be opened</source>
         <translation>sie lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>There are %1 things with poses (%2); say with --target-frame which is on the hand.</source>
+        <translation>Es gibt %1 Dinge mit Posen (%2); sage mit --target-frame, welches an der Hand ist.</translation>
+    </message>
+    <message>
+        <source>%1; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or a bag of ROS.</source>
+        <translation>%1; erwartet wird eine URDF, ein Ordner mit Bildern, eine Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von easy_handeye oder ein Bag von ROS.</translation>
+    </message>
+    <message>
+        <source>is one image; name the folder that holds the images.</source>
+        <translation>ist ein einzelnes Bild; nenne den Ordner mit den Bildern.</translation>
+    </message>
+    <message>
+        <source>is %1, which is not read; %2.</source>
+        <translation>ist %1, was nicht gelesen wird; %2.</translation>
+    </message>
+    <message>
+        <source>compressed images of the format %1 cannot be read; expected PNG, JPEG or WebP.</source>
+        <translation>komprimierte Bilder des Formats %1 lassen sich nicht lesen; erwartet wird PNG, JPEG oder WebP.</translation>
+    </message>
+    <message>
+        <source>is no image that can be read (%1 bytes); PNG, JPEG, PGM, BMP, TIFF and WebP can.</source>
+        <translation>ist kein Bild, das sich lesen ließe (%1 Byte); PNG, JPEG, PGM, BMP, TIFF und WebP lassen sich lesen.</translation>
+    </message>
+    <message>
+        <source>is a bag of ROS 1 of the version %1; expected V2.0. `rosbag fix OLD.bag NEW.bag` of ROS writes it anew.</source>
+        <translation>ist ein Bag von ROS 1 der Version %1; erwartet wird V2.0. `rosbag fix ALT.bag NEU.bag` von ROS schreibt es neu.</translation>
+    </message>
+    <message>
+        <source>does not begin as a bag does: it was not copied whole, or is of another kind; expected a ROS 2 bag (sqlite3 or MCAP) or a ROS 1 bag of version 2.0.</source>
+        <translation>beginnt nicht wie ein Bag: es wurde nicht ganz kopiert oder ist von anderer Art; erwartet wird ein ROS-2-Bag (sqlite3 oder MCAP) oder ein ROS-1-Bag der Version 2.0.</translation>
+    </message>
+    <message>
+        <source>is compressed with zstd, and damaged (%1); expected a whole file: copy it again.</source>
+        <translation>ist mit zstd komprimiert und beschädigt (%1); erwartet wird eine ganze Datei: kopiere sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>there is no room to decompress it in %1; make room there, or name another folder in TMPDIR.</source>
+        <translation>in %1 ist kein Platz, um sie zu entpacken; schaffe dort Platz, oder nenne einen anderen Ordner in TMPDIR.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; is it there, and may you read it?</source>
+        <translation>die Datei lässt sich nicht lesen; gibt es sie, und darfst du sie lesen?</translation>
+    </message>
+    <message>
+        <source>begins as MCAP does and holds no channel: it was broken off before anything was recorded, or is damaged; expected a recording with messages: record it again, or try `mcap recover`.</source>
+        <translation>beginnt wie MCAP und enthält keinen Kanal: die Aufnahme brach ab, bevor etwas aufgezeichnet war, oder sie ist beschädigt; erwartet wird eine Aufnahme mit Nachrichten: nimm sie neu auf, oder versuche `mcap recover`.</translation>
+    </message>
+    <message>
+        <source>the %1 holds no unit quaternion</source>
+        <translation>%1 enthält kein Einheitsquaternion</translation>
+    </message>
+    <message>
+        <source>is a bag of ROS 1 without a connection: nothing was recorded, or it is damaged; expected a bag with messages: record it again, or try `rosbag reindex`.</source>
+        <translation>ist ein Bag von ROS 1 ohne Verbindung: es wurde nichts aufgezeichnet, oder es ist beschädigt; erwartet wird ein Bag mit Nachrichten: nimm es neu auf, oder versuche `rosbag reindex`.</translation>
+    </message>
+    <message>
+        <source>is encrypted (%1); expected one that is not: `rosbag decrypt` of ROS writes it.</source>
+        <translation>ist verschlüsselt (%1); erwartet wird ein unverschlüsseltes: `rosbag decrypt` von ROS schreibt es.</translation>
+    </message>
+    <message>
+        <source>is no ROS 2 bag in sqlite3 that can be read: %1; expected what `ros2 bag record` writes: copy it again, or write it anew with `ros2 bag convert`.</source>
+        <translation>ist kein ROS-2-Bag in sqlite3, das sich lesen ließe: %1; erwartet wird, was `ros2 bag record` schreibt: kopiere es noch einmal, oder schreibe es neu mit `ros2 bag convert`.</translation>
+    </message>
+    <message>
+        <source>has no number %1; expected Kalibr's description of a target, whole.</source>
+        <translation>hat keine Zahl %1; erwartet wird Kalibrs vollständige Beschreibung eines Ziels.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected a whole number from 1 on.</source>
+        <translation>%1 ist %2; erwartet wird eine ganze Zahl ab 1.</translation>
+    </message>
+    <message>
+        <source>its fields are %1 m x %2 m; expected squares (rowSpacingMeters and colSpacingMeters equal).</source>
+        <translation>seine Felder sind %1 m x %2 m; erwartet werden Quadrate (rowSpacingMeters und colSpacingMeters gleich).</translation>
+    </message>
+    <message>
+        <source>describes a target of the type %1, which is not found in images; expected aprilgrid or checkerboard: `handsight-cli target` draws one.</source>
+        <translation>beschreibt ein Ziel der Art %1, das in Bildern nicht gefunden wird; erwartet wird aprilgrid oder checkerboard: `handsight-cli target` zeichnet eines.</translation>
+    </message>
+    <message>
+        <source>has no number %1; expected a calibration that is whole.</source>
+        <translation>hat keine Zahl %1; erwartet wird eine vollständige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>k does not hold 9 finite numbers; expected the whole text of `ros2 topic echo --full-length`.</source>
+        <translation>k enthält nicht 9 endliche Zahlen; erwartet wird der ganze Text von `ros2 topic echo --full-length`.</translation>
+    </message>
+    <message>
+        <source>the camera is of camodocal's model %1, which sessions do not have; calibrate it as PINHOLE or, a wide lens, as KANNALA_BRANDT, or with `handsight-cli cameras`.</source>
+        <translation>die Kamera ist von camodocals Modell %1, das Sitzungen nicht haben; kalibriere sie als PINHOLE oder, ein weites Objektiv, als KANNALA_BRANDT, oder mit `handsight-cli cameras`.</translation>
+    </message>
+    <message>
+        <source>has no projection_parameters; expected a calibration that is whole.</source>
+        <translation>hat keine projection_parameters; erwartet wird eine vollständige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>does not begin with a number, expected that of a frame.</source>
+        <translation>beginnt nicht mit einer Zahl; erwartet wird die eines Bildes.</translation>
+    </message>
+    <message>
+        <source>has no frames below its header; expected a line a frame.</source>
+        <translation>hat unter dem Kopf keine Bilder; erwartet wird eine Zeile je Bild.</translation>
+    </message>
+    <message>
+        <source>begins as Motive's CSV does and has no rigid bodies or markers in its header; export it again with them.</source>
+        <translation>beginnt wie Motives CSV und hat im Kopf weder starre Körper noch Marker; exportiere sie noch einmal mit ihnen.</translation>
+    </message>
+    <message>
+        <source>its turns are Euler angles (%1); export it again with the rotation type Quaternion.</source>
+        <translation>ihre Drehungen sind Euler-Winkel (%1); exportiere sie noch einmal mit der Drehungsart Quaternion.</translation>
+    </message>
+    <message>
+        <source>stands before the first section; expected [image].</source>
+        <translation>steht vor dem ersten Abschnitt; erwartet wird [image].</translation>
+    </message>
+    <message>
+        <source>%1 is no finite number.</source>
+        <translation>%1 ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>[%1] has a camera matrix of %2 numbers; expected 9.</source>
+        <translation>[%1] hat eine Kameramatrix aus %2 Zahlen; erwartet werden 9.</translation>
+    </message>
+    <message>
+        <source>has %1 cameras; expected one, or a left and a right one.</source>
+        <translation>hat %1 Kameras; erwartet wird eine, oder eine linke und eine rechte.</translation>
+    </message>
+    <message>
+        <source>the lens is of RealSense's model %1, which sessions do not have; calibrate the camera with `handsight-cli cameras`.</source>
+        <translation>das Objektiv ist von RealSenses Modell %1, das Sitzungen nicht haben; kalibriere die Kamera mit `handsight-cli cameras`.</translation>
+    </message>
+    <message>
+        <source>has no number %1; expected width height ppx ppy fx fy.</source>
+        <translation>hat keine Zahl %1; erwartet werden width height ppx ppy fx fy.</translation>
+    </message>
+    <message>
+        <source>lists %1 streams (%2); keep the lines of the one that the images are of, from "Intrinsic of" to "Coeffs".</source>
+        <translation>nennt %1 Ströme (%2); behalte die Zeilen dessen, von dem die Bilder sind, von "Intrinsic of" bis "Coeffs".</translation>
+    </message>
+    <message>
+        <source>is of LeRobot's older form, which holds no ranges; `lerobot-calibrate` of a newer one writes them.</source>
+        <translation>ist von LeRobots älterer Form, die keine Bereiche enthält; `lerobot-calibrate` eines neueren schreibt sie.</translation>
+    </message>
+    <message>
+        <source>servo %1 has no range_min below its range_max; expected LeRobot's calibration.</source>
+        <translation>Servo %1 hat kein range_min unter seinem range_max; erwartet wird LeRobots Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>is nested more deeply than any robot is.</source>
+        <translation>ist tiefer verschachtelt, als ein Roboter es ist.</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; makes other bodies, which is not read; write the whole model with mj_saveLastXML (`simulate` has it as Save xml) and name that.</source>
+        <translation>&lt;%1&gt; macht andere Körper, was nicht gelesen wird; schreibe das ganze Modell mit mj_saveLastXML (`simulate` hat es als Save xml) und nenne dieses.</translation>
+    </message>
+    <message>
+        <source>has an axis without a direction, expected one.</source>
+        <translation>hat eine Achse ohne Richtung; erwartet wird eine.</translation>
+    </message>
+    <message>
+        <source>has fromto without a length, expected two places.</source>
+        <translation>hat fromto ohne Länge; erwartet werden zwei Orte.</translation>
+    </message>
+    <message>
+        <source>has a mass of %1 kg.</source>
+        <translation>hat eine Masse von %1 kg.</translation>
+    </message>
+    <message>
+        <source>includes %1 a second time, expected once.</source>
+        <translation>bindet %1 ein zweites Mal ein; erwartet wird einmal.</translation>
+    </message>
+    <message>
+        <source>is the include number %1.</source>
+        <translation>ist die Einbindung Nummer %1.</translation>
+    </message>
+    <message>
+        <source>includes %1, which is not there; put it beside the model.</source>
+        <translation>bindet %1 ein, das es nicht gibt; lege es neben das Modell.</translation>
+    </message>
+    <message>
+        <source>includes %1, which is empty.</source>
+        <translation>bindet %1 ein, das leer ist.</translation>
+    </message>
+    <message>
+        <source>has eulerseq %1, expected three of x y z X Y Z.</source>
+        <translation>hat eulerseq %1; erwartet werden drei von x y z X Y Z.</translation>
+    </message>
+    <message>
+        <source>has coordinate="global", which MuJoCo itself no longer reads, expected "local"; an older MuJoCo writes it anew with mj_saveLastXML.</source>
+        <translation>hat coordinate="global", was MuJoCo selbst nicht mehr liest; erwartet wird "local"; ein älteres MuJoCo schreibt es neu mit mj_saveLastXML.</translation>
+    </message>
+    <message>
+        <source>has %1 without a direction, expected one.</source>
+        <translation>hat %1 ohne Richtung; erwartet wird eine.</translation>
+    </message>
+    <message>
+        <source>has a quat of length 0, expected w x y z.</source>
+        <translation>hat ein quat der Länge 0; erwartet wird w x y z.</translation>
+    </message>
+    <message>
+        <source>is of the class %1, which no &lt;default&gt; describes.</source>
+        <translation>ist von der Klasse %1, die kein &lt;default&gt; beschreibt.</translation>
+    </message>
+    <message>
+        <source>has %1=%2, expected %3 finite numbers.</source>
+        <translation>hat %1=%2; erwartet werden %3 endliche Zahlen.</translation>
+    </message>
+    <message>
+        <source>has %1 in %2, far outside of any robot.</source>
+        <translation>hat %1 in %2, weit außerhalb jedes Roboters.</translation>
+    </message>
+    <message>
+        <source>xacro cannot expand it (%1); expand it with the arguments that the robot's launch file gives, `xacro %2 NAME:=VALUE &gt; robot.urdf`, and name robot.urdf.</source>
+        <translation>xacro kann sie nicht entfalten (%1); entfalte sie mit den Argumenten, die die Launch-Datei des Roboters gibt, `xacro %2 NAME:=VALUE &gt; robot.urdf`, und nenne robot.urdf.</translation>
+    </message>
+    <message>
+        <source>is no head of a section of Vicon's, expected its rate, names and axes below.</source>
+        <translation>ist kein Kopf eines Abschnitts von Vicon; erwartet werden darunter Rate, Namen und Achsen.</translation>
+    </message>
+    <message>
+        <source>has neither Objects nor Segments nor Trajectories; export it again with one of them.</source>
+        <translation>hat weder Objects noch Segments noch Trajectories; exportiere sie noch einmal mit einem davon.</translation>
+    </message>
+    <message>
+        <source>a bag of ROS</source>
+        <translation>ein Bag von ROS</translation>
+    </message>
+    <message>
+        <source>servos of LeRobot</source>
+        <translation>Servos von LeRobot</translation>
+    </message>
+    <message>
+        <source>motion capture of Motive or Vicon</source>
+        <translation>Motion-Capture von Motive oder Vicon</translation>
+    </message>
+    <message>
+        <source>a calibration of ROS's camera_calibration</source>
+        <translation>eine Kalibrierung von ROS' camera_calibration</translation>
+    </message>
+    <message>
+        <source>a camera of RealSense</source>
+        <translation>eine Kamera von RealSense</translation>
+    </message>
+    <message>
+        <source>a camera of camodocal</source>
+        <translation>eine Kamera von camodocal</translation>
+    </message>
+    <message>
+        <source>a target of Kalibr</source>
+        <translation>ein Ziel von Kalibr</translation>
+    </message>
+    <message>
+        <source>topic %1: %2 of %3 messages are damaged and are left out.</source>
+        <translation>Topic %1: %2 von %3 Nachrichten sind beschädigt und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1 messages whose compression is damaged are left out.</source>
+        <translation>%1 Nachrichten, deren Kompression beschädigt ist, bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1 more places are damaged.</source>
+        <translation>%1 weitere Stellen sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 messages are of channels that are described nowhere and are left out.</source>
+        <translation>%1 Nachrichten sind von Kanälen, die nirgends beschrieben sind, und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>its checksum does not agree: some of its bytes have changed since it was written; its messages are taken as they are.</source>
+        <translation>die Prüfsumme stimmt nicht: einige Bytes haben sich geändert, seit sie geschrieben wurde; die Nachrichten werden genommen, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>the chunk at byte %1 is left out: %2.</source>
+        <translation>der Abschnitt ab Byte %1 bleibt weg: %2.</translation>
+    </message>
+    <message>
+        <source>it is broken off at byte %1 of a record that begins at %2: after %3 messages the rest is lost.</source>
+        <translation>sie bricht bei Byte %1 eines Eintrags ab, der bei %2 beginnt: nach %3 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>at byte %1 of %2 stands no record: it is damaged, and after %3 messages the rest is lost.</source>
+        <translation>bei Byte %1 von %2 steht kein Eintrag: sie ist beschädigt, und nach %3 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>is damaged at byte %1: %2 bytes up to the next chunk are left out.</source>
+        <translation>ist bei Byte %1 beschädigt: %2 Byte bis zum nächsten Abschnitt bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1 messages are of connections that are described nowhere and are left out.</source>
+        <translation>%1 Nachrichten sind von Verbindungen, die nirgends beschrieben sind, und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>it is broken off or damaged at byte %1 of %2: after %3 messages the rest is lost.</source>
+        <translation>sie bricht bei Byte %1 von %2 ab oder ist dort beschädigt: nach %3 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>is damaged (%1): after %2 messages the rest is lost.</source>
+        <translation>ist beschädigt (%1): nach %2 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>its zstd is damaged (%1): what comes after the damage is lost.</source>
+        <translation>ihr zstd ist beschädigt (%1): was nach dem Schaden kommt, ist verloren.</translation>
+    </message>
+    <message>
+        <source>%1 markers beside the rigid bodies are left out.</source>
+        <translation>%1 Marker neben den starren Körpern bleiben weg.</translation>
+    </message>
+    <message>
+        <source>its coefficients are of the model inverse Brown-Conrady; they are taken as Brown's, as librealsense projects with them.</source>
+        <translation>ihre Koeffizienten sind vom Modell inverse Brown-Conrady; sie werden als die von Brown genommen, wie librealsense mit ihnen projiziert.</translation>
+    </message>
+    <message>
+        <source>%1 columns are read as %2; 0 is the middle of each range: where the robot's URDF has another zero, joint_offset finds it.</source>
+        <translation>%1 Spalten werden als %2 gelesen; 0 ist die Mitte jedes Bereichs: wo die URDF des Roboters eine andere Null hat, findet sie joint_offset.</translation>
+    </message>
+    <message>
+        <source>no column has the name of a servo of LeRobot's calibration, which is not used.</source>
+        <translation>keine Spalte heißt wie ein Servo aus LeRobots Kalibrierung; sie wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>that %1 follows %2 is left out: it is no straight line.</source>
+        <translation>dass %1 %2 folgt, bleibt weg: es ist keine Gerade.</translation>
+    </message>
+    <message>
+        <source>%1 stand still in the session's copy: a session has one number a joint.</source>
+        <translation>%1 stehen in der Kopie der Sitzung still: eine Sitzung hat eine Zahl je Gelenk.</translation>
+    </message>
+    <message>
+        <source>is a model of MuJoCo; the session's robot is a URDF of its bodies and joints.</source>
+        <translation>ist ein Modell von MuJoCo; der Roboter der Sitzung ist eine URDF seiner Körper und Gelenke.</translation>
+    </message>
+    <message>
+        <source>was expanded by xacro, with the arguments that it has by itself.</source>
+        <translation>wurde von xacro entfaltet, mit den Argumenten, die sie selbst hat.</translation>
+    </message>
+    <message>
+        <source>the section %1 is left out.</source>
+        <translation>der Abschnitt %1 bleibt weg.</translation>
+    </message>
+    <message>
+        <source>its markers are left out, its rigid bodies count.</source>
+        <translation>ihre Marker bleiben weg, ihre starren Körper zählen.</translation>
     </message>
 </context>
 <context>

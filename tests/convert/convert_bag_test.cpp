@@ -4,6 +4,7 @@
 
 #include "convert/bag_fixture.h"
 #include "convert/convert_fixture.h"
+#include "readers/bags/recordings.h"
 
 namespace handsight {
 namespace {
@@ -146,7 +147,49 @@ TEST_F(Convert, DamagedBagsAreRefused) {
   }
   EXPECT_THAT(refusal({folder.path / "bag"}), HasSubstr("bag is damaged"));
   EXPECT_THAT(refusal({write("no.db3", "SQLite format 3 it is not")}), HasSubstr("no ROS 2 bag"));
-  EXPECT_THAT(refusal({write("a.mcap", "\x89MCAP0\r\n")}), HasSubstr("ros2 bag convert"));
+  EXPECT_THAT(refusal({write("a.mcap", "\x89MCAP0\r\n")}), HasSubstr("holds no channel"));
+}
+
+/// The same recording in MCAP and as a bag of ROS 1 comes to the same session, and a cut copy to the beginning of it.
+TEST_F(Convert, McapAndRos1BagsComeToTheSameSession) {
+  const Rigid tcp_from_target{rotation_from_rpy({0.3, -0.2, 0.9}), {0.02, 0.05, 0.1}};
+  const std::vector<Rigid> targets = target_poses(truth, tcp_from_target);
+  const auto recording = [&](bool ros1) {
+    fixture::Recording r;
+    r.ros1 = ros1;
+    r.topics = {{"/joint_states", "sensor_msgs", "JointState"}, {"/aruco_single/pose", "geometry_msgs", "PoseStamped"}};
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      for (int k = 0; k < 50; ++k) {  // it stands for a second
+        const double t = 1000 + 2.0 * static_cast<double>(i) + 0.02 * k;
+        const Eigen::VectorXd& q = truth.session.observations[i].position;
+        fixture::MessageWriter joints(ros1), pose(ros1);
+        joints.header(t, "").count(6);
+        for (const char* name : {"a1", "a2", "a3", "a4", "a5", "a6"}) joints.text(name);
+        joints.list({q.data(), q.data() + 6}).list({}).list({});
+        pose.header(t, "camera").fixed(fixture::numbers_of(targets[i]));
+        const auto nanoseconds = static_cast<std::int64_t>(1e9 * t);
+        r.messages.push_back({0, nanoseconds, joints.bytes()});
+        if (k % 3 == 0) r.messages.push_back({1, nanoseconds, pose.bytes()});
+      }
+    return r;
+  };
+  const std::string mcap = fixture::mcap_of(recording(false), {"zstd"});
+  fixture::write_file(folder.path / "take" / "take_0.mcap", mcap);
+  fixture::write_file(folder.path / "old.bag", fixture::ros1_bag_of(recording(true), "lz4"));
+  for (const auto& bag : {folder.path / "take", folder.path / "old.bag"}) {
+    const Conversion c = converted({bag});
+    ASSERT_EQ(c.session.observations.size(), targets.size());
+    const Fit f = fit(c.session);
+    EXPECT_LT(f.residual_rms, 1e-5);
+    EXPECT_LT(small_motion_between(tcp_from_target, f.tcp_from_body).norm(), 1e-5);
+    EXPECT_THAT(c.took, Contains(HasSubstr("a bag of ROS")));
+  }
+  fixture::write_file(folder.path / "cut.mcap", mcap.substr(0, mcap.size() / 2));
+  const Conversion cut = converted({folder.path / "cut.mcap"});
+  EXPECT_GE(cut.session.observations.size(), targets.size() / 3);
+  EXPECT_LT(cut.session.observations.size(), targets.size());
+  EXPECT_THAT(cut.notes, Contains(HasSubstr("the rest is lost")));
+  EXPECT_LT(fit(cut.session).residual_rms, 1e-5);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ cpack --config "$build/CPackConfig.cmake" -G DEB -D CPACK_COMPONENTS_ALL=cli -B 
 debs=("$folder"/packages/*.deb)
 [ ${#debs[@]} -eq 1 ] || fail "expected one package, found ${debs[*]}"
 depends=$(dpkg-deb -f "${debs[0]}" Depends)
-[[ $depends == *libopencv-core* && $depends == *libmuparser* && $depends == *libc6* ]] || fail "dependencies are missing: $depends"
+[[ $depends == *libopencv-core* && $depends == *libmuparser* && $depends == *libzstd1* && $depends == *liblz4-1* && $depends == *libbz2* && $depends == *libc6* ]] || fail "dependencies are missing: $depends"
 [[ $depends != *qt6* && $depends != *vtk* ]] || fail "the command line needs the window's libraries: $depends"
 controls=$(dpkg-deb --ctrl-tarfile "${debs[0]}" | tar t | grep -v '/$' | sort | tr '\n' ' ')
 [ "$controls" = "./control ./md5sums " ] || fail "it runs scripts: $controls"

@@ -81,9 +81,11 @@ Command add_convert(const CommandLine& program) {
   const CommandLine command =
       program.command("convert", "Makes a session of what you have: each file is known by its content");
   command
-      .option("WHAT", o->files,
-              "Image folders, joint tables, calibrations of OpenCV, ROS or Kalibr, easy_handeye samples, tables, "
-              "lists, matrices or a folder of poses, tables of points, ROS 2 bags, a URDF; with --fix a session")
+      .option(
+          "WHAT", o->files,
+          "Image folders, joint tables, calibrations of OpenCV, ROS or Kalibr, easy_handeye samples, tables, "
+          "lists, matrices or a folder of poses, tables of points, motion capture, bags of ROS, a URDF or a model of "
+          "MuJoCo; with --fix a session")
       .required();
   command.option("--out", o->out, "Folder to make; it must not hold a session already").required();
   command.option("--fix", o->fixes,
@@ -108,7 +110,8 @@ Command add_convert(const CommandLine& program) {
   command.option("--sigma-angle", o->sigma_angle, "rad: how exactly a sensor of poses tells a turn").within(0, 3);
   command.flag("--eye-on-base", o->convert.eye_on_base,
                "Poses of the flange in place of a robot: the camera stands, the flange carries the target");
-  command.option("--target-frame", o->convert.target_frame, "The target's frame in /tf of a bag");
+  command.option("--target-frame", o->convert.target_frame,
+                 "The target: its frame in /tf of a bag, its topic, or its rigid body in motion capture");
   command.option("--lag", o->convert.pairing.lag, "s: how much later the sensor's times are than the joints'")
       .within(-100, 100);
   command.flag("--estimate-lag", o->convert.estimate_lag, "Find the lag from movements that both show");

@@ -2,11 +2,15 @@
 #include "target_option.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "print/target_xml.h"
+#include "readers/kalibr_target.h"
 
 namespace handsight::cli {
 namespace {
@@ -40,6 +44,17 @@ Words words_from(const std::string& text) {
   return words;
 }
 
+/// Kalibr's description, where the words are a file's name.
+std::optional<Target> target_from_file(const std::string& name) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(name, error)) return std::nullopt;
+  const std::string file = shown_path(std::filesystem::path(name).filename());
+  const YAML::Node yaml = parse_yaml(read_file(name), file);
+  if (!is_kalibr_target(yaml))
+    throw InputError(fmt::format("--target {}: has no target_type; expected Kalibr's description of a target.", file));
+  return read_kalibr_target(yaml, file);
+}
+
 /// An option that stands for one NAME=VALUE of a target.
 struct TargetWord {
   const char *option, *name;
@@ -71,7 +86,8 @@ void add_target_options(const CommandLine& command, TargetOptions& o, bool whole
   if (whole_too)
     command.option(
         "--target", o.whole,
-        "The target: its kind and NAME=VALUE of the options below, or the element <target .../> of a session");
+        "The target: its kind and NAME=VALUE of the options below, the element <target .../> of a session, or "
+        "Kalibr's YAML of it");
   for (const TargetWord& word : target_words) command.option(word.option, o.*word.value, word.text);
 }
 
@@ -79,6 +95,7 @@ Target target_from(const TargetOptions& o) {
   std::string whole;
   for (const std::string& word : o.whole) whole += (whole.empty() ? "" : " ") + word;
   if (whole.starts_with('<')) return target_from_xml(whole);
+  if (const auto target = target_from_file(whole)) return *target;
   Words words = words_from(whole);
   for (const TargetWord& word : target_words)
     if (!(o.*word.value).empty()) words.emplace_back(word.name, o.*word.value);

@@ -55,13 +55,23 @@ Image from_mat(const cv::Mat& grey) {
   return image;
 }
 
+/// Industrial and infrared cameras use 10, 12 or 14 of an image's 16 bits: what the brightest pixel needs is the whole
+/// range.
+double brightest_of_16_bits(const cv::Mat& image) {
+  double brightest = 0;
+  cv::minMaxLoc(image.reshape(1), nullptr, &brightest);
+  for (const int bits : {8, 10, 12, 14})
+    if (brightest < 1 << bits) return (1 << bits) - 1;
+  return 65535;
+}
+
 /// Thesis (4.1) with its own weights, rounded to the nearest grey level.
 cv::Mat to_grey(const cv::Mat& any) {
   cv::Mat eight;
   if (any.depth() == CV_8U) {
     eight = any;
   } else {
-    any.convertTo(eight, CV_8U, any.depth() == CV_16U ? 1.0 / 257 : 255.0);
+    any.convertTo(eight, CV_8U, any.depth() == CV_16U ? 255 / brightest_of_16_bits(any) : 255.0);
   }
   if (eight.channels() == 1) return eight;
   cv::Mat grey;
@@ -92,9 +102,12 @@ bool is_cut_off(const std::string& bytes) {
   }
   if (starts_with(bytes, "\xff\xd8")) return all.find("\xff\xd9", start_of_scan(bytes)) == std::string_view::npos;
   if (starts_with(bytes, "P5") || starts_with(bytes, "P6")) return bytes.size() < portable_size(bytes);
-  if (starts_with(bytes, "BM"))
-    return bytes.size() <
-           byte_at(bytes, 2) + (byte_at(bytes, 3) << 8) + (byte_at(bytes, 4) << 16) + (byte_at(bytes, 5) << 24);
+  const auto little_endian = [&](std::size_t place) {
+    return byte_at(bytes, place) + (byte_at(bytes, place + 1) << 8) + (byte_at(bytes, place + 2) << 16) +
+           (byte_at(bytes, place + 3) << 24);
+  };
+  if (starts_with(bytes, "RIFF")) return bytes.size() < 8 + little_endian(4);
+  if (starts_with(bytes, "BM")) return bytes.size() < little_endian(2);
   return false;
 }
 
@@ -120,7 +133,7 @@ Image read(const std::filesystem::path& file, const Camera* camera, const std::s
                                  shown_path(file), told->width, told->height, 1e-6 * bounds::most_pixels));
   const cv::Mat decoded = told ? image_codec().decode(bytes) : cv::Mat();
   if (decoded.empty())
-    throw InputError(fmt::format("{}: is no image that can be read ({} bytes); PNG, JPEG, PGM, BMP and TIFF can.",
+    throw InputError(fmt::format("{}: is no image that can be read ({} bytes); PNG, JPEG, PGM, BMP, TIFF and WebP can.",
                                  shown_path(file), bytes.size()));
   Image image = from_mat(to_grey(decoded));
   if (camera) check_image_size(image, *camera, name);

@@ -81,6 +81,22 @@ std::optional<ImageSize> tiff_size(std::string_view bytes, bool big_endian) {
   return size_of(width, height);
 }
 
+/// Its first chunk: with a canvas (VP8X), lossless (VP8L), or a key frame of VP8.
+std::optional<ImageSize> webp_size(std::string_view bytes) {
+  const std::string_view chunk = bytes.substr(12, 4);
+  const auto number = [&](std::size_t place, std::size_t count) { return number_at(bytes, place, count, false); };
+  if (chunk == "VP8X") {
+    const auto width = number(24, 3), height = number(27, 3);
+    return width && height ? size_of(*width + 1, *height + 1) : std::nullopt;
+  }
+  if (chunk == "VP8L") {
+    const auto both = number(21, 4);
+    return both ? size_of((*both & 0x3fff) + 1, (*both >> 14 & 0x3fff) + 1) : std::nullopt;
+  }
+  const auto width = number(26, 2), height = number(28, 2);
+  return chunk == "VP8 " && width && height ? size_of(*width & 0x3fff, *height & 0x3fff) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<ImageSize> image_size(std::string_view bytes) {
@@ -90,6 +106,7 @@ std::optional<ImageSize> image_size(std::string_view bytes) {
   if (bytes.starts_with("\xff\xd8"sv)) return jpeg_size(bytes);
   if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') return portable_size(bytes);
   if (bytes.starts_with("BM"sv)) return bitmap_size(bytes);
+  if (bytes.size() > 16 && bytes.starts_with("RIFF"sv) && bytes.substr(8, 4) == "WEBP") return webp_size(bytes);
   if (bytes.starts_with("II*\0"sv)) return tiff_size(bytes, false);
   if (bytes.starts_with("MM\0*"sv)) return tiff_size(bytes, true);
   return std::nullopt;

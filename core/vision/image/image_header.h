@@ -12,7 +12,8 @@ struct ImageSize {
   std::int64_t width = 0, height = 0;  // px
 };
 
-/// By the header of a PNG, JPEG, PNM (P1 to P6), BMP or TIFF file; nothing where it is none of them, or is broken off.
+/// By the header of a PNG, JPEG, PNM (P1 to P6), BMP, TIFF or WebP file; nothing where it is none of them, or is broken
+/// off.
 std::optional<ImageSize> image_size(std::string_view bytes);
 
 }  // namespace handsight

@@ -112,7 +112,7 @@ TEST_F(FilesWizardTest, ABagThatIsDroppedBecomesASessionAndSaysWhatItTook) {
   ASSERT_TRUE(files.drop({folder.path / "morning"}, &desk.window));
   ASSERT_NE(files.dialog(), nullptr);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(files.dialog()));
-  EXPECT_EQ(files.listed(), QStringList{"morning: a ROS 2 bag"});
+  EXPECT_EQ(files.listed(), QStringList{"morning: a bag of ROS"});
   EXPECT_TRUE(files.said().contains("add the robot's URDF")) << files.said().toStdString();
   EXPECT_FALSE(files.make()->isEnabled());
   ASSERT_TRUE(files.drop({urdf}, files.dialog()));

@@ -136,11 +136,11 @@ TEST(Language, ErrorsAreTranslatedWhateverFileTheyName) {
       told("photos: is a folder without images, without files of poses and without a bag; expected a URDF, a folder of "
            "images, a table "
            "(CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or "
-           "a ROS 2 bag in sqlite3."),
+           "a bag of ROS."),
       "photos: ist ein Ordner ohne Bilder, ohne Dateien von Posen und ohne Bag; erwartet wird eine URDF, ein Ordner "
       "mit Bildern, eine "
       "Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von "
-      "easy_handeye oder ein ROS-2-Bag in sqlite3.");
+      "easy_handeye oder ein Bag von ROS.");
   EXPECT_EQ(told("angles.csv, line 2: the line has 6 columns, expected 7."),
             "angles.csv, Zeile 2: die Zeile hat 6 Spalten; erwartet werden 7.");
   EXPECT_EQ(told("nobody: has translated this."), "nobody: has translated this.");
@@ -206,10 +206,30 @@ TEST(Language, EveryRefusalOfTheReadersIsTranslated) {
   app::Translation german("de");
   ASSERT_TRUE(QCoreApplication::installTranslator(&german));
   std::size_t found = 0;
-  for (const char* name : {"readers/ros_bag",
+  for (const char* name : {"readers/bags/bag",
+                           "readers/bags/decompress",
+                           "readers/bags/file_bytes",
+                           "readers/bags/mcap_bag",
+                           "readers/bags/messages",
+                           "readers/bags/ros1_bag",
+                           "readers/bags/sqlite_bag",
                            "readers/bag_contents",
-                           "readers/cdr",
+                           "readers/bag_images",
+                           "readers/kalibr_target",
+                           "readers/maker_cameras",
+                           "readers/mocap_cells",
+                           "readers/motive_csv",
+                           "readers/vicon_csv",
+                           "readers/ost_cameras",
+                           "readers/realsense",
+                           "readers/robots/lerobot",
+                           "readers/robots/mjcf",
+                           "readers/robots/mjcf_mass",
+                           "readers/robots/mjcf_model",
+                           "readers/robots/robot_file",
                            "convert/brought",
+                           "convert/file_kind",
+                           "convert/foreign_files",
                            "readers/camera_files",
                            "convert/convert",
                            "convert/convert_bag",

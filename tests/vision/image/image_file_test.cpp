@@ -7,6 +7,8 @@
 #include <fstream>
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <set>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -82,14 +84,16 @@ TEST(ImageFile, PngReadsBackAsWritten) {
 TEST(ImageFile, ReadsTheUsualFormats) {
   const TemporaryFolder folder;
   const Image image = pattern(61, 47);
-  for (const std::string extension : {".png", ".pgm", ".bmp", ".tiff", ".jpg"}) {
+  for (const std::string extension : {".png", ".pgm", ".bmp", ".tiff", ".jpg", ".webp"}) {
     const auto file = folder.path / ("a" + extension);
     write(file, encoded(extension, as_mat(image)));
+    const auto told = image_size(read_file(file));
+    ASSERT_TRUE(told && told->width == 61 && told->height == 47) << extension;
     const Image read = read_image(file);
     ASSERT_EQ(read.width, 61) << extension;
     ASSERT_EQ(read.height, 47) << extension;
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-      ASSERT_NEAR(read.pixels[i], image.pixels[i], extension == ".jpg" ? 12 : 0) << extension;
+      ASSERT_NEAR(read.pixels[i], image.pixels[i], extension == ".jpg" || extension == ".webp" ? 12 : 0) << extension;
   }
 }
 
@@ -118,6 +122,46 @@ TEST(ImageFile, SixteenBitsAreScaled) {
   EXPECT_EQ(read_image(folder.path / "d.png").pixels, (std::vector<std::uint8_t>{0, 100, 255}));
 }
 
+/// A camera of 12 bits in a file of 16 gives the image that 8 bits give, at every depth that cameras have.
+TEST(ImageFile, BitsThatAreNotUsedDoNotMakeItDark) {
+  const TemporaryFolder folder;
+  Image image = pattern(61, 47);
+  image.pixels[100] = 255;
+  for (const int bits : {8, 10, 12, 14, 16})
+    for (const std::string extension : {".png", ".tiff", ".pgm"}) {
+      cv::Mat deep;
+      as_mat(image).convertTo(deep, CV_16U, ((1 << bits) - 1) / 255.0);
+      write(folder.path / ("d" + extension), encoded(extension, deep));
+      const Image read = read_image(folder.path / ("d" + extension));
+      for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        ASSERT_NEAR(read.pixels[i], image.pixels[i], 1) << bits << extension;
+    }
+}
+
+/// The three kinds of WebP, whose sizes stand in different places.
+TEST(ImageFile, WebPOfEveryKindTellsItsSize) {
+  const cv::Mat grey = as_mat(pattern(61, 47));
+  cv::Mat colours, clear;
+  cv::cvtColor(grey, colours, cv::COLOR_GRAY2BGR);
+  cv::cvtColor(grey, clear, cv::COLOR_GRAY2BGRA);
+  clear.at<cv::Vec4b>(3, 3)[3] = 10;
+  std::set<std::string> kinds;
+  for (const int quality : {50, 101})
+    for (const cv::Mat& picture : {colours, clear}) {
+      std::vector<std::uint8_t> bytes;
+      ASSERT_TRUE(cv::imencode(".webp", picture, bytes, {cv::IMWRITE_WEBP_QUALITY, quality}));
+      const std::string text(bytes.begin(), bytes.end());
+      kinds.insert(text.substr(12, 4));
+      const auto told = image_size(text);
+      ASSERT_TRUE(told) << text.substr(12, 4);
+      EXPECT_EQ(told->width, 61);
+      EXPECT_EQ(told->height, 47);
+      EXPECT_FALSE(is_cut_off(text));
+      EXPECT_TRUE(is_cut_off(text.substr(0, text.size() - 20)));
+    }
+  EXPECT_GE(kinds.size(), 2u);
+}
+
 TEST(ImageFile, PixelsStayWhereTheSensorHadThem) {
   const TemporaryFolder folder;
   const std::string jpeg = encoded(".jpg", as_mat(pattern(61, 47)));
@@ -131,7 +175,7 @@ TEST(ImageFile, PixelsStayWhereTheSensorHadThem) {
 TEST(ImageFile, RefusesWhatIsCutOff) {
   const TemporaryFolder folder;
   const cv::Mat picture = as_mat(pattern(161, 147));
-  for (const std::string extension : {".png", ".jpg", ".pgm", ".bmp", ".tiff"}) {
+  for (const std::string extension : {".png", ".jpg", ".pgm", ".bmp", ".tiff", ".webp"}) {
     const std::string whole = encoded(extension, picture);
     const auto file = folder.path / ("cut" + extension);
     for (const double share : {0.02, 0.3, 0.6, 0.9, 0.97}) {

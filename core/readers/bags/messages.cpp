@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "readers/cdr.h"
+#include "readers/bags/messages.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,18 +12,19 @@
 namespace handsight::ros {
 namespace {
 
-/// Numbers stand at multiples of their size, counted from behind the encapsulation.
 class Reader {
  public:
-  Reader(std::string_view bytes, const std::string& what) : what_(what) {
-    if (bytes.size() < 4 || bytes[0] != 0 || (bytes[1] != 0 && bytes[1] != 1)) fail("it is not plain CDR");
-    swap_ = (bytes[1] == 1) != (std::endian::native == std::endian::little);
-    bytes_ = bytes.substr(4);
+  explicit Reader(const Message& message) : bytes_(message.bytes), what_(message.what), is_ros1_(message.is_ros1) {
+    if (is_ros1_) return;
+    if (bytes_.size() < 4 || bytes_[0] != 0 || (bytes_[1] != 0 && bytes_[1] != 1)) fail("it is not plain CDR");
+    swap_ = (bytes_[1] == 1) != (std::endian::native == std::endian::little);
+    bytes_.remove_prefix(4);
   }
 
+  /// In CDR numbers stand at multiples of their size, counted from behind the encapsulation.
   template <class T>
   T number() {
-    at_ = (at_ + sizeof(T) - 1) / sizeof(T) * sizeof(T);
+    if (!is_ros1_) at_ = (at_ + sizeof(T) - 1) / sizeof(T) * sizeof(T);
     need(sizeof(T));
     char raw[sizeof(T)];
     std::memcpy(raw, bytes_.data() + at_, sizeof(T));
@@ -41,7 +42,7 @@ class Reader {
     return view;
   }
 
-  /// Its length counts the zero at its end.
+  /// In CDR its length counts the zero at its end.
   std::string text() {
     const auto length = number<std::uint32_t>();
     std::string text(bytes(length));
@@ -67,6 +68,7 @@ class Reader {
 
   Header header() {
     Header h;
+    if (is_ros1_) number<std::uint32_t>();  // seq
     const auto seconds = number<std::int32_t>();
     h.stamp = seconds + 1e-9 * number<std::uint32_t>();
     h.frame = text();
@@ -86,13 +88,30 @@ class Reader {
   std::string_view bytes_;
   const std::string& what_;
   std::size_t at_ = 0;
-  bool swap_ = false;
+  bool is_ros1_ = false, swap_ = false;
 };
+
+Rigid motion_of(Reader& in, const std::string& of_what) {
+  double n[7];
+  in.numbers(n, 7);
+  const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
+  if (!(std::abs(q.norm() - 1) < 1e-2) || !std::isfinite(n[0] + n[1] + n[2]))
+    in.fail(fmt::format("the {} holds no unit quaternion", of_what));
+  return {q.normalized().toRotationMatrix(), Vector3(n[0], n[1], n[2])};
+}
+
+Transform transform_of(Reader& in) {
+  Transform t;
+  t.header = in.header();
+  t.child = in.text();
+  t.parent_from_child = motion_of(in, "transform of " + in_quotes(t.child));
+  return t;
+}
 
 }  // namespace
 
-JointState read_joint_state(std::string_view bytes, const std::string& what) {
-  Reader in(bytes, what);
+JointState read_joint_state(const Message& message) {
+  Reader in(message);
   JointState s;
   s.header = in.header();
   s.names.resize(in.count(4));
@@ -103,8 +122,8 @@ JointState read_joint_state(std::string_view bytes, const std::string& what) {
   return s;
 }
 
-Image read_image(std::string_view bytes, const std::string& what) {
-  Reader in(bytes, what);
+Image read_image(const Message& message) {
+  Reader in(message);
   Image image;
   image.header = in.header();
   image.height = in.number<std::uint32_t>();
@@ -117,8 +136,8 @@ Image read_image(std::string_view bytes, const std::string& what) {
   return image;
 }
 
-CompressedImage read_compressed_image(std::string_view bytes, const std::string& what) {
-  Reader in(bytes, what);
+CompressedImage read_compressed_image(const Message& message) {
+  Reader in(message);
   CompressedImage image;
   image.header = in.header();
   image.format = in.text();
@@ -126,8 +145,8 @@ CompressedImage read_compressed_image(std::string_view bytes, const std::string&
   return image;
 }
 
-CameraInfo read_camera_info(std::string_view bytes, const std::string& what) {
-  Reader in(bytes, what);
+CameraInfo read_camera_info(const Message& message) {
+  Reader in(message);
   CameraInfo c;
   c.header = in.header();
   c.height = in.number<std::uint32_t>();
@@ -140,22 +159,32 @@ CameraInfo read_camera_info(std::string_view bytes, const std::string& what) {
   return c;
 }
 
-std::vector<Transform> read_transforms(std::string_view bytes, const std::string& what) {
-  Reader in(bytes, what);
+std::vector<Transform> read_transforms(const Message& message) {
+  Reader in(message);
   std::vector<Transform> all(in.count(70));
-  for (Transform& t : all) {
-    t.header = in.header();
-    t.child = in.text();
-    double n[7];
-    in.numbers(n, 7);
-    const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
-    if (!(std::abs(q.norm() - 1) < 1e-2) || !std::isfinite(n[0] + n[1] + n[2]))
-      in.fail(fmt::format("the transform of {} holds no unit quaternion", in_quotes(t.child)));
-    t.parent_from_child = {q.normalized().toRotationMatrix(), Vector3(n[0], n[1], n[2])};
-  }
+  for (Transform& t : all) t = transform_of(in);
   return all;
 }
 
-std::string read_string(std::string_view bytes, const std::string& what) { return Reader(bytes, what).text(); }
+Transform read_transform(const Message& message) {
+  Reader in(message);
+  return transform_of(in);
+}
+
+Transform read_pose(const Message& message) {
+  Reader in(message);
+  Transform t;
+  t.header = in.header();
+  t.parent_from_child = motion_of(in, "pose");
+  return t;
+}
+
+std::string read_string(const Message& message) { return Reader(message).text(); }
+
+std::string type_of(std::string_view name) {
+  std::string type = shortened(name, 100);
+  if (const std::size_t at = type.find("/msg/"); at != std::string::npos) type.erase(at, 4);
+  return type;
+}
 
 }  // namespace handsight::ros

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a file of a user is, by its content.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "robot/robot.h"
+
+namespace handsight {
+
+enum class FileKind {
+  robot,        // URDF
+  images,       // a folder of them
+  joints,       // a table of joint readings
+  poses,        // a table or list of poses, a storage or a folder of them
+  pose,         // a file with one pose
+  points,       // a table of points
+  servos,       // of LeRobot: what its joint readings mean
+  mocap,        // CSV of Motive's or Vicon's: rigid bodies or markers
+  samples,      // of easy_handeye
+  storage,      // of OpenCV
+  camera_info,  // of ROS, as a file or as `ros2 topic echo` tells it
+  ost,          // of ROS's camera_calibration
+  realsense,    // its intrinsics
+  camodocal,    // a camera of it
+  target,       // of Kalibr: what the images show
+  camchain,     // of Kalibr
+  bag,          // of ROS 2 or 1
+};
+
+/// What a file or folder is, without the robot: a table of joints is one whose columns name no place. InputError where
+/// it is nothing that a session is made from: the sentence says what it looks like and what to do.
+FileKind file_kind(const std::filesystem::path& path, const Robot* robot);
+
+/// Does it hold the numbers of one camera (of a left and a right one)?
+bool is_one_camera(FileKind kind);
+
+/// "a table of joint readings".
+const char* kind_text(FileKind kind);
+
+/// Is there an image in the folder?
+bool has_images(const std::filesystem::path& folder);
+
+/// The first line of a text that is no remark.
+std::string_view first_line(std::string_view text);
+
+/// Does it begin as YAML does, "name: value" or "- value"?
+bool looks_like_yaml(std::string_view text);
+
+/// Has it the marks of OpenCV's FileStorage?
+bool is_storage_text(const std::string& text);
+
+}  // namespace handsight

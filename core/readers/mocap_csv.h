@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// CSV of motion capture as Motive (OptiTrack) and Vicon's programs (Nexus, Tracker) export it: several lines of header,
+// a column an axis of each rigid body or marker.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "readers/table.h"
+
+namespace handsight {
+
+struct MocapBody {
+  std::string name;
+  Table table;  // time and the columns of its pose, as `read_pose_table` has them
+};
+
+struct MocapTables {
+  std::vector<MocapBody> bodies;
+  Table markers;  // time and the columns of points, as `read_point_table` has them; no columns: there are none
+  std::vector<std::string> notes;
+};
+
+bool is_motive_csv(const std::string& text);
+bool is_vicon_csv(const std::string& text);
+
+/// Rigid bodies (their turns as quaternions), or where there is none the markers. Markers of rigid bodies, and those
+/// without a name, are left out, with a sentence. InputError where the file is not whole, or its turns are Euler
+/// angles.
+MocapTables read_motive_csv(const std::string& text, const std::string& file);
+
+/// Sections "Objects" and "Segments" (rigid bodies), or "Trajectories" (markers); others are passed over.
+MocapTables read_vicon_csv(const std::string& text, const std::string& file);
+
+}  // namespace handsight
