@@ -92,7 +92,7 @@ std::string title_of(const Session& session) {
 }  // namespace
 
 std::string sensor_text(const Session& session) {
-  if (session.pose_sensor) return "a sensor of poses on " + session.mount.link;
+  if (session.pose_sensor) return "a pose sensor on " + session.mount.link;
   if (!session.rig)
     return session.sigma_point ? fmt::format("a 3D measuring device on {}, sigma {:.3g} mm", session.mount.link,
                                              1e3 * *session.sigma_point)

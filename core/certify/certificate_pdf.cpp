@@ -200,6 +200,7 @@ std::string certificate_pdf(const Certificate& c) {
                  fmt::format("Certificate {} of {}, {}", number, shortened(c.robot, 40), c.date));
   page.title("Certificate of robot calibration", fmt::format("No. {}", number));
   add_facts(c, page);
+  page.skip(2);
   page.paragraph(summary(c), 10.5);
   add_errors(c, page);
   add_promise(c, page);

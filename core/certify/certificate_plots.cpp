@@ -21,13 +21,16 @@ PdfColor shade(double share) {
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green), a.blue + t * (b.blue - a.blue)};
 }
 
-/// 1, 2 or 5 times a power of ten, at least so large.
-double round_up(double value) {
+/// One of these digits times a power of ten, at least so large.
+double round_up(double value, std::initializer_list<double> digits) {
   const double power = std::pow(10, std::floor(std::log10(std::max(value, 1e-9))));
-  for (const double digit : {1.0, 2.0, 5.0})
+  for (const double digit : digits)
     if (digit * power >= value * (1 - 1e-9)) return digit * power;
   return 10 * power;
 }
+
+/// The end of a scale, whose quarters are told.
+double scale_end(double value) { return round_up(value, {1, 1.2, 1.6, 2, 2.4, 3.2, 4, 6, 8}); }
 
 struct Axes {
   double x = 0, y = 0, size = 0;  // mm, of the square's left and lower edge
@@ -53,7 +56,7 @@ Axes axes_of(const MapView& view, double x, double y, double size) {
 
 /// Every `step` metres a mark on both axes.
 void draw_scale(PdfDocument& pdf, const MapView& view, const Axes& a) {
-  const double step = round_up(a.size / a.scale / 5);
+  const double step = round_up(a.size / a.scale / 5, {1, 2, 5});
   pdf.frame(a.x, a.y - a.size, a.size, a.size, 0.15, rule);
   for (int i = static_cast<int>(std::ceil(a.low_across / step)); a.across(i * step) <= a.x + a.size + 1e-9; ++i) {
     pdf.line(a.across(i * step), a.y, a.across(i * step), a.y + 1, 0.15, quiet);
@@ -87,7 +90,7 @@ void draw_row(const MapView& top, const MapView& side, double MapCell::*which, c
   double highest = 0;
   for (const MapView* view : {&top, &side})
     for (const MapCell& c : view->cells) highest = std::max(highest, c.*which);
-  highest = round_up(highest);
+  highest = scale_end(highest);
   pdf.text(PdfLayout::left, y + 3.5, title, 9, PdfFont::bold, ink);
   double x = PdfLayout::left + 9;
   for (const MapView* view : {&top, &side}) {
@@ -120,7 +123,7 @@ void draw_coverage(const Certificate& c, PdfLayout& layout) {
   for (const AttainedPose& p : c.poses)
     highest =
         std::max({highest, length_limit(p.covariance, 0.95), (p.after.translation - p.commanded.translation).norm()});
-  highest = round_up(highest);
+  highest = scale_end(highest);
   const Axes a{PdfLayout::left + 9, y, size, 0, 0, size / highest};
   pdf.line(a.x, a.y, a.x + size, a.y - size, 0.25, quiet);
   for (const AttainedPose& p : c.poses) {

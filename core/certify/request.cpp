@@ -85,6 +85,8 @@ CertificateRequest certificate_request(const Session& session, const Calibration
   request.calibration = file;
   if (is_own) {
     add_terms(robot.model, request.model.options);
+    // What is doubted is told in the order of the model's terms, which held ones among them would change.
+    if (request.model.options.effects.empty()) request.model.doubt = robot.model.doubt;
     return request;
   }
   request.model.options.effects = robot.model.effects;

@@ -50,6 +50,15 @@ struct Screws {
   double theta = 0, d = 0, a = 0, alpha = 0;
 };
 
+/// The same screws with x the other way, where that turns theta less: tables are read by people, whose zeros are near.
+Screws with_small_turn(Screws s) {
+  if (std::abs(s.theta) <= M_PI / 2 + 1e-9) return s;
+  s.theta -= std::copysign(M_PI, s.theta);
+  s.a = -s.a;
+  s.alpha = -s.alpha;
+  return s;
+}
+
 Screws screws_between(const Rigid& root_from_frame, const Axis& next) {
   constexpr double parallel = 1e-12;
   const Rigid frame_from_root = inverse(root_from_frame);
@@ -97,7 +106,7 @@ DhChain classical_dh(const Robot& robot, int link) {
   Rigid root_from_frame = chain.base;
   for (std::size_t i = 0; i < axes.all.size(); ++i) {
     const bool is_last = i + 1 == axes.all.size();
-    const Screws s = is_last ? Screws{} : screws_between(root_from_frame, axes.all[i + 1]);
+    const Screws s = is_last ? Screws{} : with_small_turn(screws_between(root_from_frame, axes.all[i + 1]));
     chain.rows.push_back({axes.all[i].joint, s.a, s.alpha, s.d, s.theta});
     root_from_frame = root_from_frame * classical_motion(chain.rows.back(), 0, false);
   }
