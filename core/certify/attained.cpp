@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "certify/seen_hand.h"
 #include "estimation/report/hand_end.h"
 #include "estimation/report/regions.h"
 
@@ -179,11 +180,11 @@ class Folds {
     p.index = static_cast<int>(i);
     p.same_pose = same_pose_[i];
     p.shows_turn = before.shows_turn && after.shows_turn;
-    const TcpPrediction prediction = predict_tcp(circumstances_[i], promised);
-    p.commanded = prediction.root_from_tcp;
+    const SeenHand hand = seen_hand(circumstances_[i], promised);
+    p.commanded = hand.nominal;
     p.before = moved(p.commanded, before);
     p.after = moved(p.commanded, after);
-    p.covariance = prediction.covariance.topLeftCorner<3, 3>() + after.noise;
+    p.covariance = hand.covariance + after.noise;
     return p;
   }
 

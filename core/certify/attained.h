@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the hand really was, as each observation measured it, before correction and after, every observation judged by
-// fits that have not seen it.
+// fits that have not seen it: as the sensor's link sees it.
 #pragma once
 
 #include <cstdint>

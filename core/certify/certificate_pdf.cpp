@@ -208,7 +208,9 @@ std::string certificate_pdf(const Certificate& c) {
     page.heading("Expected error over the workspace");
     page.paragraph(
         "Each joint anywhere between the least and the greatest value that was measured; the mean of each cell. Beyond "
-        "the measured poses the limit is what the calibration promises, not what was measured.");
+        "the measured poses the limit is what the calibration promises, not what was measured. All errors are those of "
+        "the "
+        "hand against the link that carries the sensor or, with the sensor on the hand, the target.");
     draw_maps(c, page);
   }
   add_iso(c.iso, page);

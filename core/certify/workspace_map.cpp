@@ -7,6 +7,7 @@
 #include <random>
 
 #include "certify/limits.h"
+#include "certify/seen_hand.h"
 
 namespace handsight {
 
@@ -25,10 +26,9 @@ std::vector<ExpectedError> expected_errors(const Chain& chain, const PredictionM
   for (int i = 0; i < count; ++i) {
     Eigen::VectorXd position = lowest;
     for (Eigen::Index j = 0; j < position.size(); ++j) position[j] += uniform(random) * (highest[j] - lowest[j]);
-    const TcpPrediction p = predict_tcp(chain, position, model);
-    errors.push_back({p.root_from_tcp.translation,
-                      (p.root_from_tcp_est.translation - p.root_from_tcp.translation).norm(),
-                      length_limit(p.covariance.topLeftCorner<3, 3>(), 0.95)});
+    const SeenHand hand = seen_hand(circumstances_at(chain, position), model);
+    errors.push_back({hand.nominal.translation, (hand.predicted.translation - hand.nominal.translation).norm(),
+                      length_limit(hand.covariance, 0.95)});
   }
   return errors;
 }

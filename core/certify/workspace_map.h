@@ -9,8 +9,9 @@
 
 namespace handsight {
 
-/// One drawn pose: where the nominal robot has the hand (m, root), how far the model has it from there (m), and below
-/// what its error is then in 95 of 100 cases where that is corrected (m).
+/// One drawn pose, as the sensor's link sees the hand (seen_hand.h): where the nominal robot has the hand (m, root),
+/// how far the model has it from there (m), and below what its error is then in 95 of 100 cases where that is corrected
+/// (m).
 struct ExpectedError {
   Vector3 hand = Vector3::Zero();
   double before = 0, limit = 0;
