@@ -8,7 +8,8 @@ window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev
   libqcustomplot2.1-qt6 fonts-dejavu-core)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick poppler-utils
   python3 dpkg-dev  # dpkg-dev: what a package depends on
-  libmujoco-dev python3-rosbag python3-sensor-msgs python3-tf2-msgs)  # independent writers and readers of what users bring
+  libmujoco-dev libsdformat-dev liburdfdom-dev  # readers of robot descriptions
+  python3-rosbag python3-sensor-msgs python3-tf2-msgs)  # writers of ROS 1 bags
 python_packages=(pybind11-dev python3-dev python3-numpy python3-venv)  # the module, and an environment to try its wheel in
 
 new_packages=""

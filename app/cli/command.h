@@ -91,6 +91,7 @@ Command add_predict(const CommandLine& program);
 Command add_convert(const CommandLine& program);
 Command add_export(const CommandLine& program);
 Command add_correct(const CommandLine& program);
+Command add_certify(const CommandLine& program);
 Command add_compare(const CommandLine& program);
 Command add_batch(const CommandLine& program);
 Command add_plan(const CommandLine& program);

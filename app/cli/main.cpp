@@ -30,7 +30,8 @@ int run(int argc, char** argv) {
       cli::add_fit(line),     cli::add_inspect(line), cli::add_diagnose(line),       cli::add_improve(line),
       cli::add_predict(line), cli::add_convert(line), cli::add_export(line),         cli::add_correct(line),
       cli::add_compare(line), cli::add_batch(line),   cli::add_effective_mass(line), cli::add_simulate(line),
-      cli::add_effects(line), cli::add_plan(line),    cli::add_target(line),         cli::add_cameras(line)};
+      cli::add_effects(line), cli::add_plan(line),    cli::add_target(line),         cli::add_cameras(line),
+      cli::add_certify(line)};
   if (const std::optional<int> ended = cli::parse(*program, argc, argv)) return *ended;
   if (describe.is_given()) {
     std::cout << (described == "man" ? cli::manual_page(line, HANDSIGHT_VERSION) : cli::completion(line, described));

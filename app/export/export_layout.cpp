@@ -18,6 +18,7 @@
 #include "bench/heading.h"
 #include "export/correction_box.h"
 #include "export/export_workspace.h"
+#include "export/exported.h"
 
 namespace handsight::app {
 namespace {
@@ -161,6 +162,9 @@ void ExportWorkspace::make_layout() {
   html_->setObjectName("report_html");
   pdf_ = new QPushButton(tr("Report PDF"), this);
   pdf_->setObjectName("report_pdf");
+  certificate_ = new QPushButton(tr("Certificate"), this);
+  certificate_->setObjectName("certificate");
+  certificate_->setToolTip(tr("As PDF: errors before and after by ISO 9283, promised limits and how often they held"));
   said_ = new QLabel(this);
   said_->setObjectName("export_said");
   said_->setWordWrap(true);
@@ -170,18 +174,14 @@ void ExportWorkspace::make_layout() {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(path_, 1);
-  for (QPushButton* b : {save_, html_, pdf_}) {
+  for (QPushButton* b : {save_, html_, pdf_, certificate_}) {
     b->setMinimumHeight(28);
     row->addWidget(b);
   }
   other_ = new QComboBox(this);
   other_->setObjectName("other_kind");
   other_->setAccessibleName(tr("For other programs"));
-  const std::pair<const char*, QString> kinds[] = {
-      {"urdf", "URDF"},     {"yaml", "YAML"}, {"static_tf", tr("ROS 2 launch file")},
-      {"opencv", "OpenCV"}, {"cpp", "C++"},   {"python", "Python"},
-      {"csv", "CSV"}};
-  for (const auto& [kind, name] : kinds) other_->addItem(name, QString(kind));
+  for (const char* kind : export_kinds) other_->addItem(export_kind(kind).title, QString(kind));
   save_other_ = new QPushButton(tr("Save for it"), this);
   save_other_->setObjectName("save_other");
   save_other_->setToolTip(tr("Beside the XML, for another program: the robot, the hand and what corrects them"));

@@ -20,6 +20,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "certify/certificate_pdf.h"
+#include "certify/request.h"
 #include "diagnosis/attribution/fresh_poses.h"
 #include "export/correction_box.h"
 #include "export/exported.h"
@@ -47,14 +49,6 @@ QString fresh_text(const FreshPose& pose) {
       .arg(widgets::short_text(1e3 * pose.distance), widgets::short_text(1e3 * pose.allowed));
 }
 
-/// The end of a file's name, by its kind.
-std::string ending_of(const std::string& kind) {
-  if (kind == "static_tf") return ".launch.py";
-  if (kind == "opencv") return ".opencv.yaml";
-  if (kind == "python") return ".py";
-  return "." + kind;
-}
-
 }  // namespace
 
 ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
@@ -80,6 +74,7 @@ void ExportWorkspace::connect_buttons() {
   connect(save_, &QPushButton::clicked, this, &ExportWorkspace::save_xml);
   connect(html_, &QPushButton::clicked, this, [this] { save_report(false); });
   connect(pdf_, &QPushButton::clicked, this, [this] { save_report(true); });
+  connect(certificate_, &QPushButton::clicked, this, &ExportWorkspace::save_certificate);
   connect(copy_, &QPushButton::clicked, this, [this] {
     const ModelVersionPointer model = bench_.document.model();
     if (!model || !model->fit) return;
@@ -111,7 +106,7 @@ void ExportWorkspace::refresh() {
   empty_->setVisible(!ready);
   calibrate_->setVisible(!ready);
   body_->setVisible(ready);
-  for (QPushButton* b : {save_, html_, pdf_, copy_, save_other_}) b->setEnabled(ready);
+  for (QPushButton* b : {save_, html_, pdf_, certificate_, copy_, save_other_}) b->setEnabled(ready);
   correction_->show_model(model);
   refresh_remarks(ready ? model : nullptr);
   if (!ready) return;
@@ -305,21 +300,51 @@ void ExportWorkspace::save_report(bool pdf) {
   }
 }
 
+/// Every observation is judged by a fit that has not seen it: five fits, in the background.
+void ExportWorkspace::save_certificate() {
+  const ModelVersionPointer model = bench_.document.model();
+  if (!model || !model->fit) return;
+  std::filesystem::path file = path();
+  file.replace_extension(".certificate.pdf");
+  bench_.background.start<std::string>(
+      "certificate", tr("Certificate"),
+      [model, session = bench_.document.shared_session(), xml = path()](JobControl& control) {
+        const CertificateRequest request =
+            certificate_request(*session, *model->calibration, xml, "handsight " HANDSIGHT_VERSION);
+        const Certificate made = certificate_of(*session, request, [&](double done) {
+          control.report(done);
+          return !control.is_cancelled();
+        });
+        return made.is_stopped ? std::string() : certificate_pdf(made);
+      },
+      [this, file](const std::string& pdf) {
+        if (pdf.empty()) return;
+        try {
+          replace_file(file, pdf);
+          say(tr("Written: %1").arg(QString::fromStdString(file.string())), false);
+        } catch (const std::exception& error) {
+          say(translated_error(error), true);
+        }
+      },
+      [this](const QString& sentence) { say(sentence, true); });
+}
+
 void ExportWorkspace::save_for_others(const std::string& kind) {
   const ModelVersionPointer model = bench_.document.model();
   if (!model || !model->fit) return;
   const Session& session = bench_.document.session();
   const std::filesystem::path urdf = folder(session) / session.robot_file;
   std::filesystem::path file = path();
-  file.replace_extension(ending_of(kind));
+  file.replace_extension(export_kind(kind).ending);
   try {
     CalibratedRobot robot = calibrated_robot(*model->calibration, session.robot, urdf.string(), path().string());
     std::error_code error;
     if (!session.robot_file.empty() && std::filesystem::exists(urdf, error)) {
       robot.urdf_text = read_file(urdf);
       robot.urdf_file = urdf.filename().string();
+      robot.robot_folder = std::filesystem::absolute(urdf).parent_path();
     }
-    const ExportedFile made = exported_file(robot, kind);
+    const ExportedFile made = exported_file(robot, kind, {std::filesystem::absolute(file), ""});
     replace_file(file, made.text);
     QStringList lines{tr("Written: %1").arg(QString::fromStdString(file.string()))};
     for (const std::string& note : made.notes) lines << translated(note);
@@ -343,7 +368,8 @@ std::vector<Action> ExportWorkspace::own_actions() const {
                   .is_possible = [this] { return bench_.document.is_open() && bench_.document.model(); }};
   };
   std::vector<Action> actions = {offer("save_report_html", tr("Report as HTML"), html_),
-                                 offer("save_report_pdf", tr("Report as PDF"), pdf_)};
+                                 offer("save_report_pdf", tr("Report as PDF"), pdf_),
+                                 offer("save_certificate", tr("Certificate as PDF"), certificate_)};
   for (int i = 0; i < other_->count(); ++i)
     actions.push_back(offer("save_as_" + other_->itemData(i).toString(), tr("Save as %1").arg(other_->itemText(i)),
                             save_other_, other_->itemData(i).toString().toStdString()));

@@ -47,6 +47,7 @@ class ExportWorkspace : public Workspace {
   void show_changes(const QString& text);
   void save_xml();
   void save_report(bool pdf);
+  void save_certificate();
   void save_for_others(const std::string& kind);
   void connect_buttons();
   void say(const QString& sentence, bool is_refusal);
@@ -62,7 +63,7 @@ class ExportWorkspace : public Workspace {
   QPlainTextEdit* xml_;
   QLineEdit* path_;
   QLabel *fresh_, *excluded_title_, *empty_, *said_;
-  QPushButton *save_, *copy_, *html_, *pdf_, *calibrate_, *save_other_;
+  QPushButton *save_, *copy_, *html_, *pdf_, *certificate_, *calibrate_, *save_other_;
   QComboBox* other_;            // kinds of files for other programs
   std::int64_t exported_ = -1;  // revision
 };

@@ -73,6 +73,7 @@ CalibratedRobot calibrated_robot(const Calibration& c, Robot urdf, const std::st
   robot.chain = chain_of(session);
   if (hand_carries_sensor(robot.chain)) robot.of_hand = model_of_hand(c, robot.chain);
   robot.times = c.times;
+  robot.positions = c.positions;
   robot.calibration = c;
   robot.notes = c.notes;
   if (!c.effects.empty() && !c.model_covariance)

@@ -17,10 +17,11 @@ struct CalibratedRobot {
   std::string tcp, mount;                // links
   PredictionModel model;
   std::vector<double> times;               // s, of the session's observations; empty: not known
-  std::vector<Eigen::VectorXd> positions;  // of the session's used observations; empty: only a calibration is known
+  std::vector<Eigen::VectorXd> positions;  // of the session's used observations; empty: not known
   Calibration calibration;                 // the same in numbers, with their sigmas
   std::optional<Rig> rig;                  // with the effects on rig and cameras; absent: a tracker, or not known
   std::string urdf_text, urdf_file;        // the robot as written; the text is empty where it was not kept
+  std::filesystem::path robot_folder;      // where its meshes are named from; empty: not known
   std::optional<PredictionModel> of_hand;  // for chain_of_hand, where the sensor rides on the hand (hand_end.h)
   std::vector<std::string> notes;          // a sentence each
 };

@@ -26,30 +26,6 @@ std::string rows(const Eigen::MatrixXd& m) {
   return joined(by_columns.reshaped());
 }
 
-/// In double quotes, as YAML and JSON read them.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += std::string("\\") + c;
-    else if (c == '\n')
-      out += "\\n";
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
-
-/// A field of a CSV.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r;#") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
-  return out + "\"";
-}
-
 std::string yaml_motion(const Rigid& m) {
   return fmt::format("  xyz: [{}]\n  quaternion_xyzw: [{}]\n  matrix: [{}]\n", joined(m.translation),
                      joined(quaternion_of(m.rotation)), rows(matrix_from_rigid(m)));
@@ -59,10 +35,11 @@ std::string yaml_effects(const Calibration& c) {
   if (c.effects.empty()) return "effects: []\n";
   std::string text = "effects:\n";
   for (const CalibrationEffect& e : c.effects) {
-    text += fmt::format("  - id: {}\n    parameters:\n", quoted(e.id));
+    text += fmt::format("  - id: {}\n    parameters:\n", quoted_text(e.id));
     for (const CalibrationParameter& p : e.parameters)
-      text += fmt::format("      - {{of: {}, name: {}, value: {}, sigma: {}, unit: {}}}\n", quoted(p.of),
-                          quoted(p.name), number(p.value), p.sigma ? number(*p.sigma) : "null", quoted(p.unit));
+      text +=
+          fmt::format("      - {{of: {}, name: {}, value: {}, sigma: {}, unit: {}}}\n", quoted_text(p.of),
+                      quoted_text(p.name), number(p.value), p.sigma ? number(*p.sigma) : "null", quoted_text(p.unit));
   }
   return text;
 }
@@ -98,7 +75,7 @@ std::string opencv_camera(const Camera& c, const std::string& index) {
   return opencv_matrix("M" + index, matrix) + opencv_matrix("D" + index, distortion);
 }
 
-std::string python_string(const std::string& text) { return quoted(shortened(text, 500)); }
+std::string python_string(const std::string& text) { return quoted_text(shortened(text, 500)); }
 
 std::string transform_node(const std::string& parent, const std::string& child, const Rigid& m) {
   const Eigen::Vector4d q = quaternion_of(m.rotation);
@@ -114,6 +91,28 @@ std::string transform_node(const std::string& parent, const std::string& child, 
 
 }  // namespace
 
+std::string quoted_text(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += std::string("\\") + c;
+    else if (c == '\n')
+      out += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+std::string field_of_table(const std::string& text) {
+  if (text.find_first_of(",\"\n\r;#") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  return out + "\"";
+}
+
 Eigen::Vector4d quaternion_of(const Matrix3& rotation) {
   const Eigen::Vector4d q = Eigen::Quaterniond(rotation).normalized().coeffs();
   return q.w() < 0 ? Eigen::Vector4d(-q) : q;
@@ -123,10 +122,10 @@ std::string yaml_file(const CalibratedRobot& r) {
   const Calibration& c = r.calibration;
   std::string text = fmt::format(
       "# A calibration by Handsight. Units: m, rad, s, kg, N m, px.\nsession: {}\ncreated: {}\nsoftware: {}\n",
-      quoted(c.session), quoted(c.created), quoted(c.software));
-  text += fmt::format("tcp: {}\nmount: {}\ngravity: [{}]\njoints: [", quoted(r.tcp), quoted(r.mount),
+      quoted_text(c.session), quoted_text(c.created), quoted_text(c.software));
+  text += fmt::format("tcp: {}\nmount: {}\ngravity: [{}]\njoints: [", quoted_text(r.tcp), quoted_text(r.mount),
                       joined(r.chain.gravity));
-  for (std::size_t i = 0; i < r.joint_names.size(); ++i) text += (i ? ", " : "") + quoted(r.joint_names[i]);
+  for (std::size_t i = 0; i < r.joint_names.size(); ++i) text += (i ? ", " : "") + quoted_text(r.joint_names[i]);
   text += "]\ntcp_from_body:\n" + yaml_motion(c.tcp_from_body.motion);
   text += fmt::format("  covariance: [{}]  # of xi in exp(xi) tcp_from_body: x y z rx ry rz, row by row\n",
                       rows(c.tcp_from_body.covariance));
@@ -138,7 +137,7 @@ std::string yaml_file(const CalibratedRobot& r) {
   text += yaml_effects(c);
   if (c.definitions.empty()) return text;
   text += "effect_definitions:  # by formulas, as effects.xml writes them\n";
-  for (const EffectDefinition& d : c.definitions) text += "  - " + quoted(effect_definition_text(d)) + "\n";
+  for (const EffectDefinition& d : c.definitions) text += "  - " + quoted_text(effect_definition_text(d)) + "\n";
   return text;
 }
 
@@ -147,7 +146,8 @@ std::string csv_file(const CalibratedRobot& r) {
   std::string text = "quantity,of,name,value,sigma,unit\n";
   const auto line = [&](const std::string& quantity, const std::string& of, const std::string& name,
                         const std::string& value, const std::string& sigma, const std::string& unit) {
-    text += fmt::format("{},{},{},{},{},{}\n", quantity, field(of), field(name), field(value), sigma, unit);
+    text += fmt::format("{},{},{},{},{},{}\n", quantity, field_of_table(of), field_of_table(name),
+                        field_of_table(value), sigma, unit);
   };
   const auto motion = [&](const std::string& quantity, const std::string& of, const Rigid& m, const Vector6& sigma) {
     const Eigen::Vector4d q = quaternion_of(m.rotation);

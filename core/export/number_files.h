@@ -23,4 +23,8 @@ std::string static_tf_file(const CalibratedRobot& robot);
 /// x y z w of a rotation, w >= 0.
 Eigen::Vector4d quaternion_of(const Matrix3& rotation);
 
+/// In double quotes, as YAML and JSON read them; as a field of a CSV.
+std::string quoted_text(const std::string& text);
+std::string field_of_table(const std::string& text);
+
 }  // namespace handsight

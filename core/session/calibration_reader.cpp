@@ -203,6 +203,18 @@ std::vector<double> read_times(const XmlNode& node, Ignored& ignored) {
   return times;
 }
 
+std::vector<Eigen::VectorXd> read_positions(const XmlNode& node, std::size_t joints, Ignored& ignored) {
+  note_unknown(ignored, node, {}, {}, true);
+  const std::size_t count = split_words(inner_text(node)).size();
+  if (joints == 0 || count % joints != 0)
+    refuse(node, fmt::format("has {} numbers, expected one for each of the {} <joints> in every pose.", count, joints));
+  const std::vector<double> numbers = inner_numbers(node, count, "a pose a line", bounds::joint);
+  std::vector<Eigen::VectorXd> positions;
+  for (std::size_t i = 0; i < count; i += joints)
+    positions.emplace_back(Eigen::Map<const Eigen::VectorXd>(numbers.data() + i, static_cast<Eigen::Index>(joints)));
+  return positions;
+}
+
 void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignored) {
   if (const auto robot = find_child(root, "robot")) {
     note_unknown(ignored, *robot, {"tcp", "mount"}, {});
@@ -232,6 +244,8 @@ void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignore
     calibration.hand_scatter = read_covariance(*scatter);
   }
   if (const auto times = find_child(root, "times")) calibration.times = read_times(*times, ignored);
+  if (const auto positions = find_child(root, "positions"))
+    calibration.positions = read_positions(*positions, calibration.joints.size(), ignored);
   if (const auto mount = find_child(root, "mount_from_sensor"))
     calibration.mount_from_sensor = read_motion(*mount, ignored);
 }
@@ -246,7 +260,8 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   note_unknown(
       ignored, root, {"version", "session", "created", "software"},
       {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints", "tcp_scatter",
-       "model_covariance", "hand_scatter", "hand_covariance", "doubt", "mount_from_sensor", "times"});
+       "model_covariance", "hand_scatter", "hand_covariance", "doubt", "mount_from_sensor", "times",
+       "positions"});
   Calibration calibration;
   calibration.session = find_name(root, "session").value_or("");
   calibration.created = find_text(root, "created").value_or("");

@@ -83,6 +83,15 @@ void write_effects(XMLElement& parent, const std::vector<CalibrationEffect>& eff
   }
 }
 
+/// A pose a line.
+void write_positions(XMLElement& root, const std::vector<Eigen::VectorXd>& positions) {
+  if (positions.empty()) return;
+  std::string text;
+  for (const Eigen::VectorXd& p : positions)
+    text += "\n    " + format_numbers({p.data(), static_cast<std::size_t>(p.size())});
+  root.InsertNewChildElement("positions")->SetText((text + "\n  ").c_str());
+}
+
 void write_square(XMLElement& root, const char* tag, const char* order, const Eigen::MatrixXd& symmetric) {
   XMLElement& element = *root.InsertNewChildElement(tag);
   element.SetAttribute("order", order);
@@ -119,6 +128,7 @@ void write_setting(XMLElement& root, const Calibration& calibration) {
   }
   if (!calibration.times.empty())
     root.InsertNewChildElement("times")->SetText(format_numbers(calibration.times).c_str());
+  write_positions(root, calibration.positions);
   if (calibration.mount_from_sensor) write_motion(root, "mount_from_sensor", *calibration.mount_from_sensor);
 }
 

@@ -225,10 +225,6 @@
         <translation>Für andere Programme</translation>
     </message>
     <message>
-        <source>ROS 2 launch file</source>
-        <translation>ROS-2-Startdatei</translation>
-    </message>
-    <message>
         <source>Save for it</source>
         <translation>Dafür speichern</translation>
     </message>
@@ -2218,6 +2214,18 @@
     <message>
         <source>Report HTML</source>
         <translation>Bericht HTML</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>Certificate as PDF</source>
+        <translation>Zertifikat als PDF</translation>
+    </message>
+    <message>
+        <source>As PDF: errors before and after by ISO 9283, promised limits and how often they held</source>
+        <translation>Als PDF: Fehler vorher und nachher nach ISO 9283, versprochene Grenzen und wie oft sie hielten</translation>
     </message>
     <message>
         <source>Report PDF</source>
@@ -5618,6 +5626,54 @@
     <name>core</name>
     <!-- Sentences of the core: %1 and so on stand for whatever is put in. -->
     <message>
+        <source>A URDF cannot say %1; it is named in the file's comment.</source>
+        <translation>Ein URDF kann %1 nicht sagen; es steht im Kommentar der Datei.</translation>
+    </message>
+    <message>
+        <source>What this kind of file cannot hold was left out and the rest fitted again without it: over the %1 poses of the session the hand is %2 mm rms and %3 mm at most from where the whole calibration has it; without calibration it is %4 mm rms.</source>
+        <translation>Was diese Art von Datei nicht fassen kann, ist weggelassen und der Rest ohne es neu geschätzt: über die %1 Posen der Sitzung ist die Hand im quadratischen Mittel %2 mm und höchstens %3 mm von dort, wo die ganze Kalibrierung sie hat; ohne Kalibrierung sind es %4 mm.</translation>
+    </message>
+    <message>
+        <source>What this kind of file cannot hold was left out and the rest fitted again without it: over %1 poses drawn within the joints' limits, for the calibration does not say where it was measured, the hand is %2 mm rms and %3 mm at most from where the whole calibration has it; without calibration it is %4 mm rms.</source>
+        <translation>Was diese Art von Datei nicht fassen kann, ist weggelassen und der Rest ohne es neu geschätzt: über %1 Posen, gezogen in den Grenzen der Gelenke, denn die Kalibrierung sagt nicht, wo gemessen wurde, ist die Hand im quadratischen Mittel %2 mm und höchstens %3 mm von dort, wo die ganze Kalibrierung sie hat; ohne Kalibrierung sind es %4 mm.</translation>
+    </message>
+    <message>
+        <source>SDFormat 1.7 has no joint that follows others: %1 moves by itself in the file, command it as well.</source>
+        <translation>SDFormat 1.7 hat kein Gelenk, das anderen folgt: %1 bewegt sich in der Datei allein, es muss mit befohlen werden.</translation>
+    </message>
+    <message>
+        <source>MuJoCo has no equality for %1, which follows %2 joints: set it from your program.</source>
+        <translation>MuJoCo hat keine Gleichung für %1, das %2 Gelenken folgt: im eigenen Programm setzen.</translation>
+    </message>
+    <message>
+        <source>%1 meshes were not found beside the robot; the file names them as the URDF does.</source>
+        <translation>%1 Netze lagen nicht neben dem Roboter; die Datei nennt sie wie das URDF.</translation>
+    </message>
+    <message>
+        <source>%1 meshes are not in the file: they are not beside the robot, or of a kind that MuJoCo does not open (it reads OBJ and binary STL).</source>
+        <translation>%1 Netze sind nicht in der Datei: sie liegen nicht neben dem Roboter oder sind von einer Art, die MuJoCo nicht öffnet (es liest OBJ und binäres STL).</translation>
+    </message>
+    <message>
+        <source>homing_offset is what is to be added to that of your arm, and the other numbers are those of a motor that reads a whole turn; name the arm's own calibration with --lerobot to have it changed.</source>
+        <translation>homing_offset ist, was zu dem des Arms zu addieren ist, und die anderen Zahlen sind die eines Motors, der eine ganze Umdrehung liest; mit --lerobot wird die eigene Kalibrierung des Arms geändert.</translation>
+    </message>
+    <message>
+        <source>The signs are those of Feetech's motors (SO-100, SO-101); Dynamixel's add homing_offset where these subtract it.</source>
+        <translation>Die Vorzeichen sind die von Feetechs Motoren (SO-100, SO-101); die von Dynamixel addieren homing_offset, wo diese es abziehen.</translation>
+    </message>
+    <message>
+        <source>ur_calibration is for robots with UR's six joints, and this one has no joint %1; export as urdf or dh.</source>
+        <translation>ur_calibration ist für Roboter mit den sechs Gelenken von UR, und dieser hat kein Gelenk %1; als urdf oder dh exportieren.</translation>
+    </message>
+    <message>
+        <source>No observation shows where the hand was: three markers, or points of a tracker, are needed for a certificate.</source>
+        <translation>Keine Beobachtung zeigt, wo die Hand war: ein Zertifikat braucht drei Marker oder Punkte eines Trackers.</translation>
+    </message>
+    <message>
+        <source>A certificate needs ten used observations in different poses, so that some can be held out; the session has %1. Record more.</source>
+        <translation>Ein Zertifikat braucht zehn benutzte Beobachtungen in verschiedenen Posen, damit einige zurückgehalten werden können; die Sitzung hat %1. Mehr aufnehmen.</translation>
+    </message>
+    <message>
         <source>Joint %1 counts the other way than the robot's description says.</source>
         <translation>Gelenk %1 zählt andersherum, als die Beschreibung des Roboters sagt.</translation>
     </message>
@@ -6401,6 +6457,10 @@
 <context>
     <name>errors</name>
     <!-- What is wrong with a file, and the forms that such sentences have: translated where an error is shown. -->
+    <message>
+        <source>has %1 numbers, expected one for each of the %2 &lt;joints&gt; in every pose.</source>
+        <translation>hat %1 Zahlen, erwartet eine für jedes der %2 &lt;joints&gt; in jeder Pose.</translation>
+    </message>
     <message>
         <source>%1, line %2: &lt;%3&gt; %4</source>
         <translation>%1, Zeile %2: &lt;%3&gt; %4</translation>

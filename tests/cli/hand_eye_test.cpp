@@ -84,13 +84,26 @@ TEST_F(HandEyeCommands, WhatNeedsJointsSaysSo) {
   for (const auto& arguments :
        std::vector<std::vector<std::string>>{{"export", at("s"), "--as", "urdf", "--out", at("u")},
                                              {"export", at("s"), "--as", "cpp", "--out", at("u")},
-                                             {"predict", at("s"), "--position", "0 0 0 0 0 0"},
                                              {"correct", at("s"), "--position", "0 0 0 0 0 0"}}) {
     const auto refused = run_cli(folder.path, arguments);
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.errors, AllOf(HasSubstr("static_tf"), HasSubstr("joints"))) << arguments[0];
     EXPECT_THAT(refused.errors, Not(HasSubstr("directory")));
   }
+}
+
+TEST_F(HandEyeCommands, PredictTellsWhereTheSensorIsForAPoseOfTheFlange) {
+  const auto predicted =
+      run_cli(folder.path, {"predict", at("s"), "--position", "0.4 -0.1 0.5 3.0 0.2 -0.4", "--json", "-"});
+  ASSERT_EQ(predicted.exit_code, 0) << predicted.errors;
+  const Rigid wanted = Rigid{rotation_from_rpy({3.0, 0.2, -0.4}), {0.4, -0.1, 0.5}} * mount;
+  const auto json = predicted.json()[0];
+  for (std::size_t r = 0; r < 3; ++r) {
+    EXPECT_NEAR(json["root_from_body_est"][r][3].get<double>(), wanted.translation[static_cast<Eigen::Index>(r)], 1e-4);
+    EXPECT_GT(json["sigma"][r].get<double>(), 0);
+    EXPECT_LT(json["sigma"][r].get<double>(), 1e-3);
+  }
+  EXPECT_THAT(predicted.errors, HasSubstr("taken as the robot tells it"));
 }
 
 TEST_F(HandEyeCommands, EffectsMayBeNamedWithCommas) {

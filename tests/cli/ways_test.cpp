@@ -60,7 +60,8 @@ class Ways : public testing::Test {
 
 TEST_F(Ways, ExportsOfEveryKindAreWrittenWhole) {
   calibrate();
-  for (const std::string kind : {"urdf", "yaml", "static_tf", "opencv", "cpp", "python", "csv"}) {
+  for (const std::string kind : {"urdf", "yaml", "static_tf", "opencv", "cpp", "python", "csv", "xacro", "mjcf", "sdf",
+                                 "dh", "ros2_control", "lerobot"}) {
     const auto out = run_cli(
         folder.path, {"export", at("calibration.xml"), "--robot", robot, "--as", kind, "--out", at("out." + kind)});
     EXPECT_EQ(out.exit_code, 0) << kind << out.errors;

@@ -37,7 +37,8 @@ TEST_P(WrittenCalibrations, AreReadByEveryCommand) {
   for (const char* kind : export_kinds) {
     const test::CliResult r =
         run_cli(temporary.path, {"export", file, "--robot", robot, "--as", kind, "--out", file + "." + kind});
-    EXPECT_EQ(r.exit_code, 0) << kind << ": " << r.errors;
+    const bool is_of_another_make = std::string(kind) == "ur_calibration";
+    EXPECT_EQ(r.exit_code, is_of_another_make ? wrong_input : 0) << kind << ": " << r.errors;
   }
 }
 

@@ -6,7 +6,7 @@
 #include "estimation/report/fit_report.h"
 #include "estimation/report/hand_end.h"
 #include "export/exported.h"
-#include "export/urdf_file.h"
+#include "export/rigid/urdf_file.h"
 #include "fixtures/arms.h"
 #include "fixtures/robot_texts.h"
 #include "fixtures/targets.h"

@@ -8,14 +8,13 @@
 #include <opencv2/core.hpp>
 
 #include "export/exported.h"
-#include "export/urdf_file.h"
-#include "fixtures/robot_texts.h"
-#include "fixtures/ways_fixtures.h"
-#include "robot/urdf.h"
+#include "export/rigid/urdf_file.h"
+#include "fixtures/exported_robots.h"
 
 namespace handsight {
 namespace {
 
+using fixture::sayable_terms;
 using fixture::urdf_text;
 
 /// Fills the numbers of a calibration as a fit would: what files of numbers are written from.
@@ -34,12 +33,8 @@ void write_down(CalibratedRobot& robot) {
   robot.calibration.markers = {{0.01, 0, 0}, {0, 0.02, 0}};
 }
 
-CalibratedRobot robot_from(Session session, const std::vector<EffectTerm>& terms, std::mt19937_64& random) {
-  const std::string text = urdf_text(session.robot);
-  session.robot = parse_urdf(text, "robot.urdf", nullptr);  // links in the reader's order
-  CalibratedRobot robot = fixture::robot_with(session, terms, random);
-  robot.urdf_text = text;
-  robot.urdf_file = "robot.urdf";
+CalibratedRobot robot_from(const Session& session, const std::vector<EffectTerm>& terms, std::mt19937_64& random) {
+  CalibratedRobot robot = fixture::exported_robot(session, terms, random);
   write_down(robot);
   return robot;
 }
@@ -64,38 +59,6 @@ void expect_urdf(const CalibratedRobot& robot, std::mt19937_64& random) {
     ASSERT_TRUE(wanted.root_from_sensor_est);
     EXPECT_LT(small_motion_between(*wanted.root_from_sensor_est, link(file.sensor_link)).norm(), 1e-9);
   }
-}
-
-/// Everything that a URDF can say, at every joint.
-std::vector<EffectTerm> sayable_terms(const Chain& chain, std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  std::vector<EffectTerm> terms;
-  for (const char* id : {"joint_offset", "link_geometry", "mimic_error", "camera_mount", "body_slip", "mount_slip"}) {
-    const Effect& e = *find_effect(id);
-    for (const int place : effect_places(e, chain)) {
-      EffectTerm t = term_of(e, place);
-      for (std::size_t p = 0; p < t.values.size(); ++p)
-        t.values[p] = e.parameters[p].is_choice ? 5 : e.parameters[p].sigma * normal(random);
-      terms.push_back(t);
-    }
-  }
-  EffectDefinition bent;  // constant motions by formula: what a URDF says with an origin
-  bent.id = "bent_link";
-  bent.parameters = {{"v", "1", 1e-3}};
-  bent.moves = {{"after_x", "v", 1}, {"after_ry", "2*v", 2}, {"before_z", "-v", 3}};
-  EffectDefinition tool;
-  tool.id = "longer_tool";
-  tool.scope = "session";
-  tool.parameters = {{"v", "m", 1e-3}};
-  tool.moves = {{"hand_z", "v", 1}, {"hand_rx", "v", 2}};
-  for (const EffectDefinition& d : {bent, tool}) {
-    const auto own = own_effect(d, chain.robot);
-    const int place = d.scope == "joint" ? chain.joints[1] : -1;
-    EffectTerm t = term_of(*own, place, own);
-    t.values = {2e-3};
-    terms.push_back(t);
-  }
-  return terms;
 }
 
 TEST(UrdfFile, SaysOffsetsGeometryMountAndBody) {

@@ -6,7 +6,7 @@
 
 #include "correct/calibrated_robot.h"
 #include "diagnosis/proof/proof.h"
-#include "export/urdf_file.h"
+#include "export/rigid/urdf_file.h"
 #include "fixtures/arms.h"
 #include "fixtures/robot_texts.h"
 #include "robot/urdf.h"

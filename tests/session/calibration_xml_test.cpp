@@ -44,6 +44,7 @@ Calibration some_calibration() {
   calibration.mount = "head_b";
   calibration.joints = {"torso_1", "arm_\xC3\xBC"};
   calibration.gravity = Vector3(0.1, 0, -9.81);
+  calibration.positions = {Eigen::Vector2d(0.1, -1.0 / 3), Eigen::Vector2d(2, 5e-324)};
   calibration.mount_from_sensor = some_motion(2);
   calibration.tcp_scatter = some_motion(3).covariance;
   Eigen::MatrixXd root = Eigen::MatrixXd::Identity(9, 9);  // xi, two compliances, a tilt that was held
@@ -285,6 +286,22 @@ TEST(CalibrationRefuses, WhatIsWrong) {
               HasSubstr("negative variance"));
   EXPECT_THAT(refusal("<fit ", "<model_covariance>0 1 " + zeros.substr(4) + "0</model_covariance><fit "),
               HasSubstr("correlations beyond 1"));
+}
+
+TEST(CalibrationXml, PositionsReadBackBitForBitAndHaveANumberForEachJoint) {
+  const Calibration written = some_calibration();
+  std::string text = calibration_text(written);
+  EXPECT_EQ(parse_calibration(text, "c.xml").positions, written.positions);
+  EXPECT_THAT(parse_calibration(text, "c.xml").notes, IsEmpty());
+  const std::size_t at = text.find("</positions>");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at, "0.5 ");
+  try {
+    parse_calibration(text, "c.xml");
+    FAIL() << "five numbers for two joints were read";
+  } catch (const InputError& refusal) {
+    EXPECT_THAT(refusal.what(), HasSubstr("5 numbers"));
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "base/degrees.h"
 #include "command.h"
 #include "options/driven_poses.h"
+#include "printing/json_values.h"
 #include "printing/outputs.h"
 #include "printing/told_json.h"
 
@@ -16,11 +17,58 @@ struct PredictArguments {
   Output output;
 };
 
+/// Where what was fitted at the hand (the camera on it, else the body) is, and its sigma: position (m), then rotation
+/// (rad), root axes. The flange is taken as it is told.
+Vector6 carried_sigma(const TcpPrediction& p, const PredictionModel& model) {
+  // root_from_carried = root_from_hand exp(xi) hand_from_carried: a motion about the hand's origin, told at its place.
+  Matrix6 at_place = Matrix6::Identity();
+  at_place.topRightCorner<3, 3>() = -cross_matrix(Vector3(model.tcp_from_body.translation));
+  Matrix6 turned = Matrix6::Zero();
+  turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = p.root_from_tcp_est.rotation;
+  const Matrix6 covariance =
+      turned * at_place * model.covariance.topLeftCorner<6, 6>() * at_place.transpose() * turned.transpose();
+  return covariance.diagonal().cwiseMax(0).cwiseSqrt();
+}
+
+/// `--position` is "x y z roll pitch yaw" of the flange; the joints that stand for it are x y z yaw pitch roll.
+std::vector<Circumstances> flange_poses(const PoseOptions& o, const CalibratedRobot& source) {
+  std::vector<Circumstances> poses = driven_poses(o, source);
+  for (std::size_t i = 0; i < o.positions.size(); ++i)
+    std::swap(poses[i].sensor[source.chain.joints[3]], poses[i].sensor[source.chain.joints[5]]);
+  return poses;
+}
+
+int run_of_flange(const PredictArguments& o, const CalibratedRobot& source) {
+  const bool carries_sensor = source.calibration.mount == source.tcp;
+  Output::note(fmt::format(
+      "There are no joints: the flange is taken as the robot tells it, and what is told is where {} on it is then.",
+      carries_sensor ? "the sensor" : "the target"));
+  o.output.line(
+      "      x        y        z m     roll    pitch      yaw deg   sigma x  y  z mm       sigma rx  ry  rz deg");
+  Json list = Json::array();
+  for (const Circumstances& pose : flange_poses(o.poses, source)) {
+    const TcpPrediction p = predict_tcp(pose, source.model);
+    const Vector3 t = p.root_from_body_est.translation,
+                  rpy = degrees * rpy_from_rotation(p.root_from_body_est.rotation);
+    const Vector6 s = carried_sigma(p, source.model);
+    o.output.line(
+        fmt::format("{:>8.4f} {:>8.4f} {:>8.4f} {:>9.3f} {:>8.3f} {:>8.3f}    {:>6.3f} {:>6.3f} {:>6.3f}    {:>7.4f} "
+                    "{:>7.4f} {:>7.4f}",
+                    t.x(), t.y(), t.z(), rpy.x(), rpy.y(), rpy.z(), 1e3 * s[0], 1e3 * s[1], 1e3 * s[2], degrees * s[3],
+                    degrees * s[4], degrees * s[5]));
+    Json told = prediction_json(p, true);
+    told["sigma"] = numbers(s);
+    list.push_back(told);
+  }
+  o.output.json(list);
+  return done;
+}
+
 int run(const PredictArguments& o) {
   note_input(o.poses.file);
   const CalibratedRobot source = with_moved_hand(predict_source(o.source));
-  require_joints(source);
   o.output.require_places();
+  if (source.chain.robot.is_of_poses) return run_of_flange(o, source);
   Json list = Json::array();
   for (const std::string& note : source.notes) Output::note(note);
   if (!source.model.rotation_is_observed)

@@ -30,6 +30,7 @@ CalibratedRobot from_session(const std::string& path, const std::string& robot_f
   if (!has_urdf) return robot;
   robot.urdf_text = read_file(urdf);
   robot.urdf_file = urdf.filename().string();
+  robot.robot_folder = std::filesystem::absolute(urdf).parent_path();
   return robot;
 }
 
@@ -41,6 +42,7 @@ CalibratedRobot from_calibration(const std::string& path, const std::string& rob
   CalibratedRobot robot = calibrated_robot(c, read_urdf(robot_file), robot_file, path);
   robot.urdf_text = read_file(robot_file);
   robot.urdf_file = std::filesystem::path(robot_file).filename().string();
+  robot.robot_folder = std::filesystem::absolute(robot_file).parent_path();
   return robot;
 }
 
@@ -59,8 +61,8 @@ void require_joints(const CalibratedRobot& robot) {
   if (robot.chain.robot.is_of_poses)
     throw InputError(
         "There are no joints, only poses of the flange, which are taken as they are told: nothing of the robot is left "
-        "to predict or to correct. What was found is where the sensor and the target sit: see fit, and export --as "
-        "static_tf, yaml, opencv or csv.");
+        "to correct. What was found is where the sensor and the target sit: see fit, predict for a pose of the flange, "
+        "and export --as static_tf, yaml, opencv or csv.");
 }
 
 void add_source_options(const CommandLine& command, SourceOptions& options) {

@@ -97,6 +97,17 @@ void set_effects(const Session& session, const Fit& fit, Calibration& c) {
     c.hand_covariance = in_file(hand_covariance(fit));
 }
 
+/// The positions of the used observations; of very many some that are spread over them.
+std::vector<Eigen::VectorXd> used_positions(const Session& session) {
+  constexpr std::size_t most = 300;
+  std::vector<Eigen::VectorXd> all, some;
+  for (const Observation& o : session.observations)
+    if (is_used(o)) all.push_back(o.position);
+  if (all.size() <= most) return all;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
+  return some;
+}
+
 }  // namespace
 
 void set_doubt(const Robot& robot, const std::vector<EffectTerm>& terms, const Doubt& doubt, Calibration& c) {
@@ -142,6 +153,7 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
   c.gravity = session.gravity;
   c.joints = session.joints;
   if (!c.effects.empty()) c.times = times_of(session);
+  if (!session.robot.is_of_poses) c.positions = used_positions(session);
   if (session.mount.estimate)
     c.mount_from_sensor =
         EstimatedMotion{estimate(fit).mount_from_sensor,

@@ -112,5 +112,15 @@ TEST_F(ReportTest, ThePagesOfThePdfShowPlotsWithinTheirMargins) {
   EXPECT_GT(most, 0.05) << "no page has a plot on it";
 }
 
+/// The certificate is made in the background and stands beside the XML.
+TEST_F(ReportTest, TheCertificateStandsBesideTheReport) {
+  open("hidden_3");
+  const auto pdf = written("certificate", "out.certificate.pdf");
+  ASSERT_TRUE(std::filesystem::exists(pdf)) << desk.find<QLabel>("export_said")->text().toStdString();
+  const std::string bytes = read_file(pdf);
+  EXPECT_EQ(bytes.substr(0, 5), "%PDF-");
+  EXPECT_NE(bytes.find("ISO 9283"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace handsight::test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "correct/calibrated_robot.h"
+#include "export/rigid/rigid_fit.h"
 
 namespace handsight {
 
@@ -13,12 +13,14 @@ struct UrdfFile {
   std::string text;
   std::string hand_link;               // whose frame is the hand's, where a URDF can say it: the tcp link or a new one
   std::string body_link, sensor_link;  // new links; the sensor's is empty where its mount is not known
-  std::vector<std::string> not_said;   // what a URDF cannot say, a sentence each; a comment in the text holds them too
+  std::vector<std::string> not_said;   // what a URDF cannot say, a phrase each; a comment in the text holds them too
+  RigidFit fit;                        // what it says of the joints, and what it misses
 };
 
 /// The robot as it was written, with origins moved by joint offsets, geometry and every effect that is the same in all
 /// poses after the session (a slip that has come stays), multipliers of joints that follow others, and links for the
-/// marker body and the sensor. InputError where CalibratedRobot::urdf_text is empty.
-UrdfFile urdf_file(const CalibratedRobot& robot);
+/// marker body and the sensor. Where the model has more than that, springs too, the origins are those of rigid_fit: the
+/// best robot without it; <stiffness> is then left out. InputError where CalibratedRobot::urdf_text is empty.
+UrdfFile urdf_file(const CalibratedRobot& robot, Holds holds = Holds::origins);
 
 }  // namespace handsight
