@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "print/target_xml.h"
@@ -16,6 +17,15 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 Target target_from_xml(const std::string& text) {
   const auto document = parse_xml(text, "--target");
   return read_target(root_of(*document, "--target", "target"));
+}
+
+/// Of a file that is a <target>, or a session's.
+Target target_from_file(const std::string& file) {
+  const auto document = parse_xml(read_file(file), file);
+  const tinyxml2::XMLElement* root = document->RootElement();
+  if (root && std::string_view(root->Name()) == "handsight_session")
+    return read_target(required_child(root_of(*document, file, "handsight_session"), "target"));
+  return read_target(root_of(*document, file, "target"));
 }
 
 /// "charuco columns=8 ...": the kind first, or kind=charuco.
@@ -47,21 +57,23 @@ struct TargetWord {
   const char* text;
 };
 constexpr TargetWord target_words[] = {
-    {"--kind", "kind", &TargetOptions::kind, "chessboard, charuco, aprilgrid or tags"},
+    {"--kind", "kind", &TargetOptions::kind, "chessboard, charuco, aprilgrid, grid (of ArUco tags) or tags"},
     {"--columns", "columns", &TargetOptions::columns,
-     "Inner corners of a chessboard, squares of a charuco, tags of an aprilgrid, in a row"},
+     "Inner corners of a chessboard, squares of a charuco, tags of an aprilgrid or a grid, in a row"},
     {"--rows", "rows", &TargetOptions::rows, "The same, in a column"},
     {"--square", "square", &TargetOptions::square, "m, side of a square (chessboard, charuco)"},
-    {"--marker", "marker", &TargetOptions::marker, "m, side of a charuco's tags"},
+    {"--marker", "marker", &TargetOptions::marker, "m, side of the tags of a charuco or a grid"},
     {"--tag", "tag", &TargetOptions::tag, "m, side of an aprilgrid's tags"},
     {"--spacing", "spacing", &TargetOptions::spacing, "Gap between an aprilgrid's tags / side of a tag"},
+    {"--separation", "separation", &TargetOptions::separation, "m, between two tags of a grid"},
     {"--size", "size", &TargetOptions::size, "m, side of single tags"},
     {"--dictionary", "dictionary", &TargetOptions::dictionary,
      "DICT_4X4_50 ... DICT_APRILTAG_36h11 as in OpenCV, or AprilTag's tag36h11"},
     {"--ids", "ids", &TargetOptions::ids, "Numbers of single tags, for example \"3 7 9\""},
     {"--layout", "layout", &TargetOptions::layout, "old: charuco as OpenCV before 4.6 drew it"},
     {"--border", "border", &TargetOptions::border, "Modules of black around a tag: 1, 2 for an aprilgrid"},
-    {"--first-id", "first_id", &TargetOptions::first_id, "Number of the first tag of a charuco or an aprilgrid"}};
+    {"--first-id", "first_id", &TargetOptions::first_id,
+     "Number of the first tag of a charuco, an aprilgrid or a grid"}};
 
 }  // namespace
 
@@ -69,9 +81,10 @@ bool is_given(const TargetOptions& o) { return !o.whole.empty() || !o.kind.empty
 
 void add_target_options(const CommandLine& command, TargetOptions& o, bool whole_too) {
   if (whole_too)
-    command.option(
-        "--target", o.whole,
-        "The target: its kind and NAME=VALUE of the options below, or the element <target .../> of a session");
+    command.option("--target", o.whole,
+                   "The target: its kind and NAME=VALUE of the options below, the element <target .../> of a session, "
+                   "or an XML file "
+                   "with it");
   for (const TargetWord& word : target_words) command.option(word.option, o.*word.value, word.text);
 }
 
@@ -79,6 +92,7 @@ Target target_from(const TargetOptions& o) {
   std::string whole;
   for (const std::string& word : o.whole) whole += (whole.empty() ? "" : " ") + word;
   if (whole.starts_with('<')) return target_from_xml(whole);
+  if (whole.ends_with(".xml")) return target_from_file(whole);
   Words words = words_from(whole);
   for (const TargetWord& word : target_words)
     if (!(o.*word.value).empty()) words.emplace_back(word.name, o.*word.value);
