@@ -22,13 +22,13 @@ std::optional<Unknowns> start_at(const Session& session, const Chain& chain, con
 Left left_by(const Session& session, const std::optional<Rigid>& mount, const std::vector<std::string>& effects) {
   const Chain chain = chain_of(session);
   FitOptions options;
-  for (const std::string& effect : effects)
-    for (const EffectTerm& term : effect_terms(effect, chain)) options.estimated.push_back(term);
   options.start = start_at(session, chain, mount);
   options.most_iterations = 30;
   options.smallest_step = 1e-6;
   options.least_gain = session.is_tracker() ? 1e-12 : 1e-4;  // m^2, px^2: a quick answer
   try {
+    for (const std::string& effect : effects)  // where no joint lies between hand and sensor they have no place
+      for (const EffectTerm& term : effect_terms(effect, chain)) options.estimated.push_back(term);
     const Fit found = fit(session, options);
     return {found.residual_rms,
             has_no_answer(found) || (found.converged() && looks_lost(found.problem, found.solution))};
