@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/selection/improvement.h"
-#include "effects/own_effect.h"
-#include "estimation/report/fit_report.h"
-#include "fixtures/targets.h"
+#include "fixtures/askew_tags.h"
 
 namespace handsight {
 namespace {
 
+using fixture::askew;
 using fixture::tag_cube;
 using fixture::target_session;
 
@@ -19,45 +18,7 @@ DiagnosisOptions quick() {
   return o;
 }
 
-/// What cameras see of a cube of which one tag lies elsewhere than described: exactly moved, not to first order.
-SimulatedSession askew(int tag, const Vector3& by, const Vector3& turn, std::uint64_t seed = 5, int observations = 40,
-                       Target described = tag_cube()) {
-  Target real = described;
-  TagPlace& place = real.places[static_cast<std::size_t>(tag)];
-  const Rigid moved = target_from_tag(place) * Rigid{rotation_from_vector<double>(turn), by};
-  place.xyz = moved.translation;
-  place.rpy = rpy_from_rotation(moved.rotation);
-  for (TagPlace& p : real.places) p.sigma = p.sigma_angle = 0;
-  SimulationOptions o;
-  o.observations = observations;
-  o.seed = seed;
-  SimulatedSession s = simulate_session(target_session(real), o);
-  set_target(s.session, described);
-  return s;
-}
-
-Fit fitted(const Session& session, const std::string& effects) {
-  const Chain chain = chain_of(session);
-  return fit(session, {.estimated = effect_terms(effects, chain, own_effects_of(session, chain))});
-}
-
 constexpr double two_degrees = 2 * std::numbers::pi / 180;
-
-TEST(TagPlacement, IsFoundWithTheBodyInItsPlace) {
-  const Vector3 by(1e-3, -1.5e-3, 0.5e-3), turn(0, 0.02, 0.01);
-  const SimulatedSession s = askew(2, by, turn);
-  const Fit f = fitted(s.session, "tag_placement:2");
-  EXPECT_TRUE(f.converged());
-  ASSERT_EQ(f.effects.size(), 1u);
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(f.effects[0].term.values[i], by[static_cast<Eigen::Index>(i)], 4 * f.effects[0].sigmas[i]);
-    EXPECT_NEAR(f.effects[0].term.values[i + 3], turn[static_cast<Eigen::Index>(i)], 4 * f.effects[0].sigmas[i + 3]);
-  }
-  const auto frame = tcp_from_target(s.session, f);
-  ASSERT_TRUE(frame);
-  for (std::size_t m = 0; m < 4; ++m)  // of the tag on top, which lies where it is described
-    EXPECT_LT((*frame * s.session.shape->markers[m] - s.markers_in_tcp[m]).norm(), 5e-4);
-}
 
 TEST(TagPlacement, IsNamedWithItsTag) {
   for (const auto& [tag, by, turn] : {std::tuple{1, Vector3(2e-3, 0, 0), Vector3(0, 0, 0)},
@@ -101,17 +62,6 @@ TEST(TagPlacement, ASpringOfTheRobotIsNotBlamedOnATag) {
   const Diagnosis d = diagnose(simulate_session(target_session(tag_cube()), o).session, quick());
   ASSERT_FALSE(d.candidates.empty());
   EXPECT_EQ(d.candidates.front().id, "joint_elasticity") << d.reason;
-}
-
-TEST(TagPlacement, HasAPlaceForEveryTagOfABody) {
-  const Session s = target_session(tag_cube());
-  const Chain chain = chain_of(s);
-  const OwnEffects own = own_effects_of(s, chain);
-  EXPECT_EQ(effect_terms("tag_placement", chain, own).size(), 5u);
-  EXPECT_EQ(effect_terms("tag_placement:3+4", chain, own).size(), 2u);
-  EXPECT_THROW(effect_terms("tag_placement:9", chain, own), InputError);
-  const Session board = target_session();
-  EXPECT_THROW(effect_terms("tag_placement", chain_of(board), own_effects_of(board, chain_of(board))), InputError);
 }
 
 }  // namespace

@@ -3,10 +3,17 @@
 // that are placed within sigmas.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "detection/target_finding.h"
 #include "estimation/fit/fit.h"
 #include "estimation/problem/target_pose.h"
 #include "estimation/report/fit_report.h"
+#include "fixtures/robot_texts.h"
 #include "fixtures/targets.h"
+#include "session/session_xml.h"
+#include "simulation/simulated_files.h"
+#include "temporary_folder.h"
 
 namespace handsight {
 namespace {
@@ -122,6 +129,40 @@ TEST(TagBody, TheTargetsOwnFrameIsToldWhereItIs) {
   ASSERT_TRUE(found);
   for (std::size_t m = 0; m < s.markers_in_tcp.size(); ++m)
     EXPECT_LT((*found * s.session.shape->markers[m] - s.markers_in_tcp[m]).norm(), 1e-3);
+}
+
+/// Rendered, written, read back, found in the images and fitted: the body is where it was simulated.
+TEST(TagBody, IsFoundInTheImagesOfItsFaces) {
+  for (const Target& target : {tag_cube(0.12, 0.09), fixture::tag_grid(3, 2, 0.06, 0.02)}) {
+    const TemporaryFolder folder;
+    Session like = target_session(target);
+    std::ofstream(folder.path / "arm.urdf") << fixture::urdf_text(like.robot);
+    SimulationOptions o;
+    o.observations = 12;
+    o.seed = 4;
+    o.farthest = 1.1;
+    const SimulatedSession truth = simulate_session(like, o);
+    write_simulated(truth, o, folder.path / "arm.urdf", {.observations = 12}, folder.path / "session");
+    Session s = read_session(folder.path / "session");
+    EXPECT_EQ(s.shape->markers, like.shape->markers);
+    const TargetSearch search = find_targets(s);
+    EXPECT_EQ(search.found, 12) << testing::PrintToString(search.notes);
+    std::size_t seen = 0, simulated_seen = 0;
+    for (std::size_t k = 0; k < s.observations.size(); ++k) {
+      seen += s.observations[k].sightings.size();
+      simulated_seen += truth.session.observations[k].sightings.size();
+      for (const Sighting& one : s.observations[k].sightings) {
+        const Vector3 x = inverse(truth.root_from_sensor[k]) *
+                          (truth.root_from_tcp[k] * truth.markers[k][static_cast<std::size_t>(one.marker)]);
+        // The right corner of the right tag; how well it lies there is what the fit leaves.
+        EXPECT_LT((one.in_cameras[0].pixel - project(s.rig->at(0).camera, x)).norm(), 2) << k << " " << one.marker;
+      }
+    }
+    EXPECT_GE(seen, simulated_seen * 3 / 4) << "most of the tags that look at the camera";
+    const Fit f = fit(s);
+    EXPECT_LT(f.residual_rms, 0.3);
+    EXPECT_LT(small_motion_between(fixture::true_target_body(truth, f.sides), f.tcp_from_body).head<3>().norm(), 1e-3);
+  }
 }
 
 }  // namespace
