@@ -22,7 +22,7 @@ Effect tag_placement() {
   effect.source = "Wang and Olson 2016; Munoz-Salinas et al. 2018";
   effect.scope = EffectScope::tag;
   effect.parameters = {{"x", "m", 1e-3},    {"y", "m", 1e-3},    {"z", "m", 1e-3},
-                       {"rx", "rad", 1e-2}, {"ry", "rad", 1e-2}, {"rz", "rad", 1e-2}};
+                       {"rx", "rad", 2e-2}, {"ry", "rad", 2e-2}, {"rz", "rad", 2e-2}};
   effect.move = move_no_target;
   return effect;
 }
