@@ -41,11 +41,14 @@ QString group_of(const Effect& e, const Chain& chain) {
     values.push_back(!p.is_choice ? 1e-3 : p.choices.empty() ? 0 : p.choices.front());
   Sites s = unmoved_sites(chain);
   const int place = places.empty() ? (e.scope == EffectScope::session ? -1 : 0) : places.front();
-  if (place < static_cast<int>(e.scope == EffectScope::marker ? s.markers.size() : s.robot.joints.size()))
-    e.move(c, place, values, s);
+  const bool has_site =
+      e.scope == EffectScope::tag ||
+      place < static_cast<int>(e.scope == EffectScope::marker ? s.markers.size() : s.robot.joints.size());
+  if (has_site) e.move(c, place, values, s);
   const auto any = [&](auto&& is_moved) { return std::any_of(s.robot.joints.begin(), s.robot.joints.end(), is_moved); };
   if (e.definition) return QObject::tr("Own");
-  if (e.id.starts_with("target_")) return QObject::tr("Target");  // of a pose sensor its size moves what is seen
+  if (e.id.starts_with("target_") || e.scope == EffectScope::tag)
+    return QObject::tr("Target");  // of a pose sensor its size moves what is seen
   const bool moves_cameras =
       std::any_of(s.cameras.begin(), s.cameras.end(), [](const CameraChange& one) { return !one.is_zero(); });
   if (moves_cameras || !s.mount.isZero() || !s.drift.isZero()) return QObject::tr("Cameras");

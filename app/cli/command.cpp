@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "blunders/blunders_in_files.h"
 #include "detection/target_finding.h"
 #include "estimation/start/half_turns.h"
 #include "printing/outputs.h"
@@ -108,6 +109,8 @@ Session searched(const std::string& path, TargetSearch& search) {
   });
   progress.reset();
   for (const std::string& note : search.notes) Output::note(note);
+  if (search.looked_at > 0 && search.found == 0)
+    for (const Blunder& b : blunders_in_files(session)) Output::note(b.text + " " + b.fix);
   if (const int turned = undo_half_turns(session); turned > 0)
     Output::note(fmt::format("The board was numbered the other way round in {} observations; the robot's motion tells.",
                              turned));

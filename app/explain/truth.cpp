@@ -33,6 +33,8 @@ void read_effect(const XmlNode& node, const Session& session, std::vector<Effect
     int place = -1;
     if (of && effect->scope == EffectScope::marker) {
       place = static_cast<int>(std::strtol(of->c_str(), nullptr, 10));
+    } else if (of && effect->scope == EffectScope::tag) {
+      place = static_cast<int>(std::strtol(of->c_str() + (of->starts_with("tag ") ? 4 : 0), nullptr, 10));
     } else if (of) {
       place = find_joint(session.robot, *of);
       if (place < 0) refuse(p, "names a joint that the robot does not have.");

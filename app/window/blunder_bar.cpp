@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "base/error.h"
+#include "blunders/blunders_in_files.h"
 #include "blunders/find_blunders.h"
 #include "blunders/mended.h"
 #include "session/sample.h"
@@ -31,6 +32,7 @@ bool is_lost(const Session& session, const ModelVersion& model) {
 
 /// Of the session alone, with nothing in its model; an answer that nothing was found where it cannot be fitted.
 std::vector<Blunder> searched(const Session& session, JobControl& control) {
+  if (std::vector<Blunder> told = blunders_in_files(session); !told.empty()) return told;
   try {
     const auto sample = sample_of(session, most_observations, most_observations);
     const Session& few = sample ? sample->session : session;
@@ -151,6 +153,7 @@ void BlunderBar::refresh() {
   for (const Blunder& b : found_) lines << translated(b.text) + ' ' + translated(b.fix);
   text_->setText(QString::fromUtf8("▲  ") + lines.join('\n'));
   const Blunder& first = found_.front();
+  sizes_->setVisible(first.is_by_fit);
   sizes_->setText((found_.size() == 1 ? tr("With it the model misses by %1; put right, %2 is left.")
                                       : tr("With them the model misses by %1; both put right, %2 is left."))
                       .arg(size_text(first, first.rms_before), size_text(first, first.rms_after)));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "session/session.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 
@@ -25,6 +26,8 @@ struct BlunderKind {
   std::function<std::string(const std::string&where, const Session&)> text, fix;
   /// The place with the numbers that go with it, found from a session of points (seen_points.h). Empty: there are none.
   std::function<std::string(const std::string& where, const Session& points)> settle = {};
+  /// A camera's image as it should have been, where images themselves have to be put right.
+  std::function<Image(const std::string& where, int camera, const Image&, const Session&)> mend_image = {};
 };
 
 /// All of them, those that are made most often first.
@@ -38,6 +41,8 @@ std::vector<BlunderKind> joint_blunders();
 std::vector<BlunderKind> pairing_blunders();
 std::vector<BlunderKind> pose_blunders();
 std::vector<BlunderKind> image_blunders();
+std::vector<BlunderKind> picture_blunders();
 std::vector<BlunderKind> link_blunders();
+std::vector<BlunderKind> gravity_blunders();
 
 }  // namespace handsight

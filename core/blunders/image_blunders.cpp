@@ -123,12 +123,7 @@ BlunderKind marker_order() {
   return k;
 }
 
-void scale_board(Session& s) {
-  Target target = *s.target;
-  for (double* length : {&target.square, &target.tag}) *length *= 1e-3;
-  if (target.sigma) *target.sigma *= 1e-3;
-  set_target(s, target);
-}
+void scale_board(Session& s) { set_target(s, scaled(*s.target, 1e-3)); }
 
 void scale_rig(Session& s) {
   for (RigCamera& c : s.rig->cameras) c.camera_from_first.translation *= 1e-3;

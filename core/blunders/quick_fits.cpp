@@ -32,15 +32,13 @@ bool is_no_deviation(const FittedEffect& e) {
 Left left_by(const Session& session, const std::optional<Rigid>& mount, const std::vector<std::string>& effects) {
   const Chain chain = chain_of(session);
   FitOptions options;
-  for (const std::string& effect : effects)
-    for (const int place :
-         effect_places(*find_effect(effect), chain))  // none where another link leaves no joint between
-      options.estimated.push_back(term_of(*find_effect(effect), place));
   options.start = start_at(session, chain, mount);
   options.most_iterations = 30;
   options.smallest_step = 1e-6;
   options.least_gain = session.is_tracker() ? 1e-12 : 1e-4;  // m^2, px^2: a quick answer
   try {
+    for (const std::string& effect : effects)  // where no joint lies between hand and sensor they have no place
+      for (const EffectTerm& term : effect_terms(effect, chain)) options.estimated.push_back(term);
     const Fit found = fit(session, options);
     if (std::ranges::any_of(found.effects, is_no_deviation)) return {};
     return {found.residual_rms,

@@ -31,14 +31,16 @@ void add_points(BoardImages& board, const PreparedTarget& target, const TargetSi
 
 DetectedImages detect_in_images(const GroupedImages& grouped, const Target& target,
                                 const std::function<void(std::size_t)>& progress) {
-  const PreparedTarget prepared = prepare(target);
-  const int pieces = target.kind == TargetKind::tags ? static_cast<int>(target.ids.size()) : 1;
+  // Cameras are calibrated with what is flat: a grid of tags is one board, other tags are each one of their own.
+  const PreparedTarget prepared =
+      prepare(is_tag_grid(target) && are_places_exact(target) ? target : without_places(target));
+  const int pieces = prepared.points.back().piece + 1;
   DetectedImages result;
   for (const TargetPoint& point : prepared.points) {
     result.board.points.push_back(point.position);
     result.board.pieces.push_back(point.piece);
   }
-  result.board.sigma = target.sigma;
+  result.board.sigma = print_sigma(target);
   result.board.camera_count = static_cast<int>(grouped.cameras.size());
   result.board.frame_count = static_cast<int>(grouped.frames.size()) * pieces;
   for (std::size_t c = 0; c < grouped.cameras.size(); ++c) {

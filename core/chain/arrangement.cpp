@@ -36,6 +36,7 @@ std::string sensor_of(const Session& session) {
 std::string target_of(const Session& session) {
   if (session.pose_sensor) return "a target";
   if (!session.target) return session.marker_count == 1 ? "a marker" : "markers";
+  if (has_places(*session.target)) return is_tag_grid(*session.target) ? "a board" : "a body of tags";
   if (session.target->kind == TargetKind::tags) return session.target->ids.size() == 1 ? "a tag" : "tags";
   return "a board";
 }

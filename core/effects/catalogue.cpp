@@ -35,7 +35,8 @@ const std::vector<Effect>& catalogue() {
                                               body_slip(),
                                               marker_slip(),
                                               target_scale(),
-                                              target_bend()};
+                                              target_bend(),
+                                              tag_placement()};
   return effects;
 }
 
@@ -133,6 +134,7 @@ std::vector<char> joints_that_matter(const Chain& chain) {
 std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
   std::vector<int> places;
   if (effect.scope == EffectScope::session && !has_no_target(effect)) return {-1};
+  if (effect.scope == EffectScope::tag) return effect.tags;
   if (effect.scope == EffectScope::camera)
     for (std::size_t c = 0; c < effect.cameras.size(); ++c)
       if (!effect.cameras[c].empty()) places.push_back(static_cast<int>(c));
@@ -151,6 +153,7 @@ std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
 std::string place_name(const Effect& effect, int place, const Robot& robot) {
   if (place < 0) return "";
   if (effect.scope == EffectScope::marker) return fmt::format("marker {}", place);
+  if (effect.scope == EffectScope::tag) return fmt::format("tag {}", place);
   if (effect.scope == EffectScope::camera) return effect.cameras[static_cast<std::size_t>(place)];
   return robot.joints[static_cast<std::size_t>(place)].name;
 }

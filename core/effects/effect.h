@@ -15,8 +15,8 @@
 namespace handsight {
 
 /// Where an effect may sit: an instance for every moving joint, for every mimic joint, for every marker, for cameras of
-/// a rig, or one for the whole session.
-enum class EffectScope { joint, mimic_joint, marker, camera, session };
+/// a rig, for every tag of a body of tags, or one for the whole session.
+enum class EffectScope { joint, mimic_joint, marker, camera, tag, session };
 
 struct EffectParameter {
   std::string name;
@@ -50,11 +50,12 @@ struct Effect {
   EffectScope scope = EffectScope::joint;
   std::vector<EffectParameter> parameters;
   /// Adds to the sites of the chain what the effect does in one observation. `place` is the robot's joint, the
-  /// marker or the camera, -1 for the session; `values` has one number a parameter. Linear in the parameters that are
-  /// no choices: the sites take up what is not.
+  /// marker, the camera or the tag's number, -1 for the session; `values` has one number a parameter. Linear in the
+  /// parameters that are no choices: the sites take up what is not.
   std::function<void(const Circumstances&, int place, std::span<const double> values, Sites& sites)> move;
   std::shared_ptr<const EffectDefinition> definition;  // of an effect by formula; null: of the catalogue
   std::vector<std::string> cameras = {};  // of camera scope: by camera of the rig, its name; empty where it has none
+  std::vector<int> tags = {};             // of tag scope: the numbers of the tags
   bool reads_torque = false;              // its formula reads gravity torques (Circumstances::torque)
   bool reads_place = false;               // its formula reads where the TCP is (Circumstances::tcp)
 
@@ -84,7 +85,7 @@ const Effect* find_effect(const std::string& id, const OwnEffects& own);
 /// One effect at one place with values for its parameters, in the order of Effect::parameters.
 struct EffectTerm {
   std::string id;
-  int joint = -1;  // the place: index into robot.joints, the marker or the camera; -1 for the session scope
+  int joint = -1;  // the place: index into robot.joints, the marker, the camera or the tag's number; -1 for the session
   std::vector<double> values;
   std::vector<char> held =
       {};  // per parameter, not 0: where the term is estimated, this number stays; empty: none does
@@ -106,7 +107,7 @@ inline bool is_free(const Effect& effect, const EffectTerm& term, std::size_t pa
 /// the root to TCP and mount, but for those that load springs on it or that joints on it follow.
 std::vector<int> effect_places(const Effect& effect, const Chain& chain);
 
-/// The name of a place: a joint's or camera's name, "marker 2", or empty.
+/// The name of a place: a joint's or camera's name, "marker 2", "tag 7", or empty.
 std::string place_name(const Effect& effect, int place, const Robot& robot);
 
 /// The chain's sites, all zero, with room for every joint and marker.
@@ -125,7 +126,7 @@ Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTe
 /// it.
 double plausible_size(const EffectParameter& parameter, const Chain& chain);
 
-/// Parses `id` (everywhere it may sit) or `id:joint+joint` (marker numbers where it sits at markers) into terms whose
+/// Parses `id` (everywhere it may sit) or `id:joint+joint` (numbers where it sits at markers or tags) into terms whose
 /// numbers are all 0, to be estimated. InputError as below.
 std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain, const OwnEffects& own = {});
 
@@ -134,12 +135,12 @@ struct NumberPlace {
   std::size_t term = 0, parameter = 0;
 };
 
-/// Adds to the number that a name in a file means: `of` is a joint, a marker ("2" or "marker 2"), or empty for the
-/// session scope. The term is made where it is missing. InputError names what is not known.
+/// Adds to the number that a name in a file means: `of` is a joint, a marker ("2" or "marker 2"), a tag, or empty for
+/// the session scope. The term is made where it is missing. InputError names what is not known.
 NumberPlace add_effect_number(const std::string& id, const std::string& of, const std::string& name, double value,
                               const Robot& robot, std::vector<EffectTerm>& terms, const OwnEffects& own = {});
 
-/// Parses `id:joint.parameter=value` (joint scope), `id:marker.parameter=value` with a marker's number, or
+/// Parses `id:joint.parameter=value` (joint scope), `id:7.parameter=value` with a marker's or tag's number, or
 /// `id:parameter=value` into a term list, adding to a term that is there already. InputError names what is not known
 /// and lists what is.
 void add_effect_value(const std::string& text, const Robot& robot, std::vector<EffectTerm>& terms,

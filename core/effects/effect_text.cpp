@@ -45,8 +45,29 @@ int camera_for(const Effect& effect, const std::string& name, const std::string&
                                known.empty() ? "none of this session" : known));
 }
 
+/// The numbers of the tags, as sentences list them.
+std::string tags_of(const Effect& effect) {
+  constexpr std::size_t most = 20;
+  const std::size_t count = std::min(effect.tags.size(), most);
+  return fmt::format("{}{}",
+                     fmt::join(effect.tags.begin(), effect.tags.begin() + static_cast<std::ptrdiff_t>(count), ", "),
+                     count < effect.tags.size() ? " ..." : "");
+}
+
+/// `effect.tags` may be empty: a calibration is read without the session that it is of.
+int tag_for(const Effect& effect, const std::string& name, const std::string& text) {
+  constexpr std::string_view prefix = "tag ";  // as place_name writes it
+  int tag = -1;
+  if (!read_number(name.starts_with(prefix) ? name.substr(prefix.size()) : name, tag) || tag < 0)
+    throw InputError(fmt::format("Effect \"{}\": \"{}\" is no tag; write its number.", text, name));
+  if (!effect.tags.empty() && std::find(effect.tags.begin(), effect.tags.end(), tag) == effect.tags.end())
+    throw InputError(fmt::format("Effect \"{}\": the target has no tag {}; it has: {}.", text, tag, tags_of(effect)));
+  return tag;
+}
+
 int place_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
   if (effect.scope == EffectScope::camera) return camera_for(effect, name, text);
+  if (effect.scope == EffectScope::tag) return tag_for(effect, name, text);
   if (effect.scope != EffectScope::marker) return joint_for(effect, name, robot, text);
   constexpr std::string_view prefix = "marker ";  // as place_name writes it
   int marker = -1;
@@ -76,7 +97,10 @@ std::size_t term_for(const Found& found, int place, std::vector<EffectTerm>& ter
 }
 
 const char* kind_of_place(EffectScope scope) {
-  return scope == EffectScope::marker ? "marker" : scope == EffectScope::camera ? "camera" : "joint";
+  return scope == EffectScope::marker   ? "marker"
+         : scope == EffectScope::camera ? "camera"
+         : scope == EffectScope::tag    ? "tag"
+                                        : "joint";
 }
 
 /// `text` is what sentences call it.
@@ -118,16 +142,19 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
   const Found found = effect_for(id, own);
   const Effect* const effect = found.effect;
   if (has_no_target(*effect))
-    throw InputError(fmt::format(
-        "Effect \"{}\": this session has no target of one piece whose shape is known, which {} is of.", text, id));
+    throw InputError(fmt::format("Effect \"{}\": this session has no {}, which {} is of.", text,
+                                 effect->scope == EffectScope::tag ? "body of tags whose places are known"
+                                                                   : "target of one piece whose shape is known",
+                                 id));
   std::string name = text.substr(colon + 1, equals - colon - 1);
   int place = -1;
   if (effect->scope != EffectScope::session) {
     const auto dot = name.rfind('.');
     const char* const kind = kind_of_place(effect->scope);
     if (dot == std::string::npos)
-      throw InputError(fmt::format("Effect \"{}\" sits at a {}; write {}:{}.parameter=value.", text, kind, id,
-                                   effect->scope == EffectScope::marker ? "0" : kind));
+      throw InputError(
+          fmt::format("Effect \"{}\" sits at a {}; write {}:{}.parameter=value.", text, kind, id,
+                      effect->scope == EffectScope::marker || effect->scope == EffectScope::tag ? "0" : kind));
     place = place_for(*effect, name.substr(0, dot), robot, text);
     name = name.substr(dot + 1);
   }
@@ -150,6 +177,7 @@ std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain
           fmt::format("Effect \"{}\" has no place in this session: it sits at {}.", id,
                       effect->scope == EffectScope::mimic_joint ? "joints that follow others"
                       : effect->scope == EffectScope::camera    ? "cameras, which this session has not got for it"
+                      : effect->scope == EffectScope::tag       ? "the tags of a body whose places are known"
                       : effect->scope == EffectScope::session   ? "a target of one piece whose shape is known"
                       : effect->scope == EffectScope::joint     ? "joints between the sensor and the TCP"
                                                                 : "markers"));

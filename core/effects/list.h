@@ -34,5 +34,6 @@ Effect body_slip();
 Effect marker_slip();
 Effect target_scale();
 Effect target_bend();
+Effect tag_placement();
 
 }  // namespace handsight

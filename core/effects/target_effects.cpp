@@ -42,6 +42,8 @@ OwnEffects target_effects(const Session& session, const Chain& chain) {
   } else if (has_known_shape(session)) {
     add(target_scale(described_in_body(*session.shape)));
     if (is_flat(*session.shape)) add(target_bend(*session.shape));
+    if (session.target && has_places(*session.target) && session.target->ids.size() > 1)
+      add(tag_placement(*session.target));
   }
   return all;
 }
@@ -54,9 +56,13 @@ bool has_no_target(const Effect& effect) {
   return move && *move == &move_no_target;
 }
 
-std::vector<Vector3> described_in_body(const KnownShape& shape) {
+Rigid body_from_described(const KnownShape& shape) {
   const BodySides sides = choose_sides({shape.markers.begin(), shape.markers.end()});
-  const Rigid body_from_target = inverse(body_frame(sides, shape.markers).tcp_from_body);
+  return inverse(body_frame(sides, shape.markers).tcp_from_body);
+}
+
+std::vector<Vector3> described_in_body(const KnownShape& shape) {
+  const Rigid body_from_target = body_from_described(shape);
   std::vector<Vector3> in_body;
   for (const Vector3& in_target : shape.markers) in_body.push_back(body_from_target * in_target);
   return in_body;

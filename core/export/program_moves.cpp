@@ -35,6 +35,7 @@ const std::map<std::string, std::vector<SiteFormula>>& formulas_of_the_catalogue
       {"marker_slip", {}},
       {"target_scale", {}},
       {"target_bend", {}},
+      {"tag_placement", {}},
       {"mount_slip", {}},
       {"mount_drift", {}}};
   return all;

@@ -29,7 +29,7 @@ std::vector<TargetPoint> tag_points(const Target& target) {
   for (const PlacedTag& tag : placed_tags(target))
     for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
       points.push_back(
-          {Vector3(tag.top_left.x() + right * target.tag, tag.top_left.y() + down * target.tag, 0), tag.piece});
+          {Vector3(tag.top_left.x() + right * tag.size, tag.top_left.y() + down * tag.size, 0), tag.piece});
   return points;
 }
 
@@ -40,7 +40,7 @@ std::vector<PlacedTag> charuco_tags(const Target& target) {
   for (int row = 0; row < target.rows; ++row)
     for (int column = (row + first_white) % 2; column < target.columns; column += 2)
       tags.push_back({target.first_id + static_cast<int>(tags.size()),
-                      Vector2(column * target.square + margin, row * target.square + margin), 0});
+                      Vector2(column * target.square + margin, row * target.square + margin), 0, target.tag});
   return tags;
 }
 
@@ -49,8 +49,8 @@ std::vector<PlacedTag> grid_tags(const Target& target) {
   const double step = target.tag * (1 + target.spacing);
   for (int up = 0; up < target.rows; ++up)
     for (int column = 0; column < target.columns; ++column)
-      tags.push_back(
-          {target.first_id + static_cast<int>(tags.size()), Vector2(column * step, (target.rows - 1 - up) * step), 0});
+      tags.push_back({target.first_id + static_cast<int>(tags.size()),
+                      Vector2(column * step, (target.rows - 1 - up) * step), 0, target.tag});
   return tags;
 }
 
@@ -90,6 +90,34 @@ void check_counts(const Target& target, std::string_view where) {
           "a chessboard needs at least 6 inner corners, for example columns=\"3\" rows=\"2\".");
 }
 
+}  // namespace
+
+void check_grid(const Target& target, std::string_view where) {
+  require(target.columns >= 1 && target.rows >= 1 && target.columns <= most_points / 4 / std::max(target.rows, 1),
+          where,
+          fmt::format("it has {} columns and {} rows; expected 1 or more of each, and at most {} tags.", target.columns,
+                      target.rows, most_points / 4));
+  check_size(target.tag, "marker", where);
+  check_size(target.separation, "separation", where);
+}
+
+namespace {
+
+void check_places(const Target& target, std::string_view where) {
+  if (target.places.empty()) return;
+  require(
+      target.places.size() == target.ids.size(), where,
+      fmt::format("it has {} tags and {} places; expected one place a tag.", target.ids.size(), target.places.size()));
+  for (std::size_t k = 0; k < target.places.size(); ++k) {
+    const TagPlace& place = target.places[k];
+    check_size(place.size, "size of a tag", where);
+    for (std::size_t other = 0; other < k; ++other)
+      require(place.xyz != target.places[other].xyz || place.rpy != target.places[other].rpy, where,
+              fmt::format("the tags {} and {} lie at the same place; every tag has its own xyz or rpy.",
+                          target.ids[other], target.ids[k]));
+  }
+}
+
 std::string tags_text(const Target& target) {
   std::string list;
   for (std::size_t i = 0; i < target.ids.size() && i < 12; ++i)
@@ -112,17 +140,26 @@ std::vector<PlacedTag> placed_tags(const Target& target) {
   if (target.kind == TargetKind::charuco) return charuco_tags(target);
   if (target.kind == TargetKind::aprilgrid) return grid_tags(target);
   std::vector<PlacedTag> tags;
-  if (target.kind == TargetKind::tags)
-    for (const int id : target.ids)
-      tags.push_back({id, Vector2::Constant(-0.5 * target.tag), static_cast<int>(tags.size())});
+  for (std::size_t k = 0; target.kind == TargetKind::tags && k < target.ids.size(); ++k) {
+    const double size = target.places.empty() ? target.tag : target.places[k].size;
+    tags.push_back({target.ids[k], Vector2::Constant(-0.5 * size), static_cast<int>(k), size});
+  }
   return tags;
 }
 
-std::vector<TargetPoint> target_points(const Target& target) {
+std::vector<TargetPoint> printed_points(const Target& target) {
   if (target.kind == TargetKind::chessboard) return lattice(target.columns, target.rows, target.square, 0);
   if (target.kind == TargetKind::charuco)
     return lattice(target.columns - 1, target.rows - 1, target.square, target.square);
   return tag_points(target);
+}
+
+std::vector<TargetPoint> target_points(const Target& target) {
+  std::vector<TargetPoint> points = printed_points(target);
+  if (!has_places(target)) return points;
+  for (TargetPoint& point : points)
+    point = {target_from_tag(target.places[static_cast<std::size_t>(point.piece)]) * point.position, 0};
+  return points;
 }
 
 int point_count(const Target& target) {
@@ -147,6 +184,7 @@ void check_target(const Target& target, std::string_view where) {
   if (target.kind != TargetKind::tags) check_counts(target, where);
   require(target.kind != TargetKind::tags || !target.ids.empty(), where,
           "tags need the numbers that are used, for example ids=\"3 7 9\".");
+  check_places(target, where);
   require(point_count(target) <= most_points, where,
           fmt::format("it has {} points; expected at most {}.", point_count(target), most_points));
   const bool has_squares = target.kind == TargetKind::chessboard || target.kind == TargetKind::charuco;
@@ -170,8 +208,15 @@ void check_target(const Target& target, std::string_view where) {
   check_ids(target, where);
 }
 
+static std::string mm(double metres) { return fmt::format("{:g} mm", 1e3 * metres); }
+
+static std::string sizes_text(const Target& t) {
+  double least = t.tag, most = t.tag;
+  for (const TagPlace& place : t.places) least = std::min(least, place.size), most = std::max(most, place.size);
+  return least == most ? mm(most) : fmt::format("{:g} to {}", 1e3 * least, mm(most));
+}
+
 std::string description_of(const Target& t) {
-  const auto mm = [](double metres) { return fmt::format("{:g} mm", 1e3 * metres); };
   switch (t.kind) {
     case TargetKind::chessboard:
       return fmt::format("chessboard of {} x {} inner corners, squares of {}", t.columns, t.rows, mm(t.square));
@@ -184,7 +229,11 @@ std::string description_of(const Target& t) {
     case TargetKind::tags:
       break;
   }
-  return fmt::format("tags {} of {} from {}", tags_text(t), mm(t.tag), t.dictionary);
+  if (is_tag_grid(t))
+    return fmt::format("ArUco grid board of {} x {} tags of {}, {} apart, from {}", t.columns, t.rows, mm(t.tag),
+                       mm(t.separation), t.dictionary);
+  if (t.places.empty()) return fmt::format("tags {} of {} from {}", tags_text(t), mm(t.tag), t.dictionary);
+  return fmt::format("body of the tags {} of {} from {}", tags_text(t), sizes_text(t), t.dictionary);
 }
 
 }  // namespace handsight

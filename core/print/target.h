@@ -17,10 +17,22 @@ enum class TargetKind { chessboard, charuco, aprilgrid, tags };
 std::string_view name_of(TargetKind kind);
 std::optional<TargetKind> target_kind(std::string_view name);
 
+/// Where one tag of a body of several lies: target_from_tag, the tag's frame having its origin in the tag's middle, x
+/// to the right, y down and z into the tag, as it is printed.
+struct TagPlace {
+  Vector3 xyz = Vector3::Zero();  // m
+  Vector3 rpy = Vector3::Zero();  // rad, XYZ fixed angles
+  double size = 0;                // m, side of its black square
+  double sigma = 0;               // m, how exactly `xyz` is known, one coordinate; 0: exactly
+  double sigma_angle = 0;         // rad, how exactly its turn about each axis is known; 0: exactly
+};
+
+Rigid target_from_tag(const TagPlace& place);
+
 /// What is printed on the target. The target's frame: x to the right, y down and z into the sheet, as it is printed, so
 /// that a camera that looks straight at an upright sheet has the same axes. Its origin: the first inner corner of a
 /// chessboard; of a ChArUco board the outer corner of its first square; of a grid the top left corner of its top left
-/// tag; of each single tag its centre.
+/// tag; of each single tag its centre; of a body of tags at known places it is where these say.
 struct Target {
   TargetKind kind = TargetKind::chessboard;
   int columns = 0, rows = 0;  // inner corners of a chessboard, squares of a ChArUco board, tags of a grid
@@ -32,12 +44,17 @@ struct Target {
   bool old_layout = false;  // ChArUco: as OpenCV before 4.6: with an even number of rows the first square is white
   int first_id = 0;         // of the tags of a ChArUco board or a grid, which have consecutive ids
   std::vector<int> ids;     // of single tags
-  /// m, how exactly the print is known, one coordinate; 0: it is as described; nothing: it is to be estimated.
+  /// Where they lie, in the order of `ids`: the tags are one rigid body. Empty: nothing is known of one against
+  /// another.
+  std::vector<TagPlace> places;
+  double separation = 0;  // m, of an ArUco grid (tags with columns and rows): white between two tags
+  /// m, how exactly the print is known, one coordinate; 0: it is as described; nothing: it is to be estimated. Of tags
+  /// with places each print is as described, 0: the places are known within their sigmas; nothing: they are not known.
   std::optional<double> sigma = 0;
 };
 
-/// A point that can be seen. `piece`: points of one piece form a rigid body whose shape is known; boards are one piece,
-/// each single tag is one of its own, and `position` (m) is in its frame.
+/// A point that can be seen. `piece`: points of one piece form a rigid body whose shape is known; boards and bodies of
+/// tags are one piece, each single tag is one of its own, and `position` (m) is in its frame.
 struct TargetPoint {
   Vector3 position = Vector3::Zero();
   int piece = 0;
@@ -48,12 +65,41 @@ struct TargetPoint {
 std::vector<TargetPoint> target_points(const Target& target);
 int point_count(const Target& target);
 
-/// A tag on the target: `top_left` (m) in the frame of its piece. A grid's tags follow their ids, which begin at the
-/// bottom left, run to the right and then up, as Kalibr prints them; ChArUco's row by row from the first square.
+/// The same, each tag of `TargetKind::tags` as a piece of its own whatever is known of its place: what is printed.
+std::vector<TargetPoint> printed_points(const Target& target);
+
+/// m, how exactly the points of a piece are known to each other; nothing: they are to be estimated.
+inline std::optional<double> print_sigma(const Target& target) {
+  return target.places.empty() ? target.sigma : std::optional<double>(0);
+}
+
+/// Tags that are one rigid body, held or known within the sigmas of their places.
+inline bool has_places(const Target& target) { return !target.places.empty() && target.sigma; }
+
+/// Is each of these places known exactly?
+bool are_places_exact(const Target& target);
+
+/// The target with the places of its tags not known: each is a piece of its own.
+Target without_places(Target target);
+
+/// All its lengths times `factor`.
+Target scaled(Target target, double factor);
+
+/// Gives a target of tags the places of an ArUco grid board as OpenCV draws it: its columns x rows tags from `first_id`
+/// on, row by row from the top left one, in whose top left corner the frame has its origin.
+void lay_out_grid(Target& target);
+
+/// An ArUco grid board: tags with columns and rows.
+inline bool is_tag_grid(const Target& target) { return target.kind == TargetKind::tags && target.columns > 0; }
+
+/// A tag on the target: `top_left` (m) in the frame of its piece, of which each of `TargetKind::tags` is one. A grid's
+/// tags follow their ids, which begin at the bottom left, run to the right and then up, as Kalibr prints them;
+/// ChArUco's row by row from the first square.
 struct PlacedTag {
   int id = 0;
   Vector2 top_left = Vector2::Zero();
   int piece = 0;
+  double size = 0;  // m
 };
 std::vector<PlacedTag> placed_tags(const Target& target);
 

@@ -7,14 +7,24 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "print/tag_places_xml.h"
 
 namespace handsight {
 namespace {
 
 using Words = std::vector<std::pair<std::string, std::string>>;
 
+constexpr std::string_view grid = "grid";  // an ArUco grid board: tags with places
+
+bool is_grid(const Words& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [](const auto& word) { return word.first == "kind" && word.second == grid; });
+}
+
 /// What a kind of target cannot be described without.
-const std::vector<std::string_view>& needed_words(TargetKind kind) {
+const std::vector<std::string_view>& needed_words(TargetKind kind, bool is_grid) {
+  static const std::vector<std::string_view> of_grid{"columns", "rows", "marker", "separation", "dictionary"};
+  if (is_grid) return of_grid;
   static const std::array<std::vector<std::string_view>, 4> all{{
       {"columns", "rows", "square"},
       {"columns", "rows", "square", "marker", "dictionary"},
@@ -81,28 +91,41 @@ void take_layout(const Words& words, std::string_view where, Target& target) {
 }
 
 TargetKind kind_from(const Words& words, std::string_view where) {
-  constexpr std::string_view kinds = "chessboard, charuco, aprilgrid or tags";
+  constexpr std::string_view kinds = "chessboard, charuco, aprilgrid, grid or tags";
   const std::string* text = find(words, "kind");
   if (!text) throw InputError(fmt::format("{}: it has no kind; expected {}.", where, kinds));
+  if (*text == grid) return TargetKind::tags;
   const auto kind = target_kind(*text);
   if (!kind) refuse_word(where, "kind", *text, kinds);
   return *kind;
 }
 
 void require_words(const Words& words, TargetKind kind, std::string_view where) {
-  const auto& needed = needed_words(kind);
+  const auto& needed = needed_words(kind, is_grid(words));
   for (const std::string_view name : needed)
     if (!find(words, name))
       throw InputError(fmt::format("{}: a target of kind {} needs {}, which is missing; expected {}.", where,
-                                   name_of(kind), name, fmt::join(needed, ", ")));
+                                   is_grid(words) ? grid : name_of(kind), name, fmt::join(needed, ", ")));
 }
 
-}  // namespace
+/// The tags of a grid board, each known to lie there within the target's sigma.
+void take_grid(const Words& words, std::string_view where, Target& target) {
+  take_number(words, where, "separation", target.separation);
+  check_grid(target, where);
+  lay_out_grid(target);
+  double sigma_angle = 0;
+  take_number(words, where, "sigma_angle", sigma_angle);
+  for (TagPlace& place : target.places) {
+    place.sigma = target.sigma.value_or(0);
+    place.sigma_angle = find(words, "sigma_angle") ? sigma_angle : usual_sigma_angle(place);
+  }
+  if (target.sigma) target.sigma = 0;
+}
 
-Target target_from_words(const Words& words, std::string_view where) {
+/// What the words say, not yet checked.
+Target told_by(const Words& words, std::string_view where) {
   Target target;
   target.kind = kind_from(words, where);
-  require_words(words, target.kind, where);
   if (target.kind == TargetKind::aprilgrid) target.dictionary = "tag36h11", target.border = 2;
   take_integer(words, where, "columns", target.columns);
   take_integer(words, where, "rows", target.rows);
@@ -111,12 +134,37 @@ Target target_from_words(const Words& words, std::string_view where) {
   take_number(words, where, "square", target.square);
   take_number(words, where, "spacing", target.spacing);
   for (const char* name : {"marker", "tag", "size"})
-    if (const auto& needed = needed_words(target.kind); std::find(needed.begin(), needed.end(), name) != needed.end())
+    if (const auto& needed = needed_words(target.kind, is_grid(words));
+        std::find(needed.begin(), needed.end(), name) != needed.end())
       take_number(words, where, name, target.tag);
   if (const std::string* name = find(words, "dictionary")) target.dictionary = *name;
   if (const std::string* ids = find(words, "ids")) target.ids = ids_from(*ids, where);
   take_layout(words, where, target);
   take_sigma(words, where, target);
+  if (target.kind == TargetKind::tags && !is_grid(words)) target.columns = target.rows = 0;
+  return target;
+}
+
+Target read_tags(const XmlNode& node, const Words& words, std::string_view where) {
+  if (find(words, "ids"))
+    throw InputError(fmt::format("{}: it has ids and <tag> elements; expected one of the two.", where));
+  if (!find(words, "dictionary"))
+    throw InputError(
+        fmt::format("{}: a target of kind tags needs dictionary, which is missing; expected dictionary and a <tag> "
+                    "element for every tag.",
+                    where));
+  Target target = told_by(words, where);
+  read_tag_places(node, target);
+  check_target(target, where);
+  return target;
+}
+
+}  // namespace
+
+Target target_from_words(const Words& words, std::string_view where) {
+  require_words(words, kind_from(words, where), where);
+  Target target = told_by(words, where);
+  if (is_grid(words)) take_grid(words, where, target);
   check_target(target, where);
   return target;
 }
@@ -125,37 +173,64 @@ Target read_target(const XmlNode& node) {
   Words words;
   for (const auto* a = node.element->FirstAttribute(); a; a = a->Next())
     words.emplace_back(a->Name(), required_text(node, a->Name()));
-  return target_from_words(words, fmt::format("{}, line {}: <{}>", node.file, node.line(), node.tag()));
+  const std::string where = fmt::format("{}, line {}: <{}>", node.file, node.line(), node.tag());
+  const bool has_tags = kind_from(words, where) == TargetKind::tags && !is_grid(words) && find_tag(node);
+  return has_tags ? read_tags(node, words, where) : target_from_words(words, where);
 }
 
-Words target_words(const Target& target) {
-  Words words{{"kind", std::string(name_of(target.kind))}};
+const std::vector<std::string>& target_attributes() {
+  static const std::vector<std::string> all{"kind",    "columns",    "rows",       "square",     "marker", "tag",
+                                            "spacing", "separation", "dictionary", "size",       "ids",    "border",
+                                            "layout",  "first_id",   "sigma",      "sigma_angle"};
+  return all;
+}
+
+namespace {
+
+Words kind_words(const Target& target) {
+  const bool is_grid = is_tag_grid(target);
+  Words words{{"kind", std::string(is_grid ? grid : name_of(target.kind))}};
   const auto add = [&](const char* name, std::string text) { words.emplace_back(name, std::move(text)); };
-  if (target.kind != TargetKind::tags) {
+  if (target.kind != TargetKind::tags || is_grid) {
     add("columns", std::to_string(target.columns));
     add("rows", std::to_string(target.rows));
   }
   const bool has_squares = target.kind == TargetKind::chessboard || target.kind == TargetKind::charuco;
   if (has_squares) add("square", format_number(target.square));
-  if (target.kind == TargetKind::charuco) add("marker", format_number(target.tag));
+  if (target.kind == TargetKind::charuco || is_grid) add("marker", format_number(target.tag));
+  if (is_grid) add("separation", format_number(target.separation));
   if (target.kind == TargetKind::aprilgrid)
     add("tag", format_number(target.tag)), add("spacing", format_number(target.spacing));
   if (target.kind != TargetKind::chessboard) add("dictionary", target.dictionary);
-  if (target.kind == TargetKind::tags)
-    add("size", format_number(target.tag)), add("ids", fmt::format("{}", fmt::join(target.ids, " ")));
+  if (target.kind == TargetKind::tags && !is_grid) add("size", format_number(target.tag));
+  if (target.kind == TargetKind::tags && target.places.empty())
+    add("ids", fmt::format("{}", fmt::join(target.ids, " ")));
+  return words;
+}
+
+}  // namespace
+
+Words target_words(const Target& target) {
+  Words words = kind_words(target);
+  const auto add = [&](const char* name, std::string text) { words.emplace_back(name, std::move(text)); };
   if (target.kind != TargetKind::chessboard && target.border != (target.kind == TargetKind::aprilgrid ? 2 : 1))
     add("border", std::to_string(target.border));
   if (target.old_layout) add("layout", "old");
   if (target.first_id != 0) add("first_id", std::to_string(target.first_id));
-  if (!target.sigma)
+  if (is_tag_grid(target) && target.places.front().sigma_angle != 0)
+    add("sigma_angle", format_number(target.places.front().sigma_angle));
+  const std::optional<double> sigma =
+      is_tag_grid(target) && target.sigma ? std::optional(target.places.front().sigma) : target.sigma;
+  if (!sigma)
     add("sigma", "free");
-  else if (*target.sigma != 0)
-    add("sigma", format_number(*target.sigma));
+  else if (*sigma != 0)
+    add("sigma", format_number(*sigma));
   return words;
 }
 
 void write_target(tinyxml2::XMLElement& element, const Target& target) {
   for (const auto& [name, text] : target_words(target)) element.SetAttribute(name.c_str(), text.c_str());
+  if (!is_tag_grid(target)) write_tag_places(element, target);
 }
 
 }  // namespace handsight

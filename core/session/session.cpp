@@ -50,15 +50,25 @@ Sighting seen_at(int marker, const Vector2& first, const std::optional<Vector2>&
   return s;
 }
 
+/// The tags of a body that are placed within sigmas.
+static std::vector<ShapePart> placed_parts(const Target& target) {
+  std::vector<ShapePart> parts;
+  if (!has_places(target) || are_places_exact(target)) return parts;
+  for (std::size_t k = 0; k < target.places.size(); ++k)
+    parts.push_back({4 * static_cast<int>(k), 4, target.places[k].sigma, target.places[k].sigma_angle});
+  return parts;
+}
+
 void set_target(Session& session, const Target& target) {
   session.target = target;
   KnownShape& shape = session.shape.emplace();
-  shape.sigma = target.sigma;
+  shape.sigma = print_sigma(target);
   for (const TargetPoint& point : target_points(target)) {
     shape.markers.push_back(point.position);
     shape.pieces.push_back(point.piece);
   }
   if (shape.pieces.back() == 0) shape.pieces.clear();
+  shape.parts = placed_parts(target);
   session.marker_count = static_cast<int>(shape.markers.size());
 }
 

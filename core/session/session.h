@@ -60,16 +60,25 @@ void forget(Sighting& sighting, int camera);
 Sighting seen_at(int marker, const Vector2& first, const std::optional<Vector2>& second = {},
                  MarkedBy by = MarkedBy::import);
 
+/// Neighbouring markers of a known shape that are one firm thing, a tag: it lies where the shape says, off by a motion
+/// of which this is known.
+struct ShapePart {
+  int first = 0, count = 0;  // its markers
+  double sigma = 0;          // m, of its middle's shift along each axis
+  double sigma_angle = 0;    // rad, of its turn about each axis
+};
+
 /// How the markers lie to each other, where that is known beforehand: their places in a frame of their own. Of several
 /// pieces (single tags) each has its own frame, and nothing is known of one against another.
 struct KnownShape {
-  std::vector<Vector3> markers;     // m
-  std::optional<double> sigma = 0;  // m, of one coordinate of one marker; 0: exactly so; nothing: only about so
-  std::vector<int> pieces = {};     // the piece of each marker, ascending; empty: all are one
+  std::vector<Vector3> markers;       // m
+  std::optional<double> sigma = 0;    // m, of one coordinate of one marker; 0: exactly so; nothing: only about so
+  std::vector<int> pieces = {};       // the piece of each marker, ascending; empty: all are one
+  std::vector<ShapePart> parts = {};  // that are placed within sigmas, all markers in order; empty: there are none
 
   int piece(std::size_t marker) const { return pieces.empty() ? 0 : pieces[marker]; }
   int piece_count() const { return pieces.empty() ? 1 : pieces.back() + 1; }
-  bool is_rigid() const { return sigma == 0.0 && piece_count() == 1; }
+  bool is_rigid() const { return sigma == 0.0 && piece_count() == 1 && parts.empty(); }
 };
 
 /// A sensor that tells where a target is and how it is turned. Absent sigmas are estimated.

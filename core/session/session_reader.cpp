@@ -205,10 +205,10 @@ void read_pose_target(const XmlNode& root, Ignored& ignored) {
 
 /// A board or tags whose points name themselves.
 void read_target_element(const XmlNode& node, Session& session, Ignored& ignored) {
-  note_unknown(ignored, node,
-               {"kind", "columns", "rows", "square", "marker", "tag", "spacing", "dictionary", "size", "ids", "border",
-                "layout", "first_id", "sigma", "sigma_pixel"},
-               {});
+  std::vector<std::string> attributes = target_attributes();
+  attributes.emplace_back("sigma_pixel");
+  note_unknown(ignored, node, attributes, {"tag"});
+  for (const XmlNode& tag : children(node, "tag")) note_unknown(ignored, tag, tag_attributes(), {});
   if (required_text(node, "kind") == "pose")
     refuse(node, "has kind=\"pose\", which needs a <pose_sensor> in place of cameras or a tracker.");
   if (session.is_tracker())

@@ -9,6 +9,7 @@ namespace handsight {
 namespace {
 
 constexpr int most_tries = 500;
+constexpr double one_face = 0.98;    // of the product of two normals
 constexpr double image_margin = 40;  // px: the whole label stays in the image
 
 struct Span {
@@ -55,15 +56,27 @@ double PoseSampler::violation(const Eigen::VectorXd& position) const {
   const Rigid first_from_tcp =
       sensor_from_tcp(observed_ends(c, moved_sites(c, options_.effects, options_.curves)).ends, mount_from_sensor_);
   double total = 0;
-  for (const Vector3& marker : body_.markers_in_tcp) {
-    const Vector3 x = first_from_tcp * marker;
-    const Vector3 normal = first_from_tcp.rotation * body_.normal_in_tcp;
-    LeastTwo least;
-    for (const RigCamera& one : chain_.rig->cameras)
-      least.add(unseen(one.camera, one.camera_from_first * x, one.camera_from_first.rotation * normal));
-    total += least.sum();
+  if (body_.normals_in_tcp.empty()) {
+    for (std::size_t m = 0; m < body_.markers_in_tcp.size(); ++m) total += unseen(first_from_tcp, m);
+    return total;
   }
-  return total;
+  double least = 1e300;  // of the faces
+  for (const Vector3& face : body_.normals_in_tcp) {
+    total = 0;
+    for (std::size_t m = 0; m < body_.markers_in_tcp.size(); ++m)
+      if (body_.normals_in_tcp[m].dot(face) > one_face) total += unseen(first_from_tcp, m);
+    least = std::min(least, total);
+  }
+  return least;
+}
+
+double PoseSampler::unseen(const Rigid& first_from_tcp, std::size_t marker) const {
+  const Vector3 x = first_from_tcp * body_.markers_in_tcp[marker];
+  const Vector3 normal = first_from_tcp.rotation * normal_at(body_, marker);
+  LeastTwo least;
+  for (const RigCamera& one : chain_.rig->cameras)
+    least.add(unseen(one.camera, one.camera_from_first * x, one.camera_from_first.rotation * normal));
+  return least.sum();
 }
 
 /// 0 where the camera sees the point well; else how far from that it is, in rough units of a radian.

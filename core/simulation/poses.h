@@ -15,11 +15,17 @@ namespace handsight {
 struct ShownBody {
   std::vector<Vector3> markers_in_tcp;
   Vector3 normal_in_tcp = Vector3::UnitZ();
+  std::vector<Vector3> normals_in_tcp = {};  // by marker, where they differ: one face of the body is enough
 };
 
-/// Joint positions in the order of the chain, each showing every marker to the cameras (of more than two to any two)
-/// (in a tracker session: any pose). Drawn from a share of the limits, or from the span of `like`'s observations.
-/// Throws InputError where 500 searches in a row find none.
+/// The outward normal at a marker.
+inline const Vector3& normal_at(const ShownBody& body, std::size_t marker) {
+  return body.normals_in_tcp.empty() ? body.normal_in_tcp : body.normals_in_tcp[marker];
+}
+
+/// Joint positions in the order of the chain, each showing every marker to the cameras (of more than two to any two),
+/// of a body of tags all of one face (in a tracker session: any pose). Drawn from a share of the limits, or from the
+/// span of `like`'s observations. Throws InputError where 500 searches in a row find none.
 class PoseSampler {
  public:
   PoseSampler(const Session& like, const Chain& chain, const ShownBody& body, const SimulationOptions& options);
@@ -27,6 +33,7 @@ class PoseSampler {
 
  private:
   double violation(const Eigen::VectorXd& position) const;
+  double unseen(const Rigid& first_from_tcp, std::size_t marker) const;
   double unseen(const Camera& camera, const Vector3& x, const Vector3& normal) const;
   Eigen::VectorXd drawn(Random& random) const;
   Eigen::VectorXd moved(const Eigen::VectorXd& from, double share, Random& random) const;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "chain/arrangement.h"
+#include "simulation/shown_tags.h"
 #include "targets/pattern.h"
 
 namespace handsight {
@@ -87,16 +88,16 @@ std::vector<Rigid> lay_out(const KnownShape& shape, double size, Random& random)
   return pieces;
 }
 
-/// Where a piece is by its points.
-Rigid tcp_from_piece(const KnownShape& shape, const std::vector<Vector3>& points_in_tcp, int piece) {
+/// Where a printed piece is by its points.
+Rigid tcp_from_piece(const std::vector<TargetPoint>& printed, const std::vector<Vector3>& points_in_tcp, int piece) {
   std::vector<std::size_t> own;
-  for (std::size_t m = 0; m < shape.markers.size(); ++m)
-    if (shape.piece(m) == piece) own.push_back(m);
+  for (std::size_t m = 0; m < printed.size(); ++m)
+    if (printed[m].piece == piece) own.push_back(m);
   const auto count = static_cast<Eigen::Index>(own.size());
   Eigen::Matrix3Xd in_tcp(3, count), in_piece(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     in_tcp.col(i) = points_in_tcp[own[static_cast<std::size_t>(i)]];
-    in_piece.col(i) = shape.markers[own[static_cast<std::size_t>(i)]];
+    in_piece.col(i) = printed[own[static_cast<std::size_t>(i)]].position;
   }
   return align_points(in_tcp, in_piece, Eigen::VectorXd::Ones(count));
 }
@@ -109,10 +110,34 @@ Rigid piece_from_sheet(const Box& outline) {
   return {axes, Vector3(middle.x(), middle.y(), 0)};
 }
 
-/// White paper round the print.
-double rim_of(const Target& target) {
+/// White paper round the print of a piece.
+double rim_of(const Target& target, int piece) {
+  if (has_places(target)) return rim_of_tag(target, static_cast<std::size_t>(piece));
   return target.kind == TargetKind::chessboard || target.kind == TargetKind::charuco ? 0.5 * target.square
                                                                                      : 0.25 * target.tag;
+}
+
+/// Where the arm is that carries the target: behind the board, or where a body of tags shows none; nothing where it has
+/// tags all round.
+std::optional<Rigid> arm_behind(const Session& session, const std::vector<Vector3>& points_in_tcp,
+                                const Rigid& first_board) {
+  constexpr double reach = 0.12;  // m, from the board to the middle of the arm
+  const std::vector<Vector3> faces = face_normals(*session.target);
+  if (faces.empty()) return first_board * Rigid{Matrix3::Identity(), {0, 0, -0.5 * board_thickness - reach}};
+  const std::vector<TargetPoint> described = target_points(*session.target);
+  Eigen::Matrix3Xd there(3, faces.size()), here(3, faces.size());
+  Vector3 open = Vector3::Zero();
+  for (std::size_t m = 0; m < faces.size(); ++m) {
+    here.col(static_cast<Eigen::Index>(m)) = described[m].position;
+    there.col(static_cast<Eigen::Index>(m)) = points_in_tcp[m];
+    open -= faces[m] / static_cast<double>(faces.size());
+  }
+  if (open.norm() < 0.05) return std::nullopt;
+  const Vector3 middle = middle_of(points_in_tcp);
+  const Rigid tcp_from_target = align_points(there, here, Eigen::VectorXd::Ones(here.cols()));
+  const Vector3 along = tcp_from_target.rotation * open.normalized();
+  return Rigid{axes_from(along, along.unitOrthogonal()),
+               middle + (0.5 * size_of(points_in_tcp, middle) + reach) * along};
 }
 
 }  // namespace
@@ -129,14 +154,18 @@ ShownBody shown_target(const Session& like, const SimulationOptions& options, do
       tcp_is_moved(chain_of(like)) ? place_on_hand(piece_size, random) : place_on_table(like, options, random);
   const std::vector<Rigid> pieces = lay_out(shape, piece_size, random);
   ShownBody body;
-  for (std::size_t m = 0; m < shape.markers.size(); ++m)
+  const std::vector<Vector3> lie = really_placed(shape, random);
+  for (std::size_t m = 0; m < lie.size(); ++m)
     body.markers_in_tcp.push_back(tcp_from_target * pieces[static_cast<std::size_t>(shape.piece(m))] *
-                                  Vector3(shape.markers[m] + printed_off * random.gaussian3()));
+                                  Vector3(lie[m] + printed_off * random.gaussian3()));
   body.normal_in_tcp = -tcp_from_target.rotation.col(2);
+  for (const Vector3& normal : face_normals(*like.target))
+    body.normals_in_tcp.push_back(tcp_from_target.rotation * normal);
   return body;
 }
 
 ShownBody outermost(const Session& like, const ShownBody& target) {
+  if (!target.normals_in_tcp.empty()) return target;
   const KnownShape& shape = *like.shape;
   ShownBody few;
   few.normal_in_tcp = target.normal_in_tcp;
@@ -153,11 +182,12 @@ ShownBody outermost(const Session& like, const ShownBody& target) {
 }
 
 void move_target(const Session& session, const std::vector<Vector3>& points_in_tcp, Scene& scene) {
-  for (int piece = 0; piece < session.shape->piece_count(); ++piece) {
+  const std::vector<TargetPoint> printed = printed_points(*session.target);
+  for (int piece = 0; piece <= printed.back().piece; ++piece) {
     const auto i = static_cast<std::size_t>(piece);
     Plate& sheet = scene.hand_plates[i];
-    const Rigid tcp_from_sheet = tcp_from_piece(*session.shape, points_in_tcp, piece) *
-                                 piece_from_sheet(pattern_of(*session.target, piece).outline);
+    const Rigid tcp_from_sheet =
+        tcp_from_piece(printed, points_in_tcp, piece) * piece_from_sheet(pattern_of(*session.target, piece).outline);
     sheet.frame_from_plate = tcp_from_sheet;
     // The sheet stands a little above its board, so that neither cuts through the other.
     scene.hand[i].frame_from_solid =
@@ -166,8 +196,9 @@ void move_target(const Session& session, const std::vector<Vector3>& points_in_t
 }
 
 void add_target(const Session& session, const std::vector<Vector3>& points_in_tcp, bool on_hand, Scene& scene) {
-  const double rim = rim_of(*session.target);
-  for (int piece = 0; piece < session.shape->piece_count(); ++piece) {
+  const int pieces = printed_points(*session.target).back().piece + 1;
+  for (int piece = 0; piece < pieces; ++piece) {
+    const double rim = rim_of(*session.target, piece);
     const Box outline = pattern_of(*session.target, piece).outline;
     Plate sheet;
     sheet.pattern = Pattern::printed;
@@ -184,11 +215,12 @@ void add_target(const Session& session, const std::vector<Vector3>& points_in_tc
   }
   move_target(session, points_in_tcp, scene);
   if (!on_hand) return;
-  const Rigid& board = scene.hand.front().frame_from_solid;
-  Solid arm;  // behind the board
+  const auto place = arm_behind(session, points_in_tcp, scene.hand.front().frame_from_solid);
+  if (!place) return;
+  Solid arm;
   arm.kind = SolidKind::capsule;
   arm.half_size = {0.035, 0.035, 0.08};
-  arm.frame_from_solid = board * Rigid{Matrix3::Identity(), {0, 0, -0.5 * board_thickness - 0.12}};
+  arm.frame_from_solid = *place;
   arm.grey = 90;
   scene.hand.push_back(arm);
 }

@@ -104,6 +104,11 @@ std::vector<Sighting> sightings_of(const SimulatedSession& s, std::size_t k, con
   std::vector<Sighting> all;
   const Rigid sensor_from_tcp = inverse(s.root_from_sensor[k]) * s.root_from_tcp[k];
   const Rigid sensor_from_tcp_later = inverse(s.later_root_from_sensor[k]) * s.later_root_from_tcp[k];
+  const ShownBody body{s.markers_in_tcp, s.normal_in_tcp, s.normals_in_tcp};
+  const bool has_faces = !body.normals_in_tcp.empty();
+  // Of a body one face is asked to be seen well; others are seen as long as their tags can be read.
+  constexpr double readable = 1.15;  // rad
+  if (has_faces) most_turned = std::max(most_turned, readable);
   for (int m = 0; m < s.session.marker_count; ++m) {
     const Vector3& marker = s.markers[k][static_cast<std::size_t>(m)];
     const Vector3 x = sensor_from_tcp * marker + shift;
@@ -120,8 +125,9 @@ std::vector<Sighting> sightings_of(const SimulatedSession& s, std::size_t k, con
       const Vector3 in_camera = camera.camera_from_first * (first_from_tcp * marker + shift);
       const Vector2 pixel = noisy(project(camera.camera, in_camera), s.noise, random);
       if (!is_visible(camera.camera, in_camera)) continue;
-      const Vector3 normal = camera.camera_from_first.rotation * (first_from_tcp.rotation * s.normal_in_tcp);
-      if (s.true_rig->count() > 2 && !faces(normal, in_camera, most_turned)) continue;
+      const Vector3 normal =
+          camera.camera_from_first.rotation * (first_from_tcp.rotation * normal_at(body, static_cast<std::size_t>(m)));
+      if ((has_faces || s.true_rig->count() > 2) && !faces(normal, in_camera, most_turned)) continue;
       see(sighting, c, pixel);
     }
     if (!sighting.in_cameras.empty()) all.push_back(sighting);
@@ -200,7 +206,7 @@ void disturb(const Disturbance& d, const World& world, SimulatedSession& s, std:
 void add_observations(const Session& like, const SimulationOptions& options, const World& world, SimulatedSession& s) {
   const Random root(options.seed);
   Random poses = root.child(pose_stream), times = root.child(time_stream);
-  ShownBody body{s.markers_in_tcp, s.normal_in_tcp};
+  ShownBody body{s.markers_in_tcp, s.normal_in_tcp, s.normals_in_tcp};
   if (like.target) body = outermost(like, body);
   PoseSampler sampler(like, world.chain, body, options);
   double time = 0;
@@ -248,6 +254,7 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
                          : random_body(like.marker_count, options.body_size, Random(options.seed).child(body_stream));
   s.markers_in_tcp = body.markers_in_tcp;
   s.normal_in_tcp = body.normal_in_tcp;
+  s.normals_in_tcp = body.normals_in_tcp;
 
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
   if (like.rig) s.true_rig = moved_rig(*like.rig, moved_sites(circumstances_at(chain, zero), options.effects));

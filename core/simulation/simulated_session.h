@@ -25,6 +25,7 @@ struct SimulatedSession {
   Session session;  // every marker labelled in every camera that sees it, by="import"
   std::vector<Vector3> markers_in_tcp;
   Vector3 normal_in_tcp = Vector3::UnitZ();  // the marker plane's outward normal
+  std::vector<Vector3> normals_in_tcp;       // of each marker of a body of tags that look different ways; else empty
   Rigid mount_from_sensor;                   // the true one, before any effect
   std::optional<Rig> true_rig;               // with the effects on rig and cameras
   std::vector<EffectTerm> effects;

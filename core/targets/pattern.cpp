@@ -64,7 +64,7 @@ PrintedPattern pattern_of(const Target& target, int piece) {
     check(dictionary != nullptr, "no dictionary {}", target.dictionary);
     for (const PlacedTag& tag : placed_tags(target))
       if (tag.piece == piece)
-        add_tag(pattern.black, tag_pattern(*dictionary, tag.id, target.border), tag.top_left, target.tag);
+        add_tag(pattern.black, tag_pattern(*dictionary, tag.id, target.border), tag.top_left, tag.size);
   }
   pattern.outline = outline_of(pattern.black);
   // Where its corners are white squares a ChArUco board reaches farther than its black boxes.
@@ -93,7 +93,7 @@ BlackAt::BlackAt(const Target& target, int piece) : target_(target) {
 
 bool BlackAt::tag_is_black(std::size_t tag, double x, double y) const {
   const TagPattern& pattern = patterns_[tag];
-  const double scale = pattern.side / target_.tag;
+  const double scale = pattern.side / tags_[tag].size;
   const double column = std::floor((x - tags_[tag].top_left.x()) * scale),
                row = std::floor((y - tags_[tag].top_left.y()) * scale);
   if (!(column >= 0 && row >= 0 && column < pattern.side && row < pattern.side)) return false;

@@ -38,23 +38,40 @@ Arrangement one_piece(const Target& target) {
   return a;
 }
 
+void add_tag(const Target& target, int piece, const Vector2& origin, Arrangement& a) {
+  for (Box box : pattern_of(target, piece).black) {
+    box.top_left += origin;
+    a.black.push_back(box);
+  }
+  a.origins.push_back(origin);
+}
+
+/// An ArUco grid board: its tags where they lie.
+Arrangement grid_of_tags(const Target& target) {
+  Arrangement a;
+  for (std::size_t k = 0; k < target.places.size(); ++k)
+    add_tag(target, static_cast<int>(k), target.places[k].xyz.head<2>(), a);
+  const double step = target.tag + target.separation;
+  a.size = Vector2(target.columns * step, target.rows * step) - Vector2::Constant(target.separation);
+  return a;
+}
+
 /// Tags side by side, as nearly square as they fill it, a third of a tag (at least 8 mm) between them.
 Arrangement several_pieces(const Target& target) {
   Arrangement a;
-  const auto count = static_cast<int>(target.ids.size());
+  const std::vector<PlacedTag> tags = placed_tags(target);
+  const auto count = static_cast<int>(tags.size());
+  double largest = 0;
+  for (const PlacedTag& tag : tags) largest = std::max(largest, tag.size);
   const int columns = static_cast<int>(std::ceil(std::sqrt(count * 0.7)));
-  const double gap = std::max(target.tag / 3, 0.008), step = target.tag + gap;
+  const double gap = std::max(largest / 3, 0.008), step = largest + gap;
   for (int i = 0; i < count; ++i) {
+    const PlacedTag& tag = tags[static_cast<std::size_t>(i)];
     const int column = i % columns, row = i / columns;
     const Vector2 top_left(column * step, row * step);
-    const Vector2 origin = top_left + Vector2::Constant(0.5 * target.tag);
-    for (Box box : pattern_of(target, i).black) {
-      box.top_left += origin;
-      a.black.push_back(box);
-    }
-    a.origins.push_back(origin);
-    a.texts.push_back({top_left + Vector2(0, target.tag + 0.7 * gap), std::min(text_height, 0.4 * gap),
-                       fmt::format("{}", target.ids[static_cast<std::size_t>(i)])});
+    add_tag(target, i, top_left + Vector2::Constant(0.5 * tag.size), a);
+    a.texts.push_back(
+        {top_left + Vector2(0, tag.size + 0.7 * gap), std::min(text_height, 0.4 * gap), fmt::format("{}", tag.id)});
   }
   const int rows = (count + columns - 1) / columns;
   a.size = Vector2(columns * step - gap, rows * step);
@@ -101,7 +118,9 @@ Sheet paper_for(const Vector2& needed) {
 
 Sheet sheet_of(const Target& target) {
   check_target(target, "target");
-  const Arrangement a = target.kind == TargetKind::tags ? several_pieces(target) : one_piece(target);
+  const Arrangement a = is_tag_grid(target)               ? grid_of_tags(target)
+                        : target.kind == TargetKind::tags ? several_pieces(target)
+                                                          : one_piece(target);
   Sheet sheet = paper_for({std::max(a.size.x(), 0.03) + 2 * rim, a.size.y() + 2 * rim + below});
   const Vector2 shift(0.5 * (sheet.width - a.size.x()), rim + 0.5 * (sheet.height - 2 * rim - below - a.size.y()));
   for (Box box : a.black) {

@@ -28,7 +28,7 @@ struct Sheet {
 /// The target in the middle of the smallest paper from A4 to A0, upright or landscape, that holds it with a white rim
 /// of 10 mm, or of a sheet of its own size; beneath it a ruler of 100 mm (less where the sheet is narrow) to check the
 /// print with, and what the target is: in words and as <target .../>. Single tags stand side by side, each with its
-/// number.
+/// number; an ArUco grid board is printed as it is.
 Sheet sheet_of(const Target& target);
 
 std::string pdf_text(const Sheet& sheet);

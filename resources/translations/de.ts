@@ -5182,6 +5182,22 @@
         <translation>Das Target über seine ganze Länge mit einem Lineal messen und mit seiner Beschreibung vergleichen.</translation>
     </message>
     <message>
+        <source>Misplaced tag</source>
+        <translation>Versetztes Tag</translation>
+    </message>
+    <message>
+        <source>One tag of a body of several does not lie where its description says: glued on askew, or its place measured or typed wrong.</source>
+        <translation>Ein Tag eines Körpers mit mehreren liegt nicht, wo seine Beschreibung es sagt: schief aufgeklebt, oder sein Ort falsch gemessen oder eingetippt.</translation>
+    </message>
+    <message>
+        <source>Seen where the tag and others of the body are in view together, or by turns in many poses; of two tags nothing tells which is the wrong one.</source>
+        <translation>Zu sehen, wo das Tag und andere des Körpers zusammen im Bild sind, oder abwechselnd in vielen Posen; bei zwei Tags sagt nichts, welches das falsche ist.</translation>
+    </message>
+    <message>
+        <source>Measure the tag's distance from the edges of what it is fastened to, and from its neighbours.</source>
+        <translation>Den Abstand des Tags von den Kanten dessen messen, worauf es sitzt, und von seinen Nachbarn.</translation>
+    </message>
+    <message>
         <source>Bent target</source>
         <translation>Gewölbtes Target</translation>
     </message>
@@ -5706,6 +5722,50 @@
         <translation>Die Messungen von %1 in %2 in Bogenmaß schreiben (mal pi / 180).</translation>
     </message>
     <message>
+        <source>The images of %1 are mirrored: left and right are exchanged.</source>
+        <translation>Die Bilder von %1 sind gespiegelt: links und rechts sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>The images of %1 are mirrored: top and bottom are exchanged.</source>
+        <translation>Die Bilder von %1 sind gespiegelt: oben und unten sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>The images of %1 stand upside down against how the camera was calibrated.</source>
+        <translation>Die Bilder von %1 stehen kopf gegenüber denen, mit denen die Kamera kalibriert wurde.</translation>
+    </message>
+    <message>
+        <source>The images of %1 are turned by 90 degrees to the right against how the camera was calibrated.</source>
+        <translation>Die Bilder von %1 sind um 90 Grad nach rechts gedreht gegenüber denen, mit denen die Kamera kalibriert wurde.</translation>
+    </message>
+    <message>
+        <source>The images of %1 are turned by 90 degrees to the left against how the camera was calibrated.</source>
+        <translation>Die Bilder von %1 sind um 90 Grad nach links gedreht gegenüber denen, mit denen die Kamera kalibriert wurde.</translation>
+    </message>
+    <message>
+        <source>Take the images as the camera delivers them (look for flip, mirror or rotate in the driver), or calibrate the camera with images as those of %1.</source>
+        <translation>Die Bilder so nehmen, wie die Kamera sie liefert (im Treiber nach flip, mirror oder rotate sehen), oder die Kamera mit Bildern wie denen von %1 kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Width and height of the images of %1 are exchanged.</source>
+        <translation>Breite und Höhe der Bilder von %1 sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>Write width="%1" height="%2" cx="%3" cy="%4" into &lt;camera&gt; of %5.</source>
+        <translation>width="%1" height="%2" cx="%3" cy="%4" in &lt;camera&gt; von %5 schreiben.</translation>
+    </message>
+    <message>
+        <source>Gravity does not pull as the session says, but along %1 of the robot's root link.</source>
+        <translation>Die Schwerkraft zieht nicht, wie die Sitzung sagt, sondern entlang %1 des Wurzelglieds des Roboters.</translation>
+    </message>
+    <message>
+        <source>Write &lt;gravity xyz="%1"/&gt; into %2.</source>
+        <translation>&lt;gravity xyz="%1"/&gt; in %2 schreiben.</translation>
+    </message>
+    <message>
+        <source>ArUco grid board of %1 x %2 tags of %3, %4 apart, from %5</source>
+        <translation>ArUco-Gitterbrett mit %1 × %2 Tags von %3, Abstand %4, aus %5</translation>
+    </message>
+    <message>
         <source>The images of the cameras %1 and %2 are exchanged.</source>
         <translation>Die Bilder der Kameras %1 und %2 sind vertauscht.</translation>
     </message>
@@ -6204,6 +6264,10 @@
     <message>
         <source>grid of %1 x %2 tags of %3 from %4, gaps of %5</source>
         <translation>Gitter aus %1 × %2 Tags von %3 aus %4, Lücken von %5</translation>
+    </message>
+    <message>
+        <source>body of the tags %1 of %2 from %3</source>
+        <translation>Körper mit den Tags %1 von %2 aus %3</translation>
     </message>
     <message>
         <source>tags %1 of %2 from %3</source>

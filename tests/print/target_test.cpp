@@ -25,7 +25,10 @@ const char* const samples[] = {
     R"(<target kind="charuco" columns="8" rows="6" square="0.03" marker="0.022" dictionary="DICT_5X5_100" sigma="1e-4"/>)",
     R"(<target kind="charuco" columns="7" rows="6" square="0.03" marker="0.022" dictionary="DICT_4X4_50" layout="old" first_id="4"/>)",
     R"(<target kind="aprilgrid" columns="6" rows="4" tag="0.088" spacing="0.3"/>)",
-    R"(<target kind="tags" dictionary="DICT_APRILTAG_36h11" size="0.05" ids="3 7 9" sigma="free"/>)"};
+    R"(<target kind="tags" dictionary="DICT_APRILTAG_36h11" size="0.05" ids="3 7 9" sigma="free"/>)",
+    R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.05" sigma="1e-3"><tag id="4"/><tag id="2" xyz="0.1 0 0.3" rpy="0 1.5 0.1" size="0.04" sigma="0"/><tag id="9" rpy="0.1 0.2 0.3" sigma_angle="0.02"/></target>)",
+    R"(<target kind="tags" dictionary="DICT_4X4_50" sigma="free"><tag id="4" size="0.03"/><tag id="2" xyz="0.1 0 0.3" size="0.04"/></target>)",
+    R"(<target kind="grid" columns="5" rows="7" marker="0.04" separation="0.013" dictionary="DICT_6X6_250" first_id="3" sigma="2e-4"/>)"};
 
 TEST(TargetXml, ReadsBackBitForBit) {
   for (const char* text : samples) {
@@ -39,7 +42,34 @@ TEST(TargetXml, ReadsBackBitForBit) {
     EXPECT_EQ(again.sigma, target.sigma);
     EXPECT_EQ(again.tag, target.tag);
     EXPECT_EQ(again.ids, target.ids);
+    ASSERT_EQ(again.places.size(), target.places.size()) << text;
+    for (std::size_t k = 0; k < target.places.size(); ++k) {
+      EXPECT_EQ(again.places[k].xyz, target.places[k].xyz) << text;
+      EXPECT_EQ(again.places[k].rpy, target.places[k].rpy) << text;
+      EXPECT_EQ(again.places[k].size, target.places[k].size) << text;
+      EXPECT_EQ(again.places[k].sigma, target.places[k].sigma) << text;
+      EXPECT_EQ(again.places[k].sigma_angle, target.places[k].sigma_angle) << text;
+    }
   }
+}
+
+TEST(TargetXml, TagsOfABodyLieWhereTheyAreSaidTo) {
+  const Target body = read(samples[5]);
+  ASSERT_EQ(body.ids, (std::vector<int>{4, 2, 9}));
+  EXPECT_TRUE(has_places(body));
+  EXPECT_EQ(body.places[0].size, 0.05);
+  EXPECT_EQ(body.places[0].sigma, 1e-3) << "the target's";
+  EXPECT_NEAR(body.places[0].sigma_angle, 1e-3 / (0.025 * std::sqrt(2)), 1e-12) << "a corner moves by the sigma";
+  EXPECT_EQ(body.places[1].sigma, 0) << "its own";
+  EXPECT_EQ(body.places[2].sigma_angle, 0.02);
+  const auto points = target_points(body);
+  ASSERT_EQ(points.size(), 12u);
+  EXPECT_LT((points[0].position - Vector3(-0.025, -0.025, 0)).norm(), 1e-15) << "x right, y down: the top left corner";
+  const Rigid place{rotation_from_rpy({0, 1.5, 0.1}), {0.1, 0, 0.3}};
+  EXPECT_LT((points[6].position - place * Vector3(0.02, 0.02, 0)).norm(), 1e-15) << "the second tag's bottom right";
+  for (const TargetPoint& point : points) EXPECT_EQ(point.piece, 0) << "one rigid body";
+  const auto apart = target_points(read(samples[6]));
+  EXPECT_EQ(apart.back().piece, 1) << "places that are free are not known";
 }
 
 TEST(TargetXml, KalibrsGridHasItsDefaults) {
@@ -69,6 +99,19 @@ TEST(TargetXml, RefusesInOneSentence) {
       {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.05" ids="3 3"/>)", "twice"},
       {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.05" ids="50"/>)", "50"},
       {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.05" ids="3" sigma="2"/>)", "sigma"},
+      {R"(<target kind="tags" dictionary="DICT_4X4_50"><tag id="3"/></target>)", "size"},
+      {R"(<target kind="tags" size="0.1"><tag id="3"/></target>)", "dictionary"},
+      {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.1" ids="3"><tag id="3"/></target>)", "one of the two"},
+      {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.1"><tag id="3"/><tag id="4"/></target>)", "same place"},
+      {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.1"><tag id="3"/><tag id="3" xyz="1 0 0"/></target>)",
+       "twice"},
+      {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.1"><tag xyz="1 0 0"/></target>)", "id"},
+      {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.1"><tag id="1" xyz="1 0"/></target>)", "3"},
+      {R"(<target kind="tags" dictionary="DICT_4X4_50" size="0.1"><tag id="1" sigma="-1"/></target>)", "-1"},
+      {R"(<target kind="grid" columns="3" rows="4" marker="0.04" dictionary="DICT_4X4_50"/>)", "separation"},
+      {R"(<target kind="grid" columns="0" rows="4" marker="0.04" separation="0.01" dictionary="DICT_4X4_50"/>)", "0"},
+      {R"(<target kind="grid" columns="30000" rows="40000" marker="0.04" separation="0.01" dictionary="DICT_4X4_50"/>)",
+       "30000"},
   };
   for (const auto& [text, named] : wrong) {
     try {
@@ -103,6 +146,40 @@ TEST(Pattern, CharucoIsOpenCVs) {
         EXPECT_EQ(black_at((u + 0.5) / 80 * 0.04, (v + 0.5) / 80 * 0.04), drawn.at<unsigned char>(v, u) < 128)
             << u << " " << v;
   }
+}
+
+/// OpenCV 4.6 draws the same grid board, module for module, and has its corners at the same places but for its y, which
+/// runs up.
+TEST(Pattern, AnArucoGridIsOpenCVs) {
+  const Target grid = read(
+      R"(<target kind="grid" columns="4" rows="3" marker="0.03" separation="0.01" dictionary="DICT_4X4_50" first_id="5"/>)");
+  const auto board =
+      cv::aruco::GridBoard::create(4, 3, 0.03f, 0.01f, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50), 5);
+  EXPECT_EQ(grid.ids, board->ids);
+  const auto points = target_points(grid);
+  const double height = 3 * 0.03 + 2 * 0.01;
+  const double top = board->objPoints[0][0].y;  // 0 or the height of the board, by OpenCV's version
+  for (std::size_t k = 0; k < board->ids.size(); ++k)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const cv::Point3f& corner = board->objPoints[k][i];
+      const Vector3 expected(corner.x, top > 0.5 * height ? top - corner.y : corner.y, 0);
+      EXPECT_LT((points[4 * k + i].position - expected).norm(), 1e-7) << k << " " << i;
+    }
+  cv::Mat drawn;
+  board->draw({(4 * 4 - 1) * 60, (3 * 4 - 1) * 60}, drawn, 0, 1);  // 6 modules of 30 px a tag, 60 px apart
+  int black = 0;
+  for (std::size_t k = 0; k < grid.places.size(); ++k) {
+    const BlackAt black_at(grid, static_cast<int>(k));
+    for (int row = 0; row < 6; ++row)
+      for (int column = 0; column < 6; ++column) {
+        const Vector2 in_tag((column + 0.5) * 0.005 - 0.015, (row + 0.5) * 0.005 - 0.015);
+        const Vector2 pixel = (in_tag + grid.places[k].xyz.head<2>()) / 0.01 * 60;
+        const bool is_black = drawn.at<unsigned char>(static_cast<int>(pixel.y()), static_cast<int>(pixel.x())) < 128;
+        EXPECT_EQ(black_at(in_tag.x(), in_tag.y()), is_black) << k << " " << row << " " << column;
+        black += is_black;
+      }
+  }
+  EXPECT_GT(black, 12 * 20) << "the borders at least";
 }
 
 /// With an even number of rows boards from before OpenCV 4.6 begin with a white square, which then holds the first tag.

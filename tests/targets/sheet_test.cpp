@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "fixtures/tag_bodies.h"
 #include "targets/target_detection.h"
 #include "vision/image/image_file.h"
 
@@ -27,7 +28,8 @@ const Target all[] = {
      .spacing = 0.3,
      .dictionary = "tag36h11",
      .border = 2},
-    {.kind = TargetKind::tags, .tag = 0.04, .dictionary = "DICT_4X4_50", .ids = {3, 7, 9, 11}}};
+    {.kind = TargetKind::tags, .tag = 0.04, .dictionary = "DICT_4X4_50", .ids = {3, 7, 9, 11}},
+    fixture::tag_grid()};
 
 class SheetFiles : public testing::Test {
  protected:
@@ -42,7 +44,7 @@ class SheetFiles : public testing::Test {
 /// Every corner where the sheet has it, within `most` m.
 void expect_geometry(const Target& target, const Sheet& sheet, const Image& image, double dots_per_inch, double most) {
   const TargetSighting sighting = detect_target(image, prepare(target));
-  const auto points = target_points(target);
+  const auto points = printed_points(target);
   ASSERT_EQ(sighting.points.size(), points.size()) << name_of(target.kind) << ": " << sighting.reason;
   for (const TargetPixel& seen : sighting.points) {
     const TargetPoint& point = points[static_cast<std::size_t>(seen.number)];

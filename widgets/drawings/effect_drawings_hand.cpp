@@ -65,6 +65,21 @@ void target_bend(const DrawingKit& kit) {
   kit.arrow(Ink::effect, {82, 60}, {82, 42});
 }
 
+/// A cube with a tag on each face, one of them askew.
+void tag_placement(const DrawingKit& kit) {
+  kit.shape(Ink::model, {{14, 30}, {52, 38}, {52, 86}, {14, 74}});
+  kit.shape(Ink::model, {{52, 38}, {84, 26}, {84, 70}, {52, 86}});
+  kit.shape(Ink::model, {{14, 30}, {48, 20}, {84, 26}, {52, 38}});
+  kit.shape(Ink::help, {{22, 42}, {44, 47}, {44, 73}, {22, 66}});
+  kit.shape(Ink::help, {{60, 47}, {77, 40}, {77, 63}, {60, 72}});
+  QTransform askew;
+  askew.translate(74, 60);
+  askew.rotate(16);
+  askew.translate(-68, -56);
+  kit.shape(Ink::effect, askew.map(QPolygonF({{60, 47}, {77, 40}, {77, 63}, {60, 72}})));
+  kit.arrow(Ink::effect, {62, 52}, {69, 55});
+}
+
 /// Something follows a joint, and no effect of the catalogue looks like it.
 void unnamed(const DrawingKit& kit) {
   kit.arrow(Ink::help, {10, 88}, {10, 8});
@@ -82,11 +97,8 @@ void unnamed(const DrawingKit& kit) {
 }  // namespace
 
 std::map<std::string, DrawEffect> hand_drawings() {
-  return {{"body_slip", body_slip},
-          {"marker_slip", marker_slip},
-          {"target_scale", target_scale},
-          {"target_bend", target_bend},
-          {"", unnamed}};
+  return {{"body_slip", body_slip},     {"marker_slip", marker_slip},     {"target_scale", target_scale},
+          {"target_bend", target_bend}, {"tag_placement", tag_placement}, {"", unnamed}};
 }
 
 }  // namespace handsight::widgets

@@ -24,6 +24,8 @@ ScopeWords words_of(EffectScope scope) {
       return {"marker", ", at each marker"};
     case EffectScope::camera:
       return {"camera", ", of each camera"};
+    case EffectScope::tag:
+      return {"tag", ", of each tag of a body of tags"};
     case EffectScope::session:
       return {"session", ""};
   }

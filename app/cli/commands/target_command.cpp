@@ -52,7 +52,7 @@ int run(const TargetArguments& o) {
 Command add_target(const CommandLine& program) {
   auto options = std::make_shared<TargetArguments>();
   const CommandLine command = program.command("target", "A board or tags to print: PDF, SVG or PNG, true to scale");
-  add_target_options(command, options->target, false);
+  add_target_options(command, options->target, true);
   command.option("--out", options->out, "The file: .pdf, .svg or .png").required();
   command.option("--dpi", options->dots_per_inch, "Dots per inch of a PNG").within(20, 2400);
   return {command, [options] { return run(*options); }};

@@ -22,6 +22,15 @@ Target target_from_xml(const std::string& text) {
   return read_target(root_of(*document, "--target", "target"));
 }
 
+/// Of a file that is a <target>, or a session's.
+Target target_from_xml_file(const std::string& file) {
+  const auto document = parse_xml(read_file(file), file);
+  const tinyxml2::XMLElement* root = document->RootElement();
+  if (root && std::string_view(root->Name()) == "handsight_session")
+    return read_target(required_child(root_of(*document, file, "handsight_session"), "target"));
+  return read_target(root_of(*document, file, "target"));
+}
+
 /// "charuco columns=8 ...": the kind first, or kind=charuco.
 Words words_from(const std::string& text) {
   Words words;
@@ -45,7 +54,7 @@ Words words_from(const std::string& text) {
 }
 
 /// Kalibr's description, where the words are a file's name.
-std::optional<Target> target_from_file(const std::string& name) {
+std::optional<Target> target_from_yaml_file(const std::string& name) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(name, error)) return std::nullopt;
   const std::string file = shown_path(std::filesystem::path(name).filename());
@@ -62,21 +71,23 @@ struct TargetWord {
   const char* text;
 };
 constexpr TargetWord target_words[] = {
-    {"--kind", "kind", &TargetOptions::kind, "chessboard, charuco, aprilgrid or tags"},
+    {"--kind", "kind", &TargetOptions::kind, "chessboard, charuco, aprilgrid, grid (of ArUco tags) or tags"},
     {"--columns", "columns", &TargetOptions::columns,
-     "Inner corners of a chessboard, squares of a charuco, tags of an aprilgrid, in a row"},
+     "Inner corners of a chessboard, squares of a charuco, tags of an aprilgrid or a grid, in a row"},
     {"--rows", "rows", &TargetOptions::rows, "The same, in a column"},
     {"--square", "square", &TargetOptions::square, "m, side of a square (chessboard, charuco)"},
-    {"--marker", "marker", &TargetOptions::marker, "m, side of a charuco's tags"},
+    {"--marker", "marker", &TargetOptions::marker, "m, side of the tags of a charuco or a grid"},
     {"--tag", "tag", &TargetOptions::tag, "m, side of an aprilgrid's tags"},
     {"--spacing", "spacing", &TargetOptions::spacing, "Gap between an aprilgrid's tags / side of a tag"},
+    {"--separation", "separation", &TargetOptions::separation, "m, between two tags of a grid"},
     {"--size", "size", &TargetOptions::size, "m, side of single tags"},
     {"--dictionary", "dictionary", &TargetOptions::dictionary,
      "DICT_4X4_50 ... DICT_APRILTAG_36h11 as in OpenCV, or AprilTag's tag36h11"},
     {"--ids", "ids", &TargetOptions::ids, "Numbers of single tags, for example \"3 7 9\""},
     {"--layout", "layout", &TargetOptions::layout, "old: charuco as OpenCV before 4.6 drew it"},
     {"--border", "border", &TargetOptions::border, "Modules of black around a tag: 1, 2 for an aprilgrid"},
-    {"--first-id", "first_id", &TargetOptions::first_id, "Number of the first tag of a charuco or an aprilgrid"}};
+    {"--first-id", "first_id", &TargetOptions::first_id,
+     "Number of the first tag of a charuco, an aprilgrid or a grid"}};
 
 }  // namespace
 
@@ -86,8 +97,8 @@ void add_target_options(const CommandLine& command, TargetOptions& o, bool whole
   if (whole_too)
     command.option(
         "--target", o.whole,
-        "The target: its kind and NAME=VALUE of the options below, the element <target .../> of a session, or "
-        "Kalibr's YAML of it");
+        "The target: its kind and NAME=VALUE of the options below, the element <target .../> of a session, an XML file "
+        "with it, or Kalibr's YAML of it");
   for (const TargetWord& word : target_words) command.option(word.option, o.*word.value, word.text);
 }
 
@@ -95,7 +106,8 @@ Target target_from(const TargetOptions& o) {
   std::string whole;
   for (const std::string& word : o.whole) whole += (whole.empty() ? "" : " ") + word;
   if (whole.starts_with('<')) return target_from_xml(whole);
-  if (const auto target = target_from_file(whole)) return *target;
+  if (whole.ends_with(".xml")) return target_from_xml_file(whole);
+  if (const auto target = target_from_yaml_file(whole)) return *target;
   Words words = words_from(whole);
   for (const TargetWord& word : target_words)
     if (!(o.*word.value).empty()) words.emplace_back(word.name, o.*word.value);

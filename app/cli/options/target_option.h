@@ -12,8 +12,9 @@ namespace handsight::cli {
 
 /// What was given: a kind and its numbers as options of their own, or all of it after --target.
 struct TargetOptions {
-  std::string kind, columns, rows, square, marker, tag, spacing, size, dictionary, ids, layout, border, first_id;
-  std::vector<std::string> whole;  // "charuco columns=8 rows=6 ...", or <target kind="..." .../>
+  std::string kind, columns, rows, square, marker, tag, spacing, separation, size, dictionary, ids, layout, border,
+      first_id;
+  std::vector<std::string> whole;  // "charuco columns=8 rows=6 ...", <target kind="..." .../>, or a file with one
 };
 
 /// --kind --columns --rows ... ; with `whole_too` also --target.

@@ -18,6 +18,7 @@ std::string size_text(bool in_pixels, double rms) {
 }  // namespace
 
 std::vector<Blunder> blunders_of(const Session& session, const Fit& fit) {
+  if (std::vector<Blunder> told = blunders_in_files(session); !told.empty()) return told;
   if (!may_be_a_blunder(session, fit)) return {};
   Progress progress("looks for mistakes", 100);
   try {
@@ -44,6 +45,7 @@ std::optional<TargetSize> target_size_of(const Session& session) {
 }
 
 std::vector<Blunder> blunders_of(const Session& session) {
+  if (std::vector<Blunder> told = blunders_in_files(session); !told.empty()) return told;
   try {
     const auto sample = sample_of(session, most_observations, most_observations);
     const Fit quick = fit(sample ? sample->session : session, {.smallest_step = 1e-6});
@@ -81,9 +83,12 @@ void print_blunders(const Output& out, const std::string& session_path, const st
   if (blunders.empty()) return;
   out.line();
   const Blunder& first = blunders.front();
-  out.line(fmt::format("{}, and with it {} is left in place of {}:",
-                       blunders.size() == 1 ? "A mistake explains it" : "Two mistakes together explain it",
-                       size_text(first.in_pixels, first.rms_after), size_text(first.in_pixels, first.rms_before)));
+  if (!first.is_by_fit)
+    out.line("A mistake stands in the session:");
+  else
+    out.line(fmt::format("{}, and with it {} is left in place of {}:",
+                         blunders.size() == 1 ? "A mistake explains it" : "Two mistakes together explain it",
+                         size_text(first.in_pixels, first.rms_after), size_text(first.in_pixels, first.rms_before)));
   std::string fixes;
   for (const Blunder& b : blunders) {
     out.line("  " + b.text);
@@ -101,9 +106,9 @@ Json blunders_json(const std::vector<Blunder>& blunders) {
                     {"where", b.where},
                     {"text", b.text},
                     {"fix", b.fix},
-                    {"rms_before_" + unit, number(b.rms_before)},
-                    {"rms_after_" + unit, number(b.rms_after)},
-                    {"ln_bayes_factor", number(b.ln_bayes_factor)},
+                    {"rms_before_" + unit, b.is_by_fit ? number(b.rms_before) : Json(nullptr)},
+                    {"rms_after_" + unit, b.is_by_fit ? number(b.rms_after) : Json(nullptr)},
+                    {"ln_bayes_factor", b.is_by_fit ? number(b.ln_bayes_factor) : Json(nullptr)},
                     {"together_with", b.together_with}});
   }
   return list;

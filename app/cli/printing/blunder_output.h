@@ -2,6 +2,7 @@
 // Blunders for people and as JSON.
 #pragma once
 
+#include "blunders/blunders_in_files.h"
 #include "blunders/find_blunders.h"
 #include "blunders/target_size.h"
 #include "command.h"
@@ -28,7 +29,7 @@ Json target_size_json(const std::optional<TargetSize>& size);
 void print_blunders(const Output& output, const std::string& session_path, const std::vector<Blunder>& blunders);
 
 /// A list with id, where, text, fix, rms_before_pixel and rms_after_pixel (with a tracker or poses ..._m),
-/// ln_bayes_factor, together_with.
+/// ln_bayes_factor, together_with; numbers are null of those that show without a fit.
 Json blunders_json(const std::vector<Blunder>& blunders);
 
 }  // namespace handsight::cli

@@ -56,10 +56,9 @@ int unknowns_of(const Problem& problem, const Solution& solution, const Eigen::M
 void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& by_columns,
                        GatheredRows& gathered) {
   const Eigen::Index effects = problem.effect_count();
-  if (problem.has_shape_prior()) {  // its weight times a projection, which is its own root
-    const Eigen::MatrixXd prior = shape_prior(problem, unknowns.markers_in_tcp).information;
-    const double size = problem.noise / std::sqrt(shape_prior_weight(problem));
-    gathered.add(size * prior * by_columns.topRows(prior.cols()));
+  if (problem.has_shape_prior()) {
+    const Eigen::MatrixXd rows = shape_prior_rows(problem, unknowns.markers_in_tcp).by_markers;
+    gathered.add(problem.noise * rows * by_columns.topRows(rows.cols()));
   }
   for (Eigen::Index i = 0; i < effects; ++i) {
     const double sigma = problem.columns_of_effects[static_cast<std::size_t>(i)].prior_sigma();

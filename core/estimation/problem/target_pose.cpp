@@ -72,34 +72,69 @@ std::vector<Ray> rays_of(const Rig& rig, const std::vector<Sighting>& sightings,
   return rays;
 }
 
-std::optional<TargetPose> by_one_camera(const Rig& rig, const std::vector<Sighting>& sightings,
-                                        const std::vector<Vector3>& places) {
+/// Two poses of the target by sightings that lie in a plane: as their homography says, and the tilt mirrored.
+std::vector<Rigid> poses_by_plane(const Rig& rig, const std::vector<Sighting>& flat,
+                                  const std::vector<Vector3>& places) {
   int best = 0;
   std::vector<Ray> rays;
   for (int c = 0; c < rig.count(); ++c)
-    if (auto seen = rays_of(rig, sightings, c); seen.size() > rays.size()) rays = std::move(seen), best = c;
-  const Plane plane = plane_of(sightings, places);
-  if (rays.size() < 4 || !plane.is_flat) return std::nullopt;
+    if (auto seen = rays_of(rig, flat, c); seen.size() > rays.size()) rays = std::move(seen), best = c;
+  const Plane plane = plane_of(flat, places);
+  if (rays.size() < 4 || !plane.is_flat) return {};
   const Rigid plane_from_target = inverse(plane.target_from_plane);
   std::vector<PlacePixel> pairs;
   for (const Ray& r : rays)
     pairs.push_back({(plane_from_target * places[static_cast<std::size_t>(r.marker)]).head<2>(), r.ray});
   const auto homography = linear_homography(pairs);
   const auto camera_from_plane = homography ? motion_of(*homography) : std::nullopt;
-  if (!camera_from_plane) return std::nullopt;
-  std::vector<BodyPose> found;
-  for (const Rigid& start : {*camera_from_plane, tilted_back(*camera_from_plane)}) {
-    const Rigid sensor_from_target = inverse(rig.at(best).camera_from_first) * start * plane_from_target;
-    if (const auto pose = estimate_body_pose(&rig, sightings, places, sensor_from_target)) found.push_back(*pose);
+  if (!camera_from_plane) return {};
+  const Rigid first_from_camera = inverse(rig.at(best).camera_from_first);
+  return {first_from_camera * *camera_from_plane * plane_from_target,
+          first_from_camera * tilted_back(*camera_from_plane) * plane_from_target};
+}
+
+/// Runs of neighbouring points that lie in a plane, four or more each: the faces of a body. All points where they are
+/// flat.
+std::vector<std::vector<Sighting>> flat_runs(const std::vector<Sighting>& sightings,
+                                             const std::vector<Vector3>& places) {
+  constexpr std::size_t fewest = 4, most_runs = 8;
+  if (plane_of(sightings, places).is_flat) return {sightings};
+  std::vector<std::vector<Sighting>> runs;
+  for (std::size_t first = 0; first + fewest <= sightings.size() && runs.size() < most_runs;) {
+    const auto from = sightings.begin() + static_cast<std::ptrdiff_t>(first);
+    std::vector<Sighting> run(from, from + fewest);
+    if (!plane_of(run, places).is_flat) {
+      ++first;
+      continue;
+    }
+    for (first += fewest; first < sightings.size(); ++first) {
+      run.push_back(sightings[first]);
+      if (plane_of(run, places).is_flat) continue;
+      run.pop_back();
+      break;
+    }
+    runs.push_back(std::move(run));
   }
+  return runs;
+}
+
+bool is_same_turn(const BodyPose& a, const BodyPose& b) {
+  const Rigid apart = inverse(a.sensor_from_body) * b.sensor_from_body;
+  return vector_from_rotation(apart.rotation).norm() < 1e-3;
+}
+
+std::optional<TargetPose> by_one_camera(const Rig& rig, const std::vector<Sighting>& sightings,
+                                        const std::vector<Vector3>& places) {
+  std::vector<BodyPose> found;
+  for (const std::vector<Sighting>& flat : flat_runs(sightings, places))
+    for (const Rigid& start : poses_by_plane(rig, flat, places))
+      if (const auto pose = estimate_body_pose(&rig, sightings, places, start)) found.push_back(*pose);
   if (found.empty()) return std::nullopt;
   std::sort(found.begin(), found.end(), [](const BodyPose& a, const BodyPose& b) { return a.cost < b.cost; });
   TargetPose result{found.front()};
-  if (found.size() > 1) {
-    const Rigid apart = inverse(found[0].sensor_from_body) * found[1].sensor_from_body;
-    const bool is_same = vector_from_rotation(apart.rotation).norm() < 1e-3;
-    if (!is_same) result.lead = found[1].cost / std::max(found[0].cost, 1e-300);
-  }
+  const auto other =
+      std::find_if(found.begin(), found.end(), [&](const BodyPose& p) { return !is_same_turn(found.front(), p); });
+  if (other != found.end()) result.lead = other->cost / std::max(found.front().cost, 1e-300);
   return result;
 }
 

@@ -15,7 +15,8 @@ struct TargetPose {
 
 /// Least reprojection error over the sightings of points with the given places (m, by marker). The start is found
 /// from points seen by two cameras or measured, else from the camera that saw most: with a flat target by its
-/// homography and the tilt mirrored about the line of sight. Nothing with fewer than four image points (three
+/// homography and the tilt mirrored about the line of sight, with another one (tags on a cube) by those of each run of
+/// points in a plane. Nothing with fewer than four image points (three
 /// measured ones), all on a line, or no pose before the cameras.
 std::optional<TargetPose> target_pose(const Rig* rig, const std::vector<Sighting>& sightings,
                                       const std::vector<Vector3>& places);

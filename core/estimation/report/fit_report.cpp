@@ -339,6 +339,15 @@ std::vector<Unused> unused(const Session& session) {
   return list;
 }
 
+/// 0 for the points of tags that are told to lie elsewhere than described, 1 for all others.
+Eigen::VectorXd not_displaced(const Target& target, const std::vector<EffectTerm>& terms) {
+  Eigen::VectorXd firm = Eigen::VectorXd::Ones(point_count(target));
+  for (const EffectTerm& term : terms)
+    for (std::size_t k = 0; term.id == "tag_placement" && k < target.ids.size(); ++k)
+      if (target.ids[k] == term.joint) firm.segment<4>(4 * static_cast<Eigen::Index>(k)).setZero();
+  return firm;
+}
+
 }  // namespace
 
 std::optional<Rigid> tcp_from_target(const Session& session, const Fit& fit) {
@@ -355,6 +364,8 @@ std::optional<Rigid> tcp_from_target(const Session& session, const Fit& fit) {
   if (count < 3 || in_tcp.size() != own.size()) return std::nullopt;
   Eigen::VectorXd weights(count);
   for (Eigen::Index m = 0; m < count; ++m) weights[m] = fit.problem.marker_is_seen[static_cast<std::size_t>(m)] ? 1 : 0;
+  const Eigen::VectorXd firm = weights.cwiseProduct(not_displaced(*session.target, fit.problem.terms));
+  if (firm.sum() >= 3) weights = firm;
   if (weights.sum() < 3) return std::nullopt;
   return align_points(Eigen::Map<const Eigen::Matrix3Xd>(in_tcp[0].data(), 3, count),
                       Eigen::Map<const Eigen::Matrix3Xd>(own[0].data(), 3, count), weights);

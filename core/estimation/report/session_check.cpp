@@ -32,6 +32,12 @@ std::string target_of(const Session& session) {
 }
 
 std::string print_of(const Target& target) {
+  if (has_places(target) && !are_places_exact(target)) {
+    double most = 0;
+    for (const TagPlace& place : target.places) most = std::max(most, place.sigma);
+    return fmt::format("its tags are placed to {:.2g} mm", 1e3 * most);
+  }
+  if (!target.places.empty() && !target.sigma) return "the places of its tags are estimated";
   if (!target.sigma) return "its points are estimated";
   return *target.sigma == 0 ? "its points are held as described"
                             : fmt::format("its points are known to {:.2g} mm", 1e3 * *target.sigma);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimation/problem/robot_scale.h"
+#include "estimation/solvers/part_prior.h"
 #include "geometry/orthonormal_columns.h"
 
 namespace handsight {
@@ -46,17 +47,35 @@ void add_piece(const KnownShape& shape, double weight, const std::vector<Vector3
   prior.cost += weight * off.squaredNorm();
 }
 
-}  // namespace
-
-double shape_prior_weight(const Problem& problem) {
-  constexpr double exactly = 1e-6;  // m
-  return std::pow(problem.noise / std::max(problem.shape->sigma.value(), exactly), 2);
+/// m, of one coordinate; what is known exactly is taken as known to 1 um.
+double print_sigma(const Problem& problem) {
+  constexpr double exactly = 1e-6;
+  return std::max(problem.shape->sigma.value(), exactly);
 }
+
+/// (noise / sigma)^2 of a known shape.
+double shape_prior_weight(const Problem& problem) { return std::pow(problem.noise / print_sigma(problem), 2); }
+
+PriorRows rows_of_parts(const Problem& problem, const std::vector<Vector3>& markers) {
+  PartRows rows = part_rows(*problem.shape, markers, print_sigma(problem));
+  return {problem.noise * rows.by_markers, problem.noise * rows.off};
+}
+
+Prior prior_of(const PriorRows& rows) {
+  Prior prior;
+  prior.information.noalias() = rows.by_markers.transpose() * rows.by_markers;
+  prior.gradient.noalias() = -rows.by_markers.transpose() * rows.off;
+  prior.cost = rows.off.squaredNorm();
+  return prior;
+}
+
+}  // namespace
 
 Prior shape_prior(const Problem& problem, const std::vector<Vector3>& markers) {
   Prior prior;
   if (!problem.has_shape_prior()) return prior;
   const KnownShape& shape = *problem.shape;
+  if (!shape.parts.empty()) return prior_of(rows_of_parts(problem, markers));
   const auto count = static_cast<Eigen::Index>(markers.size());
   const double weight = shape_prior_weight(problem);
   prior.information = Eigen::MatrixXd::Zero(3 * count, 3 * count);
@@ -67,6 +86,14 @@ Prior shape_prior(const Problem& problem, const std::vector<Vector3>& markers) {
     add_piece(shape, weight, markers, first, next - first, prior);
   }
   return prior;
+}
+
+PriorRows shape_prior_rows(const Problem& problem, const std::vector<Vector3>& markers) {
+  if (problem.has_shape_prior() && !problem.shape->parts.empty()) return rows_of_parts(problem, markers);
+  // The information is the weight times a projection, which is its own root.
+  const Prior prior = shape_prior(problem, markers);
+  const double root = 1 / std::sqrt(shape_prior_weight(problem));
+  return {root * prior.information, -root * prior.gradient};
 }
 
 namespace {

@@ -17,11 +17,16 @@ struct Prior {
 
 /// The markers' shape by the markers' columns, in the problem's units: |x - T p|^2 (noise / sigma)^2 with T the motion
 /// that lays the known places p best onto the markers, piece by piece; what is known exactly is taken as known to 1 um.
-/// Empty where no shape is known.
+/// Of a body with parts (KnownShape::parts) each part may be off as a whole within its sigmas. Empty where no shape is
+/// known.
 Prior shape_prior(const Problem& problem, const std::vector<Vector3>& markers_in_tcp);
 
-/// (noise / sigma)^2 of a known shape.
-double shape_prior_weight(const Problem& problem);
+/// The same as rows whose squares make the cost: information = by_markers^T by_markers, gradient = -by_markers^T off.
+struct PriorRows {
+  Eigen::MatrixXd by_markers;  // 3m x 3m
+  Eigen::VectorXd off;
+};
+PriorRows shape_prior_rows(const Problem& problem, const std::vector<Vector3>& markers_in_tcp);
 
 /// Does Problem::camera_images say something of a number that is estimated?
 inline bool learns_from_camera_images(const Problem& p) {

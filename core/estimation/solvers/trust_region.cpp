@@ -283,13 +283,11 @@ class ShapeCost : public ceres::CostFunction {
     for (int m = 0; m < place.problem.marker_count; ++m) mutable_parameter_block_sizes()->push_back(3);
   }
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
-    const Prior prior = shape_prior(place_.problem, place_.unknowns.markers_in_tcp);
-    // The information is weight^2 times a projector P, the gradient weight^2 times what is off: residuals in units of
-    // the noise, weight / noise times what is off, have the derivative weight / noise P.
-    const double scale = 1 / (place_.problem.noise * std::sqrt(shape_prior_weight(place_.problem)));
-    Eigen::Map<Eigen::VectorXd>(residuals, prior.gradient.size()) = -scale * prior.gradient;
+    const PriorRows rows = shape_prior_rows(place_.problem, place_.unknowns.markers_in_tcp);
+    const double scale = 1 / place_.problem.noise;  // residuals are in units of the noise
+    Eigen::Map<Eigen::VectorXd>(residuals, rows.off.size()) = scale * rows.off;
     for (int m = 0; jacobians && m < place_.problem.marker_count; ++m)
-      if (jacobians[m]) Rows(jacobians[m], num_residuals(), 3) = scale * prior.information.middleCols<3>(3 * m);
+      if (jacobians[m]) Rows(jacobians[m], num_residuals(), 3) = scale * rows.by_markers.middleCols<3>(3 * m);
     return true;
   }
 
