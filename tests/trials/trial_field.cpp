@@ -287,6 +287,7 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score) {
   if (is_first && disowned + wrong == 0 && !is_adequate && !is_worse && found < 2 * best) return;
   fmt::print("  seed {}, scatter {:.2g} mrad, target {:.1f} %:", seed, 1e3 * w.scatter, 1e2 * w.target_scale);
   for (const ImprovementStep& s : m.steps) fmt::print(" {}{}", s.added, s.stands.empty() ? "" : " (disowned)");
+  for (const RefusedStep& r : m.refused) fmt::print(" [{}: {}]", r.id, r.reason);
   fmt::print("; {} disowned, {} wrong names{}, hand {:.2f} mm, told {:.2f}, plain {:.2f}, {}\n", disowned, wrong,
              wrong_names, found, best, plain, verdict_text(m.last.verdict));
 }
