@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "print/target_xml.h"
 
 namespace handsight {
 namespace {

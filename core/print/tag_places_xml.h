@@ -2,12 +2,17 @@
 // <tag id="" xyz="" rpy="" size="" sigma="" sigma_angle=""/> inside a <target>, in and out.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/xml.h"
 #include "print/target.h"
 
 namespace handsight {
+
+/// The names of all attributes that a <tag> may have.
+const std::vector<std::string>& tag_attributes();
 
 /// The first <tag> inside a target; null where there is none.
 const tinyxml2::XMLElement* find_tag(const XmlNode& target);

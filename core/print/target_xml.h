@@ -22,9 +22,8 @@ Target read_target(const XmlNode& node);
 /// The same from words kind, columns, ... = text, as options of a command give them; `where` begins the sentence.
 Target target_from_words(const std::vector<std::pair<std::string, std::string>>& words, std::string_view where);
 
-/// The names of all attributes that a target and its <tag> may have.
+/// The names of all attributes that a target may have.
 const std::vector<std::string>& target_attributes();
-const std::vector<std::string>& tag_attributes();
 
 /// kind="..." and what the kind needs, as `read_target` reads it, bit for bit; defaults are left out. The tags of a
 /// body are elements, which `write_target` adds.

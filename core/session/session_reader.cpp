@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "print/tag_places_xml.h"
 #include "print/target_xml.h"
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
