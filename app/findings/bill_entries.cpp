@@ -23,15 +23,15 @@ QString built_text(const BillRow& row) {
   if (row.pushes_back) return QObject::tr("a spring that pushes back: it stands in for another cause");
   if (row.too_large) return QObject::tr("larger than robots are built: it stands in for another cause");
   if (row.held) return QObject::tr("held, not estimated");
-  return row.unnamed ? QObject::tr("no name in the catalogue") : QObject::tr("of a plausible size");
+  return row.unnamed ? QObject::tr("no name in the catalogue") : QObject::tr("plausible");
 }
 
 QString told_text(const BillRow& row) {
   if (!row.cannot_be_told_from || row.held) return {};
-  if (row.cannot_be_told_from->empty()) return QObject::tr("nothing else does the same on these poses");
+  if (row.cannot_be_told_from->empty()) return QObject::tr("told from all others");
   QStringList others;
   for (const std::string& id : *row.cannot_be_told_from) others << effect_of(id, {});
-  return QObject::tr("these poses cannot tell it from %1").arg(others.join(", "));
+  return QObject::tr("not told from %1").arg(others.join(", "));
 }
 
 /// Nothing is quite sure.

@@ -5086,18 +5086,6 @@
         <translation>kein Name im Katalog</translation>
     </message>
     <message>
-        <source>of a plausible size</source>
-        <translation>von plausibler Größe</translation>
-    </message>
-    <message>
-        <source>nothing else does the same on these poses</source>
-        <translation>in diesen Stellungen tut nichts anderes dasselbe</translation>
-    </message>
-    <message>
-        <source>these poses cannot tell it from %1</source>
-        <translation>diese Stellungen unterscheiden sie nicht von %1</translation>
-    </message>
-    <message>
         <source>sure to %1 %</source>
         <translation>zu %1 % sicher</translation>
     </message>
@@ -5164,6 +5152,18 @@
     <message>
         <source>error of the hand (mm)</source>
         <translation>Fehler der Hand (mm)</translation>
+    </message>
+    <message>
+        <source>told from all others</source>
+        <translation>von allen anderen unterschieden</translation>
+    </message>
+    <message>
+        <source>not told from %1</source>
+        <translation>nicht unterschieden von %1</translation>
+    </message>
+    <message>
+        <source>plausible</source>
+        <translation>plausibel</translation>
     </message>
 </context>
 <context>
