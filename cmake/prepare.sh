@@ -7,6 +7,7 @@ build_packages=(clang g++ cmake ninja-build ccache libeigen3-dev libceres-dev li
 window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev libvtk9-dev libqcustomplot-dev
   libqcustomplot2.1-qt6 fonts-dejavu-core)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick poppler-utils
+  fonts-liberation fonts-noto-core fonts-freefont-ttf fonts-open-sans  # how the window looks with other fonts
   python3 dpkg-dev  # dpkg-dev: what a package depends on
   libmujoco-dev libsdformat-dev liburdfdom-dev  # readers of robot descriptions
   python3-rosbag python3-sensor-msgs python3-tf2-msgs)  # writers of ROS 1 bags

@@ -35,7 +35,9 @@ ResidualSize size_of(const ErrorSummary& e, bool in_pixels, std::optional<double
 
 ResidualSize size_of(const InspectionRow& row) {
   const bool in_pixels = std::any_of(row.markers.begin(), row.markers.end(), [](const auto& m) { return m.is_seen(); });
-  return {.pixel = in_pixels ? row.rms : std::nullopt, .millimetre = scaled(row.rms_m, 1e3), .sigma = row.ratio};
+  return {.pixel = in_pixels ? row.rms : std::nullopt,
+          .millimetre = scaled(in_pixels ? row.hand_m : row.rms_m, 1e3),
+          .sigma = row.ratio};
 }
 
 ResidualSize size_of(const MarkerResidual& marker, const Inspection& all) {

@@ -127,6 +127,7 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
     view->set_title(file.empty() ? side + QObject::tr(", no image")
                                  : side + "  " + QString::fromStdString(std::filesystem::path(file).filename()) +
                                        (shown.is_coming ? QObject::tr(", is being read …") : QString()));
+    view->set_stretched(true);  // as bright as where it is labelled
     if (!shown.image.isNull()) {
       view->set_image(shown.image);
     } else if (!shown.refusal.isEmpty()) {

@@ -11,8 +11,11 @@ namespace {
 std::optional<widgets::NoiseShape> noise_shape(const InspectionRow& row, const Inspection& all,
                                                widgets::SizeUnit unit) {
   if (!row.ratio || !all.noise) return std::nullopt;
-  if (unit == widgets::SizeUnit::millimetre)
-    return row.noise_m ? std::optional(widgets::NoiseShape{1e3 * *row.noise_m, row.noise_coordinates}) : std::nullopt;
+  if (unit == widgets::SizeUnit::millimetre) {
+    const auto& noise = all.in_pixels ? row.noise_of_hand_m : row.noise_m;
+    const double coordinates = all.in_pixels ? row.hand_coordinates : row.noise_coordinates;
+    return noise ? std::optional(widgets::NoiseShape{1e3 * *noise, coordinates}) : std::nullopt;
+  }
   return widgets::NoiseShape{unit == widgets::SizeUnit::pixel ? *all.noise : 1, double(row.coordinates)};
 }
 
@@ -76,6 +79,12 @@ const Story& Workbench::story_of(const ModelVersionPointer& model) const {
   stories_.emplace_front(std::move(now), std::move(story));
   if (stories_.size() > most_kept) stories_.pop_back();
   return stories_.front().second;
+}
+
+std::vector<BillRow> Workbench::bill_of(const ModelVersionPointer& model) const {
+  if (!model || !model->fit) return {};
+  const auto certainty = model == document.model() ? diagnosing.certainty() : nullptr;
+  return certainty ? with_certainty(model->bill, *certainty) : model->bill;
 }
 
 /// What is an observation's own fault (its images, its markers) stays so, whatever all of them lack.

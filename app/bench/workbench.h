@@ -46,6 +46,8 @@ class Workbench : public QObject {
   const Story& story() const { return story_of(document.is_open() ? document.shown_model() : nullptr); }
   /// The diagnosis that its story goes by; null where it has none.
   std::shared_ptr<const Diagnosis> diagnosis_of(const ModelVersionPointer& model) const;
+  /// The bill of a version, with how sure its causes are where that is known: of the present model.
+  std::vector<BillRow> bill_of(const ModelVersionPointer& model) const;
   /// Whose fault one observation's error is, in the light of the same cause as the whole session's.
   Blame blame_of(const InspectionRow& row) const;
 

@@ -238,7 +238,7 @@ WorkStatus CalibrateWorkspace::status() const {
                                       [](const Observation& o) { return !o.images[0].empty(); });
   if (taken == 0)
     return any_images ? WorkStatus{WorkState::open, tr("ready to play")}
-                      : WorkStatus{WorkState::done, tr("needs no play")};
+                      : WorkStatus{WorkState::done, tr("nothing to play")};
   return {WorkState::done,
           rejected > 0 ? tr("%1 taken, %2 rejected").arg(taken).arg(rejected) : tr("%1 taken").arg(taken)};
 }

@@ -121,7 +121,8 @@ void ComparePage::clear() {
 }
 
 void ComparePage::choose() {
-  auto* dialog = new QFileDialog(this, tr("Compare with another session or a calibration"), {},
+  auto* dialog = new QFileDialog(this, tr("Compare with another session or a calibration"),
+                                 QString::fromStdString(folder(bench_.document.session()).parent_path().string()),
                                  tr("Sessions and calibrations (*.xml)"));
   dialog->setObjectName("compare_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QRegularExpression>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "diagnosis/ranking/curves.h"
 #include "document/effect_words.h"
@@ -62,7 +64,48 @@ QString shape_of(const EffectDefinition& definition, const std::string& place, c
   return is_of_joint && !of.isEmpty() ? QObject::tr("%1 of %2").arg(text, of.join(QObject::tr(" and "))) : text;
 }
 
+/// A wave of a joint's own angle: what engineers know as an error that repeats with every turn.
+struct Wave {
+  QString joint, times;  // "three times"
+  QString amplitude;     // "1.5 mrad"; empty: not estimated yet
+};
+
+QString times_text(double times) {
+  constexpr double nearly = 0.1;  // of a turn: what repeats with the turn repeats so many whole times
+  const long whole = std::lround(times);
+  if (std::abs(times - static_cast<double>(whole)) > nearly) return QObject::tr("%1 times").arg(short_number(times));
+  if (whole == 1) return QObject::tr("once");
+  if (whole == 2) return QObject::tr("twice");
+  return whole == 3 ? QObject::tr("three times") : QObject::tr("%1 times").arg(whole);
+}
+
+std::optional<Wave> wave_of(const EffectTerm& term, const Robot& robot) {
+  const Effect& effect = effect_of(term);
+  const std::string joint = place_name(effect, term.joint, robot);
+  if (joint.empty() || !effect.is_unnamed() || effect.definition->moves.size() != 1) return std::nullopt;
+  const DefinedMove& move = effect.definition->moves.front();
+  static const QRegularExpression form("^sine\\*sin\\(([0-9.]+)\\*q(_\\w+)?\\) \\+ cosine\\*cos\\(\\1\\*q(_\\w+)?\\)$");
+  const auto match = form.match(QString::fromStdString(move.formula));
+  if (move.site != "angle" || !match.hasMatch()) return std::nullopt;
+  const QString of = match.captured(2);
+  if (!of.isEmpty() && of != QString::fromStdString("_" + formula_name(joint))) return std::nullopt;
+  double squares = 0;
+  for (const double value : term.values) squares += value * value;
+  const ShownUnit unit = shown_unit(effect.parameters.front().unit);
+  return Wave{QString::fromStdString(joint), times_text(match.captured(1).toDouble()),
+              squares > 0 ? short_number(unit.scale * std::sqrt(squares)) + QChar(0x00A0) + unit.unit : QString()};
+}
+
 }  // namespace
+
+QString curve_sentence(const EffectTerm& term, const Robot& robot) {
+  if (const auto wave = wave_of(term, robot)) {
+    const QString text = QObject::tr("%1 has an error that repeats %2 a turn").arg(wave->joint, wave->times);
+    return wave->amplitude.isEmpty() ? text : QObject::tr("%1 (± %2)").arg(text, wave->amplitude);
+  }
+  const QString title = title_of(term, robot);
+  return title.left(1).toUpper() + title.mid(1);
+}
 
 std::vector<EffectTerm> curves_of(const Fit& fit) {
   std::vector<EffectTerm> curves;
@@ -77,6 +120,10 @@ QString curve_title(const EffectDefinition& definition, const std::string& place
 
 QString title_of(const EffectTerm& term, const Robot& robot) {
   const Effect& effect = effect_of(term);
+  if (const auto wave = wave_of(term, robot)) {
+    const QString text = QObject::tr("An error of %1 that repeats %2 a turn").arg(wave->joint, wave->times);
+    return wave->amplitude.isEmpty() ? text : QObject::tr("%1 (± %2)").arg(text, wave->amplitude);
+  }
   if (effect.is_unnamed()) return curve_title(*effect.definition, place_name(effect, term.joint, robot), robot);
   return effect.title.empty() ? QString::fromStdString(effect.id) : translated(effect.title);
 }

@@ -14,6 +14,9 @@ std::vector<EffectTerm> curves_of(const Fit& fit);
 /// "The hand shifts along y with sin(3.3 q) of arm_4"; `place` is the joint at which it acts, empty for the session.
 QString curve_title(const EffectDefinition& definition, const std::string& place, const Robot& robot);
 
+/// A curve as a sentence: "arm_3 has an error that repeats three times a turn (± 1.5 mrad)", else its title.
+QString curve_sentence(const EffectTerm& term, const Robot& robot);
+
 /// "Joint elasticity", or of an effect by formula its title, of a curve what it does.
 QString title_of(const EffectTerm& term, const Robot& robot);
 

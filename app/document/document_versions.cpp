@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "document/document.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 
@@ -73,10 +74,8 @@ QString Document::errors_text(int from, int to) const {
   if (a == versions_.end() || b == versions_.end() || !a->second->fit || !b->second->fit) return {};
   const ErrorAndNoise before = error_and_noise(*a->second), after = error_and_noise(*b->second);
   if (!before.error || !after.error) return {};
-  const double scale = before.in_pixels ? 1 : 1e3;
-  const auto text = [&](double error) {
-    return QString::number(scale * error, 'g', scale * error < 0.0995 ? 2 : scale * error < 9.95 ? 3 : 4);
-  };
+  // To as many digits as the header tells them.
+  const auto text = [&](double error) { return short_number((before.in_pixels ? 1 : 1e3) * error); };
   return tr(" (%1 → %2 %3)").arg(text(*before.error), text(*after.error), before.in_pixels ? tr("px") : tr("mm"));
 }
 

@@ -7,6 +7,7 @@
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -164,9 +165,7 @@ Edit with_value(const Document& document, const std::string& id, std::size_t num
   const ShownUnit shown = shown_unit_of(document, *place);
   return edit_to(document, after,
                  QObject::tr("held %1 at %2 %3")
-                     .arg(number_text(document, *place))
-                     .arg(shown.scale * value, 0, 'g', 4)
-                     .arg(shown.unit)
+                     .arg(number_text(document, *place), short_number(shown.scale * value, 4), shown.unit)
                      .trimmed());
 }
 

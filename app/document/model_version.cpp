@@ -38,6 +38,7 @@ void tell(const Session& session, const SecondLooks& looks, Fit fitted, std::sha
   version.calibration = std::make_shared<Calibration>(
       calibration_of(session, fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
   version.prediction = prediction_model(fitted);
+  version.bill = bill_of(fitted);
   // From here on only some are looked at one by one.
   fitted.problem.observations = evenly(std::move(fitted.problem.observations), most_shown);
   version.fit = std::make_shared<const Fit>(std::move(fitted));

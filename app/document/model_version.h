@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "diagnosis/attribution/inspection.h"
+#include "diagnosis/selection/bill.h"
 #include "diagnosis/story/story.h"
 #include "diagnosis/verdict/diagnosis.h"
 #include "document/edit.h"
@@ -30,6 +31,7 @@ struct ModelVersion {
   std::shared_ptr<const FitReport> report;         // null with the fit
   std::shared_ptr<const Inspection> inspection;    // null with the fit
   std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit
+  std::vector<BillRow> bill;                       // without what a certainty says of it
   PredictionModel prediction;                      // where the TCP really is in other poses
   std::vector<WrongPoint> wrong_points;            // left out of the fit
   std::vector<LoneObservation> lone;               // likewise, as a whole

@@ -72,7 +72,9 @@ void AddingOn::end(const QString& sentence) {
   is_running_ = is_paused_ = false;
   next_.stop();
   emit changed();
-  if (!sentence.isEmpty()) emit bench_.document.noticed(sentence);
+  if (sentence.isEmpty()) return;
+  emit bench_.document.noticed(sentence);
+  emit done();
 }
 
 bool AddingOn::is_waiting() const {

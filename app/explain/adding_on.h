@@ -28,6 +28,7 @@ class AddingOn : public QObject {
 
  signals:
   void changed();
+  void done();  // it has come to its end by itself
 
  private:
   void note_taken();

@@ -41,9 +41,8 @@ void ExplainWorkspace::hold_noise(bool held) {
   if (held == shows_noise_ || (held && !failing_->residuals())) return;
   shows_noise_ = held;
   if (!held) return failing_->show_measured_again();
-  const auto values = noise_alone(failing_->residuals()->views, noise_seed_++);
-  failing_->show_instead(*failing_->residuals(), &values,
-                         tr("Noise alone on the same poses, draw %1").arg(noise_seed_ - 1));
+  const std::uint64_t draw = noise_seed_++;
+  failing_->show_noise(draw, tr("Noise alone on the same poses, draw %1").arg(draw));
 }
 
 void ExplainWorkspace::hold_blink(bool held) {
@@ -72,9 +71,8 @@ void ExplainWorkspace::blink() {
   blink_phase_ = !blink_phase_;
   const ModelVersionPointer& shown = blink_phase_ ? a : b;
   if (const auto residuals = bench_.diagnosing.residuals_of(shown))
-    failing_->show_instead(*residuals, nullptr,
-                           (blink_phase_ ? tr("Before: %1") : tr("After: %1"))
-                               .arg(shown->cause.isEmpty() ? tr("as opened") : shown->cause));
+    failing_->show_instead(*residuals, (blink_phase_ ? tr("Before: %1") : tr("After: %1"))
+                                           .arg(shown->cause.isEmpty() ? tr("as opened") : shown->cause));
 }
 
 std::vector<Action> ExplainWorkspace::own_actions() const {

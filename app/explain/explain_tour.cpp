@@ -23,12 +23,13 @@ std::vector<TourStep> ExplainWorkspace::tour_steps() {
       {tr("This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise "
           "is, and whose fault the difference is."),
        widget("verdict")},
-      {tr("Where does it fail? The residual of every observation against what it follows most. Noise would stay within "
-          "the grey band; hold N to see how noise alone would look."),
+      {tr("Where does it fail, and why? Every observation against what the likeliest cause follows: the points lie on "
+          "its "
+          "curve. Hold N to see how noise alone would look."),
        widget("pattern_large")},
-      {tr("More views of the same residuals. Click one to see it large; Shift and drag to ask what some "
-          "observations have in common."),
-       widget("pattern_page")},
+      {tr("Other patterns of the same residuals are in this tab. Click one to see it large; Shift and drag to ask what "
+          "some observations have in common."),
+       widget("tab_patterns")},
       {tr("What is missing? The likeliest cause comes first. Rest the pointer on the card: purple, dashed, everywhere, "
           "is "
           "what the model would do with it."),

@@ -86,6 +86,7 @@ void ExplainWorkspace::connect_panes() {
       for (const DiagnosisCandidate& c : d->candidates)
         if (c.unnamed) return failing_->show_variable(c.unnamed->localiser.variable->name);
   });
+  connect(missing_, &MissingPane::added_until_it_stopped, watching_, &WatchingPane::show_bill);
   connect(missing_->poses(), &PosesPane::pose_chosen, watching_, &WatchingPane::show_posture);
   connect(missing_->poses(), &PosesPane::closed, watching_, &WatchingPane::show_robot);
   connect(watching_, &WatchingPane::version_chosen, this,
@@ -150,16 +151,20 @@ void ExplainWorkspace::connect_bench() {
     emit status_changed();
     if (!is_active() || adding_.is_running()) return;
     refresh_verdict();
+    refresh_lead();
     missing_->refresh();
   });
   connect(&d, &Diagnosing::views_changed, this, [this] {
     if (!is_active() || adding_.is_running()) return;
     failing_->refresh_shows();
+    refresh_lead();
     missing_->refresh();
     if (!trying_.isEmpty()) try_candidate(trying_);
   });
   connect(&d, &Diagnosing::certainty_changed, this, [this] {
-    if (is_active() && !adding_.is_running()) missing_->refresh();
+    if (!is_active() || adding_.is_running()) return;
+    missing_->refresh();
+    watching_->refresh_bill();
   });
   connect(&d, &Diagnosing::progressed, this, [this] {
     if (!is_active() || adding_.is_running()) return;
@@ -182,7 +187,7 @@ WorkStatus ExplainWorkspace::status() const {
     case StoryState::unnamed_at_the_noise:
       return {WorkState::care, tr("at the noise, not all named")};
     case StoryState::scatter:
-      return {WorkState::care, tr("follows nothing")};
+      return {WorkState::care, tr("looks random")};
     case StoryState::missing:
     case StoryState::ambiguous:
       return {WorkState::care, tr("an effect is missing")};
@@ -256,6 +261,15 @@ void ExplainWorkspace::refresh_plots() {
     failing_->show_residuals(residuals, is_fresh_);
     is_fresh_ = is_fresh_ && !residuals;
   }
+  refresh_lead();
+}
+
+/// The proof of the cause that the story goes by. While what was added is looked at in a pause, nothing comes after it.
+void ExplainWorkspace::refresh_lead() {
+  if (adding_.is_running()) return;
+  const StoryCause* lead = bench_.story().lead();
+  const auto view = lead && !missing_->is_paused() ? bench_.diagnosing.view_of(lead->id) : nullptr;
+  failing_->show_lead(view ? Proof{title_of_candidate(lead->id), true, view->proof} : Proof{});
 }
 
 void ExplainWorkspace::refresh_units() {

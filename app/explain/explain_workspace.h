@@ -43,6 +43,7 @@ class ExplainWorkspace : public Workspace {
   void refresh_in_turns();
   void refresh_next();
   void refresh_plots();
+  void refresh_lead();
   void refresh_units();
   void refresh_verdict();
   void try_candidate(const QString& id);

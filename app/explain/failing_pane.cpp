@@ -4,11 +4,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "bench/link_selection.h"
 #include "diagnosis/attribution/common.h"
+#include "document/effect_words.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/plots/scatter_plot.h"
@@ -30,10 +32,18 @@ void FailingPane::make_layout() {
   title_->setObjectName("failing_title");
   title_->setFixedHeight(widgets::kControlHeight);
   title_->setFont(widgets::text_font(widgets::TextRole::title));
-  patterns_ = new QPushButton(tr("Back to the patterns"), this);
-  patterns_->setObjectName("back_to_patterns");
-  patterns_->hide();
-  resort_ = new QPushButton(tr("Order changed, sort again"), this);
+  const auto tab = [this](const QString& text, const char* name) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setText(text);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    button->hide();
+    return button;
+  };
+  tab_proof_ = tab(tr("The proof"), "tab_proof");
+  tab_patterns_ = tab(tr("Other patterns"), "tab_patterns");
+  resort_ = new QPushButton(tr("Show strongest first"), this);
   resort_->setObjectName("resort_plots");
   resort_->hide();
   large_ = new ScatterPlot(this);
@@ -59,7 +69,8 @@ void FailingPane::make_layout() {
   head->addWidget(title_);
   head->addStretch(1);
   head->addWidget(resort_);
-  head->addWidget(patterns_);
+  head->addWidget(tab_proof_);
+  head->addWidget(tab_patterns_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
@@ -95,9 +106,11 @@ void FailingPane::connect_all() {
   moment_.setSingleShot(true);
   moment_.setInterval(2500);
   connect(&moment_, &QTimer::timeout, this, [this] {
-    if (std::exchange(is_waiting_, false)) show_proof(std::exchange(waiting_, {}));
+    if (std::exchange(is_waiting_, false)) return show_proof(std::exchange(waiting_, {}));
+    if (!lead_.is_empty() && !is_tried_) leaving_.start();
   });
-  connect(patterns_, &QPushButton::clicked, this, &FailingPane::end_proof);
+  connect(tab_proof_, &QToolButton::clicked, this, [this] { choose_patterns(false); });
+  connect(tab_patterns_, &QToolButton::clicked, this, [this] { choose_patterns(true); });
   connect(&shows_timer_, &QTimer::timeout, this, &FailingPane::find_next_shows);
   connect(page_, &PatternPage::plot_selected, this, &FailingPane::choose_plot);
   connect(resort_, &QPushButton::clicked, this, &FailingPane::resort);
@@ -123,7 +136,7 @@ std::vector<widgets::PatternPlot> FailingPane::plots(const ModelResiduals& resid
     if (!plot) continue;
     if (!values && &residuals == residuals_.get()) {
       const auto found = shows_.find(key);
-      if (found == shows_.end() && !shows_timer_.isActive()) shows_timer_.start();
+      if (found == shows_.end() && bench_.story().lead() && !shows_timer_.isActive()) shows_timer_.start();
       if (found != shows_.end()) plot->shows = found->second;
     }
     list.push_back(std::move(*plot));
@@ -134,18 +147,19 @@ std::vector<widgets::PatternPlot> FailingPane::plots(const ModelResiduals& resid
 void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals, bool fresh) {
   residuals_ = std::move(residuals);
   shows_.clear();
-  is_instead_ = false;
+  is_instead_ = is_other_version_ = false;
   if (fresh) {
     places_.clear();
     resort_->hide();
     chosen_ = 0;
+    wants_patterns_ = false;
   }
   predictions_.clear();
   if (fresh || !residuals_) {
     moment_.stop();
     falling_.stop();
     is_waiting_ = false;
-    proof_ = {};
+    proof_ = lead_ = {};
     added_ = 0;
     say_proof();
   }
@@ -158,23 +172,34 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
   }
   say_proof();
   const std::vector<PlotKey> strongest = strongest_plots(*residuals_);
-  const bool first = places_.empty();
-  if (first) places_ = strongest;
-  const auto diagnosis = bench_.diagnosing.diagnosis();
-  const bool is_chance = (diagnosis && diagnosis->verdict == Verdict::adequate) || residuals_->patterns.empty() ||
-                         residuals_->patterns.front().p_value > 1e-3;
-  const bool same_first =
-      is_chance || strongest.empty() || std::find(places_.begin(), places_.end(), strongest.front()) != places_.end();
-  resort_->setVisible(!same_first);
+  const bool is_sorted = has_to_be_sorted();
+  if (is_sorted) sort_places();
+  const bool same_first = follows_by_chance(*residuals_) || strongest.empty() ||
+                          std::find(places_.begin(), places_.end(), strongest.front()) != places_.end();
+  resort_->setVisible(!same_first && !shows_proof());
   // The axes stay while the user looks, as long as they hold what is shown.
-  refill(first);
+  refill(is_sorted);
   refresh_selection();
+}
+
+/// Nothing jumps while somebody looks. But what was sorted by what a later model left (the session was opened so, and
+/// the model was taken back) or where nothing followed anything is no order of what fails now.
+bool FailingPane::has_to_be_sorted() const {
+  if (places_.empty()) return true;
+  const bool was_taken_back = bench_.document.undo_stack().index() < order_of_;
+  return was_taken_back || (is_order_of_chance_ && !follows_by_chance(*residuals_));
+}
+
+void FailingPane::sort_places() {
+  places_ = strongest_plots(*residuals_);
+  order_of_ = bench_.document.undo_stack().index();
+  is_order_of_chance_ = follows_by_chance(*residuals_);
+  chosen_ = 0;
 }
 
 void FailingPane::resort() {
   if (!residuals_) return;
-  places_ = strongest_plots(*residuals_);
-  chosen_ = 0;
+  sort_places();
   refill(true);
   resort_->hide();
 }
@@ -185,9 +210,11 @@ void FailingPane::refresh_shows() {
 }
 
 void FailingPane::find_next_shows() {
+  // Only what the verdict names: other names beside it would be another story.
+  const StoryCause* lead = bench_.story().lead();
   for (const PlotKey& key : places_)
-    if (residuals_ && !shows_.contains(key)) {
-      shows_[key] = effects_that_show(key, *residuals_, bench_.diagnosing);
+    if (residuals_ && lead && !shows_.contains(key)) {
+      shows_[key] = shows_there(key, *residuals_, bench_.diagnosing, lead->id) ? effect_of(lead->id, {}) : QString();
       return;
     }
   shows_timer_.stop();
@@ -203,17 +230,18 @@ void FailingPane::refresh_units() {
 std::vector<widgets::PatternPlot> FailingPane::all_plots(const ModelResiduals& residuals,
                                                          const std::vector<Eigen::VectorXd>* values) {
   std::vector<widgets::PatternPlot> list;
-  for (const ProofPlot& p : proof_.plots) list.push_back(proof_plot(p, bench_, added_));
-  std::vector<widgets::PatternPlot> patterns = plots(residuals, values);
-  for (std::size_t i = 0; i < patterns.size(); ++i) {
-    if (i < predictions_.size()) patterns[i].candidate = predictions_[i];
-    list.push_back(std::move(patterns[i]));
+  if (shows_proof()) {
+    for (const ProofPlot& p : proof_.plots) list.push_back(proof_plot(p, bench_, added_));
+    return list;
   }
+  list = plots(residuals, values);
+  for (std::size_t i = 0; i < std::min(list.size(), predictions_.size()); ++i) list[i].candidate = predictions_[i];
   return list;
 }
 
 void FailingPane::refill(bool fit_axes) {
   if (!residuals_) return;
+  is_proof_drawn_ = shows_proof();
   if (fit_axes) {
     page_->set_plots(all_plots(*residuals_, nullptr));
   } else {
@@ -225,15 +253,16 @@ void FailingPane::refill(bool fit_axes) {
 }
 
 const PlotKey* FailingPane::key_at(int place) const {
-  const auto pattern = static_cast<std::size_t>(place) - proof_.plots.size();
-  return static_cast<std::size_t>(place) >= proof_.plots.size() && pattern < places_.size() ? &places_[pattern]
-                                                                                            : nullptr;
+  const auto pattern = static_cast<std::size_t>(place);
+  return place >= 0 && !shows_proof() && pattern < places_.size() ? &places_[pattern] : nullptr;
 }
 
 std::optional<widgets::PatternPlot> FailingPane::plot_at(int place) const {
   if (!residuals_ || place < 0) return std::nullopt;
-  if (static_cast<std::size_t>(place) < proof_.plots.size())
-    return proof_plot(proof_.plots[static_cast<std::size_t>(place)], bench_, added_);
+  if (shows_proof())
+    return static_cast<std::size_t>(place) < proof_.plots.size()
+               ? std::optional(proof_plot(proof_.plots[static_cast<std::size_t>(place)], bench_, added_))
+               : std::nullopt;
   const PlotKey* key = key_at(place);
   if (!key) return std::nullopt;
   auto plot = pattern_plot(*key, *residuals_, bench_);
@@ -253,7 +282,7 @@ void FailingPane::choose_plot(int place) {
 void FailingPane::fill_large() {
   const auto plot = plot_at(chosen_);
   if (!plot) return;
-  const bool is_proof = static_cast<std::size_t>(chosen_) < proof_.plots.size();
+  const bool is_proof = shows_proof();
   large_->set_axes(plot->against, plot->x_unit, is_proof ? plot->what : tr("residual"), plot->y_unit);
   const QString title = tr("%1 against %2").arg(plot->what.left(1).toUpper() + plot->what.mid(1), plot->against);
   large_->set_title(is_proof && added_ >= 1 ? tr("In the model: %1").arg(title) : title);
@@ -263,34 +292,62 @@ void FailingPane::fill_large() {
   large_->set_candidate(plot->candidate);
 }
 
-void FailingPane::show_instead(const ModelResiduals& residuals, const std::vector<Eigen::VectorXd>* values,
-                               const QString& title) {
-  if (places_.empty()) return;
-  is_instead_ = true;
-  page_->update_plots(all_plots(residuals, values));
-  const PlotKey* key = key_at(chosen_);
-  const auto plot = key ? pattern_plot(*key, residuals, bench_, values) : std::nullopt;
+void FailingPane::put_points(const std::optional<widgets::PatternPlot>& plot, const QString& title) {
   if (!plot) return;
   large_->set_points(plot->points);
   large_->set_trend(plot->trend);
   large_->set_title(title);
 }
 
+void FailingPane::show_noise(std::uint64_t seed, const QString& title) {
+  if (!residuals_ || places_.empty()) return;
+  is_instead_ = true;
+  if (!shows_proof()) {
+    const auto values = noise_alone(residuals_->views, seed);
+    page_->update_plots(all_plots(*residuals_, &values));
+    const PlotKey* key = key_at(chosen_);
+    return put_points(key ? pattern_plot(*key, *residuals_, bench_, &values) : std::nullopt, title);
+  }
+  std::vector<widgets::PatternPlot> list;
+  for (const ProofPlot& p : proof_.plots) list.push_back(proof_plot(noise_in_place_of(p, seed), bench_, 0));
+  put_points(list[static_cast<std::size_t>(chosen_)], title);
+  page_->update_plots(std::move(list));
+}
+
+void FailingPane::show_instead(const ModelResiduals& residuals, const QString& title) {
+  if (places_.empty()) return;
+  const bool was_proof = shows_proof();
+  is_instead_ = is_other_version_ = true;
+  if (was_proof) {
+    chosen_ = 0;
+    refill(true);  // the axes are those of the model that is shown, for both
+  }
+  page_->update_plots(all_plots(residuals, nullptr));
+  const PlotKey* key = key_at(chosen_);
+  put_points(key ? pattern_plot(*key, residuals, bench_) : std::nullopt, title);
+}
+
 void FailingPane::show_measured_again() {
   is_instead_ = false;
+  const bool comes_back = std::exchange(is_other_version_, false) && shows_proof();
   if (!residuals_ || places_.empty()) return;
+  if (comes_back) chosen_ = 0;
+  if (comes_back) return refill(true);
   page_->update_plots(all_plots(*residuals_, nullptr));
   fill_large();
 }
 
 void FailingPane::set_prediction(const EffectView* view, const Eigen::VectorXd& numbers) {
+  follow_mode();
   predictions_.clear();
   const auto unit = bench_.units.unit();
   if (view && residuals_)
     for (const PlotKey& key : places_) predictions_.push_back(predicted_trend(key, *residuals_, *view, numbers, unit));
-  std::vector<std::vector<widgets::TrendPoint>> all;
-  for (const ProofPlot& p : proof_.plots) all.push_back(proof_plot(p, bench_, added_).candidate);
-  all.insert(all.end(), predictions_.begin(), predictions_.end());
+  std::vector<std::vector<widgets::TrendPoint>> all = predictions_;
+  if (shows_proof()) {
+    all.clear();
+    for (const ProofPlot& p : proof_.plots) all.push_back(proof_plot(p, bench_, added_).candidate);
+  }
   page_->set_candidates(all);
   if (const auto plot = plot_at(chosen_)) large_->set_candidate(plot->candidate);
 }
@@ -298,20 +355,20 @@ void FailingPane::set_prediction(const EffectView* view, const Eigen::VectorXd& 
 void FailingPane::set_progress(const QString& text) { page_->set_progress(text); }
 
 void FailingPane::show_variable(const std::string& variable) {
-  const int first = static_cast<int>(proof_.plots.size());
+  if (!residuals_ || places_.empty()) return;
+  choose_patterns(true);
   const auto choose = [&](int place) {
     page_->set_selected_plot(place);
     choose_plot(place);
   };
   for (std::size_t i = 0; i < places_.size(); ++i)
-    if (places_[i].variable == variable) return choose(first + static_cast<int>(i));
+    if (places_[i].variable == variable) return choose(static_cast<int>(i));
   // A variable that has no place yet takes the last one.
-  if (!residuals_ || places_.empty()) return;
   for (const Pattern& p : residuals_->patterns) {
     if (residuals_->views.variables[p.variable].name != variable) continue;
     places_.back() = {residuals_->views.series[p.series].name, variable};
     page_->update_plots(all_plots(*residuals_, nullptr));
-    return choose(first + static_cast<int>(places_.size()) - 1);
+    return choose(static_cast<int>(places_.size()) - 1);
   }
 }
 

@@ -101,6 +101,7 @@ void MissingPane::make_until_it_stops() {
   show_state();
   until_it_stops_->setMinimumWidth(until_it_stops_->sizeHint().width());  // Stop stands in the same place
   connect(adding_on_, &AddingOn::changed, this, show_state);
+  connect(adding_on_, &AddingOn::done, this, &MissingPane::added_until_it_stopped);
   connect(until_it_stops_, &QPushButton::clicked, this,
           [this] { adding_on_->is_running() ? adding_on_->stop() : adding_on_->start(); });
   connect(pause_, &QPushButton::clicked, this,
@@ -167,6 +168,8 @@ void MissingPane::reveal() {
 void MissingPane::add_until_it_stops() {
   if (until_it_stops_->isEnabled() && !adding_on_->is_running()) adding_on_->start();
 }
+
+bool MissingPane::is_paused() const { return adding_on_->is_paused(); }
 
 void MissingPane::show_why_not() { pages_->setCurrentWidget(table_page_); }
 

@@ -37,6 +37,8 @@ class MissingPane : public QWidget {
   bool can_reveal() const;
   /// As the button of that name; nothing where there is nothing to add.
   void add_until_it_stops();
+  /// Does adding rest, so that what was added last can be looked at?
+  bool is_paused() const;
   widgets::CandidateList* cards() const { return cards_; }
   PosesPane* poses() const { return poses_; }
 
@@ -46,6 +48,7 @@ class MissingPane : public QWidget {
   void curve_wanted();
   void export_wanted();
   void look_wanted();
+  void added_until_it_stopped();
 
  private:
   void make_layout();

@@ -11,6 +11,7 @@
 #include "explain/watching_pane.h"
 #include "widgets/base/motion.h"
 #include "widgets/base/theme.h"
+#include "widgets/explain/bill_list.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
 #include "widgets/scene/robot_view.h"
@@ -40,7 +41,15 @@ void WatchingPane::make_layout() {
   cost_->set_empty_text(tr("Add a candidate, and its fit is drawn here as it runs."));
   left_ = new QStackedWidget(this);
   left_->addWidget(stairs_);
-  left_->addWidget(versions_);
+  bill_ = new widgets::BillList(this);
+  bill_->setObjectName("bill");
+  auto* both = new QWidget(this);
+  auto* side_by_side = new QHBoxLayout(both);
+  side_by_side->setContentsMargins(0, 0, 0, 0);
+  side_by_side->setSpacing(8);
+  side_by_side->addWidget(versions_, 5);
+  side_by_side->addWidget(bill_, 6);
+  left_->addWidget(both);
   left_->addWidget(cost_);
   tabs_ = new QButtonGroup(this);
   auto* tabs = new QHBoxLayout;
@@ -65,7 +74,7 @@ void WatchingPane::make_layout() {
 
   cloud_ = new widgets::ResidualCloud(this);
   cloud_->setObjectName("cloud");
-  cloud_->set_empty_text(tr("The residual of every corner comes here."));
+  cloud_->set_empty_text(tr("What is left of every point comes here."));
   robot_ = new widgets::RobotView(this);
   robot_->setObjectName("ghost_robot");
   robot_title_ = new QLabel(this);
@@ -83,13 +92,14 @@ void WatchingPane::make_layout() {
   layout->addLayout(left, 332);
   layout->addWidget(cloud_, 332);
   layout->addLayout(right, 380);
+  columns_ = layout;
   setMinimumSize(620, 150);
 }
 
 void WatchingPane::connect_all() {
   using widgets::Staircase;
   using widgets::VersionList;
-  connect(tabs_, &QButtonGroup::idClicked, left_, &QStackedWidget::setCurrentIndex);
+  connect(tabs_, &QButtonGroup::idClicked, this, &WatchingPane::choose_tab);
   const auto choose = [this](int row) {
     if (const auto version = version_at(row)) emit version_chosen(version);
   };
@@ -113,8 +123,7 @@ void WatchingPane::connect_all() {
     memory_ = remembered_stairs(bench_.document.session().file);
     cost_->clear();
     cloud_->reset();
-    left_->setCurrentIndex(tab_stairs);
-    tabs_->button(tab_stairs)->setChecked(true);
+    choose_tab(tab_stairs);
   });
   connect(&bench_.selection, &Selection::changed, this, [this] {
     if (!isVisible()) return;

@@ -3,15 +3,18 @@
 
 #include <QAbstractButton>
 #include <QButtonGroup>
+#include <QHBoxLayout>
 #include <QStackedWidget>
 #include <algorithm>
 
 #include "bench/observation_views.h"
 #include "document/bent_robot.h"
 #include "document/effect_words.h"
+#include "findings/bill_entries.h"
 #include "widgets/base/motion.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/explain/bill_list.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
 #include "widgets/scene/robot_view.h"
@@ -70,11 +73,27 @@ void WatchingPane::remember() {
 
 void WatchingPane::refresh() {
   refresh_rows();
+  refresh_bill();
   if (!adding_.is_running()) {
     refresh_cloud();
     show_robot();
   }
 }
+
+/// Versions and bill take the room of the cloud.
+void WatchingPane::choose_tab(int tab) {
+  left_->setCurrentIndex(tab);
+  tabs_->button(tab)->setChecked(true);
+  cloud_->setVisible(tab != tab_versions);
+  columns_->setStretch(0, tab == tab_versions ? 664 : 332);
+}
+
+void WatchingPane::show_bill() {
+  refresh_bill();
+  if (!bill_->entries().empty()) choose_tab(tab_versions);
+}
+
+void WatchingPane::refresh_bill() { bill_->set_entries(bill_entries(bench_, bench_.document.shown_model())); }
 
 void WatchingPane::refresh_rows() {
   const ModelVersionPointer marked_a = compared_a(), marked_b = compared_b();
@@ -267,8 +286,7 @@ void WatchingPane::began(const QString&) {
   const ModelVersionPointer now = bench_.document.model();
   cost_->set_floor(now && now->fit ? shown(now->fit->noise, in_pixels) : std::nullopt);
   const Tab tab = adding_.offered().name.isEmpty() ? tab_stairs : tab_fit;  // other names are sought without pictures
-  left_->setCurrentIndex(tab);
-  tabs_->button(tab)->setChecked(true);
+  choose_tab(tab);
   if (const auto residuals = bench_.diagnosing.residuals())
     cloud_->set_before(
         in_unit(cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, bench_.document.session()))),
@@ -297,8 +315,7 @@ void WatchingPane::ended(AdditionEnd end) {
   bending_.stop();  // the workspace shows what is the case now
   if (!is_taken && end != AdditionEnd::stopped) return;
   // The step is what counts now; the curve stays a click away.
-  left_->setCurrentIndex(tab_stairs);
-  tabs_->button(tab_stairs)->setChecked(true);
+  choose_tab(tab_stairs);
 }
 
 }  // namespace handsight::app

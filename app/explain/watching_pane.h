@@ -11,10 +11,12 @@
 #include "widgets/explain/staircase.h"
 
 class QButtonGroup;
+class QHBoxLayout;
 class QLabel;
 class QStackedWidget;
 
 namespace handsight::widgets {
+class BillList;
 class CostCurve;
 class RobotView;
 class VersionList;
@@ -30,6 +32,10 @@ class WatchingPane : public QWidget {
 
   /// The versions, the cloud and the robot of the model that is shown.
   void refresh();
+  /// The versions with the bill of what is in the model.
+  void show_bill();
+  /// The same where something has been found out of it.
+  void refresh_bill();
   /// Writes down the errors of the versions, for the next start and for versions that the document forgets.
   void remember();
   /// A candidate on trial: its residuals, its bending, the step that it would be. Null: nothing.
@@ -59,6 +65,7 @@ class WatchingPane : public QWidget {
   void connect_all();
   void refresh_rows();
   void refresh_cloud();
+  void choose_tab(int tab);
   std::vector<widgets::CloudPoint> in_unit(std::vector<widgets::CloudPoint> points) const;
   void compare(int a, int b);
   void take_back(int row);
@@ -87,10 +94,12 @@ class WatchingPane : public QWidget {
   QStackedWidget* left_;
   widgets::Staircase* stairs_;
   widgets::VersionList* versions_;
+  widgets::BillList* bill_;
   widgets::CostCurve* cost_;
   widgets::ResidualCloud* cloud_;
   widgets::RobotView* robot_;
   QLabel* robot_title_;
+  QHBoxLayout* columns_;
 };
 
 }  // namespace handsight::app

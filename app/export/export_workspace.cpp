@@ -27,6 +27,7 @@
 #include "export/exported.h"
 #include "export/report.h"
 #include "export/report_pictures.h"
+#include "export/report_story.h"
 #include "findings/explain_texts.h"
 #include "session/calibration_xml.h"
 #include "widgets/base/number_text.h"
@@ -290,9 +291,9 @@ void ExportWorkspace::save_report(bool pdf) {
   file.replace_extension(pdf ? ".pdf" : ".html");
   try {
     const auto pictures = report_pictures(bench_);
-    const QString sentence = verdict(model).sentence;
-    const QByteArray bytes = pdf ? report_pdf(bench_.document, *model, pictures, sentence)
-                                 : report_html(bench_.document, *model, pictures, sentence).toUtf8();
+    const ReportStory story = report_story(bench_, model);
+    const QByteArray bytes = pdf ? report_pdf(bench_.document, *model, pictures, story)
+                                 : report_html(bench_.document, *model, pictures, story).toUtf8();
     replace_file(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     say(tr("Written: %1").arg(QString::fromStdString(file.string())), false);
   } catch (const std::exception& error) {

@@ -7,11 +7,13 @@
 #include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
+#include <cmath>
 #include <functional>
 
 #include "bench/model_effects.h"
 #include "document/effect_words.h"
 #include "export/export_texts.h"
+#include "export/report_pages.h"
 #include "findings/explain_texts.h"
 #include "findings/robot_checks.h"
 #include "widgets/base/number_text.h"
@@ -137,32 +139,97 @@ constexpr const char* style =
     ".wide{overflow-x:auto}\n"
     ".from{color:#4a5560}\n"
     ".picture{margin:28px 0;color:#4a5560;break-inside:avoid}\n"
+    ".care td{background:#fbf3e0;color:#6e4800}\n"
     "img{max-width:100%;height:auto;margin-bottom:4px}\n"
     "@media print{body{max-width:none;padding:0;font-size:10pt}.wide{overflow-x:visible}}\n";
 
 enum class Pages { of_paper, of_a_browser };
 
-/// `source` gives the picture's address: inside the file, or of a resource.
-QString body(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
-             const QString& verdict, Pages pages, const std::function<QString(std::size_t)>& source) {
-  const Session& s = document.session();
-  QString text = "<h1>" + name_of(s).toHtmlEscaped() + "</h1>\n<p><b>" + verdict.toHtmlEscaped() +
-                 "</b></p>\n<p class=\"from\">" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
-                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
-  text += numbers_part(document, model);
+constexpr int picture_width = 600;  // of the page's px
+
+QString picture_part(const ReportPicture& picture, const QString& source, Pages pages, double scale) {
   // The row of a table stays on one page: picture and caption do not part.
   const QString begin = pages == Pages::of_paper ? "<table><tr><td>" : "<p class=\"picture\">";
   const QString end = pages == Pages::of_paper ? "</td></tr></table>\n" : "</p>\n";
-  for (std::size_t i = 0; i < pictures.size(); ++i)
-    text += begin + "<img width=\"600\" alt=\"\" src=\"" + source(i) + "\"/><br/>" +
-            pictures[i].caption.toHtmlEscaped() + end;
-  return text + decisions_part(model) + checks_part(document) + actions_part(document);
+  return begin + QString("<img width=\"%1\" alt=\"\" src=\"").arg(std::lround(scale * picture_width)) + source +
+         "\"/><br/>" + picture.caption.toHtmlEscaped() + end;
+}
+
+/// A row a cause; what stands in for another one in amber.
+QString bill_part(const std::vector<widgets::BillEntry>& bill) {
+  if (bill.empty()) return {};
+  QString text =
+      "<h2>" + QObject::tr("The bill: what each cause is worth at the hand (rms)") +
+      "</h2>\n<div class=\"wide\"><table cellspacing=\"0\" cellpadding=\"4\">\n" +
+      row({QObject::tr("Cause"), QObject::tr("At the hand"), QObject::tr("What to know of it")}, Columns::words, "th");
+  for (const widgets::BillEntry& e : bill) {
+    const QString cells[] = {e.cause, e.worth, e.remarks()};
+    text += e.is_stand_in ? "<tr bgcolor=\"#fbf3e0\" class=\"care\">" : "<tr>";
+    for (const QString& cell : cells)
+      text += QString("<td align=\"%1\">").arg(&cell == &cells[1] ? "right" : "left") + cell.toHtmlEscaped() + "</td>";
+    text += "</tr>\n";
+  }
+  return text + "</table></div>\n";
+}
+
+/// The first page: what there is to say, before any number.
+QString story_part(const Document& document, const ReportStory& story) {
+  const Session& s = document.session();
+  QString text = "<h1>" + name_of(s).toHtmlEscaped() + "</h1>\n<p><b>" + story.verdict.toHtmlEscaped() + "</b></p>\n";
+  if (!story.next.isEmpty()) text += "<p>" + story.next.toHtmlEscaped() + "</p>\n";
+  return text + "<p class=\"from\">" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
+         QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
+}
+
+/// `source` gives the picture's address: inside the file, or of a resource.
+QString body(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
+             const std::vector<PlacedPicture>& placed, const ReportStory& story, Pages pages,
+             const std::function<QString(std::size_t)>& source) {
+  QString text = story_part(document, story);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const auto index = static_cast<std::size_t>(placed[i].index);
+    text += picture_part(pictures[index], source(index), pages, placed[i].scale);
+    if (i == 0) text += bill_part(story.bill);
+  }
+  if (placed.empty()) text += bill_part(story.bill);
+  return text + numbers_part(document, model) + decisions_part(model) + checks_part(document) + actions_part(document);
+}
+
+std::vector<PlacedPicture> as_they_come(std::size_t count) {
+  std::vector<PlacedPicture> placed;
+  for (std::size_t i = 0; i < count; ++i) placed.push_back({static_cast<int>(i), 1});
+  return placed;
+}
+
+/// A4 within its margins, in px of 96 to an inch; the page's number stands below.
+constexpr double page_width = 642, page_height = 940, between = 14;
+
+double height_of(const QString& html) {
+  QTextDocument text;
+  text.setDefaultFont(QFont("DejaVu Sans", 9));
+  text.setTextWidth(page_width);
+  text.setHtml(html);
+  return text.size().height();
+}
+
+double height_of(const ReportPicture& picture) {
+  const double caption = height_of("<p>" + picture.caption.toHtmlEscaped() + "</p>");
+  return picture_width * picture.image.height() / std::max(1.0, double(picture.image.width())) + caption + between;
+}
+
+/// The first page has the story and, below the first picture, the bill.
+std::vector<PlacedPicture> on_paper(const Document& document, const std::vector<ReportPicture>& pictures,
+                                    const ReportStory& story) {
+  std::vector<double> heights;
+  for (const ReportPicture& p : pictures) heights.push_back(height_of(p));
+  const double first = height_of(story_part(document, story)) + height_of(bill_part(story.bill));
+  return placed_pictures(heights, page_height, std::max(page_height - first, 0.0));
 }
 
 }  // namespace
 
 QString report_html(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
-                    const QString& verdict) {
+                    const ReportStory& story) {
   const auto inside = [&](std::size_t i) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -176,11 +243,12 @@ QString report_html(const Document& document, const ModelVersion& model, const s
          "\"><head><meta charset=\"utf-8\"/>"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/><title>" +
          name_of(document.session()).toHtmlEscaped() + "</title><style>\n" + style + "</style></head><body>\n" +
-         body(document, model, pictures, verdict, Pages::of_a_browser, inside) + "</body></html>\n";
+         body(document, model, pictures, as_they_come(pictures.size()), story, Pages::of_a_browser, inside) +
+         "</body></html>\n";
 }
 
 QByteArray report_pdf(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
-                      const QString& verdict) {
+                      const ReportStory& story) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -194,7 +262,7 @@ QByteArray report_pdf(const Document& document, const ModelVersion& model, const
     for (std::size_t i = 0; i < pictures.size(); ++i)
       text.addResource(QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), pictures[i].image);
     text.setDefaultFont(QFont("DejaVu Sans", 9));
-    text.setHtml(body(document, model, pictures, verdict, Pages::of_paper,
+    text.setHtml(body(document, model, pictures, on_paper(document, pictures, story), story, Pages::of_paper,
                       [](std::size_t i) { return QString("picture:%1").arg(i); }));
     text.print(&writer);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "document/document.h"
+#include "widgets/explain/bill_list.h"
 
 namespace handsight::app {
 
@@ -17,12 +18,20 @@ struct ReportPicture {
   QImage image;
 };
 
-/// One whole HTML file, pictures inside it. `verdict` says in a sentence or two how good the model is.
-QString report_html(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
-                    const QString& verdict);
+/// What a report says first.
+struct ReportStory {
+  QString verdict;                       // how good the model is, in a sentence or two
+  QString next;                          // what to do; may be empty
+  std::vector<widgets::BillEntry> bill;  // of the model; empty: nothing is in it
+};
 
-/// The same as PDF, A4.
+/// One whole HTML file, pictures inside it: the story with the first of the pictures and the bill, the other pictures,
+/// then the numbers, what was left out and what was done.
+QString report_html(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
+                    const ReportStory& story);
+
+/// The same as PDF, A4; pictures are ordered, and drawn smaller, so that no page stays half empty.
 QByteArray report_pdf(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
-                      const QString& verdict);
+                      const ReportStory& story);
 
 }  // namespace handsight::app

@@ -101,10 +101,12 @@ void add_cloud(Workbench& bench, const std::vector<ModelVersionPointer>& version
   if (!is_one) cloud.set_after(std::move(after), version_name(*last));
   cloud.fit();
   lay_out(cloud, 640, 330);
-  const QString caption = is_one ? QObject::tr("The residual of every corner; the rings are one and three sigma")
-                                 : QObject::tr(
-                                       "The residual of every corner, at first and now, on the same axes; the rings "
-                                       "are one and three sigma");
+  // A tracker has no corners.
+  const QString of =
+      in_pixels ? QObject::tr("The residual of every corner") : QObject::tr("The residual of every marker");
+  const QString caption =
+      is_one ? QObject::tr("%1; the rings are one and three sigma").arg(of)
+             : QObject::tr("%1, at first and now, on the same axes; the rings are one and three sigma").arg(of);
   pictures.push_back({titled(caption, *bench.diagnosing.residuals_of(last)), painted(cloud)});
 }
 
@@ -137,6 +139,17 @@ void add_failures(Workbench& bench, const std::vector<ModelVersionPointer>& vers
     add_patterns(bench, versions.back(), keys, QObject::tr("The same with the model as it is now"), pictures);
 }
 
+void add_proof(const Workbench& bench, const ProofPlot& proof, bool is_in_model, std::vector<ReportPicture>& pictures) {
+  widgets::PatternPlot shown = proof_plot(proof, bench, 0);
+  widgets::ScatterPlot plot;
+  lay_out(plot, 640, 230);
+  plot.set_axes(shown.against, shown.x_unit, shown.what, shown.y_unit);
+  plot.set_points(std::move(shown.points));
+  is_in_model ? plot.set_trend(std::move(shown.candidate)) : plot.set_candidate(std::move(shown.candidate));  // dashed
+  plot.fit();
+  pictures.push_back({proof_sentence(proof), plot.picture(sharpness)});
+}
+
 /// What every observation says of each site that the model's effects move, with the curve of what was estimated.
 void add_proofs(const Workbench& bench, const ModelVersion& version, std::vector<ReportPicture>& pictures) {
   std::vector<EffectTerm> estimated;
@@ -145,16 +158,14 @@ void add_proofs(const Workbench& bench, const ModelVersion& version, std::vector
       estimated.push_back(f.term);
   constexpr std::size_t most = 8;
   const std::vector<ProofPlot> proofs = proof_of(bench.document.session(), *version.fit, estimated);
-  for (std::size_t i = 0; i < std::min(most, proofs.size()); ++i) {
-    widgets::PatternPlot shown = proof_plot(proofs[i], bench, 0);
-    widgets::ScatterPlot plot;
-    lay_out(plot, 640, 230);
-    plot.set_axes(shown.against, shown.x_unit, shown.what, shown.y_unit);
-    plot.set_points(std::move(shown.points));
-    plot.set_trend(std::move(shown.candidate));  // in the model: no longer dashed
-    plot.fit();
-    pictures.push_back({proof_sentence(proofs[i]), plot.picture(sharpness)});
-  }
+  for (std::size_t i = 0; i < std::min(most, proofs.size()); ++i) add_proof(bench, proofs[i], true, pictures);
+}
+
+/// The plot that proves the cause by which the story goes.
+void add_lead(const Workbench& bench, std::vector<ReportPicture>& pictures) {
+  const StoryCause* lead = bench.story().lead();
+  const auto view = lead ? bench.diagnosing.view_of(lead->id) : nullptr;
+  if (view && !view->proof.empty()) add_proof(bench, view->proof.front(), false, pictures);
 }
 
 void add_histogram(const Workbench& bench, const Inspection& all, std::vector<ReportPicture>& pictures) {
@@ -249,6 +260,7 @@ std::vector<ReportPicture> report_pictures(Workbench& bench) {
   if (!all) return pictures;
   const OnPaper paper;
   const std::vector<ModelVersionPointer> versions = fitted_versions(bench.document);
+  add_lead(bench, pictures);
   if (!versions.empty()) {
     add_staircase(bench, versions, pictures);
     add_cloud(bench, versions, pictures);

@@ -116,8 +116,7 @@ std::optional<CardState> honest_card_of(const Workbench& bench, const ModelVersi
       return with_export(
           honest_card(CardKind::scatter, QObject::tr("Down at the noise, but not all has a name"), sentence));
     case StoryState::scatter:
-      return with_export(
-          honest_card(CardKind::scatter, QObject::tr("More than noise, and it follows nothing"), sentence));
+      return with_export(honest_card(CardKind::scatter, QObject::tr("The remaining error looks random"), sentence));
     case StoryState::too_few_observations: {
       CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"), sentence);
       card.action = QObject::tr("Plan poses");
@@ -181,7 +180,7 @@ namespace {
 
 /// 0.1 to 99.9: nothing is quite sure.
 QString percent_text(double probability) {
-  return QObject::tr("%1 %").arg(std::clamp(100 * probability, 0.1, 99.9), 0, 'g', 3);
+  return QObject::tr("%1 %").arg(widgets::short_text(std::clamp(100 * probability, 0.1, 99.9), 3));
 }
 
 /// What is likelier than one in twenty though too little speaks for it to be named, and how sure the model's names are.

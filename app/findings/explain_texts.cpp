@@ -43,6 +43,8 @@ Told told(const VersionSizes& sizes, widgets::SizeUnit unit) {
 
 }  // namespace
 
+QString cannot_be_split_text() { return QObject::tr("Cannot be split with one marker"); }
+
 QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
   if (!model.fit) return model.refusal;
   const StoryError e = error_and_noise(model);
@@ -136,9 +138,7 @@ QString scatter_sentence(const Diagnosis& d, const Told& t) {
 QString what_is_left_follows(const Diagnosis& d) {
   for (const DiagnosisCandidate& c : d.candidates)
     if (c.unnamed && can_be_added(c) && c.ln_bayes_factor >= d.threshold) {
-      QString title = name_of(c, d.model.session);
-      title[0] = title[0].toUpper();
-      return title + '.';
+      return curve_sentence(c.terms.front(), d.model.session.robot) + '.';
     } else if (c.unnamed && c.ln_bayes_factor >= d.threshold)
       return QObject::tr("It follows the %1 (%2).")
           .arg(translated(c.unnamed->localiser.variable->name),
@@ -266,6 +266,7 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& 
   v.noise_px = sizes.noise.pixel;
   v.noise_mm = sizes.noise.millimetre;
   v.blame = shown(story.blame, story.error.in_pixels);
+  if (model.fit->problem.marker_count == 1) v.why_no_blame = cannot_be_split_text();
   v.state = shown_state(story, is_running);
   v.sentence = sentence_of(model, story, d, unit);
   // What is in the model and stands in for something else belongs before what agrees by it.

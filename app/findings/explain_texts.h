@@ -24,6 +24,9 @@ widgets::SessionVerdict session_verdict(const Workbench& bench, const ModelVersi
 std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const ModelVersionPointer& model,
                                                 const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
 
+/// Why nobody can say whose fault an error is where there is one marker alone.
+QString cannot_be_split_text();
+
 /// One verdict for every effect of the catalogue.
 std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelVersion& model,
                                             const Diagnosis& diagnosis, const std::vector<Refusal>& refused);

@@ -35,7 +35,7 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
     widgets::ObservationRow r{.id = o.id, .state = cells[i].state};
     if (row) {
       if (pixels) r.rms_pixel = row->rms;
-      r.rms_mm = scaled(row->rms_m, 1e3);
+      r.rms_mm = scaled(pixels ? row->hand_m : row->rms_m, 1e3);
       r.angle_deg = scaled(row->angle, degrees);
       r.rms_over_sigma = row->ratio;
       r.coordinates = row->coordinates;
@@ -140,8 +140,8 @@ QString blame_sentence(const Workbench& bench, const InspectionRow* row, const O
     text += QObject::tr("What would make it right: %1").arg(within_sentence(translated(row->what_would_mend)));
   if (row->smallest_visible && row->blame.letter != 'R')
     text += QObject::tr(" An error of one corner under %1 here could not be seen.")
-                .arg(in_pixels ? QObject::tr("%1 px").arg(*row->smallest_visible, 0, 'f', 1)
-                               : QObject::tr("%1 mm").arg(1e3 * *row->smallest_visible, 0, 'f', 1));
+                .arg(in_pixels ? QObject::tr("%1 px").arg(widgets::fixed_text(*row->smallest_visible, 1))
+                               : QObject::tr("%1 mm").arg(widgets::fixed_text(1e3 * *row->smallest_visible, 1)));
   if (row->at_second_look) text += QObject::tr(" (Markers from a second look with wider gates; not part of the fit.)");
   return text;
 }

@@ -162,31 +162,23 @@ std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const Model
   return line;
 }
 
-QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing) {
+bool shows_there(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing,
+                 const std::string& id) {
+  constexpr double most_of_it = 0.5;
   const auto found = find(key, residuals.views);
-  const auto diagnosis = diagnosing.diagnosis();
-  if (!found || !diagnosis) return {};
+  const auto view = diagnosing.view_of(id);
+  if (!found || !view) return false;
   const Eigen::VectorXd& x = residuals.views.variables[found->variable].values;
+  // Where an earlier version is shown, the views are of another one, maybe of other observations.
+  if (found->series >= view->effect.series.size() || view->effect.series[found->series].rows() != x.size())
+    return false;
+  const Eigen::VectorXd y = view->effect.series[found->series] * view->numbers;
   const double noise = root_mean_square(residuals.views.series[found->series].sigmas);
-  std::vector<std::pair<double, QString>> list;
-  for (const DiagnosisCandidate& c : diagnosis->candidates) {
-    const auto view = c.unnamed ? nullptr : diagnosing.view_of(id_of(c));
-    // Where an earlier version is shown, the views are of another one, maybe of other observations.
-    if (!view || found->series >= view->effect.series.size() || view->effect.series[found->series].rows() != x.size())
-      continue;
-    Eigen::VectorXd plausible(static_cast<Eigen::Index>(view->effect.numbers.size()));
-    for (std::size_t i = 0; i < view->effect.numbers.size(); ++i)
-      plausible[static_cast<Eigen::Index>(i)] = view->effect.numbers[i].plausible;
-    const bool has_size = view->numbers.norm() > 0;
-    const Eigen::VectorXd y = view->effect.series[found->series] * (has_size ? view->numbers : plausible);
-    if (root_mean_square(y) < noise) continue;
-    const double share = followed_share(x, y);
-    if (share > 0.5) list.push_back({share, effect_of(c.id, {})});
-  }
-  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  QStringList names;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, list.size()); ++i) names << list[i].second;
-  return names.join(", ");
+  return root_mean_square(y) >= noise && followed_share(x, y) > most_of_it;
+}
+
+bool follows_by_chance(const ModelResiduals& residuals) {
+  return residuals.patterns.empty() || residuals.patterns.front().p_value > 1e-3;
 }
 
 std::unordered_map<std::int64_t, double> predicted_ratios(const ModelResiduals& residuals, const EffectView& view,

@@ -43,8 +43,12 @@ std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const Model
                                                  const EffectView& view, const Eigen::VectorXd& numbers,
                                                  widgets::SizeUnit unit);
 
-/// The titles of effects that show there, the clearest first, at most three.
-QString effects_that_show(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing);
+/// Does the candidate of this id_of show there: more than the noise, and most of it follows the variable?
+bool shows_there(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing,
+                 const std::string& id);
+
+/// Do these residuals follow nothing beyond what chance would show?
+bool follows_by_chance(const ModelResiduals& residuals);
 
 /// rms of one coordinate over the noise that each observation (by id) would have with a candidate of these numbers.
 std::unordered_map<std::int64_t, double> predicted_ratios(const ModelResiduals& residuals, const EffectView& view,

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "document/effect_words.h"
 #include "widgets/base/number_text.h"
@@ -100,6 +101,13 @@ QString proof_sentence(const ProofPlot& p) {
     numbers << (p.numbers.size() > 1 ? number_title(n.name) + ' ' + number_text(n) : number_text(n));
   return QObject::tr("%1 against the %2: %3; at most %4 here.")
       .arg(quantity, translated(p.against), numbers.join(", "), at_most(p));
+}
+
+ProofPlot noise_in_place_of(ProofPlot plot, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> one;
+  for (ProofPoint& p : plot.points) p.y = p.sigma * one(random);
+  return plot;
 }
 
 std::vector<ProofPlot> in_the_order_of(const std::vector<ProofPlot>& before, std::vector<ProofPlot> after) {

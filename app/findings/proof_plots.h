@@ -24,6 +24,9 @@ widgets::PatternPlot proof_plot(const ProofPlot& plot, const Workbench& bench, d
 /// "right_arm_2 gives way by 149.51 ± 0.59 µrad for each N m: 44 N m at most here, so 6.6 mrad, 5.8 mm at the hand."
 QString proof_sentence(const ProofPlot& plot);
 
+/// The same plot with what noise alone would put in the place of its points: the cause does nothing.
+ProofPlot noise_in_place_of(ProofPlot plot, std::uint64_t seed);
+
 /// The plots of `after` in the order of `before`, so that each stays in its place.
 std::vector<ProofPlot> in_the_order_of(const std::vector<ProofPlot>& before, std::vector<ProofPlot> after);
 

@@ -10,6 +10,7 @@
 #include "bench/camera_strip.h"
 #include "bench/link_selection.h"
 #include "bench/observation_views.h"
+#include "findings/explain_texts.h"
 #include "findings/inspection_rows.h"
 #include "inspect/snap.h"
 #include "widgets/base/number_text.h"
@@ -353,7 +354,9 @@ void InspectWorkspace::refresh_observation() {
   relabel_->setEnabled(o && !o->images[0].empty() && rig && is_pair(*rig));
   blame_->set_sentence(blame_sentence(bench_, row, o));
   const bool is_noise = row && row->ratio && *row->ratio < widgets::noise_limit(row->coordinates);
-  blame_->set_none_text(is_noise ? tr("Nothing stands out of the noise") : QString());
+  blame_->set_none_text(is_noise                                             ? tr("Nothing stands out of the noise")
+                        : row && bench_.document.session().marker_count == 1 ? cannot_be_split_text()
+                                                                             : QString());
   blame_->set_blame(row ? shown_blame(bench_, *row) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));

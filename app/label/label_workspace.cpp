@@ -63,7 +63,7 @@ WorkStatus LabelWorkspace::status() const {
   const bool any = std::any_of(s.observations.begin(), s.observations.end(),
                                [](const Observation& o) { return !o.sightings.empty(); });
   if (labelled > 0) return {WorkState::done, tr("%1 by hand").arg(labelled)};
-  if (any) return {WorkState::done, tr("labels came with it")};
+  if (any) return {WorkState::done, tr("labels included")};
   if (s.target) return {WorkState::done, tr("needs no labels")};
   return {WorkState::open, tr("%1 wanted").arg(counted(std::min(3, s.marker_count), "%n marker(s)"))};
 }
@@ -183,10 +183,11 @@ void LabelWorkspace::refresh() {
     left_loupe_->set_center(chosen->second.left.position);
     if (chosen->second.right) right_loupe_->set_center(chosen->second.right->position);
     for (const LabelCandidate& c : labeller_.candidates(marker_))
-      candidates.push_back({.index = c.corner,
-                            .position = c.position,
-                            .label = tr("%1 px, %2 m").arg(c.distance, 0, 'f', 1).arg(c.depth, 0, 'f', 2),
-                            .is_taken = c.is_taken});
+      candidates.push_back(
+          {.index = c.corner,
+           .position = c.position,
+           .label = tr("%1 px, %2 m").arg(widgets::fixed_text(c.distance, 1), widgets::fixed_text(c.depth, 2)),
+           .is_taken = c.is_taken});
   }
   right_->set_epipolar_line(std::move(line));
   right_->set_candidates(std::move(candidates));

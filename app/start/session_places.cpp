@@ -126,6 +126,8 @@ std::vector<SampleSession> sample_sessions() {
     if (!folder.empty() && fs::exists(folder / name / "session.xml"))
       list.push_back({name, title, sentence, folder / name});
   };
+  add("hidden_3", QObject::tr("Tour: the hand that hangs (Hidden 3)"),
+      QObject::tr("Justin's hand is three pixels from where it should be: what is missing? Step by step."));
   add("first_steps", QObject::tr("First steps"),
       QObject::tr("Twelve observations with images, nothing hidden: label three markers, play, export."));
   add("one_camera", QObject::tr("One camera and a printed board"),
@@ -134,8 +136,6 @@ std::vector<SampleSession> sample_sessions() {
       QObject::tr("A guided arm that sags, and three bad poses with three different causes to find."));
   add("thesis_simulation", QObject::tr("The thesis's simulation"),
       QObject::tr("Six poses, everything measured 1 cm nearer than it is: no images, labels only."));
-  add("hidden_3", QObject::tr("Hidden 3: the hand that hangs"),
-      QObject::tr("Justin's hand is three pixels from where it should be: what is missing? With a tour."));
   add("hidden_1", QObject::tr("Hidden 1: the used arm"),
       QObject::tr("In some postures it misses much more than in others. Where is it, and how large?"));
   add("hidden_2", QObject::tr("Hidden 2: the unknown corners"),

@@ -16,6 +16,7 @@
 #include "widgets/base/cells.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
+#include "widgets/images/image_contrast.h"
 
 namespace handsight::app {
 namespace {
@@ -34,7 +35,8 @@ QPixmap thumbnail_of(const std::filesystem::path& folder, double ratio) {
   if (!size.isValid()) return {};
   const QSize wanted = QSizeF(thumbnail_width * ratio, thumbnail_height * ratio).toSize();
   reader.setScaledSize(size.scaled(wanted, Qt::KeepAspectRatioByExpanding));
-  QPixmap pixmap = QPixmap::fromImage(reader.read());
+  // As bright as the images themselves are shown.
+  QPixmap pixmap = QPixmap::fromImage(widgets::with_stretched_contrast(reader.read()));
   pixmap.setDevicePixelRatio(ratio);
   return pixmap;
 }
@@ -178,7 +180,9 @@ void StartPage::make() {
   auto* name = new QLabel(tr("Handsight"), column);
   name->setFont(widgets::text_font(TextRole::number));
   list_->addWidget(name);
-  auto* lead = new QLabel(tr("Open a session, make one from your images, or try one of these."), column);
+  auto* lead = new QLabel(tr("Finds out where a robot's hand really is, and why it is not where its model says. Open a "
+                             "session, make one from your images, or try one of these."),
+                          column);
   lead->setWordWrap(true);
   list_->addWidget(lead);
   list_->addSpacing(8);

@@ -9,6 +9,8 @@
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTextDocument>
+#include <QToolTip>
 
 namespace handsight::app {
 namespace {
@@ -31,6 +33,18 @@ bool turns_by_wheel(const QObject* watched) {
          qobject_cast<const QSlider*>(watched);
 }
 
+/// A long tool tip in several lines, below what it explains and not over it. Widgets that tell by themselves what is
+/// under the pointer have no tip of their own.
+bool shows_wrapped_tip(const QObject* watched) {
+  constexpr int long_line = 60;  // letters
+  const auto* widget = qobject_cast<const QWidget*>(watched);
+  if (!widget || widget->toolTip().size() <= long_line || Qt::mightBeRichText(widget->toolTip())) return false;
+  const QString lines = widget->toolTip().toHtmlEscaped().replace('\n', "<br/>");
+  QToolTip::showText(widget->mapToGlobal(QPoint(0, widget->height() + 2)), "<qt>" + lines + "</qt>",
+                     const_cast<QWidget*>(widget), widget->rect());
+  return true;
+}
+
 }  // namespace
 
 InputManners::InputManners(QObject* parent) : QObject(parent) { qApp->installEventFilter(this); }
@@ -44,6 +58,7 @@ bool InputManners::eventFilter(QObject* watched, QEvent* event) {
     event->ignore();  // it goes on to what it stands in
     return true;
   }
+  if (event->type() == QEvent::ToolTip && shows_wrapped_tip(watched)) return true;
   return QObject::eventFilter(watched, event);
 }
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "widgets/base/number_text.h"
+
 /// Outside of any namespace, as the macro wants it: the texts lie in a static library.
 static void init_translations() { Q_INIT_RESOURCE(translations); }
 
@@ -92,6 +94,14 @@ Translation::Phrase Translation::phrase_of(const QString& source, const QString&
   return phrase;
 }
 
+/// Numbers within what is put in as this language writes them; what is no number alone (a name, a path) stays.
+static QString with_mark(QString put_in) {
+  static const QRegularExpression number("^[+\\-−±0-9.e ]+( ?(px|mm|m|rad|mrad|deg|degrees|kg|s|N m|N|%|sigma))?$"),
+      point("(\\d)\\.(\\d)");
+  if (number.match(put_in).hasMatch()) put_in.replace(point, QString("\\1") + widgets::decimal_mark() + "\\2");
+  return put_in;
+}
+
 /// What takes a place. In an error it may be the name of an element or a file, which stays what it is: only what is
 /// said of files is translated.
 QString Translation::of_place(const QString& put_in, bool is_error) const {
@@ -109,7 +119,7 @@ QString Translation::put_together(const Phrase& phrase, const QRegularExpression
       continue;
     }
     const QString put_in = match.captured(static_cast<int>(place) + 1), known = of_place(put_in, is_error);
-    text += known.isEmpty() ? put_in : known;
+    text += known.isEmpty() ? with_mark(put_in) : known;
     ++at;
   }
   return text;
@@ -144,6 +154,9 @@ void speak(QCoreApplication& application, const QString& language) {
   const QString wanted = language.isEmpty() ? QLocale::system().name().section('_', 0, 0) : language;
   if (!languages().contains(wanted)) return;
   application.installTranslator(new Translation(wanted));
+  //: what parts the whole from its decimals in a number
+  const QString mark = QCoreApplication::translate("QObject", "decimal point");
+  if (mark.size() == 1) widgets::set_decimal_mark(mark[0]);
 }
 
 }  // namespace handsight::app

@@ -82,7 +82,7 @@ void MainWindow::make_pages() {
   read_out_->add_at_end(units_);
   strip_ = new widgets::ObservationStrip(session);
   strip_->setObjectName("strip");
-  strip_->setFixedHeight(72);
+  strip_->setFixedHeight(strip_->sizeHint().height());
 
   auto* middle = new QHBoxLayout;
   middle->setSpacing(0);

@@ -9,6 +9,7 @@
 #include "readers/csv.h"
 #include "readers/stereo_calibration.h"
 #include "robot/urdf.h"
+#include "widgets/base/number_text.h"
 #include "wizard/session_wizard.h"
 #include "wizard/wizard_paths.h"
 #include "words/core_words.h"
@@ -154,10 +155,10 @@ void SessionWizard::read_calibration() {
       std::vector<std::string> notes;
       rig_ = rig_of_files(paths_of(calibration_.path), notes);
       const QString sentence =
-          rig_.count() == 1 ? tr("One camera of %1 px focal length.").arg(rig_.at(0).camera.fx, 0, 'f', 0)
-          : rig_.count() == 2
-              ? tr("Cameras %1 mm apart.").arg(1e3 * rig_.at(1).camera_from_first.translation.norm(), 0, 'f', 1)
-              : tr("%1 cameras.").arg(rig_.count());
+          rig_.count() == 1 ? tr("One camera of %1 px focal length.").arg(widgets::fixed_text(rig_.at(0).camera.fx, 0))
+          : rig_.count() == 2 ? tr("Cameras %1 mm apart.")
+                                    .arg(widgets::fixed_text(1e3 * rig_.at(1).camera_from_first.translation.norm(), 1))
+                              : tr("%1 cameras.").arg(rig_.count());
       say(calibration_, with_notes(sentence, notes), false);
     } catch (const InputError& error) {
       say(calibration_, translated_error(error), true);

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QObject>
+#include <cmath>
 
 namespace handsight::app {
 namespace {
@@ -20,6 +21,14 @@ QString translated(const std::string& english) { return said_in("core", english)
 QString translated_of_file(const std::string& english) { return said_in("errors", english); }
 
 QString translated_error(const std::exception& error) { return translated_of_file(error.what()); }
+
+QString short_number(double value, int digits) {
+  int before = value != 0 ? static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1 : 1;
+  if (std::round(std::abs(value) * std::pow(10, digits - before)) >= std::pow(10, digits)) ++before;  // 0.996 is 1.0
+  const QString mark = QObject::tr("decimal point");  // the mark itself where it is translated
+  QString text = QString::number(value, 'f', std::max(digits - before, 0));
+  return mark.size() == 1 ? text.replace('.', mark) : text;
+}
 
 QString within_sentence(QString title) {
   // As Qt asks for the direction of writing: what the translation of a text is tells of the language.

@@ -16,6 +16,9 @@ QString translated(const std::string& english);
 QString translated_of_file(const std::string& english);
 QString translated_error(const std::exception& error);
 
+/// So many digits of a number, with the decimal mark of the window's language: 9.1, 0.24, 1200.
+QString short_number(double value, int digits = 2);
+
 /// A title as it stands within a sentence: English begins it small, a language that writes its nouns with a capital
 /// leaves it.
 QString within_sentence(QString title);

@@ -85,10 +85,6 @@
         <translation>beim Rauschen, durch einen Ersatz</translation>
     </message>
     <message>
-        <source>follows nothing</source>
-        <translation>folgt nichts</translation>
-    </message>
-    <message>
         <source>no plausible cause</source>
         <translation>keine plausible Ursache</translation>
     </message>
@@ -135,10 +131,6 @@
     <message>
         <source>At the noise, but by something that stands in</source>
         <translation>Beim Rauschen, aber durch einen Ersatz</translation>
-    </message>
-    <message>
-        <source>More than noise, and it follows nothing</source>
-        <translation>Mehr als Rauschen, und es folgt nichts</translation>
     </message>
     <message>
         <source>Without three markers or repeated poses the noise is unknown, so the program cannot say when to stop.</source>
@@ -399,10 +391,6 @@
     <message>
         <source>%1 excluded</source>
         <translation>%1 ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>%1 from last</source>
-        <translation>%1 vom letzten</translation>
     </message>
     <message>
         <source>%1 gives way by %2 %3 for each %4: %5 at most here, so %6.</source>
@@ -772,10 +760,6 @@
         <translation>, kein Bild</translation>
     </message>
     <message>
-        <source>, noise </source>
-        <translation>, Rauschen </translation>
-    </message>
-    <message>
         <source>, not added</source>
         <translation>, nicht hinzugefügt</translation>
     </message>
@@ -810,10 +794,6 @@
     <message>
         <source>1 lies</source>
         <translation>liegt 1</translation>
-    </message>
-    <message>
-        <source>10 times or more</source>
-        <translation>zehnfach oder mehr</translation>
     </message>
     <message>
         <source>3D view</source>
@@ -1014,10 +994,6 @@
     <message>
         <source>Back to the candidates</source>
         <translation>Zurück zu den Kandidaten</translation>
-    </message>
-    <message>
-        <source>Back to the patterns</source>
-        <translation>Zurück zu den Mustern</translation>
     </message>
     <message>
         <source>Base</source>
@@ -1241,7 +1217,7 @@
     </message>
     <message>
         <source>Error now, noise floor, ratio</source>
-        <translation>Fehler jetzt, Rauschboden, Verhältnis</translation>
+        <translation>Fehler jetzt, Rauschgrenze, Verhältnis</translation>
     </message>
     <message>
         <source>Error of each observation against the noise (hatched: what noise alone shows)</source>
@@ -1406,10 +1382,6 @@
     <message>
         <source>Hidden 2: the unknown corners</source>
         <translation>Versteckt 2: die unbekannten Ecken</translation>
-    </message>
-    <message>
-        <source>Hidden 3: the hand that hangs</source>
-        <translation>Versteckt 3: die Hand, die hängt</translation>
     </message>
     <message>
         <source>Hidden 4: after the weekend</source>
@@ -1636,10 +1608,6 @@
         <translation>Justin, von Hand geführt. Beim Test am Morgen stimmte alles.</translation>
     </message>
     <message>
-        <source>Justin's hand is three pixels from where it should be: what is missing? With a tour.</source>
-        <translation>Justins Hand ist drei Pixel von dort, wo sie sein sollte: was fehlt? Mit Rundgang.</translation>
-    </message>
-    <message>
         <source>Label</source>
         <translation>Markieren</translation>
     </message>
@@ -1794,10 +1762,6 @@
     <message>
         <source>Next unit of sizes</source>
         <translation>Nächste Einheit der Größen</translation>
-    </message>
-    <message>
-        <source>More views of the same residuals. Click one to see it large; Shift and drag to ask what some observations have in common.</source>
-        <translation>Weitere Ansichten desselben Rests. Ein Klick macht eine groß; Umschalt und Ziehen fragt, was Beobachtungen gemeinsam haben.</translation>
     </message>
     <message>
         <source>Nine patterns of the residual</source>
@@ -2056,10 +2020,6 @@
         <translation>Sitzung öffnen</translation>
     </message>
     <message>
-        <source>Open a session, make one from your images, or try one of these.</source>
-        <translation>Öffne eine Sitzung, mache eine aus deinen Bildern, oder probiere eine von diesen.</translation>
-    </message>
-    <message>
         <source>Open a session…</source>
         <translation>Sitzung öffnen…</translation>
     </message>
@@ -2086,10 +2046,6 @@
     <message>
         <source>Opens the observation in Label</source>
         <translation>Öffnet die Beobachtung unter Markieren</translation>
-    </message>
-    <message>
-        <source>Order changed, sort again</source>
-        <translation>Reihenfolge anders, neu ordnen</translation>
     </message>
     <message>
         <source>Order changed: sort again</source>
@@ -2584,10 +2540,6 @@
         <translation>Der Fehler jeder Fassung des Modells kommt hierher.</translation>
     </message>
     <message>
-        <source>The error of one coordinate on observations that the fit has not seen, and the measurement's noise.</source>
-        <translation>Der Fehler einer Koordinate auf ungesehenen Beobachtungen, und das Rauschen der Messung.</translation>
-    </message>
-    <message>
         <source>The error that would be left on observations that the fit has not seen: %1. Today %2; the noise (hatched) is %3.</source>
         <translation>Der Fehler, der auf ungesehenen Beobachtungen bliebe: %1. Heute %2; das Rauschen (schraffiert) ist %3.</translation>
     </message>
@@ -2698,18 +2650,6 @@
     <message>
         <source>The residual against what it may follow, strongest first</source>
         <translation>Der Rest gegen das, dem er folgen kann, das Stärkste zuerst</translation>
-    </message>
-    <message>
-        <source>The residual of every corner comes here.</source>
-        <translation>Der Rest jeder Ecke kommt hierher.</translation>
-    </message>
-    <message>
-        <source>The residual of every corner, at first and now, on the same axes; the rings are one and three sigma</source>
-        <translation>Der Rest jeder Ecke, zuerst und jetzt, auf denselben Achsen; die Ringe sind ein und drei Sigma</translation>
-    </message>
-    <message>
-        <source>The residual of every corner; the rings are one and three sigma</source>
-        <translation>Der Rest jeder Ecke; die Ringe sind ein und drei Sigma</translation>
     </message>
     <message>
         <source>The residuals against what they may follow come here.</source>
@@ -2990,10 +2930,6 @@
     <message>
         <source>What was done</source>
         <translation>Was getan wurde</translation>
-    </message>
-    <message>
-        <source>Where does it fail? The residual of every observation against what it follows most. Noise would stay within the grey band; hold N to see how noise alone would look.</source>
-        <translation>Wo liegt es daneben? Der Rest jeder Beobachtung gegen das, dem er am meisten folgt. Rauschen bliebe im grauen Band; halte N, um Rauschen allein zu sehen.</translation>
     </message>
     <message>
         <source>Where from…</source>
@@ -3412,10 +3348,6 @@
         <translation>Beobachtung %1 markiert</translation>
     </message>
     <message>
-        <source>labels came with it</source>
-        <translation>Marken waren dabei</translation>
-    </message>
-    <message>
         <source>left</source>
         <translation>links</translation>
     </message>
@@ -3508,16 +3440,8 @@
         <translation>braucht keine</translation>
     </message>
     <message>
-        <source>needs no play</source>
-        <translation>braucht kein Abspielen</translation>
-    </message>
-    <message>
         <source>noise</source>
         <translation>Rauschen</translation>
-    </message>
-    <message>
-        <source>noise %1</source>
-        <translation>Rauschen %1</translation>
     </message>
     <message>
         <source>noise alone, before and after</source>
@@ -3525,7 +3449,7 @@
     </message>
     <message>
         <source>noise floor</source>
-        <translation>Rauschboden</translation>
+        <translation>Rauschgrenze</translation>
     </message>
     <message>
         <source>noise unknown</source>
@@ -3630,10 +3554,6 @@
     <message>
         <source>odd</source>
         <translation>auffällig</translation>
-    </message>
-    <message>
-        <source>of the noise</source>
-        <translation>des Rauschens</translation>
     </message>
     <message>
         <source>off</source>
@@ -4355,7 +4275,7 @@
     </message>
     <message>
         <source>adequate</source>
-        <translation>angemessen</translation>
+        <translation>ausreichend</translation>
     </message>
     <message>
         <source>ambiguous</source>
@@ -4684,10 +4604,6 @@
     <message>
         <source>The residuals follow nothing here, or there is no fit.</source>
         <translation>Die Residuen folgen hier nichts, oder es gibt keine Anpassung.</translation>
-    </message>
-    <message>
-        <source>%1 from the first</source>
-        <translation>%1 ab der ersten</translation>
     </message>
     <message>
         <source>Slips in the model of the open session are left out: they came at observations of its own.</source>
@@ -5048,6 +4964,214 @@
     <message>
         <source>a new session from a ROS 2 bag, Kalibr, camera_info, easy_handeye or tables</source>
         <translation>eine neue Sitzung aus einem ROS-2-Bag, Kalibr, camera_info, easy_handeye oder Tabellen</translation>
+    </message>
+    <message>
+        <source>labels included</source>
+        <translation>Marken sind dabei</translation>
+    </message>
+    <message>
+        <source>Next: measure more observations.</source>
+        <translation>Als Nächstes: mehr Beobachtungen messen.</translation>
+    </message>
+    <message>
+        <source>Next: measure poses that tell the two apart; Explain plans them.</source>
+        <translation>Als Nächstes: Stellungen messen, die beide unterscheiden; Erklären plant sie.</translation>
+    </message>
+    <message>
+        <source>Next: add %1 to the model.</source>
+        <translation>Als Nächstes: %1 ins Modell aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Next: look for another cause; %1 would lower the error, but no robot is built so.</source>
+        <translation>Als Nächstes: eine andere Ursache suchen; %1 würde den Fehler senken, aber so ist kein Roboter gebaut.</translation>
+    </message>
+    <message>
+        <source>Next: declare the noise (sigma), or repeat some poses.</source>
+        <translation>Als Nächstes: das Rauschen angeben (sigma) oder einige Stellungen wiederholen.</translation>
+    </message>
+    <message>
+        <source>Next: look at what is left and at what it follows.</source>
+        <translation>Als Nächstes: ansehen, was übrig ist und wovon es abhängt.</translation>
+    </message>
+    <message>
+        <source>Next: use it. The numbers stand below and in the XML.</source>
+        <translation>Als Nächstes: verwenden. Die Zahlen stehen unten und im XML.</translation>
+    </message>
+    <message>
+        <source>The bill: what each cause is worth at the hand (rms)</source>
+        <translation>Die Rechnung: was jede Ursache an der Hand ausmacht (rms)</translation>
+    </message>
+    <message>
+        <source>At the hand</source>
+        <translation>An der Hand</translation>
+    </message>
+    <message>
+        <source>What to know of it</source>
+        <translation>Was dazu zu wissen ist</translation>
+    </message>
+    <message>
+        <source>The residual of every corner</source>
+        <translation>Der Rest jeder Ecke</translation>
+    </message>
+    <message>
+        <source>The residual of every marker</source>
+        <translation>Der Rest jedes Markers</translation>
+    </message>
+    <message>
+        <source>%1; the rings are one and three sigma</source>
+        <translation>%1; die Ringe sind ein und drei Sigma</translation>
+    </message>
+    <message>
+        <source>%1, at first and now, on the same axes; the rings are one and three sigma</source>
+        <translation>%1, zuerst und jetzt, auf denselben Achsen; die Ringe sind ein und drei Sigma</translation>
+    </message>
+    <message>
+        <source>nothing to play</source>
+        <translation>nichts abzuspielen</translation>
+    </message>
+    <message>
+        <source>Tour: the hand that hangs (Hidden 3)</source>
+        <translation>Rundgang: die hängende Hand (Hidden 3)</translation>
+    </message>
+    <message>
+        <source>Justin's hand is three pixels from where it should be: what is missing? Step by step.</source>
+        <translation>Justins Hand ist drei Pixel von dort, wo sie sein sollte: Was fehlt? Schritt für Schritt.</translation>
+    </message>
+    <message>
+        <source>Finds out where a robot's hand really is, and why it is not where its model says. Open a session, make one from your images, or try one of these.</source>
+        <translation>Findet heraus, wo die Hand eines Roboters wirklich ist und warum sie nicht dort ist, wo sein Modell sie hat. Öffne eine Sitzung, lege eine aus deinen Bildern an, oder versuche eine von diesen.</translation>
+    </message>
+    <message>
+        <source>Where does it fail, and why? Every observation against what the likeliest cause follows: the points lie on its curve. Hold N to see how noise alone would look.</source>
+        <translation>Wo versagt es, und warum? Jede Beobachtung über dem, wovon die wahrscheinlichste Ursache abhängt: Die Punkte liegen auf ihrer Kurve. N gedrückt halten zeigt, wie Rauschen allein aussähe.</translation>
+    </message>
+    <message>
+        <source>Other patterns of the same residuals are in this tab. Click one to see it large; Shift and drag to ask what some observations have in common.</source>
+        <translation>Andere Muster derselben Reste stehen in diesem Reiter. Ein Klick zeigt eines groß; Umschalt und Ziehen fragt, was einige Beobachtungen gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>looks random</source>
+        <translation>sieht zufällig aus</translation>
+    </message>
+    <message>
+        <source>The proof</source>
+        <translation>Der Beweis</translation>
+    </message>
+    <message>
+        <source>Other patterns</source>
+        <translation>Andere Muster</translation>
+    </message>
+    <message>
+        <source>Show strongest first</source>
+        <translation>Stärkste zuerst zeigen</translation>
+    </message>
+    <message>
+        <source>What is left of every point comes here.</source>
+        <translation>Hier steht, was von jedem Punkt übrig bleibt.</translation>
+    </message>
+    <message>
+        <source>The remaining error looks random</source>
+        <translation>Der restliche Fehler sieht zufällig aus</translation>
+    </message>
+    <message>
+        <source>Cannot be split with one marker</source>
+        <translation>Mit einem Marker nicht aufzuteilen</translation>
+    </message>
+    <message>
+        <source>a spring that pushes back: it stands in for another cause</source>
+        <translation>eine Feder, die zurückdrückt: Sie vertritt eine andere Ursache</translation>
+    </message>
+    <message>
+        <source>larger than robots are built: it stands in for another cause</source>
+        <translation>größer, als Roboter gebaut sind: Sie vertritt eine andere Ursache</translation>
+    </message>
+    <message>
+        <source>held, not estimated</source>
+        <translation>festgehalten, nicht geschätzt</translation>
+    </message>
+    <message>
+        <source>no name in the catalogue</source>
+        <translation>kein Name im Katalog</translation>
+    </message>
+    <message>
+        <source>sure to %1 %</source>
+        <translation>zu %1 % sicher</translation>
+    </message>
+    <message>
+        <source>decimal point</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>change from the first (%1)</source>
+        <translation>Änderung gegenüber dem Ersten (%1)</translation>
+    </message>
+    <message>
+        <source>change from final (%1)</source>
+        <translation>Abstand vom Endwert (%1)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Das Bild speichern</translation>
+    </message>
+    <message>
+        <source>The bill of the model</source>
+        <translation>Die Rechnung des Modells</translation>
+    </message>
+    <message>
+        <source>No cause is in the model.</source>
+        <translation>Keine Ursache ist im Modell.</translation>
+    </message>
+    <message>
+        <source>%1: %2 at the hand. %3</source>
+        <translation>%1: %2 an der Hand. %3</translation>
+    </message>
+    <message>
+        <source>noise:</source>
+        <translation>Rauschen:</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>einmal</translation>
+    </message>
+    <message>
+        <source>twice</source>
+        <translation>zweimal</translation>
+    </message>
+    <message>
+        <source>three times</source>
+        <translation>dreimal</translation>
+    </message>
+    <message>
+        <source>%1 has an error that repeats %2 a turn</source>
+        <translation>%1 hat einen Fehler, der sich %2 je Umdrehung wiederholt</translation>
+    </message>
+    <message>
+        <source>An error of %1 that repeats %2 a turn</source>
+        <translation>Ein Fehler von %1, der sich %2 je Umdrehung wiederholt</translation>
+    </message>
+    <message>
+        <source>%1 (± %2)</source>
+        <translation>%1 (± %2)</translation>
+    </message>
+    <message>
+        <source>error of the hand (mm)</source>
+        <translation>Fehler der Hand (mm)</translation>
+    </message>
+    <message>
+        <source>told from all others</source>
+        <translation>von allen anderen unterschieden</translation>
+    </message>
+    <message>
+        <source>not told from %1</source>
+        <translation>nicht unterschieden von %1</translation>
+    </message>
+    <message>
+        <source>plausible</source>
+        <translation>plausibel</translation>
     </message>
 </context>
 <context>
@@ -5846,8 +5970,8 @@
         <translation>%1 brauchbare Beobachtungen lassen %2 Freiheitsgrade neben %3 Parametern; eine Diagnose braucht mindestens 10 Beobachtungen und doppelt so viele Freiheitsgrade wie Parameter: miss mehr Stellungen.</translation>
     </message>
     <message>
-        <source>%1, in the pose of observation %2</source>
-        <translation>%1, in der Stellung von Beobachtung %2</translation>
+        <source>%1 (pose %2)</source>
+        <translation>%1 (Stellung %2)</translation>
     </message>
     <message>
         <source>%1, moved from %2 to %3 mm, moves</source>
@@ -5858,8 +5982,8 @@
         <translation>%1, von %2 auf %3 Grad gedreht, dreht sich</translation>
     </message>
     <message>
-        <source>1 kg makes the hand drop by</source>
-        <translation>1 kg senkt die Hand um</translation>
+        <source>Hang 1 kg on the hand: it should sag</source>
+        <translation>Hänge 1 kg an die Hand: sie sollte</translation>
     </message>
     <message>
         <source>Inside: %1, but so would nothing be. The check was too coarse to tell.</source>
@@ -5998,6 +6122,10 @@
         <translation>ab Beobachtung %1</translation>
     </message>
     <message>
+        <source>further</source>
+        <translation>weiter durchhängen</translation>
+    </message>
+    <message>
         <source>from one side to the other</source>
         <translation>von der einen Seite zur anderen</translation>
     </message>
@@ -6086,10 +6214,6 @@
         <translation>Markerkörper</translation>
     </message>
     <message>
-        <source>more than the model has</source>
-        <translation>mehr als im Modell</translation>
-    </message>
-    <message>
         <source>mount</source>
         <translation>Sitz</translation>
     </message>
@@ -6124,6 +6248,10 @@
     <message>
         <source>off the epipolar line</source>
         <translation>neben der Epipolarlinie</translation>
+    </message>
+    <message>
+        <source>none of the %1 markers has a corner pair near where it must be (%2 epipolar pairs in the images)</source>
+        <translation>keiner der %1 Marker hat ein Eckenpaar nahe der Stelle, an der er sein muss (%2 Epipolarpaare in den Bildern)</translation>
     </message>
     <message>
         <source>only %1 of %2 markers have a corner pair near where they must be (%3 epipolar pairs in the images)</source>
@@ -6516,6 +6644,226 @@
     <message>
         <source>%1 waits for its %2 image, with the number %3 in its name.</source>
         <translation>%1 wartet auf sein Bild %2, mit der Nummer %3 im Namen.</translation>
+    </message>
+    <message>
+        <source>The board's points are counted from the other corner in the images of the camera %1 than in those of %2.</source>
+        <translation>In den Bildern der Kamera %1 sind die Punkte des Bretts von einer anderen Ecke aus gezählt als in denen von %2.</translation>
+    </message>
+    <message>
+        <source>%1 are in millimetres, where metres are expected.</source>
+        <translation>%1 sind in Millimetern, wo Meter erwartet werden.</translation>
+    </message>
+    <message>
+        <source>Write %1 in %2 in metres (a thousandth).</source>
+        <translation>Schreibe %1 in %2 in Metern (ein Tausendstel).</translation>
+    </message>
+    <message>
+        <source>In %1 write %2 %3 %4 in place of the readings of %5.</source>
+        <translation>Schreibe in %1 %2 %3 %4 anstelle der Ablesungen von %5.</translation>
+    </message>
+    <message>
+        <source>Write tcp="%1" and mount="%2" into %3.</source>
+        <translation>Schreibe tcp="%1" und mount="%2" in %3.</translation>
+    </message>
+    <message>
+        <source>In %1 give each observation the robot's readings of the one %2 place%3 %4 (leave out the %5 %6 of the table of the robot that it was made of).</source>
+        <translation>Gib in %1 jeder Beobachtung die Ablesungen des Roboters, die um %2 Zeilen %4 stehen (lass %5 %6 der Tabelle des Roboters aus, aus der sie entstand).</translation>
+    </message>
+    <message>
+        <source>Invert each &lt;flange_pose&gt; in %1 (each pose in the table of the flange), or convert %2 --eye-on-base.</source>
+        <translation>Kehre jede &lt;flange_pose&gt; in %1 um (jede Pose der Tabelle des Flansches), oder convert %2 --eye-on-base.</translation>
+    </message>
+    <message>
+        <source>The quaternions of %1 have w %2; they were read with w %3.</source>
+        <translation>Die Quaternionen von %1 haben w %2; gelesen wurden sie mit w %3.</translation>
+    </message>
+    <message>
+        <source>In %1 bring the quaternions of %2 into the order x y z w (in the table that they come from name the columns %3).</source>
+        <translation>Bring in %1 die Quaternionen von %2 in die Reihenfolge x y z w (benenne in der Tabelle, aus der sie kommen, die Spalten %3).</translation>
+    </message>
+    <message>
+        <source>rotation vectors, and were read as roll pitch yaw</source>
+        <translation>Drehvektoren und wurden als roll pitch yaw gelesen</translation>
+    </message>
+    <message>
+        <source>roll pitch yaw, and were read as rotation vectors</source>
+        <translation>roll pitch yaw und wurden als Drehvektoren gelesen</translation>
+    </message>
+    <message>
+        <source>turns about the moving axes x, y, z, and were read as roll pitch yaw</source>
+        <translation>Drehungen um die mitgedrehten Achsen x, y, z und wurden als roll pitch yaw gelesen</translation>
+    </message>
+    <message>
+        <source>turns about z first, then y, x, and were read as roll pitch yaw</source>
+        <translation>Drehungen zuerst um z, dann y, x und wurden als roll pitch yaw gelesen</translation>
+    </message>
+    <message>
+        <source>turns about z, y, z, and were read as roll pitch yaw</source>
+        <translation>Drehungen um z, y, z und wurden als roll pitch yaw gelesen</translation>
+    </message>
+    <message>
+        <source>turn the three numbers into quaternions as rotation vectors (axis times angle)</source>
+        <translation>mache aus den drei Zahlen Quaternionen, als Drehvektoren (Achse mal Winkel)</translation>
+    </message>
+    <message>
+        <source>turn the three numbers into quaternions as roll pitch yaw (fixed axes x, y, z)</source>
+        <translation>mache aus den drei Zahlen Quaternionen, als roll pitch yaw (feste Achsen x, y, z)</translation>
+    </message>
+    <message>
+        <source>turn the three numbers into quaternions as Rx(1st) Ry(2nd) Rz(3rd)</source>
+        <translation>mache aus den drei Zahlen Quaternionen als Rx(1.) Ry(2.) Rz(3.)</translation>
+    </message>
+    <message>
+        <source>turn the three numbers into quaternions as Rz(1st) Ry(2nd) Rx(3rd)</source>
+        <translation>mache aus den drei Zahlen Quaternionen als Rz(1.) Ry(2.) Rx(3.)</translation>
+    </message>
+    <message>
+        <source>turn the three numbers into quaternions as Rz(1st) Ry(2nd) Rz(3rd)</source>
+        <translation>mache aus den drei Zahlen Quaternionen als Rz(1.) Ry(2.) Rz(3.)</translation>
+    </message>
+    <message>
+        <source>The rotations of %1 are %2.</source>
+        <translation>Die Drehungen von %1 sind %2.</translation>
+    </message>
+    <message>
+        <source>In the table that %1 of %2 come from, %3.</source>
+        <translation>In der Tabelle, aus der %1 von %2 kommen: %3.</translation>
+    </message>
+    <message>
+        <source>the images of %1 are taken for those of camera %2</source>
+        <translation>die Bilder von %1 gelten als die der Kamera %2</translation>
+    </message>
+    <message>
+        <source>the images of camera %1 have other times than those of camera %2; each is taken as of the moment of the nearest one. A board that moved between is seen at two places</source>
+        <translation>die Bilder der Kamera %1 haben andere Zeiten als die der Kamera %2; jedes gilt als vom Augenblick des nächsten. Ein Brett, das sich dazwischen bewegt hat, wird an zwei Orten gesehen</translation>
+    </message>
+    <message>
+        <source>camera %1 has no image of %2 of the %3 moments</source>
+        <translation>Kamera %1 hat von %2 der %3 Augenblicke kein Bild</translation>
+    </message>
+    <message>
+        <source>%1 files are no images by their names and were left out</source>
+        <translation>%1 Dateien sind ihren Namen nach keine Bilder und wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>The %1 on %2 %3 %4 that the robot moves on %5.</source>
+        <translation>Auf %2: %1. Bewegt wird %4 auf %5 vom Roboter.</translation>
+    </message>
+    <message>
+        <source>The robot moves the %1 on %2 over %3 on %4.</source>
+        <translation>Der Roboter bewegt %1 auf %2 über %3 auf %4.</translation>
+    </message>
+    <message>
+        <source>The robot moves both the %1 on %2 and %3 on %4.</source>
+        <translation>Der Roboter bewegt beides: %1 auf %2 und %3 auf %4.</translation>
+    </message>
+    <message>
+        <source>Fix the camera where it sees the hand in many postures, and fasten the target to the hand so that it cannot slip; turn the hand as far as the target can be seen.</source>
+        <translation>Befestige die Kamera dort, wo sie die Hand in vielen Stellungen sieht, und das Ziel so an der Hand, dass es nicht rutschen kann; drehe die Hand so weit, wie das Ziel zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Fasten the camera to the hand and lay the target on the table where nothing moves it; look at it from all sides, near and far, and turn the hand about the line of sight.</source>
+        <translation>Befestige die Kamera an der Hand und lege das Ziel dorthin auf den Tisch, wo nichts es bewegt; sieh es von allen Seiten an, nah und fern, und drehe die Hand um die Blickrichtung.</translation>
+    </message>
+    <message>
+        <source>Name the link that carries the camera and the link that carries the target; a measured joint must lie between them.</source>
+        <translation>Nenne das Glied, das die Kamera trägt, und das Glied, das das Ziel trägt; dazwischen muss ein gemessenes Gelenk liegen.</translation>
+    </message>
+    <message>
+        <source>Images show the tag %1 several times (in %2 observation%3); which of them is meant nothing tells, and it is left out there.</source>
+        <translation>Bilder zeigen das Tag %1 mehrmals (in %2 Beobachtungen); welches gemeint ist, sagt nichts, und dort wird es ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The %1 is found in %2 of %3 observations with images.</source>
+        <translation>%1: gefunden in %2 von %3 Beobachtungen mit Bildern.</translation>
+    </message>
+    <message>
+        <source>It is not found in %1 observations, first in %2.</source>
+        <translation>Nicht gefunden ist es in %1 Beobachtungen, zuerst in %2.</translation>
+    </message>
+    <message>
+        <source>%1 points and %2 tags did not agree with the rest of the target and are left out.</source>
+        <translation>%1 Punkte und %2 Tags stimmten nicht mit dem übrigen Ziel überein und sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>the flat target's pose flipped to its mirror tilt</source>
+        <translation>die Pose des flachen Ziels sprang in seine gespiegelte Neigung</translation>
+    </message>
+    <message>
+        <source>%1 point%2 of the target %3 not enough to say where it is</source>
+        <translation>%1 Punkte des Ziels genügen nicht, um zu sagen, wo es ist</translation>
+    </message>
+    <message>
+        <source>the points do not lie to each other as on the target: %1 %2 rms beside the best pose</source>
+        <translation>die Punkte liegen nicht zueinander wie auf dem Ziel: %1 %2 (rms) neben der besten Pose</translation>
+    </message>
+    <message>
+        <source>%1 image points lie outside the image of %2 x %3 px, first in observation %4</source>
+        <translation>%1 Bildpunkte liegen außerhalb des Bildes von %2 x %3 px, zuerst in Beobachtung %4</translation>
+    </message>
+    <message>
+        <source>the %1 points of a target</source>
+        <translation>die %1 Punkte eines Ziels</translation>
+    </message>
+    <message>
+        <source>its tags were read, but none of its corners is clear enough</source>
+        <translation>seine Tags wurden gelesen, aber keine seiner Ecken ist deutlich genug</translation>
+    </message>
+    <message>
+        <source>of %1 X-corners none form the whole board of %2 x %3</source>
+        <translation>von %1 X-Ecken bilden keine das ganze Brett aus %2 x %3</translation>
+    </message>
+    <message>
+        <source>none of its tags was found</source>
+        <translation>keines seiner Tags wurde gefunden</translation>
+    </message>
+    <message>
+        <source>tags were read, but none clearly enough</source>
+        <translation>Tags wurden gelesen, aber keines deutlich genug</translation>
+    </message>
+    <message>
+        <source>Two of the markers are the same corner (sides %1 mm); take another corner.</source>
+        <translation>Zwei der Marker sind dieselbe Ecke (Seiten %1 mm); nimm eine andere Ecke.</translation>
+    </message>
+    <message>
+        <source>where a whole region of poses is held out, the error rises from %1 to %2</source>
+        <translation>wo ein ganzer Bereich von Stellungen ungesehen bleibt, steigt der Fehler von %1 auf %2</translation>
+    </message>
+    <message>
+        <source>What is left is finer than any sensor measures, as in a session that was computed without noise; %1 %2 are taken for its noise.</source>
+        <translation>Was übrig ist, ist feiner, als ein Sensor misst, wie in einer Sitzung, die ohne Rauschen gerechnet wurde; als Rauschen gelten %1 %2.</translation>
+    </message>
+    <message>
+        <source>The model does not fit down to the noise, so what it leaves is reckoned as noise; find what is missing first (handsight-cli diagnose) and give it with --effects.</source>
+        <translation>Das Modell passt nicht bis auf das Rauschen, also gilt, was es übrig lässt, als Rauschen; suche zuerst, was fehlt (handsight-cli diagnose), und gib es mit --effects an.</translation>
+    </message>
+    <message>
+        <source>Only %1 of %2 poses lie %3 rad or more away from the others and from those that were taken.</source>
+        <translation>Nur %1 von %2 Stellungen liegen %3 rad oder mehr von den anderen und von den aufgenommenen entfernt.</translation>
+    </message>
+    <message>
+        <source>rotation vectors (axis times angle)</source>
+        <translation>Drehvektoren (Achse mal Winkel)</translation>
+    </message>
+    <message>
+        <source>roll, pitch, yaw (turns about the fixed axes x, y, z)</source>
+        <translation>roll, pitch, yaw (Drehungen um die festen Achsen x, y, z)</translation>
+    </message>
+    <message>
+        <source>turns about z, then the new y, then the new x (A B C of KUKA)</source>
+        <translation>Drehungen um z, dann das neue y, dann das neue x (A B C von KUKA)</translation>
+    </message>
+    <message>
+        <source>turns about z, then the new y, then the new z (O A T of Kawasaki)</source>
+        <translation>Drehungen um z, dann das neue y, dann das neue z (O A T von Kawasaki)</translation>
+    </message>
+    <message>
+        <source>turns about x, then the new y, then the new z (RX RY RZ of Staubli)</source>
+        <translation>Drehungen um x, dann das neue y, dann das neue z (RX RY RZ von Stäubli)</translation>
+    </message>
+    <message>
+        <source>%1 degrees and %2 mm</source>
+        <translation>%1 Grad und %2 mm</translation>
     </message>
 </context>
 <context>

@@ -50,8 +50,7 @@ TEST(CandidateCard, HoverTriesAndEnterAdds) {
 
 CardState card_with_a_check() {
   CardState card = test::elasticity_card();
-  card.check_number =
-      CardCheck{"In the pose of observation 37 1 kg makes the hand drop by 1.40 ± 0.20 mm.", "mm", {}, {}};
+  card.check_number = CardCheck{"Hang 1 kg on the hand: it should sag 1.40 ± 0.20 mm further (pose 37).", "mm", {}, {}};
   return card;
 }
 

@@ -10,6 +10,8 @@ namespace {
 
 const QString kUnknown = QStringLiteral("-");
 
+QChar mark = u'.';
+
 bool is_known(std::optional<double> value) { return value && std::isfinite(*value); }
 
 QString with_true_minus(QString text) { return text.replace(QLatin1Char('-'), QChar(0x2212)); }
@@ -35,12 +37,20 @@ QString times_power(double value, int exponent, int decimals) {
 
 }  // namespace
 
+void set_decimal_mark(QChar m) { mark = m; }
+QChar decimal_mark() { return mark; }
+
+QString with_decimal_point(QString typed) {
+  if (!typed.contains(u'.')) typed.replace(u',', u'.');
+  return typed.replace(QChar(0x2212), u'-');
+}
+
 QString fixed_text(std::optional<double> value, int decimals) {
   if (!is_known(value)) return kUnknown;
   QString text = QString::number(*value, 'f', std::max(decimals, 0));
   const bool is_zero = std::none_of(text.begin(), text.end(), [](QChar c) { return c.isDigit() && c != u'0'; });
   if (is_zero && text.startsWith(QLatin1Char('-'))) text.remove(0, 1);
-  return with_true_minus(text);
+  return with_true_minus(text).replace(u'.', mark);
 }
 
 QString short_text(std::optional<double> value, int digits) {
@@ -54,9 +64,9 @@ QString short_text(std::optional<double> value, int digits) {
 /// 1.200 as 1.2 and 47.00 as 47: a number that is exact shows no doubt of its last digits.
 static QString exact_text(double value) {
   QString text = short_text(value, 4);
-  if (!text.contains('.') || text.contains(QChar(0x00B7))) return text;
+  if (!text.contains(mark) || text.contains(QChar(0x00B7))) return text;
   while (text.endsWith('0')) text.chop(1);
-  if (text.endsWith('.')) text.chop(1);
+  if (text.endsWith(mark)) text.chop(1);
   return text;
 }
 

@@ -9,6 +9,12 @@
 
 namespace handsight::widgets {
 
+/// What parts the whole from its decimals in all of these texts: a comma in some languages. A point at first.
+void set_decimal_mark(QChar mark);
+QChar decimal_mark();
+/// A number as somebody typed it, as programs read it: with a point, and a plain minus.
+QString with_decimal_point(QString typed);
+
 /// With so many digits after the point; never "-0.00", "nan" or an exponent.
 QString fixed_text(std::optional<double> value, int decimals);
 

@@ -47,7 +47,7 @@ Colors dark_colors() {
   c.good_tint = mixed(c.panel, c.good, 0.12), c.care_tint = mixed(c.panel, c.care, 0.12);
   c.bad_tint = mixed(c.panel, c.bad, 0.12);
   c.candidate = rgb(0xC493E6);
-  c.residual = {rgb(0x39414A), rgb(0x5A6570), rgb(0x9C6420), rgb(0xD38A2E), rgb(0xF3BF66), rgb(0xFFF3CF)};
+  c.residual = {rgb(0x39414A), rgb(0x5A6570), rgb(0x9C6420), rgb(0xD38A2E), rgb(0xF3BF66), rgb(0xFFF07A)};
   c.signed_scale = {rgb(0x8CC6FF), rgb(0x3E7CB1), rgb(0x2A3037), rgb(0xB06A2C), rgb(0xFFB877)};
   c.blame_cameras = rgb(0x7CC8F2), c.blame_body = rgb(0x6F8F2A), c.blame_robot = rgb(0xF2F4F6);
   c.xyz_curves = {rgb(0xE8463E), rgb(0xB0F094), rgb(0x6F9BFF)};

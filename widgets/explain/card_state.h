@@ -22,7 +22,7 @@ struct ErrorLeft {
 
 /// A check with the real robot as numbers: predicted, measured, and what that says.
 struct CardCheck {
-  QString prediction;  // "In the pose of observation 37 1 kg makes the hand drop by 1.40 ± 0.20 mm more than ..."
+  QString prediction;  // "Hang 1 kg on the hand: it should sag 1.40 ± 0.20 mm further (pose 37)."
   QString unit;        // of what is typed
   QString measured;    // "1.30 ± 0.05"; empty: nothing yet
   QString answer;      // "Inside: 0.5 sigma from the prediction. That speaks for this cause."

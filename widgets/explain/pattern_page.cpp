@@ -47,9 +47,10 @@ PatternPage::Range PatternPage::range_of(const PatternPlot& plot) {
   for (const ScatterPoint& point : plot.points) {
     r.left = std::min(r.left, point.x);
     r.right = std::max(r.right, point.x);
-    r.low = std::min(r.low, point.y);
-    r.high = std::max(r.high, point.y);
   }
+  const Span most = span_of_most(plot.points);
+  r.low = most.low;
+  r.high = most.high;
   if (plot.points.empty()) r = {0, 1, -1, 1};
   const double floor = kSigmas * plot.noise.value_or(0);  // noise alone never fills the plot
   r.low = std::min(r.low, -floor);

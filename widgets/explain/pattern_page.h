@@ -89,6 +89,7 @@ class PatternPage : public QWidget {
   void paint_curves(QPainter& painter, int place) const;
   void paint_points(QImage& image, int place, const std::vector<DotStamp>& stamps, const DotStamp& plain) const;
   void paint_rings(QPainter& painter, int place) const;
+  void paint_beyond(QPainter& painter, int place) const;
 
   std::vector<PatternPlot> plots_;
   std::array<Range, kPlots> ranges_{};

@@ -84,13 +84,31 @@ void PatternPage::paint_curves(QPainter& painter, int place) const {
 void PatternPage::paint_points(QImage& image, int place, const std::vector<DotStamp>& stamps,
                                const DotStamp& plain) const {
   const double ratio = image.devicePixelRatio();
+  const QRectF area = canvas(place);
   for (const ScatterPoint& point : plots_[static_cast<std::size_t>(place)].points) {
-    const QPointF at = on_screen(place, point.x, point.y) * ratio;
+    const QPointF there = on_screen(place, point.x, point.y), at = there * ratio;
+    if (there.y() < area.top() || there.y() > area.bottom()) continue;  // a triangle says so (paint_beyond)
     const DotStamp& stamp =
         point.rms_over_sigma ? stamps[static_cast<std::size_t>(residual_step(*point.rms_over_sigma, point.coordinates))]
                              : plain;
     stamp.put(image, at.x(), at.y());
   }
+}
+
+/// Points beyond the axis: a red triangle at its end.
+void PatternPage::paint_beyond(QPainter& painter, int place) const {
+  const QRectF area = canvas(place);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors().bad);
+  for (const ScatterPoint& point : plots_[static_cast<std::size_t>(place)].points) {
+    const QPointF at = on_screen(place, point.x, point.y);
+    const bool is_above = at.y() < area.top();
+    if (!is_above && at.y() <= area.bottom()) continue;
+    const double tip = is_above ? area.top() + 1 : area.bottom() - 1, base = is_above ? tip + 5 : tip - 5;
+    painter.drawPolygon(QPolygonF({{at.x(), tip}, {at.x() - 3.5, base}, {at.x() + 3.5, base}}));
+  }
+  painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
 void PatternPage::paint_rings(QPainter& painter, int place) const {
@@ -162,6 +180,7 @@ void PatternPage::paintEvent(QPaintEvent*) {
   for (int i = 0; i < count(); ++i) {
     painter.setClipRect(canvas(i));
     paint_curves(painter, i);
+    paint_beyond(painter, i);
     paint_rings(painter, i);
     painter.setClipping(false);
     paint_head(painter, i);

@@ -18,7 +18,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kStateWidth = 104, kNumbersWidth = 196, kBlameWidth = 208;
+constexpr double kStateWidth = 104, kBlameWidth = 208;
 
 enum class Mood { quiet, good, care, bad };
 
@@ -84,7 +84,7 @@ QString session_state_text(SessionState state) {
     case SessionState::unexplained:
       return said("unexplained");
     case SessionState::scatter:
-      return said("scatter");
+      return said("looks random");
     case SessionState::too_few:
       return said("too few");
     case SessionState::noise_unknown:
@@ -108,13 +108,6 @@ QSize VerdictLine::sizeHint() const { return {1056, 72}; }
 QSize VerdictLine::minimumSizeHint() const { return {640, 72}; }
 
 QRectF VerdictLine::blame_area() const { return {width() - kBlameWidth - kGap, 8.0, kBlameWidth, height() - 16.0}; }
-
-/// Where there is little room the words have it: the numbers stand in the window's header too.
-QRectF VerdictLine::numbers_area() const {
-  constexpr int wide_enough = 940;
-  if (width() < wide_enough) return {blame_area().left() - kWideGap, 8, 0, height() - 16.0};
-  return {blame_area().left() - kNumbersWidth - kWideGap, 8, kNumbersWidth, height() - 16.0};
-}
 
 void VerdictLine::paint_state(QPainter& painter, const QRectF& area) const {
   const Colors& c = colors();
@@ -161,39 +154,6 @@ void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {
             verdict_.progress);
 }
 
-void VerdictLine::paint_numbers(QPainter& painter, const QRectF& area) const {
-  const Colors& c = colors();
-  const SizeUnit unit = verdict_.unit == SizeUnit::pixel && !verdict_.error_px ? SizeUnit::millimetre : verdict_.unit;
-  const ShownSize in_px{verdict_.error_px, SizeUnit::pixel}, in_mm{verdict_.error_mm, SizeUnit::millimetre};
-  const ShownSize main = unit == SizeUnit::sigma   ? ShownSize{verdict_.error_sigma, unit}
-                         : unit == SizeUnit::pixel ? in_px
-                                                   : in_mm;
-  const ShownSize beside = unit == SizeUnit::millimetre ? in_px : in_mm;
-  const ShownSize noise_in_px{verdict_.noise_px, SizeUnit::pixel}, noise_in_mm{verdict_.noise_mm, SizeUnit::millimetre};
-  const ShownSize noise = unit == SizeUnit::millimetre || !verdict_.noise_px ? noise_in_mm : noise_in_px;
-  painter.setFont(number_font(TextRole::number));
-  painter.setPen(c.ink1);
-  QRectF upper(area.left(), area.top(), area.width(), 30), lower(area.left(), area.bottom() - 22, area.width(), 20);
-  const QString error = size_text(main);
-  painter.drawText(upper, Qt::AlignLeft | Qt::AlignVCenter, error);
-  upper.setLeft(upper.left() + QFontMetricsF(painter.font()).horizontalAdvance(error) + kGap);
-  if (verdict_.predicted.value) {
-    painter.setPen(c.candidate);
-    painter.setFont(number_font(TextRole::title));
-    draw_text(painter, upper, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("→ ") + size_text(verdict_.predicted));
-  } else if (beside.value) {
-    painter.setPen(c.ink2);
-    painter.setFont(number_font(TextRole::title));
-    draw_text(painter, upper, Qt::AlignLeft | Qt::AlignVCenter, size_text(beside));
-  }
-  painter.setFont(number_font(TextRole::small));
-  painter.setPen(c.ink2);
-  const ShownSize other = noise.unit == SizeUnit::pixel ? noise_in_mm : noise_in_px;
-  QString text = tr("noise %1").arg(size_text(noise));
-  if (other.value) text += QStringLiteral(", ") + size_text(other);
-  draw_text(painter, lower, Qt::AlignLeft | Qt::AlignVCenter, text);
-}
-
 void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
   const Colors& c = colors();
   painter.setFont(text_font(TextRole::small));
@@ -202,8 +162,9 @@ void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
   painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter,
                    verdict_.blame
                        ? (verdict_.blame->of_tracker ? tr("tracker | body | robot") : tr("cameras | body | robot"))
-                   : is_judged(verdict_.state) ? tr("nothing stands out of the noise")
-                                               : tr("whose fault: not known yet"));
+                   : !verdict_.why_no_blame.isEmpty() ? verdict_.why_no_blame
+                   : is_judged(verdict_.state)        ? tr("nothing stands out of the noise")
+                                                      : tr("whose fault: not known yet"));
   painter.fillRect(bar, c.sunken);
   if (!verdict_.blame) return;
   const Blame& blame = *verdict_.blame;
@@ -237,8 +198,8 @@ void VerdictLine::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), colors().panel);
   paint_state(painter, QRectF(0, 0, kStateWidth, height()));
   const double left = kStateWidth + kWideGap;
-  paint_sentence(painter, QRectF(left, 4, numbers_area().left() - kWideGap - left, height() - 8));
-  if (numbers_area().width() > 0) paint_numbers(painter, numbers_area());
+  // The figures stand in the window's header: the sentence has the width.
+  paint_sentence(painter, QRectF(left, 4, blame_area().left() - kWideGap - left, height() - 8));
   paint_blame(painter, blame_area());
 }
 
@@ -255,9 +216,7 @@ bool VerdictLine::event(QEvent* event) {
           ? (verdict_.blame && verdict_.blame->of_tracker
                  ? tr("How much of the error the tracker (T), the marker body (B) and the robot (R) can answer for.")
                  : tr("How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for."))
-      : numbers_area().contains(help->pos())
-          ? tr("The error of one coordinate on observations that the fit has not seen, and the measurement's noise.")
-          : verdict_.sentence;
+          : QString();  // the sentence stands there
   QToolTip::showText(help->globalPos(), text, this);
   return true;
 }

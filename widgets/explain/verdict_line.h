@@ -37,9 +37,10 @@ struct SessionVerdict {
   SizeUnit unit = SizeUnit::pixel;           // which of them stands large; with a tracker never px
   ShownSize predicted;                       // with what is being tried: purple
   std::optional<Blame> blame;                // of the whole session
+  QString why_no_blame;                      // where it can never be parted; empty: not so
 };
 
-/// 72 px high: icon and word, the sentence, the numbers in px and mm, the blame C B R.
+/// 72 px high: icon and word, the sentence, the blame C B R.
 class VerdictLine : public QWidget {
   Q_OBJECT
  public:
@@ -58,11 +59,9 @@ class VerdictLine : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  QRectF numbers_area() const;
   QRectF blame_area() const;
   void paint_state(QPainter& painter, const QRectF& area) const;
   void paint_sentence(QPainter& painter, const QRectF& area) const;
-  void paint_numbers(QPainter& painter, const QRectF& area) const;
   void paint_blame(QPainter& painter, const QRectF& area) const;
 
   SessionVerdict verdict_;

@@ -94,6 +94,7 @@ void ImageView::set_labelling(bool labelling) {
 }
 
 void ImageView::set_stretched(bool stretched) {
+  if (is_stretched_ == stretched) return;
   is_stretched_ = stretched;
   refresh_shown();
   update();

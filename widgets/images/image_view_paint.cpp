@@ -71,7 +71,7 @@ void ImageView::paint_image(QPainter& painter) const {
   const QPointF corner = to_screen({-0.5, -0.5});
   const QRectF target(corner, frame_size() * viewport_.zoom);
   if (image_.isNull()) {
-    painter.fillRect(target, colors().panel);
+    painter.fillRect(target, colors().sunken);
     painter.setPen(QPen(colors().control_edge, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(target);

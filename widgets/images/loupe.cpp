@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
 
@@ -112,9 +113,10 @@ void Loupe::paintEvent(QPaintEvent*) {
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
   const QRectF head(kGap, 0, width() - 2 * kGap, 20);
-  const QString where = center_ && !image_.isNull()
-                            ? QStringLiteral("8 ×   %1, %2").arg(center_->x(), 0, 'f', 1).arg(center_->y(), 0, 'f', 1)
-                            : QString();
+  const QString where =
+      center_ && !image_.isNull()
+          ? QStringLiteral("8 ×   %1 / %2").arg(fixed_text(center_->x(), 1), fixed_text(center_->y(), 1))
+          : QString();
   const double taken = where.isEmpty() ? 0 : QFontMetricsF(painter.font()).horizontalAdvance(where) + kGap;
   draw_text(painter, head.adjusted(0, 0, -taken, 0), Qt::AlignLeft | Qt::AlignVCenter, title_);
   const QRectF foot(kGap, height() - 20.0, width() - 2 * kGap, 20);

@@ -183,7 +183,7 @@ void ModelPanel::add_parameter(const ModelEffect& effect, int index, QWidget* bo
   field->setAccessibleName(whose);
   connect(field, &QLineEdit::editingFinished, this, [this, field, id = effect.id, index, before = field->text()] {
     bool is_number = false;
-    const double value = QString(field->text()).replace(QChar(0x2212), '-').toDouble(&is_number);
+    const double value = with_decimal_point(field->text()).toDouble(&is_number);
     if (!is_number) return field->setText(before);
     if (field->text() != before) emit value_typed(id, index, value);
   });

@@ -14,7 +14,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kMargin = 8, kTop = 4, kCellsHeight = 48, kWidest = 24;
+constexpr double kMargin = 8, kTop = 4, kCellsHeight = 40, kWidest = 96;
 
 }  // namespace
 
@@ -26,8 +26,8 @@ ObservationStrip::ObservationStrip(QWidget* parent)
   setAccessibleName(QObject::tr("Observation strip"));
 }
 
-QSize ObservationStrip::sizeHint() const { return {1152, 72}; }
-QSize ObservationStrip::minimumSizeHint() const { return {240, 72}; }
+QSize ObservationStrip::sizeHint() const { return {1152, 78}; }
+QSize ObservationStrip::minimumSizeHint() const { return {240, 78}; }
 
 void ObservationStrip::set_cells(std::vector<ObservationCell> cells) {
   cells_ = std::move(cells);

@@ -10,10 +10,11 @@
 
 namespace handsight::widgets {
 
-/// 72 px high: 48 of cells, 16 of scale. A cell's colour and (on a logarithmic scale) its height say the residual;
-/// rejected and excluded cells are struck through. Above one cell a pixel a column shows the worst of its bin; the
-/// wheel zooms, dragging with the middle button pans, a lens shows single cells. Click selects, left and right arrows
-/// step, Home and End, PageUp and PageDown by ten; Shift+click or dragging selects many.
+/// 78 px high: 40 of cells, which fill the width, a line of ids and a line of the legend. A cell's colour and (on a
+/// logarithmic scale) its height say the residual; rejected and excluded cells are struck through. Above one cell a
+/// pixel a column shows the worst of its bin; the wheel zooms, dragging with the middle button pans, a lens shows
+/// single cells. Click selects, left and right arrows step, Home and End, PageUp and PageDown by ten; Shift+click or
+/// dragging selects many.
 class ObservationStrip : public QWidget {
   Q_OBJECT
  public:
@@ -66,7 +67,8 @@ class ObservationStrip : public QWidget {
   void paint_cells();
   void paint_cell(QPainter& painter, const ObservationCell& cell, const QRectF& slot) const;
   void paint_marks(QPainter& painter) const;
-  void paint_scale(QPainter& painter) const;
+  void paint_ids(QPainter& painter) const;
+  void paint_legend(QPainter& painter) const;
   void paint_lens(QPainter& painter) const;
   void take(int index);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
 #include "widgets/lists/observation_strip.h"
@@ -119,32 +120,12 @@ void ObservationStrip::paint_marks(QPainter& painter) const {
   }
 }
 
-void ObservationStrip::paint_scale(QPainter& painter) const {
-  const Colors& c = colors();
-  const QRectF row(kGap, 54, width() - 2 * kGap, 16);
+/// Under the cells, as far as there is room.
+void ObservationStrip::paint_ids(QPainter& painter) const {
+  const QRectF row(kGap, 45, width() - 2 * kGap, 15);
   painter.setFont(text_font(TextRole::small));
+  painter.setPen(colors().ink2);
   const QFontMetricsF metrics(painter.font());
-  // The legend, from the right: swatch and name of every step.
-  const QString unit = QObject::tr("of the noise");
-  double x = row.right() - metrics.horizontalAdvance(unit);
-  painter.setPen(c.ink2);
-  painter.drawText(QRectF(x, row.top(), row.right() - x + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, unit);
-  const QStringList names = {QObject::tr("noise"), QStringLiteral("< 3"), QStringLiteral("< 5"), QStringLiteral("< 10"),
-                             QObject::tr("10 times or more")};
-  for (int i = static_cast<int>(names.size()) - 1; i >= 0; --i) {
-    const double wide = metrics.horizontalAdvance(names[i]);
-    x -= wide + kGap;
-    painter.drawText(QRectF(x, row.top(), wide + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, names[i]);
-    x -= 16;
-    const QRectF swatch(x, row.top() + 3, 12, 10);
-    painter.fillRect(swatch, c.residual[static_cast<std::size_t>(i + 1)]);
-    if (i == 0) {
-      x -= 12;
-      painter.fillRect(QRectF(x, swatch.top(), 12, 10), c.residual[0]);
-    }
-    x -= 4;
-  }
-  // Ids under the cells as far as there is room.
   const double width_of_cell = cell_width();
   int step = 1;
   for (const int s : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 100000}) {
@@ -155,10 +136,38 @@ void ObservationStrip::paint_scale(QPainter& painter) const {
   for (int i = static_cast<int>(std::ceil(first_ / step)) * step; i < count; i += step) {
     const QString text = QString::number(cells_[static_cast<std::size_t>(i)].id);
     const double wide = metrics.horizontalAdvance(text);
-    const double middle = left_of(i) + width_of_cell / 2;
-    const double left = std::max(middle - wide / 2, row.left());
-    if (left + wide + 12 > x) break;
+    const double left = std::max(left_of(i) + width_of_cell / 2 - wide / 2, row.left());
+    if (left + wide > row.right()) break;
     painter.drawText(QRectF(left, row.top(), wide + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+  }
+}
+
+/// A line of its own, from the left: how many times the noise each colour is.
+void ObservationStrip::paint_legend(QPainter& painter) const {
+  const Colors& c = colors();
+  const QRectF row(kGap, 61, width() - 2 * kGap, 15);
+  painter.setFont(text_font(TextRole::small));
+  painter.setPen(c.ink2);
+  const QFontMetricsF metrics(painter.font());
+  double x = row.left();
+  const auto write = [&](const QString& text) {
+    const double wide = metrics.horizontalAdvance(text);
+    painter.drawText(QRectF(x, row.top(), wide + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+    x += wide;
+  };
+  const auto swatch = [&](int step) {
+    painter.fillRect(QRectF(x, row.top() + 3, 12, 10), c.residual[static_cast<std::size_t>(step)]);
+    x += 12;
+  };
+  write(QString::fromUtf8("× ") + QObject::tr("noise:"));
+  const QStringList names = {QStringLiteral("< 1.5"), QStringLiteral("< 3"), QStringLiteral("< 5"),
+                             QStringLiteral("< 10"), QString::fromUtf8("≥ 10")};
+  for (int i = 0; i < names.size(); ++i) {
+    x += 12;
+    if (i == 0) swatch(0);
+    swatch(i + 1);
+    x += 4;
+    write(i == 0 ? QString(names[0]).replace('.', decimal_mark()) : names[i]);
   }
 }
 
@@ -199,7 +208,8 @@ void ObservationStrip::paintEvent(QPaintEvent*) {
     paint_marks(painter);
     paint_lens(painter);
   }
-  paint_scale(painter);
+  paint_ids(painter);
+  paint_legend(painter);
   if (hasFocus()) draw_focus(painter, rect());
 }
 

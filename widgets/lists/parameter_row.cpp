@@ -55,7 +55,8 @@ ParameterRow::ParameterRow(ModelParameter parameter, bool is_candidate, bool is_
     : QWidget(parent), parameter_(std::move(parameter)), is_candidate_(is_candidate), is_selected_(is_selected) {
   if (parameter_.can_hold) hold_ = new HoldButton(parameter_.is_held, this);
   if (parameter_.is_held) {
-    field_ = new QLineEdit(parameter_.value ? QString::number(*parameter_.value, 'g', 6) : QString(), this);
+    field_ = new QLineEdit(
+        parameter_.value ? QString::number(*parameter_.value, 'g', 6).replace('.', decimal_mark()) : QString(), this);
     field_->setAlignment(Qt::AlignRight);
     field_->setFont(number_font(TextRole::small));
   }

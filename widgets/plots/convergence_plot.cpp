@@ -136,7 +136,8 @@ int ConvergencePlot::settled_at(int curve) const {
 void ConvergencePlot::name_y_axis() {
   constexpr int long_enough = 170;
   const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
-  const QString name = origin_ ? QObject::tr("%1 from the first").arg(unit_) : QObject::tr("%1 from last").arg(unit_);
+  const QString name =
+      origin_ ? QObject::tr("change from the first (%1)").arg(unit_) : QObject::tr("change from final (%1)").arg(unit_);
   plot_->yAxis->setLabel((has_bands || origin_) && height() >= long_enough ? name : unit_);
 }
 

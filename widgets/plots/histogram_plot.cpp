@@ -98,10 +98,10 @@ QString HistogramPlot::axis_name() const {
   if (unit_ == SizeUnit::sigma)
     return noise_ ? QObject::tr("rms / noise (1 = %1 %2)").arg(short_text(noise_), noise_unit_)
                   : QObject::tr("rms / noise");
-  const QString name = unit_ == SizeUnit::pixel ? QObject::tr("rms of a coordinate (px)")
-                                                : QObject::tr("rms of the markers' distances (mm)");
-  const auto noise = noise_ ? typical_noise(cells_, unit_) : std::nullopt;
-  return noise ? name + QObject::tr(", noise ") + short_text(noise) : name;
+  // The noise is hatched, and its figure stands in the window's header.
+  if (unit_ == SizeUnit::pixel) return QObject::tr("rms of a coordinate (px)");
+  const bool is_of_cameras = noise_unit_ != QStringLiteral("mm");
+  return is_of_cameras ? QObject::tr("error of the hand (mm)") : QObject::tr("rms of the markers' distances (mm)");
 }
 
 void HistogramPlot::set_selected(ObservationId id) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 
 namespace handsight::widgets {
@@ -23,7 +24,9 @@ namespace {
 class MinusTicker : public QCPAxisTicker {
  protected:
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    return QCPAxisTicker::getTickLabel(tick, locale, format, precision).replace(QChar('-'), QChar(0x2212));
+    return QCPAxisTicker::getTickLabel(tick, locale, format, precision)
+        .replace(QChar('-'), QChar(0x2212))
+        .replace(QChar('.'), decimal_mark());
   }
 };
 
@@ -129,7 +132,7 @@ void PlotWidget::style_axes() {
     axis->setLabelColor(c.ink2);
     axis->setTickLabelFont(number_font(TextRole::small));
     axis->setLabelFont(text_font(TextRole::small));
-    axis->setLabelPadding(2);
+    axis->setLabelPadding(5);
     axis->setTickLabelPadding(3);
     axis->setTickLengthIn(0);
     axis->setTickLengthOut(4);
@@ -149,7 +152,27 @@ void PlotWidget::style_axes() {
   plot_->selectionRect()->setBrush(fill);
 }
 
+namespace {
+
+/// While it lives, what is selected or hovered is not drawn: a picture is of the plot, not of who looks at it.
+class WithoutMarks {
+ public:
+  explicit WithoutMarks(QCPLayer* marks) : marks_(marks) { marks_->setVisible(false); }
+  ~WithoutMarks() {
+    marks_->setVisible(true);
+    marks_->parentPlot()->replot(QCustomPlot::rpQueuedReplot);
+  }
+  WithoutMarks(const WithoutMarks&) = delete;
+  WithoutMarks& operator=(const WithoutMarks&) = delete;
+
+ private:
+  QCPLayer* marks_;
+};
+
+}  // namespace
+
 QImage PlotWidget::picture(double scale) const {
+  const WithoutMarks without_marks(plot_->layer(marks_layer));
   plot_->replot(QCustomPlot::rpImmediateRefresh);
   QImage image(plot_->size() * scale, QImage::Format_ARGB32_Premultiplied);
   image.setDevicePixelRatio(scale);
@@ -159,6 +182,7 @@ QImage PlotWidget::picture(double scale) const {
 }
 
 QByteArray PlotWidget::svg(const QSize& size) const {
+  const WithoutMarks without_marks(plot_->layer(marks_layer));
   QByteArray text;
   QBuffer buffer(&text);
   buffer.open(QIODevice::WriteOnly);

@@ -37,11 +37,31 @@ Line line_of(const std::vector<TrendPoint>& points) {
 
 }  // namespace
 
+Span span_of_most(const std::vector<ScatterPoint>& points) {
+  constexpr std::size_t few = 12;
+  constexpr double far = 2;
+  std::vector<double> y;
+  for (const ScatterPoint& p : points) y.push_back(p.y);
+  std::sort(y.begin(), y.end());
+  Span span;
+  if (y.empty()) return span;
+  double low = y.front(), high = y.back();
+  if (y.size() >= few) {
+    const std::size_t twentieth = std::max<std::size_t>(y.size() / 20, 1);
+    const double from = y[twentieth], to = y[y.size() - 1 - twentieth], wide = to - from;
+    if (wide > 0) low = from - far * wide, high = to + far * wide;
+  }
+  for (const double value : y)
+    if (value >= low && value <= high) span = {std::min(span.low, value), std::max(span.high, value)};
+  return span;
+}
+
 struct ScatterPlot::Layers {
   QCPItemRect* noise = nullptr;
   QCPGraph *low = nullptr, *high = nullptr, *trend = nullptr, *candidate = nullptr;
   QCPGraph *candidate_low = nullptr, *candidate_high = nullptr, *bars = nullptr, *weak = nullptr;
   std::array<QCPGraph*, 6> points{};
+  QCPGraph *above = nullptr, *below = nullptr;  // points beyond the axis, at its ends
   QCPGraph *plain = nullptr, *highlighted = nullptr, *hovered = nullptr, *selected = nullptr;
 };
 
@@ -68,12 +88,16 @@ ScatterPlot::ScatterPlot(QWidget* parent) : PlotWidget(parent), layers_(std::mak
   for (QCPGraph*& graph : layers_->points) graph = scatter();
   layers_->trend = plot_->addGraph();
   layers_->candidate = plot_->addGraph();
+  layers_->above = scatter();
+  layers_->below = scatter();
   layers_->highlighted = scatter();
   layers_->hovered = scatter();
   layers_->selected = scatter();
+  for (QCPGraph* ring : {layers_->highlighted, layers_->hovered, layers_->selected}) ring->setLayer(marks_layer);
   style_axes();
   ScatterPlot::restyle();
   connect(plot_, &QCustomPlot::afterLayout, this, &ScatterPlot::shorten_label);
+  connect(plot_->yAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &ScatterPlot::mark_beyond);
 }
 
 void ScatterPlot::restyle() {
@@ -89,6 +113,8 @@ void ScatterPlot::restyle() {
   layers_->weak->setScatterStyle(
       QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(c.control_edge, 1), QBrush(c.panel), 5));
   layers_->bars->setPen(QPen(c.control_edge, 1));
+  layers_->above->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(c.bad, 1), c.bad, 8));
+  layers_->below->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssTriangleInverted, QPen(c.bad, 1), c.bad, 8));
   layers_->highlighted->setScatterStyle(ring_style(c.ink1, 1));
   layers_->hovered->setScatterStyle(ring_style(c.ink2, 1.5));
   layers_->selected->setScatterStyle(ring_style(c.accent, 2));
@@ -222,6 +248,7 @@ void ScatterPlot::fill() {
   layers_->plain->setData(plain_x, plain_y);
   layers_->weak->setData(weak_x, weak_y);
   fill_bars();
+  mark_beyond();
   const Line trend = line_of(trend_), candidate = line_of(candidate_);
   layers_->trend->setData(trend.x, trend.y);
   layers_->low->setData(trend.x, trend.low);
@@ -235,6 +262,19 @@ void ScatterPlot::fill() {
   ring();
 }
 
+/// What lies beyond the axis is not forgotten: a red triangle at its end.
+void ScatterPlot::mark_beyond() {
+  const QCPRange shown = plot_->yAxis->range();
+  const double edge = 0.03 * shown.size();
+  QVector<double> above, below;
+  for (const ScatterPoint& p : points_) {
+    if (p.y > shown.upper) above += p.x;
+    if (p.y < shown.lower) below += p.x;
+  }
+  layers_->above->setData(above, QVector<double>(above.size(), shown.upper - edge));
+  layers_->below->setData(below, QVector<double>(below.size(), shown.lower + edge));
+}
+
 ScatterPlot::Extent ScatterPlot::extent() const {
   const double floor = kSigmas * noise_.value_or(0);  // noise alone never fills the plot
   Extent e{1e300, -1e300, -floor, floor};
@@ -242,9 +282,10 @@ ScatterPlot::Extent ScatterPlot::extent() const {
   for (const ScatterPoint& point : points_) {
     e.left = std::min(e.left, point.x);
     e.right = std::max(e.right, point.x);
-    e.low = std::min(e.low, point.y);
-    e.high = std::max(e.high, point.y);
   }
+  const Span most = span_of_most(points_);
+  e.low = std::min(e.low, most.low);
+  e.high = std::max(e.high, most.high);
   for (const TrendPoint& point : candidate_) {
     if (!(point.low < point.high)) continue;    // what a band goes round is to be seen whole,
     e.low = std::min({e.low, point.low, 0.0});  // and so is the level line on which it comes to lie

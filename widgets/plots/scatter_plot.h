@@ -19,6 +19,13 @@ struct ScatterPoint {
   bool is_weak = false;  // it says little: hollow
 };
 
+/// The span of y that an axis shows: all points, but where a few of many lie far outside of the others (beyond twice
+/// the span of the middle nine tenths) only the others, so that one wrong point does not flatten a plot.
+struct Span {
+  double low = 1e300, high = -1e300;
+};
+Span span_of_most(const std::vector<ScatterPoint>& points);
+
 /// x ascending; `low` and `high` bound the band, equal to y where there is none.
 /// Of the noise, on each side of zero, an axis shows so many sigma at least: noise alone never fills a plot.
 inline constexpr double kSigmas = 3;
@@ -65,6 +72,7 @@ class ScatterPlot : public PlotWidget {
   struct Layers;
   void fill();
   void fill_bars();
+  void mark_beyond();
   void ring();
   void shorten_label();
   const ScatterPoint* point_at(const QPointF& position) const;

@@ -63,6 +63,8 @@ class RobotView : public QWidget {
   std::optional<Vector3> arrow_tip(ObservationId id) const;
   /// As shown when nothing moves: with smooth edges and labels; px of the picture for each of the widget's, 0: its own.
   QImage picture(double scale = 0);
+  /// A PNG, written whole or not at all; returns an empty text, or the sentence that says why not.
+  QString save(const QString& path);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -73,6 +75,7 @@ class RobotView : public QWidget {
   void observation_hovered(qint64 id);
   void joint_selected(const QString& joint);  // a link was clicked: the joint that carries it
   void read_out(const QString& text);
+  void message(const QString& sentence);  // "Saved robot.png.", or why not
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -95,6 +98,7 @@ class RobotView : public QWidget {
   void smooth();     // a step nearer to a picture with smooth edges
   void smooth_on();  // the same, while nothing moves, until it is there
   void show_menu(const QPoint& position);
+  void save_picture();
   void pick(const QPointF& position, bool take);
   void paint_labels(QPainter& painter);
   std::unique_ptr<RobotViewParts> parts_;

@@ -2,9 +2,11 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QFileDialog>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QSaveFile>
 #include <cmath>
 
 #include "widgets/base/number_text.h"
@@ -147,13 +149,39 @@ void RobotView::contextMenuEvent(QContextMenuEvent* event) {
   if (event->reason() != QContextMenuEvent::Mouse) show_menu(event->globalPos());
 }
 
+void RobotView::save_picture() {
+  const QString path = QFileDialog::getSaveFileName(this, QObject::tr("Save the picture"), QStringLiteral("robot.png"),
+                                                    QStringLiteral("PNG (*.png)"));
+  if (path.isEmpty()) return;
+  const QString reason = save(path);
+  emit message(reason.isEmpty() ? QObject::tr("Saved %1.").arg(path) : reason);
+}
+
+QString RobotView::save(const QString& path) {
+  QSaveFile file(path);
+  // Of the robot, not of who looks at it.
+  const ObservationId selected = parts_->selected, hovered = parts_->hovered;
+  const QString joint = parts_->selected_joint;
+  set_selected_observation(kNoObservation);
+  set_hovered_observation(kNoObservation);
+  set_selected_joint({});
+  const QImage image = picture(2);
+  set_selected_observation(selected);
+  set_hovered_observation(hovered);
+  set_selected_joint(joint);
+  if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit())
+    return QObject::tr("%1 cannot be written: %2. Choose another folder.").arg(path, file.errorString());
+  return {};
+}
+
 void RobotView::show_menu(const QPoint& position) {
   QMenu menu(this);
   menu.addAction(QObject::tr("See all"), this, [this] { look(StandardView::all); });
   menu.addAction(QObject::tr("See the TCP"), this, [this] { look(StandardView::tcp); });
   menu.addAction(QObject::tr("As the left camera sees it"), this, [this] { look(StandardView::camera); });
   menu.addSeparator();
-  menu.addAction(QObject::tr("Copy the picture"), this, [this] { QApplication::clipboard()->setImage(picture()); });
+  menu.addAction(QObject::tr("Copy the picture"), this, [this] { QApplication::clipboard()->setImage(picture(2)); });
+  menu.addAction(QObject::tr("Save as %1 ...").arg(QStringLiteral("PNG")), this, &RobotView::save_picture);
   menu.exec(position);
 }
 

@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "options/named_effects.h"
+#include "printing/bill_output.h"
 #include "printing/blunder_output.h"
 #include "printing/diagnosis_output.h"
 #include "printing/outputs.h"
@@ -40,6 +41,8 @@ int run(const DiagnoseArguments& o) {
   const Proofs proofs = proofs_of(session, d, in_full);
   print_diagnosis(o.output, session, d);
   print_proof(o.output, d, proofs);
+  const std::vector<BillRow> bill = bill_of(d.model.fit);
+  print_bill(o.output, bill);
   const std::vector<Blunder> blunders =
       is_size_alone(d) ? std::vector<Blunder>() : blunders_of(d.model.session, d.model.fit);
   print_blunders(o.output, o.session, blunders);
@@ -50,6 +53,7 @@ int run(const DiagnoseArguments& o) {
   if (!o.output.json_file.empty()) {
     Json result = diagnosis_json(session, d);
     add_proof(proofs, result);
+    result["bill"] = bill_json(bill);
     result["blunders"] = blunders_json(blunders);
     o.output.json(result);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/percent.h"
+#include "bill_output.h"
 #include "diagnosis/story/story.h"
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis_output.h"
@@ -78,6 +79,7 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   if (m.named_share && m.unnamed_share)
     out.line(fmt::format("Of what exceeded the noise at the start {} % has names, {} % follows something without one.",
                          whole_percent(*m.named_share), whole_percent(*m.unnamed_share)));
+  print_bill(out, m.bill);
   print_certainty(out, m.certainty);
   out.line();
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
@@ -116,14 +118,16 @@ Json improvement_json(const Session& session, const Improvement& m) {
   j["left"] = diagnosis_json(session, m.last);
   j["left"]["named_share"] = number(m.named_share);
   j["left"]["unnamed_share"] = number(m.unnamed_share);
+  // As it was called before the bill came; for one version more.
   Json worth = Json::array();
-  for (const Worth& w : m.worth)
-    worth.push_back({{"id", w.id},
-                     {"where", w.where},
-                     {"unnamed", w.unnamed},
-                     {"follows", w.text.empty() ? null : Json(w.text)},
-                     {"hand_m", number(w.hand_m)}});
+  for (const BillRow& row : m.bill)
+    worth.push_back({{"id", row.id},
+                     {"where", row.where},
+                     {"unnamed", row.unnamed},
+                     {"follows", row.follows.empty() ? null : Json(row.follows)},
+                     {"hand_m", number(row.hand_m)}});
   j["worth"] = worth;
+  j["bill"] = bill_json(m.bill);
   j["certainty"] = certainty_json(m.certainty);
   return j;
 }

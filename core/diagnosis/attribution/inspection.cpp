@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "estimation/problem/pose_residuals.h"
+#include "estimation/report/hand_residual.h"
 #include "session/by_time.h"
 #include "session/sample.h"
 
@@ -78,6 +79,12 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
     row.noise_m = std::sqrt(variances / row.points);
     // Satterthwaite: a sum of unlike squares is nearly one of so many like ones.
     row.noise_coordinates = variances * variances / squared_variances;
+  }
+  if (const auto hand = rig ? hand_residual(problem, o, unknowns) : std::nullopt) {
+    const Matrix3& c = hand->unit_covariance;
+    row.hand_m = hand->size_m;
+    row.noise_of_hand_m = std::sqrt(c.trace());
+    row.hand_coordinates = c.trace() * c.trace() / c.squaredNorm();
   }
   if (!parts.sensor_from_body) return parts;
   row.tcp_from_tcp_est = inverse(sensor_from_tcp) * *parts.sensor_from_body;
@@ -158,9 +165,11 @@ void judge(const Problem& problem, const ProblemObservation& seen, const Unknown
            std::optional<double> noise, const ResidualParts& parts, const TypicalParts& typical, InspectionRow& row) {
   if (!noise || !row.rms || *noise <= 0) {
     row.noise_m.reset();
+    row.noise_of_hand_m.reset();
     return;
   }
   if (row.noise_m) *row.noise_m *= *noise;
+  if (row.noise_of_hand_m) *row.noise_of_hand_m *= *noise;
   row.ratio = *row.rms / *noise;
   row.blame = blame_of(parts, *noise, typical);
   const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.blame.letter);

@@ -44,6 +44,10 @@ struct InspectionRow {
   /// What noise alone makes of rms_m: its root mean square (m), and of how many equal coordinates it is that.
   std::optional<double> noise_m;
   double noise_coordinates = 0;
+  /// Of cameras: how far the hand is seen from where it is predicted, all markers together, m; what noise alone makes
+  /// of it (rms, m), and of how many equal coordinates it is that.
+  std::optional<double> hand_m, noise_of_hand_m;
+  double hand_coordinates = 0;
   std::optional<double> angle;  // rad, of tcp_from_tcp_est
   std::optional<double> ratio;  // rms over the noise
   std::optional<Rigid> tcp_from_tcp_est;

@@ -10,6 +10,7 @@
 
 #include "chain/body_frame.h"
 #include "diagnosis/selection/likely_choices.h"
+#include "diagnosis/selection/told_apart.h"
 #include "effects/term_numbers.h"
 #include "estimation/solvers/covariance_factor.h"
 
@@ -286,6 +287,7 @@ void set_names(const Explanations& all, const OpenUnits& units, const Weights& w
     if (!name.is_in_model && name.probability < Certainty::least_told) continue;
     const Chosen where = likely_units(n, all, probability, name.probability);
     name.where = places(where, all, session);
+    if (name.is_in_model) name.cannot_be_told_from = not_told_from(all, n);
     if (!name.is_in_model && name.probability >= Certainty::least_likely)
       certainty.likely.push_back({name, estimated_with(all, where)});
     certainty.names.push_back(std::move(name));

@@ -14,6 +14,8 @@ struct NameCertainty {
   std::vector<std::string> where;  // places that are likelier than not where it is there; else its likeliest
   double probability = 0;          // that it is there
   bool is_in_model = false;
+  /// Of the model's: ids of what could do the same to the measurements on these poses.
+  std::vector<std::string> cannot_be_told_from = {};
 };
 
 /// A name that is not in the model and yet likely.

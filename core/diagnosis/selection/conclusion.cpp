@@ -17,48 +17,6 @@
 namespace handsight {
 namespace {
 
-/// Where the body's origin is in the sensor's frame, in every observation, with these terms.
-std::vector<Vector3> body_in_sensor(const Fit& f, const std::vector<EffectTerm>& terms) {
-  Problem problem = f.problem;
-  problem.terms = terms;
-  problem.columns_of_effects.clear();
-  place_observations(problem);
-  std::vector<Vector3> origins;
-  for (const ProblemObservation& o : problem.observations)
-    origins.push_back(sensor_from_tcp_at(o, estimate(f).mount_from_sensor) * f.tcp_from_body.translation);
-  return origins;
-}
-
-double moved_by(const Fit& f, const std::string& id) {
-  const std::vector<EffectTerm> all = terms_of(f);
-  std::vector<EffectTerm> others = all;
-  std::erase_if(others, [&](const EffectTerm& t) { return t.id == id; });
-  const std::vector<Vector3> with = body_in_sensor(f, all), without = body_in_sensor(f, others);
-  // What is the same everywhere is the mount's or TCP->Body's, as seen from the sensor.
-  Vector3 mean = Vector3::Zero();
-  for (std::size_t i = 0; i < with.size(); ++i) mean += (with[i] - without[i]) / static_cast<double>(with.size());
-  double squares = 0;
-  for (std::size_t i = 0; i < with.size(); ++i) squares += (with[i] - without[i] - mean).squaredNorm();
-  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(with.size(), 1)));
-}
-
-std::vector<Worth> worths(const Session& session, const Fit& f) {
-  std::vector<Worth> list;
-  for (const FittedEffect& e : f.effects) {
-    const auto same = std::find_if(list.begin(), list.end(), [&](const Worth& w) { return w.id == e.term.id; });
-    const std::vector<std::string> place = places_of({e.term}, session);
-    if (same != list.end()) {
-      same->where.insert(same->where.end(), place.begin(), place.end());
-      continue;
-    }
-    Worth w{e.term.id, place, is_curve(e.term), "", moved_by(f, e.term.id)};
-    if (w.unnamed) w.text = e.term.own->definition->cause;
-    while (w.text.ends_with('.')) w.text.pop_back();
-    list.push_back(std::move(w));
-  }
-  return list;
-}
-
 /// chi-squared over what noise leaves, of a model without its curves.
 std::optional<double> excess_without_curves(const Diagnosis& d) {
   FitOptions o = d.model_options;
@@ -85,12 +43,12 @@ void set_shares(std::optional<double> excess, Improvement& m) {
   m.unnamed_share = (middle - left) / *excess;
 }
 
-std::string worth_text(const std::vector<Worth>& list, bool unnamed) {
+std::string worth_text(const std::vector<BillRow>& rows, bool unnamed) {
   std::string text;
-  for (const Worth& w : list) {
-    if (w.unnamed != unnamed) continue;
-    text += fmt::format("{}{}{} ({:.3g} mm at the hand)", text.empty() ? "" : "; ", w.unnamed ? w.text : w.id,
-                        w.unnamed || w.where.empty() ? "" : " at " + listed(w.where), 1e3 * w.hand_m);
+  for (const BillRow& row : rows) {
+    if (row.unnamed != unnamed) continue;
+    text += fmt::format("{}{}{} ({:.3g} mm at the hand)", text.empty() ? "" : "; ", unnamed ? row.follows : row.id,
+                        unnamed || row.where.empty() ? "" : " at " + listed(row.where), 1e3 * row.hand_m);
   }
   return text;
 }
@@ -113,15 +71,14 @@ std::string no_answer_text(const Diagnosis& d) {
 
 }  // namespace
 
-void conclude(const Session& session, const ImprovementOptions&, std::optional<double> excess,
-              const std::vector<RefusedStep>& refused, Improvement& m) {
+void conclude(std::optional<double> excess, const std::vector<RefusedStep>& refused, Improvement& m) {
   Diagnosis& d = m.last;
   if (d.verdict == Verdict::too_few_observations) return;
-  m.worth = worths(session, d.model.fit);
+  m.bill = bill_of(d.model.fit);
   set_shares(excess, m);
   const bool passes = d.verdict == Verdict::missing_effect || d.verdict == Verdict::ambiguous;
   if (passes) judge_what_is_left(weighing(d.model.fit).knowledge.known, d);
-  const std::string curves = worth_text(m.worth, true), names = worth_text(m.worth, false);
+  const std::string curves = worth_text(m.bill, true), names = worth_text(m.bill, false);
   if (!curves.empty()) {
     d.verdict = Verdict::unexplained;
     d.reason =

@@ -6,9 +6,8 @@
 
 namespace handsight {
 
-/// Sets worth, shares and the last verdict with its reason. `excess`: of the first model. `refused`: what the last
+/// Sets bill, shares and the last verdict with its reason. `excess`: of the first model. `refused`: what the last
 /// model was offered and did not take.
-void conclude(const Session& session, const ImprovementOptions& options, std::optional<double> excess,
-              const std::vector<RefusedStep>& refused, Improvement& improvement);
+void conclude(std::optional<double> excess, const std::vector<RefusedStep>& refused, Improvement& improvement);
 
 }  // namespace handsight

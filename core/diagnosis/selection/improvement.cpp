@@ -249,8 +249,9 @@ class Improving {
     }
     if (!options_.with_curves && is_outdone(m_.last) && !m_.stopped) take_back(settled_, m_);
     if (m_.stopped) return std::move(m_);
-    conclude(session_, options_, excess, refused_, m_);
+    conclude(excess, refused_, m_);
     m_.certainty = certain();
+    m_.bill = with_certainty(std::move(m_.bill), m_.certainty);
     return std::move(m_);
   }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/selection/bill.h"
 #include "diagnosis/selection/certainty.h"
 #include "diagnosis/verdict/diagnosis_result.h"
 
@@ -56,21 +57,12 @@ struct ModelChange {
   bool stopped = false;
 };
 
-/// What one effect or curve of the last model does.
-struct Worth {
-  std::string id;
-  std::vector<std::string> where;
-  bool unnamed = false;
-  std::string text;   // of a curve: what it follows
-  double hand_m = 0;  // root mean square over the observations of how far it moves the body's origin
-};
-
 struct Improvement {
   std::vector<ImprovementStep> steps;
   std::vector<RefusedStep> refused;
-  Diagnosis last;  // of the last model: what is left; never missing_effect or ambiguous
-  std::vector<Worth> worth;
-  Certainty certainty;  // of the last model's names
+  Diagnosis last;             // of the last model: what is left; never missing_effect or ambiguous
+  std::vector<BillRow> bill;  // of the last model
+  Certainty certainty;        // of the last model's names
   /// Of what was in excess of the noise at the start: what has names, and what curves without a name explain.
   std::optional<double> named_share, unnamed_share;
   bool stopped = false;

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t most_causes = 4;
 constexpr double as_much = 0.5;  // of the best evidence: less only stands in for a part of what has no name
-constexpr double too_large = 3;  // plausible sizes
 
 std::optional<double> size_of(const ErrorSummary& e, bool in_pixels) { return in_pixels ? e.rms_pixel : e.rms_m; }
 
@@ -100,33 +99,6 @@ StoryNext next_of(const Story& s) {
       return StoryNext::look;
   }
   return StoryNext::look;
-}
-
-bool is_too_large(const EffectTerm& term, const Chain& chain) {
-  const Effect& effect = effect_of(term);
-  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-    if (is_free(effect, term, p) && std::abs(term.values[p]) > too_large * plausible_size(effect.parameters[p], chain))
-      return true;
-  return false;
-}
-
-/// What the fit estimates (not what the user holds) and no robot is built like.
-std::vector<StandIn> stand_ins(const Fit& fit) {
-  std::vector<StandIn> list;
-  if (!fit.problem.source) return list;
-  const Chain& chain = fit.problem.source->chain;
-  for (const FittedEffect& f : fit.effects) {
-    const bool is_estimated = std::any_of(f.sigmas.begin(), f.sigmas.end(), [](double s) { return s > 0; });
-    if (!is_estimated || effect_of(f.term).is_unnamed()) continue;
-    const bool back = pushes_back({f.term}, {f.sigmas});
-    if (!back && !is_too_large(f.term, chain)) continue;
-    auto same = std::find_if(list.begin(), list.end(), [&](const StandIn& s) { return s.id == f.term.id; });
-    if (same == list.end()) same = list.insert(list.end(), StandIn{.id = f.term.id});
-    const std::string place = place_name(effect_of(f.term), f.term.joint, chain.robot);
-    if (!place.empty()) same->where.push_back(place);
-    same->pushes_back = same->pushes_back || back;
-  }
-  return list;
 }
 
 void count_beyond(const FitReport& report, Story& s) {

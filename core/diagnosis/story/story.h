@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagnosis/verdict/diagnosis_result.h"
+#include "diagnosis/verdict/stand_in.h"
 
 namespace handsight {
 
@@ -66,14 +67,6 @@ struct StoryCause {
   bool believable = true;          // of a size that robots have (is_believable)
   bool refused = false;
   std::vector<std::string> cannot_be_told_from;  // effect ids
-};
-
-/// What is in the model and larger than robots are built, or a spring that pushes back: it stands in for something
-/// else.
-struct StandIn {
-  std::string id;
-  std::vector<std::string> where;  // the places whose numbers are so
-  bool pushes_back = false;
 };
 
 /// What to do next.

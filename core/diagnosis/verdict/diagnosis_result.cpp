@@ -35,14 +35,18 @@ const char* verdict_text(Verdict verdict) {
 }
 
 std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session) {
+  return places_of(terms, chain_of(session));
+}
+
+std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Chain& chain) {
   std::vector<std::string> places;
   for (const EffectTerm& term : terms) {
     const Effect& effect = effect_of(term);
-    const std::string place = place_name(effect, term.joint, session.robot);
+    const std::string place = place_name(effect, term.joint, chain.robot);
     if (!place.empty()) places.push_back(place);
     if (effect.id == "joint_coupling")
-      if (const auto other = coupled_joint(chain_of(session), term))
-        places.push_back(session.robot.joints[static_cast<std::size_t>(*other)].name);
+      if (const auto other = coupled_joint(chain, term))
+        places.push_back(chain.robot.joints[static_cast<std::size_t>(*other)].name);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty())
         places.push_back(fmt::format("from observation {:g} on", term.values[p]));

@@ -93,5 +93,6 @@ ErrorSummary region_error(const Diagnosis& model);
 
 /// Are these terms of one named effect? Their places as a user reads them.
 std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session);
+std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Chain& chain);
 
 }  // namespace handsight

@@ -109,7 +109,7 @@ class Prediction {
       case CheckReads::number:
         return own_number();
       case CheckReads::drop:
-        return in_a_pose("1 kg makes the hand drop by", "more than the model has", drop);
+        return in_a_pose("Hang 1 kg on the hand: it should sag", "further", drop);
       case CheckReads::turn:
         return turn();
       case CheckReads::two_sides:
@@ -179,8 +179,7 @@ class Prediction {
     const auto part = best ? predicted(reading_at(*best), model_, c_) : std::nullopt;
     if (!part) return std::nullopt;
     const std::int64_t id = id_of(observations[*best]);
-    return CheckPrediction{
-        before, fmt::format("{}, in the pose of observation {}", after, id), part->value, part->sigma, "m", id};
+    return CheckPrediction{before, fmt::format("{} (pose {})", after, id), part->value, part->sigma, "m", id};
   }
 
   /// Between the two angles, of those that the session has seen, that the candidate parts most.

@@ -15,7 +15,7 @@ namespace handsight {
 /// observation in which it shows most. Absent where nothing would show.
 std::optional<CheckPrediction> predicted_check(const Diagnosis& model, const DiagnosisCandidate& candidate);
 
-/// "1 kg makes the hand drop by 1.40 +- 0.20 mm more than the model has, in the pose of observation 37."
+/// "Hang 1 kg on the hand: it should sag 1.40 +- 0.20 mm further (pose 37)."
 std::string prediction_text(const CheckPrediction& prediction);
 
 /// What was measured, in the prediction's unit, against the prediction.

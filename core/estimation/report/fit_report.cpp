@@ -13,6 +13,7 @@
 #include "estimation/problem/body_pose.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/problem/problem_part.h"
+#include "estimation/report/hand_residual.h"
 #include "estimation/report/regions.h"
 #include "estimation/start/shape_start.h"
 
@@ -25,15 +26,14 @@ struct Residuals {
   int rows = 0;
   std::vector<double> lengths;
   double length_squares_of_noise = 0;  // expected sum of their squares, m^2 per unit of noise squared
-  std::optional<double> hand_squares;  // m^2, of the markers' middle
-  double hand_squares_of_noise = 0;    // what is expected of it, per unit of noise squared
+  std::optional<HandResidual> hand;
 };
 
 /// One step of Gauss and Newton of the body's own pose about the middle of its markers: how far cameras see it from
 /// where it is predicted. Markers on a line, and fewer than three, tell a shift alone.
-void add_hand(const std::vector<std::pair<Vector3, SightingNormal>>& seen, Residuals& residuals) {
+std::optional<HandResidual> hand_of(const std::vector<std::pair<Vector3, SightingNormal>>& seen) {
   constexpr double least_turned = 1e-9;  // of the largest eigenvalue: less turns freely
-  if (seen.empty()) return;
+  if (seen.empty()) return std::nullopt;
   Vector3 middle = Vector3::Zero();
   for (const auto& [x, n] : seen) middle += x / static_cast<double>(seen.size());
   Matrix6 information = Matrix6::Zero();
@@ -47,16 +47,13 @@ void add_hand(const std::vector<std::pair<Vector3, SightingNormal>>& seen, Resid
   const Eigen::SelfAdjointEigenSolver<Matrix6> turned(information);
   if (seen.size() >= 3 && turned.eigenvalues()[0] > least_turned * turned.eigenvalues()[5]) {
     const Matrix6 covariance = information.inverse();
-    residuals.hand_squares = (covariance * gradient).head<3>().squaredNorm();
-    residuals.hand_squares_of_noise = covariance.topLeftCorner<3, 3>().trace();
-    return;
+    return HandResidual{(covariance * gradient).head<3>().norm(), covariance.topLeftCorner<3, 3>()};
   }
   const Matrix3 shifts = information.topLeftCorner<3, 3>();
   const Eigen::SelfAdjointEigenSolver<Matrix3> shifted(shifts);
-  if (!(shifted.eigenvalues()[0] > least_turned * shifted.eigenvalues()[2])) return;
+  if (!(shifted.eigenvalues()[0] > least_turned * shifted.eigenvalues()[2])) return std::nullopt;
   const Matrix3 covariance = shifts.inverse();
-  residuals.hand_squares = (covariance * gradient.head<3>()).squaredNorm();
-  residuals.hand_squares_of_noise = covariance.trace();
+  return HandResidual{(covariance * gradient.head<3>()).norm(), covariance};
 }
 
 /// One camera shows no points, but of a body of known shape its pose: the points are then where that has them.
@@ -103,7 +100,7 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
     residuals.lengths.push_back(pose->place.norm());
     residuals.length_squares_of_noise += 3;
   }
-  add_hand(seen, residuals);
+  residuals.hand = hand_of(seen);
   return residuals;
 }
 
@@ -121,7 +118,7 @@ ErrorSummary summary(const std::vector<Residuals>& all, bool pixels) {
   for (const Residuals& r : all) {
     squares += r.squares;
     rows += r.rows;
-    if (r.hand_squares) hands.push_back(std::sqrt(*r.hand_squares));
+    if (r.hand) hands.push_back(r.hand->size_m);
     lengths.insert(lengths.end(), r.lengths.begin(), r.lengths.end());
   }
   if (pixels && rows > 0) s.rms_pixel = std::sqrt(squares / rows);
@@ -269,8 +266,8 @@ std::optional<double> rms_of_noise(const std::vector<Residuals>& all, std::optio
 std::optional<double> noise_of_hand(const std::vector<Residuals>& all, std::optional<double> noise) {
   double squares = 0, count = 0;
   for (const Residuals& r : all) {
-    if (!r.hand_squares) continue;
-    squares += r.hand_squares_of_noise;
+    if (!r.hand) continue;
+    squares += r.hand->unit_covariance.trace();
     ++count;
   }
   if (count == 0 || !noise) return std::nullopt;
@@ -418,6 +415,10 @@ ErrorSummary held_out_by_region(const Session& session, const Fit& fit, const Fi
   quick.most_iterations = std::min(options.most_iterations, 40);
   const std::vector<Residuals> all = held_out_residuals(images, fit, quick, session.observations.size(), regions);
   return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+}
+
+std::optional<HandResidual> hand_residual(const Problem& images, const ProblemObservation& o, const Unknowns& u) {
+  return residuals_of(images, o, u).hand;
 }
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {

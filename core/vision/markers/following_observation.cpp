@@ -119,6 +119,10 @@ std::string too_few_reason(const Search& search, std::size_t epipolar_pairs) {
   std::vector<char> seen(search.known.in_body.size(), 0);
   for (const MarkerNode& n : search.nodes) seen[static_cast<std::size_t>(n.marker)] = 1;
   const auto count = std::count(seen.begin(), seen.end(), 1);
+  if (count == 0)
+    return fmt::format(
+        "none of the {} markers has a corner pair near where it must be ({} epipolar pairs in the images)",
+        known_count(search.known), epipolar_pairs);
   if (static_cast<std::size_t>(count) < search.needed)
     return fmt::format(
         "only {} of {} markers have a corner pair near where they must be ({} epipolar pairs in the images)", count,

@@ -37,7 +37,8 @@ class RobotReadingOfASession : public testing::Test {
                           session, std::filesystem::copy_options::recursive);
   }
   static RobotReading reading(double value) {
-    return {"joint_elasticity", value, 1e-4, {"1 kg makes the hand drop by", "more", 1.4e-3, 2e-4, "m", 37}};
+    return {
+        "joint_elasticity", value, 1e-4, {"Hang 1 kg on the hand: it should sag", "further", 1.4e-3, 2e-4, "m", 37}};
   }
   TemporaryFolder folder;
   std::filesystem::path session;

@@ -135,7 +135,7 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   const auto first = [this] { return explain.cards()->card(0); };
   ASSERT_TRUE(first()->state().check_number);
   const QString predicted = first()->state().check_number->prediction;
-  EXPECT_TRUE(predicted.contains("1 kg makes the hand drop by")) << predicted.toStdString();
+  EXPECT_TRUE(predicted.contains("Hang 1 kg on the hand: it should sag")) << predicted.toStdString();
   const auto told = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json()["candidates"][0];
   const double value = told["check"]["value"].get<double>(), sigma = told["check"]["sigma"].get<double>();
   EXPECT_TRUE(predicted.contains(widgets::with_sigma_text(1e3 * value, 1e3 * sigma))) << predicted.toStdString();
@@ -159,7 +159,8 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   EXPECT_TRUE(first()->state().check_number->is_inside) << "remembered with the session";
   explain.press_add();
   ASSERT_TRUE(explain.is_settled());
-  const QString report = app::report_html(desk.document(), *desk.document().model(), {}, "How good it is.");
+  const QString report =
+      app::report_html(desk.document(), *desk.document().model(), {}, {.verdict = "How good it is."});
   EXPECT_TRUE(report.contains("Checked on the robot"));
   EXPECT_TRUE(report.contains("Inside: 0.7 sigma from the prediction"));
 }

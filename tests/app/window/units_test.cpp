@@ -91,7 +91,7 @@ TEST_F(Units, UTurnsEveryViewFromPxToMmToSigmaAndBack) {
   };
   expect(SizeUnit::pixel, *held_out.rms_pixel, *row.rms, noise, noise);
   desk.key(Qt::Key_U);
-  expect(SizeUnit::millimetre, 1e3 * *held_out.hand_m, 1e3 * *row.rms_m,
+  expect(SizeUnit::millimetre, 1e3 * *held_out.hand_m, 1e3 * *row.hand_m,
          1e3 * *desk.document().model()->report->noise_of_hand_m,
          1e3 * *desk.document().model()->report->rms_of_noise_m);
   desk.key(Qt::Key_U);
@@ -147,6 +147,8 @@ TEST_F(Units, ExplainTellsTheVerdictTheStaircaseAndThePatternsInIt) {
   ASSERT_TRUE(explain.open());
   auto* stairs = desk.find<widgets::Staircase>("staircase");
   auto* page = desk.find<widgets::PatternPage>("pattern_page");
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("tab_patterns")->isVisible(); }));
+  desk.press_button("tab_patterns");
   const auto in_px = page->plots();
   const double step = *stairs->state().versions.back().held_out;
   ASSERT_EQ(stairs->state().unit, "px");

@@ -67,7 +67,7 @@ TEST(RobotCheck, PredictsByHowMuchTheHandDrops) {
   EXPECT_NEAR(c.check->value, of_truth, 4 * c.check->sigma);
   EXPECT_GT(c.check->sigma, 0);
   EXPECT_LT(c.check->sigma, 0.2 * of_truth);
-  EXPECT_NE(prediction_text(*c.check).find("1 kg makes the hand drop by"), std::string::npos);
+  EXPECT_NE(prediction_text(*c.check).find("Hang 1 kg on the hand: it should sag"), std::string::npos);
   EXPECT_NE(c.explanation.find(prediction_text(*c.check)), std::string::npos) << c.explanation;
 }
 
@@ -141,8 +141,8 @@ TEST(RobotCheck, NothingIsPredictedOfWhatDoesNotPass) {
 }
 
 TEST(RobotCheck, SaysInsideOrOutsideAndWhatThatMeans) {
-  const CheckPrediction p{"1 kg makes the hand drop by", "more", 1.4e-3, 0.2e-3, "m", 37};
-  EXPECT_EQ(prediction_text(p), "1 kg makes the hand drop by 1.40 +- 0.20 mm more.");
+  const CheckPrediction p{"Hang 1 kg on the hand: it should sag", "further (pose 37)", 1.4e-3, 0.2e-3, "m", 37};
+  EXPECT_EQ(prediction_text(p), "Hang 1 kg on the hand: it should sag 1.40 +- 0.20 mm further (pose 37).");
   const CheckAnswer good = answer_check(p, 1.3e-3, 0.05e-3);
   EXPECT_TRUE(good.is_inside);
   EXPECT_FALSE(good.could_be_nothing);

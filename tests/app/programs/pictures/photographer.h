@@ -17,7 +17,7 @@ inline QSize window_size() {
 
 struct Photographer {
   Desk& desk;
-  void take(const char* name) {
+  void take(const std::string& name) {
     desk.settle();
     take_now(name);
   }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/report_story.h"
+
+#include "document/curve_words.h"
+#include "findings/bill_entries.h"
+#include "findings/explain_texts.h"
+
+namespace handsight::app {
+namespace {
+
+QString name_of_lead(const Workbench& bench, const Story& story, const ModelVersionPointer& model) {
+  const auto diagnosis = bench.diagnosis_of(model);
+  if (!diagnosis || story.causes.empty()) return {};
+  return name_of(diagnosis->candidates[story.causes.front().candidate], bench.document.session());
+}
+
+QString next_text(const Story& story, const QString& lead) {
+  switch (story.next) {
+    case StoryNext::measure_more:
+      return QObject::tr("Next: measure more observations.");
+    case StoryNext::tell_apart:
+      return QObject::tr("Next: measure poses that tell the two apart; Explain plans them.");
+    case StoryNext::add:
+      return QObject::tr("Next: add %1 to the model.").arg(lead);
+    case StoryNext::add_or_stop:
+      return QObject::tr("Next: look for another cause; %1 would lower the error, but no robot is built so.").arg(lead);
+    case StoryNext::tell_the_noise:
+      return QObject::tr("Next: declare the noise (sigma), or repeat some poses.");
+    case StoryNext::look:
+      return QObject::tr("Next: look at what is left and at what it follows.");
+    case StoryNext::use_it:
+      return QObject::tr("Next: use it. The numbers stand below and in the XML.");
+    case StoryNext::wait:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+ReportStory report_story(const Workbench& bench, const ModelVersionPointer& model) {
+  const Story& story = bench.story_of(model);
+  return {session_verdict(bench, model).sentence, next_text(story, name_of_lead(bench, story, model)),
+          bill_entries(bench, model)};
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "findings/bill_entries.h"
+
+#include <algorithm>
+
+#include "base/percent.h"
+#include "document/curve_words.h"
+#include "document/effect_words.h"
+#include "widgets/base/number_text.h"
+
+namespace handsight::app {
+namespace {
+
+QString cause_of(const BillRow& row, const Fit& fit) {
+  QString name = effect_of(row.id, row.where);
+  if (row.unnamed)
+    for (const FittedEffect& f : fit.effects)
+      if (f.term.id == row.id) name = title_of(f.term, fit.problem.source->chain.robot);
+  return name.left(1).toUpper() + name.mid(1);
+}
+
+QString built_text(const BillRow& row) {
+  if (row.pushes_back) return QObject::tr("a spring that pushes back: it stands in for another cause");
+  if (row.too_large) return QObject::tr("larger than robots are built: it stands in for another cause");
+  if (row.held) return QObject::tr("held, not estimated");
+  return row.unnamed ? QObject::tr("no name in the catalogue") : QObject::tr("plausible");
+}
+
+QString told_text(const BillRow& row) {
+  if (!row.cannot_be_told_from || row.held) return {};
+  if (row.cannot_be_told_from->empty()) return QObject::tr("told from all others");
+  QStringList others;
+  for (const std::string& id : *row.cannot_be_told_from) others << effect_of(id, {});
+  return QObject::tr("not told from %1").arg(others.join(", "));
+}
+
+/// Nothing is quite sure.
+QString sure_text(const BillRow& row) {
+  if (!row.probability || row.held) return {};
+  const double shown = std::clamp(*row.probability, 0.001, 0.999);
+  return QObject::tr("sure to %1 %").arg(widgets::short_text(100 * shown, 3));
+}
+
+}  // namespace
+
+std::vector<widgets::BillEntry> bill_entries(const std::vector<BillRow>& rows, const Fit& fit) {
+  std::vector<widgets::BillEntry> entries;
+  for (const BillRow& row : rows) {
+    const auto sigma = row.hand_sigma_m > 0 ? std::optional(1e3 * row.hand_sigma_m) : std::nullopt;
+    entries.push_back({.id = QString::fromStdString(row.id),
+                       .cause = cause_of(row, fit),
+                       .worth = widgets::with_sigma_text(1e3 * row.hand_m, sigma) + QChar(0x00A0) + QObject::tr("mm"),
+                       .sure = sure_text(row),
+                       .built = built_text(row),
+                       .told = told_text(row),
+                       .is_stand_in = row.stands_in()});
+  }
+  return entries;
+}
+
+std::vector<widgets::BillEntry> bill_entries(const Workbench& bench, const ModelVersionPointer& model) {
+  if (!model || !model->fit) return {};
+  return bill_entries(bench.bill_of(model), *model->fit);
+}
+
+}  // namespace handsight::app

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/selection/bill.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/percent.h"
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/selection/hand_places.h"
+#include "diagnosis/verdict/explanation.h"
+#include "diagnosis/verdict/stand_in.h"
+
+namespace handsight {
+namespace {
+
+constexpr const char* nameless = ": it has no name";  // what a curve's cause ends with; the row says so too
+
+/// A number of a cause that the fit has estimated, and its place among all numbers of the fit's effects.
+struct Estimated {
+  std::size_t term = 0, parameter = 0;
+  Eigen::Index place = 0;
+  double sigma = 0;
+};
+
+std::vector<Estimated> estimated_of(const Fit& fit, const std::string& id) {
+  std::vector<Estimated> list;
+  Eigen::Index place = 6;  // after TCP->Body's
+  for (std::size_t t = 0; t < fit.effects.size(); ++t) {
+    const std::vector<double>& sigmas = fit.effects[t].sigmas;
+    for (std::size_t p = 0; p < sigmas.size(); ++p, ++place)
+      if (fit.effects[t].term.id == id && sigmas[p] > 0) list.push_back({t, p, place, sigmas[p]});
+  }
+  return list;
+}
+
+double root_mean_square(const Eigen::Matrix3Xd& moved) {
+  return moved.cols() ? std::sqrt(moved.squaredNorm() / static_cast<double>(moved.cols())) : 0;
+}
+
+/// By linear propagation: d rms = sum of (moved . d moved) / (n rms). What is hardly more than nothing is as sure as
+/// its numbers are.
+double sigma_of(const Fit& fit, const std::vector<Estimated>& numbers, const Eigen::Matrix3Xd& moved,
+                HandPlaces& places) {
+  const auto count = static_cast<Eigen::Index>(numbers.size());
+  const double n = static_cast<double>(std::max<Eigen::Index>(moved.cols(), 1)), rms = root_mean_square(moved);
+  Eigen::MatrixXd covariance(count, count);
+  Eigen::VectorXd slope(count);
+  for (Eigen::Index a = 0; a < count; ++a) {
+    const Estimated& number = numbers[static_cast<std::size_t>(a)];
+    std::vector<EffectTerm> less = terms_of(fit);
+    less[number.term].values[number.parameter] -= number.sigma;
+    const Eigen::Matrix3Xd by_one = -places.moved_by(less) / number.sigma;
+    slope[a] = rms > 0 ? moved.cwiseProduct(by_one).sum() / (n * rms) : root_mean_square(by_one);
+    for (Eigen::Index b = 0; b < count; ++b)
+      covariance(a, b) = fit.model_covariance(number.place, numbers[static_cast<std::size_t>(b)].place);
+  }
+  return std::sqrt(std::max(slope.dot(covariance * slope), 0.0));
+}
+
+void set_worth(const Fit& fit, HandPlaces& places, BillRow& row) {
+  std::vector<EffectTerm> others = terms_of(fit);
+  std::erase_if(others, [&](const EffectTerm& t) { return t.id == row.id; });
+  const Eigen::Matrix3Xd moved = -places.moved_by(others);
+  row.hand_m = root_mean_square(moved);
+  const std::vector<Estimated> numbers = estimated_of(fit, row.id);
+  row.held = numbers.empty();
+  if (!row.held) row.hand_sigma_m = sigma_of(fit, numbers, moved, places);
+}
+
+BillRow row_of(const Fit& fit, const std::string& id) {
+  BillRow row{.id = id};
+  std::vector<EffectTerm> terms;
+  for (const FittedEffect& f : fit.effects)
+    if (f.term.id == id) terms.push_back(f.term);
+  row.where = places_of(terms, fit.problem.source->chain);
+  row.unnamed = is_curve(terms.front());
+  if (row.unnamed) row.follows = terms.front().own->definition->cause;
+  row.follows = row.follows.substr(0, row.follows.find(nameless));
+  while (row.follows.ends_with('.')) row.follows.pop_back();
+  return row;
+}
+
+}  // namespace
+
+std::vector<BillRow> bill_of(const Fit& fit, const Certainty* certainty) {
+  std::vector<BillRow> rows;
+  if (fit.effects.empty() || !fit.problem.source || fit.problem.observations.empty()) return rows;
+  HandPlaces places(fit);
+  for (const FittedEffect& f : fit.effects) {
+    if (std::any_of(rows.begin(), rows.end(), [&](const BillRow& r) { return r.id == f.term.id; })) continue;
+    rows.push_back(row_of(fit, f.term.id));
+    set_worth(fit, places, rows.back());
+  }
+  for (const StandIn& odd : stand_ins(fit))
+    for (BillRow& row : rows)
+      if (row.id == odd.id) (odd.pushes_back ? row.pushes_back : row.too_large) = true;
+  std::stable_sort(rows.begin(), rows.end(), [](const BillRow& a, const BillRow& b) { return a.hand_m > b.hand_m; });
+  return certainty ? with_certainty(std::move(rows), *certainty) : rows;
+}
+
+std::vector<BillRow> with_certainty(std::vector<BillRow> rows, const Certainty& certainty) {
+  for (BillRow& row : rows)
+    for (const NameCertainty& name : certainty.names) {
+      if (name.id != row.id || !name.is_in_model) continue;
+      row.probability = name.probability;
+      row.cannot_be_told_from = name.cannot_be_told_from;
+    }
+  return rows;
+}
+
+namespace {
+
+/// What and where.
+std::string cause_text(const BillRow& row) {
+  if (row.unnamed) return row.follows;
+  return row.where.empty() ? row.id : fmt::format("{} ({})", row.id, listed(row.where));
+}
+
+std::string doubt_of(const BillRow& row) {
+  if (row.pushes_back) return "stands in: a spring that pushes back";
+  if (row.too_large) return "stands in: larger than robots are built";
+  return row.held ? "held" : row.unnamed ? "no name" : "plausible";
+}
+
+std::string told_from(const BillRow& row) {
+  if (row.held) return "-";
+  if (!row.cannot_be_told_from) return "not looked at";
+  return row.cannot_be_told_from->empty() ? "from all others" : "not from " + listed(*row.cannot_be_told_from);
+}
+
+std::string sure_text(const std::optional<double>& probability) {
+  if (!probability) return "-";
+  return *probability > 0.999 ? "over 99.9 %" : two_digit_percent(*probability) + " %";
+}
+
+}  // namespace
+
+std::string hand_text(const BillRow& row) {
+  const double value = 1e3 * row.hand_m, sigma = 1e3 * row.hand_sigma_m;
+  const auto last = [](double size) { return static_cast<int>(std::floor(std::log10(size))); };
+  if (!(value > 0)) return "0 mm";
+  if (!(sigma > 0)) return fmt::format("{:.{}f} mm", value, std::max(2 - last(value), 0));
+  const int digits = std::clamp(1 - last(sigma), 0, 6);
+  return fmt::format("{:.{}f} +- {:.{}f} mm", value, digits, sigma, digits);
+}
+
+std::vector<std::string> bill_lines(const std::vector<BillRow>& rows) {
+  std::vector<std::string> lines;
+  if (rows.empty()) return lines;
+  std::size_t wide = 5;
+  for (const BillRow& row : rows) wide = std::max(wide, cause_text(row).size());
+  const auto line = [&](const auto&... cells) { return fmt::format("{:<{}}  {:>20}  {:>12}  {:<40}  {}", cells...); };
+  lines.push_back(line("cause", wide, "at the hand (rms)", "sure", "is it built so", "can it be told"));
+  for (const BillRow& row : rows)
+    lines.push_back(
+        line(cause_text(row), wide, hand_text(row), sure_text(row.probability), doubt_of(row), told_from(row)));
+  return lines;
+}
+
+}  // namespace handsight

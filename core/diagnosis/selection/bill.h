@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bill of a model: a row a cause, with what it is worth at the hand, how sure that is, whether robots are built so,
+// and what these poses cannot tell it from. Made once; window, report and command line show the same rows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/selection/certainty.h"
+
+namespace handsight {
+
+/// One cause of a model: an effect with all of its places, or a curve without a name.
+struct BillRow {
+  std::string id;
+  std::vector<std::string> where;  // joints, markers, "from observation 37 on"; of a curve where it acts
+  bool unnamed = false;
+  std::string follows;  // of a curve: what it follows; else empty
+  bool held = false;    // by the user, not estimated
+  /// Root mean square over the observations of how far it moves the body's origin as the sensor sees it, m. What is the
+  /// same in all of them is the mount's and left out.
+  double hand_m = 0;
+  double hand_sigma_m = 0;   // one sigma of it, by the covariance of the cause's own numbers; 0 where it is held
+  bool too_large = false;    // larger than robots are built (stand_in.h)
+  bool pushes_back = false;  // a spring that does
+  std::optional<double> probability;  // that it is there at all; nothing where nobody has looked
+  /// Ids of what could do the same to the measurements on these poses; nothing where nobody has looked.
+  std::optional<std::vector<std::string>> cannot_be_told_from;
+
+  /// It stands in for another cause: no robot is built so.
+  bool stands_in() const { return too_large || pushes_back; }
+};
+
+/// Of the model of a fit, what moves the hand most first. `certainty`: of the same model, null where nobody has looked.
+/// Of long sessions a part of the observations, evenly taken, tells how much.
+std::vector<BillRow> bill_of(const Fit& fit, const Certainty* certainty = nullptr);
+
+/// The same rows with what a certainty says of them.
+std::vector<BillRow> with_certainty(std::vector<BillRow> rows, const Certainty& certainty);
+
+/// "2.31 +- 0.04 mm": what it is worth at the hand, to two digits of its sigma and three of its own.
+std::string hand_text(const BillRow& row);
+
+/// A table for terminals, a line a row with a head; empty where there are none.
+std::vector<std::string> bill_lines(const std::vector<BillRow>& rows);
+
+}  // namespace handsight

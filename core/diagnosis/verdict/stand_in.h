@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is in a model and no robot is built like: it stands in for another cause.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "estimation/fit/fit_result.h"
+
+namespace handsight {
+
+/// What is in the model and larger than robots are built, or a spring that pushes back.
+struct StandIn {
+  std::string id;
+  std::vector<std::string> where;  // the places whose numbers are so
+  bool pushes_back = false;
+};
+
+/// Plausible sizes: what is larger stands in for something else.
+inline constexpr double largest_built = 3;
+
+/// Is a number of the term that a fit moves larger than robots are built (largest_built)?
+bool is_too_large(const EffectTerm& term, const Chain& chain);
+
+/// Of what the fit estimates (not what the user holds), an entry an effect.
+std::vector<StandIn> stand_ins(const Fit& fit);
+
+}  // namespace handsight
