@@ -119,6 +119,9 @@ struct Problem {
 Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held = {},
                      const std::vector<EffectTerm>& estimated = {});
 
+/// Problem::marker_is_seen by what the shape says: a marker has a place as soon as a point of its piece is seen.
+void place_unseen(Problem& problem);
+
 /// The values of the problem's effect columns.
 Eigen::VectorXd effect_values(const Problem& problem);
 
