@@ -213,6 +213,21 @@ class Work {
     }
     refit_the_curve();
     sort_candidates();
+    refit_what_is_simpler();
+  }
+
+  /// What the best one may stand in for, though to first order it says less: a turn of degrees is not of first order.
+  void refit_what_is_simpler() {
+    constexpr int most = 2;
+    const DiagnosisCandidate best = d_.candidates.front();
+    int done = 0;
+    for (DiagnosisCandidate& c : d_.candidates) {
+      if (stopped_ || done == most) break;
+      if (c.unnamed || c.refitted || c.ln_bayes_factor < d_.threshold || !may_stand_in(best, c)) continue;
+      refit_candidate(c);
+      ++done;
+    }
+    if (done > 0) sort_candidates();
   }
 
   /// The unnamed candidates that pass as curves that the model may take in; the first one fitted in full.

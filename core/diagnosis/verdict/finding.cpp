@@ -52,14 +52,17 @@ bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::ve
 
 bool is_believable(const DiagnosisCandidate& c) { return c.plausible && !pushes_back(c.terms, c.sigmas); }
 
+bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {
+  return best.unnamed || (!best.plausible && 2 * count_of_numbers(c) <= count_of_numbers(best));
+}
+
 bool comes_before(const DiagnosisCandidate& c, const DiagnosisCandidate& best) {
   constexpr double about_as_much = 0.5;  // of the evidence
   constexpr double nearly = 0.99;        // of what is explained
   if (&c == &best || c.unnamed || !c.refitted) return false;
   const bool is_of_target = c.id == "target_scale" || c.id == "target_bend";
   if (is_of_target && c.plausible && c.ln_bayes_factor > about_as_much * best.ln_bayes_factor) return true;
-  return !best.plausible && 2 * count_of_numbers(c) <= count_of_numbers(best) &&
-         c.explained.value_or(0) >= nearly * best.explained.value_or(1);
+  return may_stand_in(best, c) && c.explained.value_or(0) >= nearly * best.explained.value_or(1);
 }
 
 /// Of the best one's evidence: what is believable and explains less is no rival of what is only large.

@@ -23,6 +23,10 @@ bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::ve
 /// Of a size that robots have: DiagnosisCandidate::plausible, and no spring that pushes back.
 bool is_believable(const DiagnosisCandidate& candidate);
 
+/// Could the one with the most evidence stand in for this candidate: a curve, or twice as many numbers that no robot
+/// has?
+bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& candidate);
+
 /// Does a candidate come before the one with the most evidence? What the target is comes before what the robot is,
 /// where it explains about as much: a wrong size bends every link a little. And few numbers come before many that no
 /// robot has, where they explain nearly as much: what is left then is the next step's.

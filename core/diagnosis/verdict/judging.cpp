@@ -88,7 +88,10 @@ void judge(const Session& session, bool knows_noise, const std::map<std::string,
   };
   const DiagnosisCandidate *best = first(false), *unnamed = first(true);
   const bool unnamed_passes = unnamed && unnamed->ln_bayes_factor >= d.threshold;
-  if (unnamed_passes && (!best || unnamed->ln_bayes_factor > best->ln_bayes_factor)) {
+  const bool has_a_name = unnamed && std::any_of(d.candidates.begin(), d.candidates.end(), [&](const auto& c) {
+                            return c.ln_bayes_factor >= d.threshold && comes_before(c, *unnamed);
+                          });
+  if (unnamed_passes && !has_a_name && (!best || unnamed->ln_bayes_factor > best->ln_bayes_factor)) {
     d.verdict = Verdict::unexplained;
     d.reason = follows_unnamed_text(*unnamed, session);
     put_variable_first(*unnamed->unnamed->localiser.variable, d);

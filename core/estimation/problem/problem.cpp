@@ -4,6 +4,7 @@
 #include <algorithm>
 
 namespace handsight {
+
 void place_unseen(Problem& problem) {
   if (!problem.has_shape_prior()) return;
   std::vector<char> is_seen(static_cast<std::size_t>(problem.shape->piece_count()), 0);
