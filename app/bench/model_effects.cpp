@@ -110,7 +110,7 @@ widgets::ModelEffect shown_effect(const Effect& e, const Document& document, con
                                                      : QObject::tr("It has no place in this session.");
   } else if (diagnosis &&
              std::find(diagnosis->invisible.begin(), diagnosis->invisible.end(), e.id) != diagnosis->invisible.end()) {
-    shown.group = QObject::tr("Cannot be seen on these poses");
+    shown.group = QObject::tr("Invisible on these poses");
     shown.is_out_of_sight = true;
   }
   return shown;

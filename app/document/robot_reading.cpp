@@ -31,7 +31,9 @@ bool operator==(const RobotReading& a, const RobotReading& b) {
 std::optional<TypedReading> parse_reading(const QString& text) {
   QString plain = text.trimmed();
   plain.replace(QChar(0x2212), '-');                  // a true minus
-  if (!plain.contains('.')) plain.replace(',', '.');  // as much of the world writes it
+  // As much of the world writes it; but three digits behind a comma may be thousands.
+  static const QRegularExpression thousands(QStringLiteral(",\\d{3}(?!\\d)"));
+  if (!plain.contains('.') && !plain.contains(thousands)) plain.replace(',', '.');
   plain.replace("+-", QString(QChar(0x00B1)));
   plain.replace("+/-", QString(QChar(0x00B1)));
   const QStringList parts = plain.split(QChar(0x00B1));

@@ -66,10 +66,21 @@ void exchange(Camera& camera) {
   if (off(camera.cy, camera.cx) < 0.5 * off(camera.cx, camera.cy)) std::swap(camera.cx, camera.cy);
 }
 
+/// Would all that was seen lie in the image if its width and height were exchanged?
+bool fits_exchanged(const Session& s, int camera) {
+  const Camera& c = s.rig->at(camera).camera;
+  for (const Observation& o : s.observations)
+    for (const Sighting& sighting : o.sightings)
+      for (const CameraPoint& p : sighting.in_cameras)
+        if (p.camera == camera && (p.pixel.x() > c.height || p.pixel.y() > c.width)) return false;
+  return true;
+}
+
 std::vector<std::string> oblong_cameras(const Session& s) {
   std::vector<std::string> places;
   for (int c = 0; s.rig && c < s.rig->count(); ++c)
-    if (s.rig->at(c).camera.width != s.rig->at(c).camera.height) places.push_back(s.rig->at(c).name);
+    if (s.rig->at(c).camera.width != s.rig->at(c).camera.height && fits_exchanged(s, c))
+      places.push_back(s.rig->at(c).name);
   if (places.size() > 1 || (s.rig && s.rig->count() == 1 && !places.empty())) places.insert(places.begin(), "");
   if (s.rig && s.rig->count() == 1 && places.size() > 1) places.pop_back();
   return places;

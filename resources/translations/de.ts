@@ -1052,8 +1052,8 @@
         <translation>Kandidaten auf der Epipolarlinie</translation>
     </message>
     <message>
-        <source>Cannot be seen on these poses</source>
-        <translation>In diesen Stellungen nicht zu sehen</translation>
+        <source>Invisible on these poses</source>
+        <translation>In diesen Stellungen unsichtbar</translation>
     </message>
     <message>
         <source>Cause</source>
@@ -2953,7 +2953,7 @@
     </message>
     <message>
         <source>Where it fails: the proof</source>
-        <translation>Wo es danebenliegt: der Beweis</translation>
+        <translation>Wo es fehlt: der Beweis</translation>
     </message>
     <message>
         <source>Where it sits</source>
@@ -3542,6 +3542,10 @@
     <message>
         <source>observation id</source>
         <translation>Nummer der Beobachtung</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Anzahl</translation>
     </message>
     <message>
         <source>observations</source>

@@ -86,8 +86,6 @@ BillList::BillList(QWidget* parent) : QWidget(parent) {
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
   layout->addWidget(empty_, 1);
-  connect(view_, &QListView::clicked, this,
-          [this](const QModelIndex& at) { emit chosen(entries_[static_cast<std::size_t>(at.row())].id); });
   set_entries({});
 }
 

@@ -24,7 +24,7 @@ struct BillEntry {
   QString remarks() const;
 };
 
-/// What is worth most first. A click on a row names its effect.
+/// What is worth most first.
 class BillList : public QWidget {
   Q_OBJECT
  public:
@@ -32,9 +32,6 @@ class BillList : public QWidget {
   void set_entries(std::vector<BillEntry> entries);
   const std::vector<BillEntry>& entries() const { return entries_; }
   QListView* view() const { return view_; }
-
- signals:
-  void chosen(const QString& id);
 
  protected:
   void changeEvent(QEvent* event) override;

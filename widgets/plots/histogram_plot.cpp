@@ -61,7 +61,7 @@ void HistogramPlot::restyle() {
   bars_->selected->setPen(QPen(c.accent, 1.6));
   bars_->threshold_text->setColor(c.ink1);
   bars_->threshold_text->setFont(text_font(TextRole::small));
-  plot_->yAxis->setLabel(QObject::tr("observations"));
+  plot_->yAxis->setLabel(QObject::tr("count"));
   fill();
 }
 

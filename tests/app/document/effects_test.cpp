@@ -143,7 +143,7 @@ TEST_F(EffectsTest, UndoSaysWhatItDidToTheError) {
   QObject::connect(&document, &Document::noticed, [&](const QString& sentence) { said = sentence; });
   document.undo();
   EXPECT_TRUE(said.startsWith("Undone: added joint elasticity (")) << said.toStdString();
-  EXPECT_TRUE(said.contains("→ 3.41 px")) << said.toStdString();
+  EXPECT_TRUE(said.contains("→ 3.4 px")) << said.toStdString();
 }
 
 TEST_F(EffectsTest, AVersionMadeOfADiagnosisIsTheOneThatWouldBeFitted) {

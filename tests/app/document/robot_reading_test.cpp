@@ -23,9 +23,10 @@ TEST(RobotReading, IsTypedWithWhatItMayBeOffBy) {
     EXPECT_DOUBLE_EQ(both->sigma, 0.05);
   }
   EXPECT_DOUBLE_EQ(parse_reading(QString::fromUtf8("−2"))->value, -2) << "a true minus, as the window writes it";
+  EXPECT_DOUBLE_EQ(parse_reading("1,35")->value, 1.35);
   EXPECT_NEAR(parse_reading("12")->sigma, 1 / std::sqrt(12), 1e-12);
   EXPECT_NEAR(parse_reading("1.20e-3")->sigma, 1e-5 / std::sqrt(12), 1e-15);
-  for (const char* text : {"", "one", "1.3 ± ", "1.3 ± -1", "1 ± 2 ± 3", "nan", "1,3"})
+  for (const char* text : {"", "one", "1.3 ± ", "1.3 ± -1", "1 ± 2 ± 3", "nan", "1,300", "1.3,5"})
     EXPECT_FALSE(parse_reading(QString::fromUtf8(text))) << text;
 }
 

@@ -128,7 +128,9 @@ struct ExplainPage {
   /// Puts the pointer on a card.
   void look_at(int card) {
     auto* shown = cards()->card(card);
-    QTest::mouseMove(shown->window()->windowHandle(), shown->mapTo(shown->window(), QPoint(20, 20)));
+    const QRect seen = shown->visibleRegion().boundingRect();  // a tall card may be scrolled to its lower part
+    QTest::mouseMove(shown->window()->windowHandle(),
+                     shown->mapTo(shown->window(), seen.isEmpty() ? QPoint(20, 20) : seen.topLeft() + QPoint(20, 20)));
     QTest::qWait(20);
   }
   /// Scrolls a card to where the pointer can reach it, and presses its button.

@@ -57,10 +57,13 @@ struct Told {
     }
     const StoryCause* lead = story().lead();
     const auto diagnosis = bench().diagnosing.diagnosis();
-    if (lead && diagnosis)
-      EXPECT_TRUE(v.sentence.contains(app::name_of(diagnosis->candidates[lead->candidate], bench().document.session()),
-                                      Qt::CaseInsensitive))
-          << v.sentence.toStdString();
+    if (lead && diagnosis) {
+      const DiagnosisCandidate& c = diagnosis->candidates[lead->candidate];
+      const Session& session = bench().document.session();
+      const bool is_sentence = c.unnamed && !c.terms.empty();
+      const QString told = is_sentence ? app::curve_sentence(c.terms.front(), session.robot) : app::name_of(c, session);
+      EXPECT_TRUE(v.sentence.contains(told, Qt::CaseInsensitive)) << v.sentence.toStdString();
+    }
     if (!lead) EXPECT_FALSE(v.sentence.contains("Most likely missing")) << v.sentence.toStdString();
     for (const StandIn& one : story().stands_in)
       EXPECT_TRUE(v.sentence.contains(app::effect_of(one.id, one.where))) << v.sentence.toStdString();
