@@ -187,16 +187,14 @@ void minimise_surely(const Session& session, Problem& images, const Unknowns& st
                      double noise, Fit& fit) {
   minimise_widening(session, images, start, options, noise, fit);
   if (options.least_gain > 0 || options.objective != Objective::image) return;
-  // From an answer of another model all starts have been looked at before. What leaves more than twice the noise may
-  // have stopped in a minimum beside the best one.
-  if (!options.start && looks_lost(images, fit.solution))
-    compete(
-        session, images, start, options, noise, [](const Problem& p, const Solution& s) { return !looks_lost(p, s); },
-        fit);
-  if (!options.start && !images.noise_is_guessed && leaves_more_than_noise(images, fit.solution, 4))
-    compete(
-        session, images, start, options, noise,
-        [](const Problem& p, const Solution& s) { return !leaves_more_than_noise(p, s, 4); }, fit);
+  // What leaves more than twice the noise may have stopped in a minimum beside the best one. From an answer of another
+  // model all starts have been looked at before.
+  constexpr double twice = 4;  // in squares
+  const auto is_enough = [](const Problem& p, const Solution& one) {
+    return !looks_lost(p, one) && (p.noise_is_guessed || !leaves_more_than_noise(p, one, twice));
+  };
+  if (!options.start && !is_enough(images, fit.solution))
+    compete(session, images, start, options, noise, is_enough, fit);
   constexpr double clearly = 2;
   const bool is_whole = options.reuse_below == 0 && options.loss == Loss::none && !fit.solution.stopped;
   if (is_whole && fit.problem.effect_count() > 0 && leaves_more_than_noise(images, fit.solution, clearly))
