@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "base/files.h"
 #include "base/sha256.h"
+#include "base/utc_now.h"
 
 namespace handsight {
 namespace {
@@ -75,15 +75,6 @@ void add_images(const Session& session, Certificate& c) {
   if (count > 0) c.files.push_back({"images", fmt::format("{} files, by their digests", count), bytes, sha256(lines)});
 }
 
-std::string now() {
-  const std::time_t time = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&time, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
-
 std::string title_of(const Session& session) {
   if (!session.title.empty()) return session.title;
   return std::filesystem::absolute(session.file).parent_path().filename().string();
@@ -105,7 +96,7 @@ std::string sensor_text(const Session& session) {
 Certificate certificate_of(const Session& session, const CertificateRequest& request,
                            const std::function<bool(double done)>& goes_on) {
   Certificate c;
-  c.date = now();
+  c.date = utc_now();
   c.software = request.software;
   c.title = title_of(session);
   c.robot = session.robot.name;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "base/utc_now.h"
 #include "effects/term_numbers.h"
 #include "effects/units.h"
 #include "estimation/report/hand_end.h"
@@ -12,15 +12,6 @@
 namespace handsight {
 
 namespace {
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
 
 /// Terms as elements of a file: those of one effect together, in the order in which the effects first stand; the second
 /// term of an effect at a place is in the effect's second element, and so on.
