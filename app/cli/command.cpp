@@ -12,6 +12,7 @@
 #include "blunders/blunders_in_files.h"
 #include "detection/target_finding.h"
 #include "estimation/start/half_turns.h"
+#include "options/joined_source.h"
 #include "printing/outputs.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
@@ -85,11 +86,24 @@ void Progress::at(std::size_t count) {
             << " of " << total_ << std::flush;
 }
 
-Session open_session(const std::string& path) {
+namespace {
+
+Session open_one(const std::string& path) {
   Session session = read_session(path);
   note_inputs(session);
   for (const std::string& note : session.notes) Output::note(note);
   return session;
+}
+
+Session opened(const Collection& collection, const OpenOne& open) {
+  for (const std::string& note : collection.notes) Output::note(note);
+  return joined_of(collection, open);
+}
+
+}  // namespace
+
+Session open_session(const std::string& path) {
+  return is_collection(path) ? opened(read_collection(path), open_one) : open_one(path);
 }
 
 Session open_session(const std::string& path, const Output& output) {
@@ -101,7 +115,9 @@ Session open_session(const std::string& path, const Output& output) {
 namespace {
 
 Session searched(const std::string& path, TargetSearch& search) {
-  Session session = open_session(path);
+  if (is_collection(path))
+    return opened(read_collection(path), [&](const std::string& one) { return searched(one, search); });
+  Session session = open_one(path);
   std::optional<Progress> progress;
   search = find_targets(session, [&](std::size_t done, std::size_t all) {
     if (!progress) progress.emplace("looking for the target", all);
@@ -134,8 +150,19 @@ Session open_searched_session(const std::string& path, const Output& output, Tar
   return searched(path, search);
 }
 
+Session open_joined_session(const std::vector<std::string>& paths, const SharedBySessions& shared,
+                            const Output& output) {
+  output.require_places();
+  TargetSearch search;
+  if (paths.size() == 1) return searched(paths.front(), search);
+  return opened(collection_of(paths, shared.same_rig, shared.same_body),
+                [&](const std::string& one) { return searched(one, search); });
+}
+
 void add_session_option(const CommandLine& command, std::string& session) {
-  command.option("SESSION", session, "A session's folder or its session.xml").required();
+  command
+      .option("SESSION", session, "A session's folder or its session.xml, or a collection of sessions (collection.xml)")
+      .required();
 }
 
 void add_json_option(const CommandLine& command, Output& output) {

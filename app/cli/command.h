@@ -74,6 +74,14 @@ Session open_searched_session(const std::string& path, const Output& output);
 /// The same, with what became of the search.
 Session open_searched_session(const std::string& path, const Output& output, TargetSearch& search);
 
+/// The sessions of a collection, or these as one in which they share what is said, and nothing but the robot otherwise:
+/// rigs and bodies by lists of sessions ("A,B"), each as it was given.
+struct SharedBySessions {
+  std::vector<std::string> same_rig, same_body;
+};
+Session open_joined_session(const std::vector<std::string>& paths, const SharedBySessions& shared,
+                            const Output& output);
+
 /// Adds `SESSION` and `--json` to a command.
 void add_session_option(const CommandLine& command, std::string& session);
 void add_json_option(const CommandLine& command, Output& output);

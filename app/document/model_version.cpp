@@ -15,11 +15,7 @@ ErrorAndNoise error_and_noise(const ModelVersion& version) {
   return version.fit ? story_error(*version.fit, *version.report) : ErrorAndNoise{};
 }
 
-Vector6 origin_sigma(const Fit& fit) {
-  Matrix6 at_origin = Matrix6::Identity();
-  at_origin.topRightCorner<3, 3>() = -cross_matrix(fit.tcp_from_body.translation);
-  return (at_origin * fit.covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
-}
+Vector6 origin_sigma(const Fit& fit) { return origin_sigma(fit.tcp_from_body, fit.covariance); }
 
 namespace {
 

@@ -249,6 +249,7 @@ bool may_be_a_blunder(const Session& session, const Fit& fit) {
 
 std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
                                    const std::function<bool(double)>& on_progress) {
+  if (!session.parts.empty()) return {};  // each session of a collection is asked by itself
   const auto goes_on = [&](double share) { return !on_progress || on_progress(share); };
   const Session whole = with_one_lever(session);
   const Session thin = thinned_session(whole);

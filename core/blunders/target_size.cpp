@@ -40,6 +40,7 @@ std::optional<TargetSize> other_target_size(const Session& session, const Fit& f
   if (fit_before.noise && !has_no_answer(fit_before) && before < many_times * *fit_before.noise) return std::nullopt;
   const bool is_known = session.shape && session.shape->sigma && session.shape->piece_count() == 1;
   if (!session.pose_sensor && !is_known) return std::nullopt;
+  if (!session.parts.empty()) return std::nullopt;
   try {
     const Chain chain = chain_of(session);
     FitOptions with = options;

@@ -50,13 +50,13 @@ struct MeasuredHand {
 };
 
 Rigid root_from_sensor(const ProblemObservation& o, const Unknowns& u) {
-  return o.root_from_mount * u.mount_from_sensor * o.sensor_motion;
+  return o.root_from_mount * mount_of(o, u) * o.sensor_motion;
 }
 
 /// By its markers' points alone, where they do not show a pose: shifted, not turned.
 std::optional<MeasuredHand> shifted_hand(const Fit& fit, const ProblemObservation& o, bool of_mount) {
   const Unknowns& u = estimate(fit);
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor), sensor = root_from_sensor(o, u);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u), sensor = root_from_sensor(o, u);
   Vector3 shift = Vector3::Zero();
   int points = 0;
   for (const Sighting& s : o.sightings) {
@@ -100,7 +100,7 @@ std::optional<MeasuredHand> measured_hand(const Fit& fit, const Problem& images,
 /// What a fit says of observations that it has not seen, by their index.
 std::vector<std::optional<MeasuredHand>> hands_of(const Session& held, const Fit& fit, bool of_mount) {
   Problem images = make_problem(held, chain_of(held), fit.problem.terms);
-  images.tcp_from_slip = fit.problem.tcp_from_slip;
+  images.set_slip_frames_of(fit.problem);
   if (!images.terms.empty()) place_observations(images);
   std::vector<std::optional<MeasuredHand>> all(held.observations.size());
   for (const ProblemObservation& o : images.observations)

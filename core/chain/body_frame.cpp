@@ -104,4 +104,10 @@ Matrix6 body_covariance(const BodyFrame& frame, const Eigen::MatrixXd& marker_co
          unknown_angle_variance * frame.unobserved * frame.unobserved.transpose();
 }
 
+Vector6 origin_sigma(const Rigid& tcp_from_body, const Matrix6& covariance) {
+  Matrix6 at_origin = Matrix6::Identity();
+  at_origin.topRightCorner<3, 3>() = -cross_matrix(tcp_from_body.translation);
+  return (at_origin * covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
+}
+
 }  // namespace handsight

@@ -45,4 +45,8 @@ BodyFrame body_frame(const BodySides& sides, const std::vector<Vector3>& markers
 /// nothing is known, pi^2 / 3.
 Matrix6 body_covariance(const BodyFrame& frame, const Eigen::MatrixXd& marker_covariance);
 
+/// Sigmas (m, rad) of the body's origin and of the rotations about the TCP's axes, from the covariance of xi in
+/// exp(xi) tcp_from_body.
+Eigen::Matrix<double, 6, 1> origin_sigma(const Rigid& tcp_from_body, const Matrix6& covariance);
+
 }  // namespace handsight

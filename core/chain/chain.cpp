@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chain/chain.h"
 
+#include <algorithm>
+
 namespace handsight {
 namespace {
 
@@ -10,6 +12,29 @@ int link_named(const Session& session, const std::string& name, const char* what
     throw InputError(fmt::format("{}: the {} link \"{}\" is not in the robot {}; name one of its links.",
                                  session.file.filename().string(), what, name, session.robot_file));
   return link;
+}
+
+/// The chains of a joined session's parts: they differ in their two ends.
+void add_parts(const Session& session, Chain& chain) {
+  std::vector<Chain> parts;
+  for (std::size_t p = 0; p < session.parts.size(); ++p) {
+    const SessionPart& part = session.parts[p];
+    const Mount& mount =
+        part.mount == 0 ? session.mount : session.other_mounts[static_cast<std::size_t>(part.mount - 1)];
+    Chain& one = parts.emplace_back(chain);
+    one.part = static_cast<int>(p);
+    one.mount = part.mount;
+    one.body = part.body;
+    one.first_marker = part.first_marker;
+    one.own = part.own;
+    one.tcp_link = link_named(session, part.tcp, "tcp");
+    one.mount_link = link_named(session, mount.link, "mount");
+    chain.part_names.push_back(part.title);
+    const auto& firsts = chain.first_cameras;
+    const bool is_known = std::find(firsts.begin(), firsts.end(), part.first_camera) != firsts.end();
+    if (part.camera_count > 0 && !is_known) chain.first_cameras.push_back(part.first_camera);
+  }
+  chain.parts = std::move(parts);
 }
 
 }  // namespace
@@ -30,6 +55,7 @@ Chain chain_of(const Session& session) {
                                    session.file.filename().string(), name, session.robot_file));
     chain.joints.push_back(joint);
   }
+  add_parts(session, chain);
   return chain;
 }
 

@@ -19,10 +19,17 @@ struct Chain {
   std::vector<int> joints;  // indices into robot.joints, in the order of Observation::position
   std::optional<Rig> rig;   // absent: a tracker
   int marker_count = 0;
-  bool is_one_target = false;  // the markers are points of a target: none slips by itself
+  bool is_one_target = false;         // the markers are points of a target: none slips by itself
+  int part = 0, mount = 0, body = 0;  // of the chain of a part of a joined session: which of its parts, mounts, bodies
+  int first_marker = 0;               // of that part's body
+  std::vector<std::string> own = {};  // SessionPart::own
+  std::vector<Chain> parts = {};      // of a joined session: the chains of its parts
+  std::vector<std::string> part_names = {};  // and what they are called
+  std::vector<int> first_cameras = {};       // of each of their rigs, in `rig`
 };
 
-/// Throws InputError where a name of the session is not in its robot.
+/// Of a joined session that of its first part, with those of all parts in it. Throws InputError where a name of the
+/// session is not in its robot.
 Chain chain_of(const Session& session);
 
 /// The two ends of the chain in one posture.

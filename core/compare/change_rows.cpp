@@ -67,7 +67,7 @@ ObservationParts parts_of(const Problem& p, const ProblemObservation& o, const S
   for (const Sighting& s : o.sightings) count += row_count(s);
   ObservationParts parts{Eigen::MatrixXd::Zero(count, sizes.size()), Eigen::MatrixXd(count, 6), Eigen::VectorXd(count)};
   const Unknowns& u = state.unknowns;
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   BodyMotions motion{motion_by_columns(p, o, u), {}};
   if (columns.curve_columns > 0) motion.by_curves = motion_by_curves(*columns.curves, p, o, u);
   for (const Sighting& s : o.sightings) add_sighting(p, o, u, s, sensor_from_tcp, motion, columns, parts);

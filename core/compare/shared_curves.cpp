@@ -66,8 +66,8 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_curves(const std::vector<Shar
                                                           const ProblemObservation& o, const Unknowns& u) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> motion(6, column_count(curves));
   if (curves.empty()) return motion;
-  const Matrix6 by_root_motion = adjoint(inverse(o.root_from_mount * u.mount_from_sensor * o.sensor_motion));
-  const Matrix3 sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor).rotation;
+  const Matrix6 by_root_motion = adjoint(inverse(o.root_from_mount * mount_of(o, u) * o.sensor_motion));
+  const Matrix3 sensor_from_tcp = sensor_from_tcp_at(o, u).rotation;
   Eigen::Index column = 0;
   for (const SharedCurve& c : curves) {
     Vector6 direction = Vector6::Zero();

@@ -116,6 +116,10 @@ std::vector<char> joints_that_matter(const Chain& chain) {
   std::vector<char> marked(robot.joints.size(), 0);
   mark_up_to_root(robot, chain.tcp_link, marked);
   mark_up_to_root(robot, chain.mount_link, marked);
+  for (const Chain& part : chain.parts) {
+    mark_up_to_root(robot, part.tcp_link, marked);
+    mark_up_to_root(robot, part.mount_link, marked);
+  }
   mark_loads(robot, marked);
   for (bool has_new = true; has_new;) {
     has_new = false;
@@ -135,6 +139,9 @@ std::vector<int> effect_places(const Effect& effect, const Chain& chain) {
   std::vector<int> places;
   if (effect.scope == EffectScope::session && !has_no_target(effect)) return {-1};
   if (effect.scope == EffectScope::tag) return effect.tags;
+  if (effect.scope == EffectScope::part)
+    for (std::size_t p = 0; p < effect.parts.size(); ++p)
+      if (!effect.parts[p].empty()) places.push_back(static_cast<int>(p));
   if (effect.scope == EffectScope::camera)
     for (std::size_t c = 0; c < effect.cameras.size(); ++c)
       if (!effect.cameras[c].empty()) places.push_back(static_cast<int>(c));
@@ -154,6 +161,7 @@ std::string place_name(const Effect& effect, int place, const Robot& robot) {
   if (place < 0) return "";
   if (effect.scope == EffectScope::marker) return fmt::format("marker {}", place);
   if (effect.scope == EffectScope::tag) return fmt::format("tag {}", place);
+  if (effect.scope == EffectScope::part) return effect.parts[static_cast<std::size_t>(place)];
   if (effect.scope == EffectScope::camera) return effect.cameras[static_cast<std::size_t>(place)];
   return robot.joints[static_cast<std::size_t>(place)].name;
 }

@@ -31,7 +31,7 @@ std::vector<Circumstances> circumstances_of(const Session& session, const Chain&
   for (std::size_t k = 0; k < order.size(); ++k) {
     const Observation& o = at(order[k]);
     Circumstances& c = all[static_cast<std::size_t>(order[k])];
-    c.chain = &chain;
+    c.chain = chain.parts.empty() ? &chain : &chain.parts[static_cast<std::size_t>(o.part)];
     c.sensor = per_robot_joint(chain, o.position, true);
     c.velocity = per_robot_joint(chain, o.velocity, false);
     c.approach.resize(c.sensor.size());

@@ -15,8 +15,8 @@
 namespace handsight {
 
 /// Where an effect may sit: an instance for every moving joint, for every mimic joint, for every marker, for cameras of
-/// a rig, for every tag of a body of tags, or one for the whole session.
-enum class EffectScope { joint, mimic_joint, marker, camera, tag, session };
+/// a rig, for every tag of a body of tags, for every part of a joined session, or one for the whole session.
+enum class EffectScope { joint, mimic_joint, marker, camera, tag, part, session };
 
 struct EffectParameter {
   std::string name;
@@ -50,12 +50,13 @@ struct Effect {
   EffectScope scope = EffectScope::joint;
   std::vector<EffectParameter> parameters;
   /// Adds to the sites of the chain what the effect does in one observation. `place` is the robot's joint, the
-  /// marker, the camera or the tag's number, -1 for the session; `values` has one number a parameter. Linear in the
-  /// parameters that are no choices: the sites take up what is not.
+  /// marker, the camera, the tag's number or the part, -1 for the session; `values` has one number a parameter. Linear
+  /// in the parameters that are no choices: the sites take up what is not.
   std::function<void(const Circumstances&, int place, std::span<const double> values, Sites& sites)> move;
   std::shared_ptr<const EffectDefinition> definition;  // of an effect by formula; null: of the catalogue
   std::vector<std::string> cameras = {};  // of camera scope: by camera of the rig, its name; empty where it has none
   std::vector<int> tags = {};             // of tag scope: the numbers of the tags
+  std::vector<std::string> parts = {};    // of part scope: what the parts of the joined session are called
   bool reads_torque = false;              // its formula reads gravity torques (Circumstances::torque)
   bool reads_place = false;               // its formula reads where the TCP is (Circumstances::tcp)
 
@@ -85,7 +86,7 @@ const Effect* find_effect(const std::string& id, const OwnEffects& own);
 /// One effect at one place with values for its parameters, in the order of Effect::parameters.
 struct EffectTerm {
   std::string id;
-  int joint = -1;  // the place: index into robot.joints, the marker, the camera or the tag's number; -1 for the session
+  int joint = -1;  // the place: index into robot.joints, the marker, camera, tag's number or part; -1 for the session
   std::vector<double> values;
   std::vector<char> held =
       {};  // per parameter, not 0: where the term is estimated, this number stays; empty: none does

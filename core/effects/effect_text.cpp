@@ -65,9 +65,17 @@ int tag_for(const Effect& effect, const std::string& name, const std::string& te
   return tag;
 }
 
+int part_for(const Effect& effect, const std::string& name, const std::string& text) {
+  for (std::size_t p = 0; p < effect.parts.size(); ++p)
+    if (!name.empty() && effect.parts[p] == name) return static_cast<int>(p);
+  throw InputError(fmt::format("Effect \"{}\": {} sits at no session \"{}\"; it may sit at: {}.", text, effect.id, name,
+                               fmt::join(effect.parts, ", ")));
+}
+
 int place_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
   if (effect.scope == EffectScope::camera) return camera_for(effect, name, text);
   if (effect.scope == EffectScope::tag) return tag_for(effect, name, text);
+  if (effect.scope == EffectScope::part) return part_for(effect, name, text);
   if (effect.scope != EffectScope::marker) return joint_for(effect, name, robot, text);
   constexpr std::string_view prefix = "marker ";  // as place_name writes it
   int marker = -1;
@@ -100,6 +108,7 @@ const char* kind_of_place(EffectScope scope) {
   return scope == EffectScope::marker   ? "marker"
          : scope == EffectScope::camera ? "camera"
          : scope == EffectScope::tag    ? "tag"
+         : scope == EffectScope::part   ? "session"
                                         : "joint";
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "effects/formula.h"
+#include "effects/part_effects.h"
 #include "effects/rig_effects.h"
 #include "effects/target_effects.h"
 
@@ -308,7 +309,9 @@ std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot&
 
 OwnEffects own_effects_of(const Session& session, const Chain& chain) {
   OwnEffects all;
-  if (chain.rig) all = rig_effects(*chain.rig);
+  if (chain.rig) all = rig_effects_of_parts(*chain.rig, chain.first_cameras);
+  const OwnEffects of_parts = part_effects(chain);
+  all.insert(all.end(), of_parts.begin(), of_parts.end());
   const OwnEffects of_target = target_effects(session, chain);
   all.insert(all.end(), of_target.begin(), of_target.end());
   if (session.effect_definitions.empty()) return all;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "chain/body_frame.h"
+#include "effects/part_effects.h"
 
 namespace handsight {
 namespace {
@@ -32,12 +33,33 @@ std::vector<Vector3> places_by_order(const Session& session, const Chain& chain)
   return places;
 }
 
+/// Of a joined session of several bodies: what each of known shape has of its own.
+void add_of_bodies(const Session& session, const Chain& chain, OwnEffects& all) {
+  std::vector<std::pair<int, Effect>> scales, bends;
+  std::vector<int> bodies;
+  for (std::size_t p = 0; p < session.parts.size(); ++p) {
+    const SessionPart& part = session.parts[p];
+    if (std::find(bodies.begin(), bodies.end(), part.body) != bodies.end()) continue;
+    bodies.push_back(part.body);
+    const auto first = static_cast<std::size_t>(part.first_marker), count = static_cast<std::size_t>(part.marker_count);
+    if (count < 3 || session.shape->piece(first) != session.shape->piece(first + count - 1)) continue;
+    const auto begin = session.shape->markers.begin() + part.first_marker;
+    const KnownShape own{{begin, begin + part.marker_count}};
+    scales.emplace_back(static_cast<int>(p), target_scale(described_in_body(own)));
+    if (is_flat(own)) bends.emplace_back(static_cast<int>(p), target_bend(own));
+  }
+  for (const auto& effects : {scales, bends})
+    if (!effects.empty()) all.push_back(std::make_shared<const Effect>(at_bodies(effects, chain)));
+}
+
 }  // namespace
 
 OwnEffects target_effects(const Session& session, const Chain& chain) {
   OwnEffects all;
   const auto add = [&](Effect effect) { all.push_back(std::make_shared<const Effect>(std::move(effect))); };
-  if (session.pose_sensor) {
+  if (!session.parts.empty() && session.shape && session.shape->piece_count() > 1) {
+    add_of_bodies(session, chain, all);
+  } else if (session.pose_sensor) {
     add(target_scale_of_poses(places_by_order(session, chain)));
   } else if (has_known_shape(session)) {
     add(target_scale(described_in_body(*session.shape)));

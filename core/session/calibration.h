@@ -75,10 +75,18 @@ struct Calibration {
   std::optional<Eigen::MatrixXd> hand_covariance;
   std::optional<Matrix6> hand_scatter;
   std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
-  std::vector<double> times;  // s, of all observations in order: what slips and drifts are placed by
+  std::vector<double> times;               // s, of all observations in order: what slips and drifts are placed by
   std::vector<Eigen::VectorXd> positions;  // rad or m: of the used observations in order, or of some spread over them
+
+  /// Of a collection: each of its sessions by itself (its `session` is the title), the robot's effects in all of them;
+  /// what stands beside is then that of the first.
+  std::vector<Calibration> sessions;
 
   std::vector<std::string> notes;  // what the reader ignored, a sentence each; not written
 };
+
+/// That of one session of a collection. InputError lists the titles where there is none of this one; of a calibration
+/// of one session alone that it is no collection's.
+const Calibration& session_of(const Calibration& calibration, const std::string& title);
 
 }  // namespace handsight

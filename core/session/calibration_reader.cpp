@@ -252,20 +252,10 @@ void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignore
 
 }  // namespace
 
-Calibration parse_calibration(const std::string& text, const std::string& file) {
-  const auto document = parse_xml(text, file);
-  const XmlNode root = root_of(*document, file, "handsight_calibration");
-  require_version_1(root);
-  Ignored ignored;
-  note_unknown(
-      ignored, root, {"version", "session", "created", "software"},
-      {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints", "tcp_scatter",
-       "model_covariance", "hand_scatter", "hand_covariance", "doubt", "mount_from_sensor", "times",
-       "positions"});
-  Calibration calibration;
-  calibration.session = find_name(root, "session").value_or("");
-  calibration.created = find_text(root, "created").value_or("");
-  calibration.software = find_text(root, "software").value_or("");
+namespace {
+
+/// What the root and each <session> hold.
+void read_contents(const XmlNode& root, Calibration& calibration, Ignored& ignored) {
   calibration.tcp_from_body = read_motion(required_child(root, "tcp_from_body"), ignored);
   if (const auto fit = find_child(root, "fit")) calibration.fit = read_fit(*fit, ignored);
   read_markers(required_child(root, "markers"), calibration, ignored);
@@ -293,6 +283,36 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   }
   if (const auto doubt = find_child(root, "doubt"))
     calibration.doubt = read_doubt(*doubt, number_count(calibration.effects), ignored);
+}
+
+}  // namespace
+
+Calibration parse_calibration(const std::string& text, const std::string& file) {
+  const auto document = parse_xml(text, file);
+  const XmlNode root = root_of(*document, file, "handsight_calibration");
+  require_version_1(root);
+  Ignored ignored;
+  note_unknown(ignored, root, {"version", "session", "created", "software"},
+               {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints",
+                "tcp_scatter", "model_covariance", "hand_scatter", "hand_covariance", "doubt", "mount_from_sensor",
+                "times", "positions", "session"});
+  Calibration calibration;
+  calibration.session = find_name(root, "session").value_or("");
+  calibration.created = find_text(root, "created").value_or("");
+  calibration.software = find_text(root, "software").value_or("");
+  read_contents(root, calibration, ignored);
+  for (const XmlNode& node : children(root, "session")) {
+    note_unknown(ignored, node, {"title"},
+                 {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints",
+                  "tcp_scatter", "model_covariance", "hand_scatter", "hand_covariance", "doubt", "mount_from_sensor",
+                  "times", "positions"});
+    Calibration one;
+    one.session = required_name(node, "title");
+    one.created = calibration.created;
+    one.software = calibration.software;
+    read_contents(node, one, ignored);
+    calibration.sessions.push_back(std::move(one));
+  }
   calibration.notes = ignored_sentences(ignored, file);
   return calibration;
 }

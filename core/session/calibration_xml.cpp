@@ -140,6 +140,7 @@ bool is_finite(const EstimatedMotion& estimated) {
 }  // namespace
 
 void require_finite(const Calibration& c) {
+  for (const Calibration& one : c.sessions) require_finite(one);
   const auto require = [](bool holds, std::string_view what) {
     if (!holds)
       throw InputError(
@@ -163,15 +164,9 @@ void require_finite(const Calibration& c) {
     require(std::isfinite(number.value_or(0)), "an error of the fit");
 }
 
-std::string calibration_text(const Calibration& calibration) {
-  tinyxml2::XMLDocument document;
-  document.InsertEndChild(document.NewDeclaration());
-  XMLElement& root = *document.NewElement("handsight_calibration");
-  document.InsertEndChild(&root);
-  root.SetAttribute("version", 1);
-  root.SetAttribute("session", calibration.session.c_str());
-  root.SetAttribute("created", calibration.created.c_str());
-  root.SetAttribute("software", calibration.software.c_str());
+namespace {
+
+void write_contents(XMLElement& root, const Calibration& calibration) {
   write_motion(root, "tcp_from_body", calibration.tcp_from_body);
   write_fit(root, calibration.fit);
   write_markers(root, calibration);
@@ -181,7 +176,38 @@ std::string calibration_text(const Calibration& calibration) {
     for (const EffectDefinition& d : calibration.definitions) write_effect_definition(definitions, d);
   }
   write_setting(root, calibration);
+}
+
+}  // namespace
+
+std::string calibration_text(const Calibration& calibration) {
+  tinyxml2::XMLDocument document;
+  document.InsertEndChild(document.NewDeclaration());
+  XMLElement& root = *document.NewElement("handsight_calibration");
+  document.InsertEndChild(&root);
+  root.SetAttribute("version", 1);
+  root.SetAttribute("session", calibration.session.c_str());
+  root.SetAttribute("created", calibration.created.c_str());
+  root.SetAttribute("software", calibration.software.c_str());
+  write_contents(root, calibration);
+  for (const Calibration& one : calibration.sessions) {
+    XMLElement& session = *root.InsertNewChildElement("session");
+    session.SetAttribute("title", one.session.c_str());
+    write_contents(session, one);
+  }
   return xml_text(document);
+}
+
+const Calibration& session_of(const Calibration& calibration, const std::string& title) {
+  std::string known;
+  for (const Calibration& one : calibration.sessions) {
+    if (one.session == title) return one;
+    known += (known.empty() ? "" : ", ") + one.session;
+  }
+  throw InputError(
+      known.empty()
+          ? fmt::format("--session {}: this calibration is of one session alone; leave the option out.", title)
+          : fmt::format("--session {}: the calibration has no such session; it has {}.", title, known));
 }
 
 std::string readable_text(const Calibration& calibration) {

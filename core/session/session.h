@@ -71,13 +71,17 @@ struct ShapePart {
 /// How the markers lie to each other, where that is known beforehand: their places in a frame of their own. Of several
 /// pieces (single tags) each has its own frame, and nothing is known of one against another.
 struct KnownShape {
-  std::vector<Vector3> markers;       // m
-  std::optional<double> sigma = 0;    // m, of one coordinate of one marker; 0: exactly so; nothing: only about so
-  std::vector<int> pieces = {};       // the piece of each marker, ascending; empty: all are one
-  std::vector<ShapePart> parts = {};  // that are placed within sigmas, all markers in order; empty: there are none
+  std::vector<Vector3> markers;           // m
+  std::optional<double> sigma = 0;        // m, of one coordinate of one marker; 0: exactly so; nothing: only about so
+  std::vector<double> piece_sigmas = {};  // m, by piece where they differ; empty: all are `sigma`
+  std::vector<int> pieces = {};           // the piece of each marker, ascending; empty: all are one
+  std::vector<ShapePart> parts = {};      // that are placed within sigmas, all markers in order; empty: there are none
 
   int piece(std::size_t marker) const { return pieces.empty() ? 0 : pieces[marker]; }
   int piece_count() const { return pieces.empty() ? 1 : pieces.back() + 1; }
+  double piece_sigma(int piece) const {
+    return piece_sigmas.empty() ? sigma.value_or(0) : piece_sigmas[static_cast<std::size_t>(piece)];
+  }
   bool is_rigid() const { return sigma == 0.0 && piece_count() == 1 && parts.empty(); }
 };
 
@@ -109,6 +113,7 @@ struct Observation {
   Decision decision = Decision::none;
   std::string reason;
   std::shared_ptr<const PlaceInWhole> whole = nullptr;  // null: the session is no part of another
+  int part = 0;                                         // of a joined session: into Session::parts
 };
 
 /// The link that carries the cameras or the tracker, and where on it: mount_from_sensor, the sensor's frame being
@@ -118,6 +123,22 @@ struct Mount {
   Rigid mount_from_sensor;
   bool estimate = false;  // only a guess: part of every fit
   bool known = true;      // false: estimate="yes" with neither xyz nor rpy; the start is found in closed form
+};
+
+/// One of several sessions of a robot that are fitted as one (session/joined.h).
+struct SessionPart {
+  std::string title;                  // unique
+  std::filesystem::path file;         // its session.xml
+  std::string tcp;                    // its link
+  std::vector<std::string> own = {};  // effects ("joint_offset:arm_3") that are its own though they are the robot's
+  int mount = 0;                      // of the joined session's: 0 is Session::mount, then Session::other_mounts
+  int body = 0;                       // the parts with the same number see the same body
+  int first_marker = 0, marker_count = 0;  // of that body, among the joined session's
+  int first_camera = 0, camera_count = 0;  // in the joined session's rig; 0: a tracker's
+  std::int64_t first_id = 0;               // added to its observations' ids
+  double first_time = 0;                   // s, added to their times
+  int first_order = 0;                     // added to their places in time (PlaceInWhole::order)
+  double residual_unit = 1;                // of its own residuals (px, m): what one of the joined session's stands for
 };
 
 struct Session {
@@ -137,6 +158,8 @@ struct Session {
   std::optional<KnownShape> shape;        // of the markers; absent: they are found wherever they are
   int marker_count = 0;
   std::vector<std::string> joints;        // the order of position, velocity and torque; joints not named stand at 0
+  std::vector<SessionPart> parts;         // of a joined session; empty: it is one by itself
+  std::vector<Mount> other_mounts;        // of a joined session: mounts 1, 2 ...
   std::vector<Observation> observations;  // in order of time
   std::vector<EffectDefinition> effect_definitions;  // of effects.xml and the user's own folder
   std::vector<std::string> notes;                    // what the reader ignored, and warnings, a sentence each

@@ -26,6 +26,8 @@ ScopeWords words_of(EffectScope scope) {
       return {"camera", ", of each camera"};
     case EffectScope::tag:
       return {"tag", ", of each tag of a body of tags"};
+    case EffectScope::part:
+      return {"part", ", of each session of a collection"};
     case EffectScope::session:
       return {"session", ""};
   }

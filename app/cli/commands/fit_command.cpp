@@ -8,6 +8,7 @@
 #include "diagnosis/ranking/clean_model.h"
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
+#include "estimation/report/part_report.h"
 #include "options/camera_images_option.h"
 #include "options/named_effects.h"
 #include "printing/blunder_output.h"
@@ -18,15 +19,16 @@ namespace handsight::cli {
 namespace {
 
 struct FitArguments {
-  std::string session, objective = "image", loss = "none";
-  std::vector<std::string> effects;
+  std::string objective = "image", loss = "none";
+  std::vector<std::string> sessions, effects;
+  SharedBySessions shared;
   bool fix_markers = false, without_wrong_points = false;
   CameraImagesOptions camera_images;
   Output output;
 };
 
 int run(const FitArguments& o) {
-  const Session session = open_searched_session(o.session, o.output);
+  const Session session = open_joined_session(o.sessions, o.shared, o.output);
   FitOptions options;
   options.objective = o.objective == "camera"       ? Objective::camera
                       : o.objective == "angle-axis" ? Objective::angle_axis
@@ -43,6 +45,7 @@ int run(const FitArguments& o) {
   for (const std::string& note : notes) Output::note(note);
   FitReport told = report(clean.session, result, options);
   told.held_out_region = held_out_by_region(clean.session, result, options);
+  hold_out_sessions(clean.session, result, options, told);
   print_fit(o.output, session, result, told, options);
   if (options.camera_images) print_camera_images(o.output, *options.camera_images, *result.problem.rig);
   if (!clean.wrong.empty())
@@ -57,7 +60,7 @@ int run(const FitArguments& o) {
   const auto size = is_plain ? other_target_size(clean.session, result, options) : std::nullopt;
   print_target_size(o.output, size);
   const std::vector<Blunder> blunders = settles_it(size) ? std::vector<Blunder>() : blunders_of(clean.session, result);
-  print_blunders(o.output, o.session, blunders);
+  print_blunders(o.output, o.sessions.front(), blunders);
   Json json = fit_json(session, result, told, options);
   json["target_size"] = target_size_json(size);
   json["blunders"] = blunders_json(blunders);
@@ -76,7 +79,14 @@ int run(const FitArguments& o) {
 Command add_fit(const CommandLine& program) {
   auto options = std::make_shared<FitArguments>();
   const CommandLine command = program.command("fit", "Estimates tcp_from_body from the labelled markers");
-  add_session_option(command, options->session);
+  command
+      .option("SESSION", options->sessions,
+              "A session's folder or its session.xml, or a collection (collection.xml); of several sessions the "
+              "collection in which they share the robot alone")
+      .required();
+  command.option("--same-rig", options->shared.same_rig,
+                 "Sessions (A,B) with the same cameras or tracker in one place");
+  command.option("--same-body", options->shared.same_body, "Sessions (A,C) with the same body on the same TCP");
   command.option("--objective", options->objective, "image (px), camera (3D points) or angle-axis (body poses)")
       .one_of({"image", "camera", "angle-axis"});
   command.option("--loss", options->loss, "Robust loss: none, huber or cauchy").one_of({"none", "huber", "cauchy"});

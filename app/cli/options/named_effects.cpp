@@ -6,6 +6,7 @@
 
 #include "diagnosis/ranking/refitting.h"
 #include "effects/own_effect.h"
+#include "effects/part_effects.h"
 #include "option_limits.h"
 
 namespace handsight::cli {
@@ -47,6 +48,8 @@ void add_effects(const std::vector<std::string>& texts, const Session& session, 
     const std::vector<EffectTerm> terms = best_choices(session, named);
     estimated.insert(estimated.end(), terms.begin(), terms.end());
   }
+  if (const std::vector<EffectTerm> of_parts = own_terms(chain, own); !of_parts.empty())
+    estimated.insert(estimated.end(), of_parts.begin(), of_parts.end());
   check_terms(held, session.marker_count);
   check_terms(estimated, session.marker_count);
 }

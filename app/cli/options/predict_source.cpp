@@ -2,7 +2,8 @@
 #include "predict_source.h"
 
 #include "base/files.h"
-#include "estimation/report/fit_report.h"
+#include "estimation/fit/part_fit.h"
+#include "estimation/report/part_report.h"
 #include "options/named_effects.h"
 #include "printing/outputs.h"
 #include "robot/urdf.h"
@@ -12,21 +13,47 @@
 namespace handsight::cli {
 namespace {
 
+/// Which part of a collection is meant; where none is named, the first, if all have one hand and one mount.
+int part_meant(const Session& joined, const std::string& title) {
+  if (!title.empty() || joined.parts.empty()) return part_named(joined, title);
+  const auto mount_of = [&](const SessionPart& p) -> const std::string& {
+    return p.mount == 0 ? joined.mount.link : joined.other_mounts[static_cast<std::size_t>(p.mount - 1)].link;
+  };
+  for (const SessionPart& p : joined.parts)
+    if (p.tcp != joined.tcp || mount_of(p) != joined.mount.link)
+      throw InputError(fmt::format(
+          "{}: its sessions have several hands or sensors; say which with --session, for example --session {}.",
+          joined.title, p.title));
+  return 0;
+}
+
+/// One session of several, with the robot that all of them tell.
+CalibratedRobot robot_of_part(const Session& joined, const Fit& fitted, const FitReport& told,
+                              const FitOptions& options, int part) {
+  const PartFit own = fit_of_part(joined, fitted, part);
+  const FitReport report_of_it = report_of(part_reports(joined, fitted, told)[static_cast<std::size_t>(part)]);
+  return calibrated_robot(own.session, own.fit, report_of_it, options, "handsight " HANDSIGHT_VERSION);
+}
+
 CalibratedRobot from_session(const std::string& path, const std::string& robot_file,
-                             const std::vector<std::string>& effects) {
+                             const std::vector<std::string>& effects, const std::string& part) {
   Session session = open_searched_session(path);
+  if (!part.empty()) part_named(session, part);
   const bool has_urdf = !session.robot.is_of_poses;
   if (!has_urdf && !robot_file.empty())
     throw InputError(fmt::format(
         "--robot {}: the session has no joint angles for it, only where its flange is; leave the option out.",
         robot_file));
-  std::filesystem::path urdf = folder(session) / session.robot_file;
+  const std::filesystem::path& file = session.parts.empty() ? session.file : session.parts.front().file;
+  std::filesystem::path urdf = file.parent_path() / session.robot_file;
   if (!robot_file.empty()) bind_robot(session, read_urdf(urdf = robot_file));
   FitOptions options;
   add_effects(effects, session, options.effects, options.estimated);
   const Fit fitted = fit(session, options);
-  CalibratedRobot robot =
-      calibrated_robot(session, fitted, report(session, fitted, options), options, "handsight " HANDSIGHT_VERSION);
+  const FitReport told = report(session, fitted, options);
+  CalibratedRobot robot = session.parts.empty()
+                              ? calibrated_robot(session, fitted, told, options, "handsight " HANDSIGHT_VERSION)
+                              : robot_of_part(session, fitted, told, options, part_meant(session, part));
   if (!has_urdf) return robot;
   robot.urdf_text = read_file(urdf);
   robot.urdf_file = urdf.filename().string();
@@ -34,8 +61,19 @@ CalibratedRobot from_session(const std::string& path, const std::string& robot_f
   return robot;
 }
 
-CalibratedRobot from_calibration(const std::string& path, const std::string& robot_file) {
-  const Calibration c = read_calibration(path);
+/// That of the session that is named; where none is, the first, if all have one hand and one mount.
+Calibration calibration_meant(const Calibration& all, const std::string& session, const std::string& path) {
+  if (!session.empty()) return session_of(all, session);
+  for (const Calibration& one : all.sessions)
+    if (one.tcp != all.tcp || one.mount != all.mount)
+      throw InputError(
+          fmt::format("{}: it holds several hands or sensors; say which with --session, for example --session {}.",
+                      path, one.session));
+  return all;
+}
+
+CalibratedRobot from_calibration(const std::string& path, const std::string& robot_file, const std::string& session) {
+  const Calibration c = calibration_meant(read_calibration(path), session, path);
   if (c.joints == joint_names(poses_robot())) return calibrated_robot(c, poses_robot(), "", path);
   if (robot_file.empty())
     throw InputError(fmt::format("{}: a calibration alone has no robot; name its URDF with --robot.", path));
@@ -49,12 +87,12 @@ CalibratedRobot from_calibration(const std::string& path, const std::string& rob
 }  // namespace
 
 CalibratedRobot predict_source(const std::string& source, const std::string& robot_file,
-                               const std::vector<std::string>& effects) {
-  if (!is_calibration_file(source)) return from_session(source, robot_file, effects);
+                               const std::vector<std::string>& effects, const std::string& session) {
+  if (!is_calibration_file(source)) return from_session(source, robot_file, effects, session);
   if (!effects.empty())
     throw InputError(fmt::format(
         "{}: a calibration holds its effects already; --effects is for sessions, which are fitted here.", source));
-  return from_calibration(source, robot_file);
+  return from_calibration(source, robot_file, session);
 }
 
 void require_joints(const CalibratedRobot& robot) {
@@ -68,13 +106,14 @@ void require_joints(const CalibratedRobot& robot) {
 void add_source_options(const CommandLine& command, SourceOptions& options) {
   command.option("SESSION", options.source, "A session, or a calibration XML").required();
   command.option("--robot", options.robot, "URDF; needed with a calibration");
+  command.option("--session", options.session, "Of a collection, or its calibration: the session whose hand is meant");
   command.option("--effects", options.effects,
                  "Effects in a session's model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");
 }
 
 CalibratedRobot predict_source(const SourceOptions& options) {
   for (const std::string& input : {options.source, options.robot}) note_input(input);
-  return predict_source(options.source, options.robot, options.effects);
+  return predict_source(options.source, options.robot, options.effects, options.session);
 }
 
 }  // namespace handsight::cli

@@ -21,13 +21,6 @@ std::string with_sigma(const char* name, double value, double sigma, const char*
   return fmt::format("  {:<6} {:>11.4f} +- {:<8.4f} {}", name, value, sigma, unit);
 }
 
-/// Sigma of the origin and of the rotations about the TCP's axes.
-Vector6 origin_sigma(const Fit& fit) {
-  Matrix6 at_origin = Matrix6::Identity();
-  at_origin.topRightCorner<3, 3>() = -cross_matrix(fit.tcp_from_body.translation);
-  return (at_origin * fit.covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
-}
-
 std::string text_or_unknown(const std::optional<double>& value, double scale, const char* unit) {
   return value ? fmt::format("{:.3f} {}", scale * *value, unit) : "unknown";
 }
@@ -147,7 +140,7 @@ void print_mount(const Output& out, const Session& s, const Fit& fit) {
 
 void print_answer(const Output& out, const Session& session, const Fit& fit) {
   out.line(fmt::format("tcp_from_body{}", fit.converged() ? "" : " (NOT CONVERGED)"));
-  const Vector6 sigma = origin_sigma(fit);
+  const Vector6 sigma = origin_sigma(fit.tcp_from_body, fit.covariance);
   const Vector3 rpy = degrees * rpy_from_rotation(fit.tcp_from_body.rotation);
   const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
   for (int i = 0; i < 3; ++i)
@@ -186,6 +179,7 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
   for (const ObservationReport& o : told.per_observation)
     if (o.outlier) outliers += (outliers.empty() ? "" : ", ") + std::to_string(o.id);
   if (!outliers.empty()) out.line("Stand out of the others: " + outliers);
+  print_parts(out, session, fit, told);
   for (const std::string& note : fit.notes) out.line("Note: " + note);
 }
 
@@ -219,6 +213,10 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
   result["mount_from_sensor"] = motion(estimate(fit).mount_from_sensor);
   result["effects"] = effects_json(session, fit.effects);
   result["per_observation"] = observations_json(fit, told);
+  if (!session.parts.empty()) {
+    result.update(errors_json(told.held_out_session, "held_out_session_"));
+    result["sessions"] = parts_json(session, fit, told);
+  }
   result["notes"] = fit.notes;
   return result;
 }

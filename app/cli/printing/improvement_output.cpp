@@ -110,6 +110,12 @@ Json improvement_json(const Session& session, const Improvement& m) {
                      {"held_out_region_rms_m", number(s.held_out_region.rms_m)},
                      {"held_out_region_mean_m", number(s.held_out_region.mean_m)},
                      {"noise_m", tracker ? number(s.noise) : null}});
+  for (std::size_t i = 0; !session.parts.empty() && i < steps.size(); ++i) {
+    const ErrorSummary& e = m.steps[i].held_out_session;
+    steps[i]["held_out_session_pixel"] = number(e.rms_pixel);
+    steps[i]["held_out_session_rms_m"] = number(e.rms_m);
+    steps[i]["held_out_session_mean_m"] = number(e.mean_m);
+  }
   for (const RefusedStep& r : m.refused) refused.push_back({{"id", r.id}, {"where", r.where}, {"reason", r.reason}});
   j["steps"] = steps;
   j["refused"] = refused;

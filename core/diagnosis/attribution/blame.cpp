@@ -42,7 +42,7 @@ Blame shares(double cameras, double body, double robot) {
 ResidualParts residual_parts(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
   ResidualParts parts;
   const Rig* rig = problem.rig_or_null();
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   for (const Sighting& s : o.sightings) {
     const SightingNormal normal = sighting_normal(rig, s, sensor_from_tcp * marker_at(o, u, s.marker));
     parts.total += normal.cost;
@@ -116,7 +116,7 @@ std::vector<ObservationBlame> blame_observations(const Session& session, const F
   if (!fit.noise || !(*fit.noise > 0)) return list;
   Problem problem = make_problem(session, chain_of(session), terms_of(fit));
   if (!problem.terms.empty()) {
-    problem.tcp_from_slip = fit.problem.tcp_from_slip;
+    problem.set_slip_frames_of(fit.problem);
     place_observations(problem);
   }
   const Unknowns& u = estimate(fit);

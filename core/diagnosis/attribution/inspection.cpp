@@ -45,7 +45,7 @@ void note_worst(const MarkerResidual& marker, InspectionRow& row) {
 ResidualParts measure(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
                       InspectionRow& row) {
   const Rig* rig = problem.rig_or_null();
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns);
   double lengths = 0;
   double variances = 0, squared_variances = 0;  // of the points in space, for a noise of 1 px (1 m) a coordinate
   const auto add_variance = [&](const Matrix3& covariance) {
@@ -134,7 +134,7 @@ class ShownStretches {
     if (session_.pose_sensor) shown = shown_as_fitted(shown, estimate(fit_));
     problem_ = make_problem(shown, chain_of(shown), terms_of(fit_));
     if (!problem_.terms.empty()) {
-      problem_.tcp_from_slip = fit_.problem.tcp_from_slip;
+      problem_.set_slip_frames_of(fit_.problem);
       place_observations(problem_);
     }
     for (ProblemObservation& o : problem_.observations) {
@@ -157,7 +157,7 @@ class ShownStretches {
 ResidualParts measure_row(const Problem& problem, const ProblemObservation& seen, const Unknowns& unknowns,
                           InspectionRow& row) {
   row.root_from_tcp = seen.root_from_tcp;
-  row.root_from_sensor = seen.root_from_mount * unknowns.mount_from_sensor * seen.sensor_motion;
+  row.root_from_sensor = seen.root_from_mount * mount_of(seen, unknowns) * seen.sensor_motion;
   return measure(problem, seen, unknowns, row);
 }
 

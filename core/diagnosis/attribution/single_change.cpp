@@ -34,7 +34,7 @@ Rest rest_of(const Problem& problem, const std::vector<Vector3>& markers, const 
 SingleChange best_corner(const Problem& problem, const ProblemObservation& o, const Unknowns& u, double& squares) {
   SingleChange best;
   squares = never;
-  const Rigid guess = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid guess = sensor_from_tcp_at(o, u);
   const std::vector<Vector3> markers = markers_at(o, u);
   for (std::size_t i = 0; i < o.sightings.size(); ++i)
     for (const auto& [camera, measured, sigma] : o.sightings[i].in_cameras) {
@@ -61,7 +61,7 @@ SingleChange best_corner(const Problem& problem, const ProblemObservation& o, co
 SingleChange best_marker(const Problem& problem, const ProblemObservation& o, const Unknowns& u, double& squares) {
   SingleChange best;
   squares = never;
-  const Rigid guess = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid guess = sensor_from_tcp_at(o, u);
   const std::vector<Vector3> markers = markers_at(o, u);
   for (std::size_t i = 0; i < o.sightings.size(); ++i) {
     const Sighting& s = o.sightings[i];
@@ -93,7 +93,7 @@ SingleChange single_change(const Problem& problem, const ProblemObservation& o, 
                            const TypicalParts& typical, const ResidualParts& parts, char letter) {
   SingleChange change;
   if (letter == 0) return change;
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   if (letter == 'R') {
     if (!parts.sensor_from_body) return change;
     const Rigid motion = inverse(sensor_from_tcp) * *parts.sensor_from_body;

@@ -22,7 +22,7 @@ void add(VariableKind kind, int joint, const std::string& name, const std::strin
 Vector3 middle(const Problem& problem, const Unknowns& u, const ProblemObservation& o) {
   Vector3 sum = Vector3::Zero();
   for (const Sighting& s : o.sightings) sum += marker_at(o, u, s.marker);
-  return sensor_from_tcp_at(o, u.mount_from_sensor) * Vector3(sum / static_cast<double>(o.sightings.size()));
+  return sensor_from_tcp_at(o, u) * Vector3(sum / static_cast<double>(o.sightings.size()));
 }
 
 /// The last of the list, where it is of this kind, may be written so.

@@ -7,7 +7,7 @@ BodyRows body_rows(const Problem& problem, const ProblemObservation& o, const Un
   Eigen::Index count = 0;
   for (const Sighting& s : o.sightings) count += row_count(s);
   BodyRows rows{Eigen::MatrixXd(count, 6), Eigen::VectorXd(count)};
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   Eigen::Index row = 0;
   for (const Sighting& s : o.sightings) {
     const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);

@@ -117,7 +117,7 @@ class Builder {
   }
 
   Parted parted(const ProblemObservation& o) const {
-    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u_.mount_from_sensor);
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u_);
     Rows rows = rows_at(o, sensor_from_tcp);
     const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(p_, o, u_);
     const Eigen::Index mount = p_.effect_column() - p_.mount_column();
@@ -134,7 +134,7 @@ class Builder {
     part.by_body = Eigen::MatrixXd(qr.matrixR().topRows(part.count).template triangularView<Eigen::Upper>()) *
                    qr.colsPermutation().transpose();
     part.sensor_from_tcp = sensor_from_tcp;
-    const Rigid sensor_from_root = inverse(o.root_from_mount * u_.mount_from_sensor * o.sensor_motion);
+    const Rigid sensor_from_root = inverse(o.root_from_mount * mount_of(o, u_) * o.sensor_motion);
     part.joint_motions = adjoint(sensor_from_root) * o.motion.tcp_by_value;
     // A problem without effects has no motions by joints.
     for (Eigen::Index j = 0; j < part.joint_motions.cols(); ++j)

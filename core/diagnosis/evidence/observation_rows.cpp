@@ -17,7 +17,7 @@ Eigen::MatrixXd by_columns(const Problem& p, const ProblemObservation& o, const 
 }
 
 ObservationRows observation_rows(const Problem& p, const ProblemObservation& o, const Unknowns& u) {
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(p, o, u);
   Eigen::Index count = 0, next = 0;
   for (const Sighting& s : o.sightings) count += row_count(s);

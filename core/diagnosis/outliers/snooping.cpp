@@ -43,7 +43,7 @@ std::optional<Parted> parted(const Problem& problem, const ProblemObservation& o
   p.rows = count;
   p.error = rows.error;
   const Eigen::MatrixXd q = orthonormal_columns(rows.by_body);
-  const Rigid sensor_from_root = inverse(o.root_from_mount * u.mount_from_sensor * o.sensor_motion);
+  const Rigid sensor_from_root = inverse(o.root_from_mount * mount_of(o, u) * o.sensor_motion);
   const Eigen::MatrixXd by_joints = q.transpose() * rows.by_body * (adjoint(sensor_from_root) * o.motion.tcp_by_value);
   const Eigen::MatrixXd shown = by_joints * by_joints.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(shown);

@@ -39,9 +39,9 @@ ExpectedPoses::ExpectedPoses(const Fit& fit, double noise) : fit_(fit), noise_(n
   problem.noise = noise;
   information_ = normal_equations(problem, estimate(fit)).information / (noise * noise);
   information_.diagonal().head(problem.mount_column()).array() += 1 / (marker_sigma_m * marker_sigma_m);
-  if (problem.mount_is_estimated) {
-    information_.diagonal().segment<3>(problem.mount_column()).array() += 1 / (mount_sigma_m * mount_sigma_m);
-    information_.diagonal().segment<3>(problem.mount_column() + 3).array() += 1 / (mount_sigma_rad * mount_sigma_rad);
+  for (Eigen::Index column = problem.mount_column(); column < problem.effect_column(); column += 6) {
+    information_.diagonal().segment<3>(column).array() += 1 / (mount_sigma_m * mount_sigma_m);
+    information_.diagonal().segment<3>(column + 3).array() += 1 / (mount_sigma_rad * mount_sigma_rad);
   }
   llt_.compute(information_);
 }
@@ -103,7 +103,7 @@ std::vector<Sighting> shown(const Problem& problem, const ProblemObservation& o,
 
 ExpectedRows ExpectedPoses::rows_at(const Problem& problem, const ProblemObservation& o, const PoseJudge& judge) const {
   const Unknowns& u = estimate(fit_);
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(problem, o, u);
   const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
   ExpectedRows rows;

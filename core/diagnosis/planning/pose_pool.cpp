@@ -76,7 +76,7 @@ void PoseJudge::learn_what_shows(const Session& session) {
   std::vector<Vector3> ways;  // to the first camera, TCP frame
   double nearest = 1e300, farthest = 0;
   for (const ProblemObservation& o : fit_.problem.observations) {
-    const Rigid left_from_tcp = sensor_from_tcp_at(o, estimate(fit_).mount_from_sensor);
+    const Rigid left_from_tcp = sensor_from_tcp_at(o, estimate(fit_));
     const Vector3 x = left_from_tcp * middle_;
     nearest = std::min(nearest, x.norm());
     farthest = std::max(farthest, x.norm());

@@ -103,8 +103,7 @@ double shift_of_hand(const Problem& p, const ProblemObservation& o, const Unknow
   if (at < 0 || at >= motion.cols() || o.sightings.empty()) return 0;
   Vector3 middle = Vector3::Zero();
   for (const Sighting& s : o.sightings) middle += marker_at(o, u, s.marker);
-  const Vector3 x =
-      sensor_from_tcp_at(o, u.mount_from_sensor) * Vector3(middle / static_cast<double>(o.sightings.size()));
+  const Vector3 x = sensor_from_tcp_at(o, u) * Vector3(middle / static_cast<double>(o.sightings.size()));
   const Vector6 v = motion.col(at);
   return (v.head<3>() + v.tail<3>().cross(x)).norm();
 }

@@ -37,7 +37,7 @@ Eigen::MatrixXd corner_changes(const Problem& p, const Unknowns& u, const Eigen:
   Eigen::MatrixXd changes(static_cast<Eigen::Index>(2 * corners), steps.cols());
   Eigen::Index next = 0;
   for (const ProblemObservation& o : p.observations) {
-    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
     const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(p, o, u);
     each_sighting(p, o, u, sensor_from_tcp, [&](const Sighting& s, const Vector3& x, const SightingResidual& r) {
       const Eigen::MatrixXd change = by_columns(p, o, s, x, r, sensor_from_tcp.rotation, motion) * steps;
@@ -52,7 +52,7 @@ Eigen::MatrixXd corner_changes(const Problem& p, const Unknowns& u, const Eigen:
 int row_count(const Problem& problem, const Unknowns& unknowns) {
   int rows = 0;
   for (const ProblemObservation& o : problem.observations)
-    each_sighting(problem, o, unknowns, sensor_from_tcp_at(o, unknowns.mount_from_sensor),
+    each_sighting(problem, o, unknowns, sensor_from_tcp_at(o, unknowns),
                   [&](const Sighting&, const Vector3&, const SightingResidual& r) { rows += r.rows; });
   return rows;
 }
@@ -90,7 +90,7 @@ std::vector<CornerResidual> corner_residuals(const Problem& problem, const Unkno
       problem.effect_count() > 0 ? Eigen::VectorXd(unknowns.effects - effect_values(problem)) : Eigen::VectorXd();
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
     const ProblemObservation& o = problem.observations[i];
-    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns);
     Eigen::Matrix<double, 6, Eigen::Dynamic> motion;
     if (change.size() > 0 && !change.isZero(0)) motion = motion_by_columns(problem, o, unknowns);
     each_sighting(

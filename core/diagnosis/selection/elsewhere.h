@@ -6,9 +6,14 @@
 
 namespace handsight {
 
-/// Is the error larger where the robot has not been measured? What time seems to explain where poses come region by
+/// Is the error larger where the robot has not been measured: in a region of its poses, or of several sessions together
+/// in one that is held out? What time seems to explain where poses come region by
 /// region, and what only bends to the poses at hand, shows there. Why a change is refused then; empty where it is not.
 /// Works the regions' errors of `after` out.
 std::string worse_elsewhere(const Diagnosis& before, Diagnosis& after);
+
+/// Works FitReport::held_out_region of a model out, and of several sessions together held_out_session, where that is
+/// not done yet.
+void set_errors_elsewhere(Diagnosis& model);
 
 }  // namespace handsight

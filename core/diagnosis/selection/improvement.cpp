@@ -151,8 +151,9 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
     change.model.reset();
     return change;
   }
-  change.model->report.held_out_region = region_error(*change.model);
+  set_errors_elsewhere(*change.model);
   change.steps.back().held_out_region = change.model->report.held_out_region;
+  change.steps.back().held_out_session = change.model->report.held_out_session;
   return change;
 }
 
@@ -240,7 +241,7 @@ class Improving {
 
   Improvement run() {
     m_.last = diagnosed(session_, options_);
-    if (!m_.last.stopped) m_.last.report.held_out_region = region_error(m_.last);
+    if (!m_.last.stopped) set_errors_elsewhere(m_.last);
     m_.steps = {step_of(m_.last)};
     m_.stopped = m_.last.stopped;
     const std::optional<double> excess = m_.last.excess;

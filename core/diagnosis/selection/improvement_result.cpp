@@ -8,6 +8,7 @@ ImprovementStep step_of(const Diagnosis& model) {
   s.fitted = model.report.fitted;
   s.held_out = model.report.held_out;
   s.held_out_region = model.report.held_out_region;
+  s.held_out_session = model.report.held_out_session;
   s.noise = model.noise;
   return s;
 }

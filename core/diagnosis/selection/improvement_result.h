@@ -24,7 +24,7 @@ struct ImprovementStep {
   std::string formula, variable;    // of a curve that was added
   std::vector<std::string> stands;  // numbers of it beyond four plausible sizes: it stands in for something else
   std::optional<double> likely;     // its probability, where the evidence alone is less than a name is asked for
-  ErrorSummary fitted, held_out, held_out_region;
+  ErrorSummary fitted, held_out, held_out_region, held_out_session;
   std::optional<double> noise;  // px or m
 };
 

@@ -93,9 +93,7 @@ std::vector<FittedPoint> fitted_points(const Fit& fit) {
   for (const ProblemObservation& o : fit.problem.observations)
     for (const Sighting& s : o.sightings)
       if (static_cast<int>(s.in_cameras.size()) == fit.problem.rig->count() || s.in_cameras.size() > 2)
-        points.push_back(
-            {&o, s.marker,
-             sensor_from_tcp_at(o, estimate(fit).mount_from_sensor) * marker_at(o, estimate(fit), s.marker)});
+        points.push_back({&o, s.marker, sensor_from_tcp_at(o, estimate(fit)) * marker_at(o, estimate(fit), s.marker)});
   return points;
 }
 

@@ -8,6 +8,7 @@
 #include "effects/term_numbers.h"
 #include "estimation/fit/fit_covariance.h"
 #include "estimation/fit/fit_noise.h"
+#include "estimation/fit/fit_parts.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/problem/pose_residuals.h"
@@ -31,10 +32,7 @@ BodySides sides_of(const FitOptions& options, const Problem& problem, const Unkn
   // As the shape is described: the estimate of a regular one would change its mind between equal sides.
   if (problem.shape && problem.shape->piece_count() == 1 && (problem.shape->sigma || all_are_seen(problem)))
     return choose_sides({problem.shape->markers.begin(), problem.shape->markers.end()});
-  std::vector<std::optional<Vector3>> markers;
-  for (std::size_t m = 0; m < unknowns.markers_in_tcp.size(); ++m)
-    markers.push_back(problem.marker_is_seen[m] ? std::optional(unknowns.markers_in_tcp[m]) : std::nullopt);
-  return choose_sides(markers);
+  return sides_of_body(problem, unknowns.markers_in_tcp, 0);
 }
 
 /// TCP->Body and effects explain the same measurements, so that their errors go together. `factor`: of the covariance
@@ -178,8 +176,10 @@ void settle_slip_frame(const Session& session, const FitOptions& options, Proble
     const Matrix3 start = options.start_tcp_from_body ? options.start_tcp_from_body->rotation : Matrix3::Identity();
     const Rigid tcp_from_body = body_frame(sides, u.markers_in_tcp, start).tcp_from_body;
     const Vector6 change = small_motion_between(images.tcp_from_slip, tcp_from_body);
-    if (change.norm() < 1e-10) return;
-    images.tcp_from_slip = result.problem.tcp_from_slip = tcp_from_body;
+    const bool others_moved = set_slip_frames(images, u.markers_in_tcp);
+    if (change.norm() < 1e-10 && !others_moved) return;
+    images.tcp_from_slip = tcp_from_body;
+    result.problem.set_slip_frames_of(images);
     set_effects(result.problem, u.effects);
     if (&images != &result.problem) set_effects(images, u.effects);
     minimise(session, images, Unknowns(u), options, images.noise, result);
@@ -200,7 +200,25 @@ void set_effect_results(const std::size_t held, Fit& fit) {
   }
 }
 
+Fit fit_as_told(const Session& session, const FitOptions& options);
+
+/// Nothing where nothing can be found.
+std::optional<Unknowns> start_for(const Session& session, const FitOptions& options, const Problem& images) {
+  if (options.start) return options.start;
+  if (session.parts.empty()) return start_values(images, session.mount);
+  FitOptions alone;
+  alone.on_iteration = options.on_iteration;
+  return start_of_parts(session, images, [&](const Session& part) { return fit_as_told(part, alone); });
+}
+
+void refuse_objectives_of_parts(const Session& session, const FitOptions& options) {
+  if (session.parts.empty() || options.objective != Objective::angle_axis) return;
+  throw InputError(fmt::format(
+      "{}: the angle-axis objective is of one session; fit a collection by the image objective.", session.title));
+}
+
 Fit fit_as_told(const Session& session, const FitOptions& options) {
+  refuse_objectives_of_parts(session, options);
   const Chain chain = chain_of(session);
   Problem images = make_problem(session, chain, options.effects, options.estimated);
   if (images.observations.empty())
@@ -212,7 +230,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
             : fmt::format("{}: none of the {} observations has a labelled marker that may be used; label one first "
                           "(handsight-cli label).",
                           session_name(session), session.observations.size()));
-  auto start = options.start ? options.start : start_values(images, session.mount);
+  auto start = start_for(session, options, images);
   if (start) start->effects = effect_values(images);
   if (!start)
     throw InputError(fmt::format(
@@ -233,6 +251,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
     // A first frame for slips; settled below.
     const BodySides sides = sides_of(options, images, *start);
     if (!sides.markers.empty()) images.tcp_from_slip = body_frame(sides, start->markers_in_tcp).tcp_from_body;
+    set_slip_frames(images, start->markers_in_tcp);
     place_observations(images);
   }
   // Of a long session every copy counts: where the images themselves are fitted there is one problem.
@@ -261,7 +280,10 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   result.parameter_covariance = covariance_from(factor);
   set_body(options, factor, result);
   // What moves the body may be asked for later, of a model that has nothing of the kind yet.
-  if (!has_slip(result.problem)) result.problem.tcp_from_slip = result.tcp_from_body;
+  if (!has_slip(result.problem)) {
+    result.problem.tcp_from_slip = result.tcp_from_body;
+    set_slip_frames(result.problem, estimate(result).markers_in_tcp);
+  }
   set_effect_results(options.effects.size(), result);
   add_notes(session, result);
   return result;

@@ -21,7 +21,7 @@ std::optional<double> median_residual(const Problem& problem, const Unknowns& un
   std::vector<double> variances;
   for (const ProblemObservation& o : problem.observations)
     for (const Sighting& s : o.sightings) {
-      const Vector3 x = sensor_from_tcp_at(o, unknowns.mount_from_sensor) * marker_at(o, unknowns, s.marker);
+      const Vector3 x = sensor_from_tcp_at(o, unknowns) * marker_at(o, unknowns, s.marker);
       const SightingNormal n = sighting_normal(problem.rig_or_null(), s, x);
       if (n.rows > 0) variances.push_back(n.cost / (n.rows * std::pow(1 - 2.0 / (9 * n.rows), 3)));
     }

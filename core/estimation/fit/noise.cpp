@@ -31,7 +31,7 @@ Eigen::Index rig_numbers(const Problem& problem) { return problem.rig ? rig_numb
 void set_rows(const Problem& problem, const ProblemObservation& o, const Unknowns& u, Rows& rows) {
   const Rig* rig = problem.rig_or_null();
   // The body's own pose is the place to linearise at: with a large effect the chain's is pixels away.
-  Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   if (const auto pose = refined_body_pose(rig, o.sightings, markers_at(o, u), sensor_from_tcp, near_enough))
     sensor_from_tcp = *pose;
 
@@ -145,7 +145,7 @@ std::optional<NoiseEstimate> noise_from_repeats(const Problem& problem, const Un
     std::map<std::pair<int, int>, Sums> coordinates;  // of a marker: u and v by camera, or x, y, z
     for (const std::size_t place : group) {
       const ProblemObservation& o = problem.observations[place];
-      const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+      const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns);
       for (const Sighting& s : o.sightings) {
         const SightingResidual r =
             sighting_residual(problem.rig_or_null(), s, sensor_from_tcp * marker_at(o, unknowns, s.marker));

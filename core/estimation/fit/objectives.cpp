@@ -138,7 +138,7 @@ Unknowns refit(const Fit& fit, const FitOptions& options, const Problem& part, d
 Eigen::MatrixXd point_noise_middle(const Problem& points, const Unknowns& unknowns) {
   Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(points.columns(), points.columns());
   for (const ProblemObservation& o : points.observations) {
-    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns);
     for (std::size_t i = 0; i < o.sightings.size(); ++i) {
       const Eigen::Index m = 3 * o.sightings[i].marker;
       const Vector3 x = sensor_from_tcp * marker_at(o, unknowns, o.sightings[i].marker);

@@ -90,7 +90,7 @@ KnownMarkers OnlineCalibration::known_markers() const {
 std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, const std::vector<Corner>& right,
                                             const ProblemObservation& posture, std::vector<Sighting>& sightings) const {
   // The markers in the TCP frame stand for the body: its prediction is the chain's TCP (thesis 4.52).
-  const Rigid prediction = sensor_from_tcp_at(posture, fit_->unknowns().mount_from_sensor);
+  const Rigid prediction = sensor_from_tcp_at(posture, fit_->unknowns());
   const Match match = match_markers(stereo_of(*problem_.rig), left, right, known_markers(), prediction, options_.match);
   for (const MatchedMarker& m : match.markers) {
     Sighting s{.marker = m.marker, .by = MarkedBy::tracker};
@@ -175,7 +175,7 @@ void OnlineCalibration::learn_new_markers(const ProblemObservation& observation)
 }
 
 void OnlineCalibration::learn_shape_and_noise(const ProblemObservation& o) {
-  const Rigid guess = sensor_from_tcp_at(o, fit_->unknowns().mount_from_sensor);
+  const Rigid guess = sensor_from_tcp_at(o, fit_->unknowns());
   const auto pose = estimate_body_pose(problem_.rig_or_null(), o.sightings, body_in_tcp(), guess);
   shape_.add(problem_.rig_or_null(), o.sightings, noise().value_or(problem_.rig ? 0.3 : 3e-4));
   if (!pose || pose->rows <= 6) return;
@@ -234,7 +234,7 @@ void OnlineCalibration::describe(const ProblemObservation& o, OnlineStep& step) 
   Matrix6 at_origin = Matrix6::Identity();
   at_origin.topRightCorner<3, 3>() = -cross_matrix(frame.tcp_from_body.translation);
   step.sigma = (at_origin * step.covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, fit_->unknowns().mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, fit_->unknowns());
   if (const auto pose =
           estimate_body_pose(problem_.rig_or_null(), step.sightings, fit_->unknowns().markers_in_tcp, sensor_from_tcp))
     step.tcp_from_tcp_est = inverse(sensor_from_tcp) * pose->sensor_from_body;
@@ -248,7 +248,7 @@ OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePai
   step.id = observation.id;
   const Circumstances here = circumstances_at(chain_, observation.position);
   const ChainEnds ends = observed_ends(here, moved_sites(here, options_.effects)).ends;
-  ProblemObservation posture{0, ends.root_from_tcp, ends.root_from_mount, {}, {}, {}};
+  ProblemObservation posture{.root_from_tcp = ends.root_from_tcp, .root_from_mount = ends.root_from_mount};
   const bool first = !fit_;
   if (observation.decision == Decision::excluded) {
     step.reason = "excluded by the user" + (observation.reason.empty() ? "" : ": " + observation.reason);

@@ -75,8 +75,7 @@ void OnlineTarget::undo_half_turn(ProblemObservation& posture, OnlineStep& step)
   const auto seen = target_pose(problem_.rig_or_null(), posture.sightings, problem_.shape->markers);
   if (!seen) return;
   const Unknowns& u = fit_->unknowns();
-  const Vector3 expected =
-      sensor_from_tcp_at(posture, u.mount_from_sensor).rotation * (u.markers_in_tcp[1] - u.markers_in_tcp[0]);
+  const Vector3 expected = sensor_from_tcp_at(posture, u).rotation * (u.markers_in_tcp[1] - u.markers_in_tcp[0]);
   const Vector3 measured =
       seen->pose.sensor_from_body.rotation * (problem_.shape->markers[1] - problem_.shape->markers[0]);
   if (expected.dot(measured) >= 0) return;
@@ -143,7 +142,7 @@ void OnlineTarget::describe(const ProblemObservation& o, OnlineStep& step) const
   Matrix6 at_origin = Matrix6::Identity();  // of the origin itself, not of exp(xi)'s translation
   at_origin.topRightCorner<3, 3>() = -cross_matrix(frame.tcp_from_body.translation);
   step.sigma = (at_origin * step.covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   if (const auto pose = estimate_body_pose(problem_.rig_or_null(), o.sightings, u.markers_in_tcp, sensor_from_tcp))
     step.tcp_from_tcp_est = inverse(sensor_from_tcp) * pose->sensor_from_body;
 }
@@ -155,7 +154,9 @@ OnlineStep OnlineTarget::add(const Observation& observation, const std::string& 
   step.from_images = has_images(observation) && problem_.rig;
   const Circumstances here = circumstances_at(chain_, observation.position);
   const ChainEnds ends = observed_ends(here, moved_sites(here, options_.effects)).ends;
-  ProblemObservation posture{0, ends.root_from_tcp, ends.root_from_mount, observation.sightings, {}, {}};
+  ProblemObservation posture{.root_from_tcp = ends.root_from_tcp,
+                             .root_from_mount = ends.root_from_mount,
+                             .sightings = observation.sightings};
   for (Sighting& s : posture.sightings) s.usual_sigma = usual_sigma_;
   step.sightings = observation.sightings;
   if (observation.decision == Decision::excluded)

@@ -59,8 +59,7 @@ std::optional<std::vector<Sighting>> second_look(const Session& session, const F
   posed.sightings = {seen_at(0, Vector2(0, 0))};
   alone.observations = {posed};
   const Problem problem = make_problem(alone, chain_of(alone));
-  const Rigid sensor_from_body =
-      sensor_from_tcp_at(problem.observations[0], estimate(fit).mount_from_sensor) * fit.tcp_from_body;
+  const Rigid sensor_from_body = sensor_from_tcp_at(problem.observations[0], estimate(fit)) * fit.tcp_from_body;
   const std::vector<Corner> left = detect_corners(images.left), right = detect_corners(images.right);
   for (const Look& look : looks) {
     MatchOptions options;

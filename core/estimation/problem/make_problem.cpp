@@ -35,6 +35,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   problem.shape = session.shape;
   problem.marker_count = chain.marker_count;
   problem.mount_is_estimated = session.mount.estimate;
+  for (const Mount& mount : session.other_mounts) problem.other_mounts_estimated.push_back(mount.estimate);
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
   problem.terms = held;
   for (const EffectTerm& term : estimated) {
@@ -51,8 +52,8 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   const bool torques = reads(&Effect::reads_torque, problem.terms, source->own_effects);
   const bool places = reads(&Effect::reads_place, problem.terms, source->own_effects);
   for (Circumstances& c : source->circumstances) {
-    if (torques) c.torque = nominal_torques(source->chain, c.sensor);
-    if (places) c.tcp = nominal_tcp(source->chain, c.sensor);
+    if (torques) c.torque = nominal_torques(*c.chain, c.sensor);
+    if (places) c.tcp = nominal_tcp(*c.chain, c.sensor);
   }
   problem.source = source;
   if (measures_no_length(session, chain)) problem.robot_scale = described_scale(problem);
@@ -63,6 +64,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     if (!is_used(observation)) continue;
     ProblemObservation& o = problem.observations.emplace_back();
     o.index = index;
+    o.mount = source->circumstances[static_cast<std::size_t>(index)].chain->mount;
     o.sightings = observation.sightings;
     for (Sighting& s : o.sightings) s.usual_sigma = usual;
     for (const Sighting& s : observation.sightings) problem.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;

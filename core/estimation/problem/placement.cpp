@@ -73,8 +73,8 @@ class MovedSites {
 };
 
 /// A slip of the body, a motion in the slip's frame, as a motion in the TCP's.
-Rigid slip_in_tcp(const Problem& problem, const Sites& sites) {
-  return problem.tcp_from_slip * small_motion<double>(sites.body) * inverse(problem.tcp_from_slip);
+Rigid slip_in_tcp(const Rigid& tcp_from_slip, const Sites& sites) {
+  return tcp_from_slip * small_motion<double>(sites.body) * inverse(tcp_from_slip);
 }
 
 /// How motions at the chain's other sites move the TCP and the sensor.
@@ -82,11 +82,11 @@ struct SiteMotions {
   Matrix6 by_body, by_hand, by_mount, by_drift;
 };
 
-SiteMotions site_motions(const Problem& problem, const Sites& sites, const Rigid& root_from_tcp) {
+SiteMotions site_motions(const Rigid& tcp_from_slip, const Sites& sites, const Rigid& root_from_tcp) {
   SiteMotions m;
   const Rigid root_from_hand = root_from_tcp * small_motion<double>(sites.hand);
   const Rigid mount = small_motion<double>(sites.mount), drift = small_motion<double>(sites.drift);
-  m.by_body = adjoint(root_from_hand * problem.tcp_from_slip) * small_motion_jacobian(sites.body);
+  m.by_body = adjoint(root_from_hand * tcp_from_slip) * small_motion_jacobian(sites.body);
   m.by_hand = adjoint(root_from_tcp) * small_motion_jacobian(sites.hand);
   m.by_mount = adjoint(inverse(mount * drift)) * small_motion_jacobian(sites.mount);
   m.by_drift = adjoint(inverse(drift)) * small_motion_jacobian(sites.drift);
@@ -96,6 +96,7 @@ SiteMotions site_motions(const Problem& problem, const Sites& sites, const Rigid
 void set_motion(const Problem& problem, const Circumstances& c, const Posture& posture, MovedSites& moved,
                 const Sites& sites, ProblemObservation& o) {
   const Chain& chain = *c.chain;
+  const Rigid& slip_frame = problem.slip_frame(chain.body);
   const PostureTangent tangent(chain.robot, sites.robot, chain.gravity, posture, chain.tcp_link, chain.mount_link);
   EffectMotion& motion = o.motion;
   motion.tcp_by_effect.setZero(6, problem.effect_count());
@@ -114,7 +115,7 @@ void set_motion(const Problem& problem, const Circumstances& c, const Posture& p
       motion.tcp_by_effect.col(i) = tangent.motion_by_joint(j, d.robot.joints[j]);
       continue;
     }
-    if (!by) by = site_motions(problem, sites, posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)]);
+    if (!by) by = site_motions(slip_frame, sites, posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)]);
     motion.tcp_by_effect.col(i) = tangent.motion(d.robot);
     if (!d.hand.isZero(0)) motion.tcp_by_effect.col(i) += by->by_hand * d.hand;
     if (!d.body.isZero(0)) motion.tcp_by_effect.col(i) += by->by_body * d.body;
@@ -124,7 +125,7 @@ void set_motion(const Problem& problem, const Circumstances& c, const Posture& p
     }
     for (std::size_t m = 0; m < d.markers.size(); ++m)
       if (!d.markers[m].isZero(0))
-        motion.markers.push_back({static_cast<int>(m), i, problem.tcp_from_slip.rotation * d.markers[m]});
+        motion.markers.push_back({static_cast<int>(m), i, slip_frame.rotation * d.markers[m]});
   }
 }
 
@@ -147,10 +148,10 @@ void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObser
   o.sensor_moves = !sites.mount.isZero(0) || !sites.drift.isZero(0);
   o.sensor_motion = o.sensor_moves ? small_motion<double>(sites.mount) * small_motion<double>(sites.drift) : Rigid{};
   if (!sites.hand.isZero(0)) o.root_from_tcp = o.root_from_tcp * small_motion<double>(sites.hand);
-  if (!sites.body.isZero(0)) o.root_from_tcp = o.root_from_tcp * slip_in_tcp(problem, sites);
+  if (!sites.body.isZero(0)) o.root_from_tcp = o.root_from_tcp * slip_in_tcp(problem.slip_frame(chain.body), sites);
   o.marker_shifts.clear();
   if (std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); }))
-    for (const Vector3& m : sites.markers) o.marker_shifts.push_back(problem.tcp_from_slip.rotation * m);
+    for (const Vector3& m : sites.markers) o.marker_shifts.push_back(problem.slip_frame(chain.body).rotation * m);
   if (derives) set_motion(problem, c, posture, moved, sites, o);
   // What does not bend starts from nothing; of a long session every number counts.
   o.deflection = is_nothing(posture.deflection) ? Deflection{} : std::move(posture.deflection);

@@ -8,7 +8,7 @@ namespace handsight {
 
 std::optional<PoseError> pose_residual(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
   if (!problem.shape || o.sightings.size() != pose_markers || !o.sightings.front().along) return std::nullopt;
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   Eigen::Matrix<double, pose_markers, 1> residuals;
   for (std::size_t m = 0; m < o.sightings.size(); ++m) {
     const Sighting& s = o.sightings[m];

@@ -40,6 +40,7 @@ struct EffectMotion {
 
 struct ProblemObservation {
   int index = 0;  // into Session::observations
+  int mount = 0;  // of the session's mounts (chain/chain.h): 0 but in a joined session
   Rigid root_from_tcp;
   Rigid root_from_mount;
   std::vector<Sighting> sightings;
@@ -86,12 +87,14 @@ struct Problem {
   std::optional<Rig> rig;  // absent: sightings are points
   int marker_count = 0;
   bool mount_is_estimated = false;
-  std::vector<char> marker_is_seen;  // per marker, in any used observation
+  std::vector<char> other_mounts_estimated;  // of a joined session: of the mounts 1, 2 ...
+  std::vector<char> marker_is_seen;          // per marker, in any used observation
 
   std::shared_ptr<const ProblemSource> source;
   std::vector<EffectTerm> terms;  // the model's effects at their present values
   std::vector<EffectColumn> columns_of_effects;
   Rigid tcp_from_slip;                    // the frame in which slips of the body and its markers are measured
+  std::vector<Rigid> other_slip_frames;   // of a joined session: the same of bodies 1, 2 ...; empty: all as the first
   bool with_motions = false;              // EffectMotion is filled even where no effect is estimated
   double noise = 1;                       // px or m: what the priors of the effects are weighed against
   bool noise_is_guessed = false;          // nothing tells it
@@ -107,9 +110,34 @@ struct Problem {
 
   const Rig* rig_or_null() const { return rig ? &*rig : nullptr; }
   Eigen::Index mount_column() const { return 3 * marker_count; }
-  Eigen::Index effect_column() const { return mount_column() + (mount_is_estimated ? 6 : 0); }
+  Eigen::Index effect_column() const { return mount_column() + mount_columns(); }
+  /// 6 for every mount that is estimated.
+  Eigen::Index mount_columns() const {
+    Eigen::Index columns = mount_is_estimated ? 6 : 0;
+    for (const char is_estimated : other_mounts_estimated) columns += is_estimated ? 6 : 0;
+    return columns;
+  }
+  /// Where the six columns of a mount begin; -1 where it is held.
+  Eigen::Index column_of_mount(int mount) const {
+    const auto is_free = [&](int i) {
+      return i == 0 ? mount_is_estimated : other_mounts_estimated[static_cast<std::size_t>(i - 1)] != 0;
+    };
+    if (!is_free(mount)) return -1;
+    Eigen::Index column = mount_column();
+    for (int i = 0; i < mount; ++i) column += is_free(i) ? 6 : 0;
+    return column;
+  }
+  const Rigid& slip_frame(int body) const {
+    return body == 0 || other_slip_frames.empty() ? tcp_from_slip
+                                                  : other_slip_frames[static_cast<std::size_t>(body - 1)];
+  }
+  void set_slip_frames_of(const Problem& other) {
+    tcp_from_slip = other.tcp_from_slip;
+    other_slip_frames = other.other_slip_frames;
+  }
+  int mount_count() const { return 1 + static_cast<int>(other_mounts_estimated.size()); }
   Eigen::Index effect_count() const { return static_cast<Eigen::Index>(columns_of_effects.size()); }
-  /// Columns of the normal equations: 3 a marker, 6 for the mount where it is estimated, the effects' numbers.
+  /// Columns of the normal equations: 3 a marker, 6 for every mount that is estimated, the effects' numbers.
   Eigen::Index columns() const { return effect_column() + effect_count(); }
 };
 
@@ -152,7 +180,19 @@ struct Unknowns {
   std::vector<Vector3> markers_in_tcp;
   Rigid mount_from_sensor;
   Eigen::VectorXd effects;
+  std::vector<Rigid> other_mounts = {};  // of a joined session: mount_from_sensor of its mounts 1, 2 ...
+
+  const Rigid& mount(int i) const { return i == 0 ? mount_from_sensor : other_mounts[static_cast<std::size_t>(i - 1)]; }
+  Rigid& mount(int i) { return i == 0 ? mount_from_sensor : other_mounts[static_cast<std::size_t>(i - 1)]; }
 };
+
+/// mount_from_sensor of what watched in an observation.
+inline const Rigid& mount_of(const ProblemObservation& o, const Unknowns& u) { return u.mount(o.mount); }
+
+/// The whole chain of an observation at these unknowns.
+inline Rigid sensor_from_tcp_at(const ProblemObservation& o, const Unknowns& u) {
+  return sensor_from_tcp_at(o, mount_of(o, u));
+}
 
 /// Where a marker sits in one observation (m, TCP frame): slips included.
 inline Vector3 marker_at(const ProblemObservation& o, const Unknowns& u, int marker) {

@@ -7,7 +7,9 @@
 #include "base/utc_now.h"
 #include "effects/term_numbers.h"
 #include "effects/units.h"
+#include "estimation/fit/part_fit.h"
 #include "estimation/report/hand_end.h"
+#include "estimation/report/part_report.h"
 
 namespace handsight {
 
@@ -116,8 +118,28 @@ void set_doubt(const Robot& robot, const std::vector<EffectTerm>& terms, const D
   c.doubt = CalibrationDoubt{std::move(others.effects), doubt.covariance(place_of, place_of)};
 }
 
-Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions&,
+namespace {
+
+/// Of a collection: each part by itself, the first one's beside.
+Calibration calibration_of_parts(const Session& joined, const Fit& fit, const FitReport& told,
+                                 const FitOptions& options, const std::string& software) {
+  std::vector<Calibration> sessions;
+  const std::vector<PartReport> reports = part_reports(joined, fit, told);
+  for (std::size_t p = 0; p < reports.size(); ++p) {
+    const PartFit part = fit_of_part(joined, fit, static_cast<int>(p));
+    sessions.push_back(calibration_of(part.session, part.fit, report_of(reports[p]), options, software));
+  }
+  Calibration all = sessions.front();
+  all.session = joined.title;
+  all.sessions = std::move(sessions);
+  return all;
+}
+
+}  // namespace
+
+Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options,
                            const std::string& software, const Doubt& doubt) {
+  if (!session.parts.empty()) return calibration_of_parts(session, fit, told, options, software);
   Calibration c;
   c.session = session.title;
   c.created = utc_now();

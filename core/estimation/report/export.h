@@ -10,7 +10,8 @@
 
 namespace handsight {
 
-/// `options` must be those of the fit, and `doubt` of its effects; `software` is its name and version. Created now.
+/// `options` must be those of the fit, and `doubt` of its effects; `software` is its name and version. Created now. Of
+/// sessions that are fitted together that of each, and of the first beside; what is doubted is then left out.
 Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options,
                            const std::string& software, const Doubt& doubt = {});
 

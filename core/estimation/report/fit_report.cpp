@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/report/fit_report.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -13,123 +12,12 @@
 #include "estimation/problem/body_pose.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/problem/problem_part.h"
-#include "estimation/report/hand_residual.h"
 #include "estimation/report/regions.h"
+#include "estimation/report/residuals.h"
 #include "estimation/start/shape_start.h"
 
 namespace handsight {
 namespace {
-
-/// Residuals of one observation: squares of its coordinates, lengths of its markers' 3D residuals.
-struct Residuals {
-  double squares = 0;
-  int rows = 0;
-  std::vector<double> lengths;
-  double length_squares_of_noise = 0;  // expected sum of their squares, m^2 per unit of noise squared
-  std::optional<HandResidual> hand;
-};
-
-/// One step of Gauss and Newton of the body's own pose about the middle of its markers: how far cameras see it from
-/// where it is predicted. Markers on a line, and fewer than three, tell a shift alone.
-std::optional<HandResidual> hand_of(const std::vector<std::pair<Vector3, SightingNormal>>& seen) {
-  constexpr double least_turned = 1e-9;  // of the largest eigenvalue: less turns freely
-  if (seen.empty()) return std::nullopt;
-  Vector3 middle = Vector3::Zero();
-  for (const auto& [x, n] : seen) middle += x / static_cast<double>(seen.size());
-  Matrix6 information = Matrix6::Zero();
-  Vector6 gradient = Vector6::Zero();
-  for (const auto& [x, n] : seen) {
-    Eigen::Matrix<double, 3, 6> by_pose;
-    by_pose << Matrix3::Identity(), -cross_matrix(Vector3(x - middle));
-    information += by_pose.transpose() * n.information * by_pose;
-    gradient += by_pose.transpose() * n.gradient;
-  }
-  const Eigen::SelfAdjointEigenSolver<Matrix6> turned(information);
-  if (seen.size() >= 3 && turned.eigenvalues()[0] > least_turned * turned.eigenvalues()[5]) {
-    const Matrix6 covariance = information.inverse();
-    return HandResidual{(covariance * gradient).head<3>().norm(), covariance.topLeftCorner<3, 3>()};
-  }
-  const Matrix3 shifts = information.topLeftCorner<3, 3>();
-  const Eigen::SelfAdjointEigenSolver<Matrix3> shifted(shifts);
-  if (!(shifted.eigenvalues()[0] > least_turned * shifted.eigenvalues()[2])) return std::nullopt;
-  const Matrix3 covariance = shifts.inverse();
-  return HandResidual{(covariance * gradient.head<3>()).norm(), covariance};
-}
-
-/// One camera shows no points, but of a body of known shape its pose: the points are then where that has them.
-void add_lengths_of_pose(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns,
-                         Residuals& residuals) {
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
-  const std::vector<Vector3> markers = markers_at(o, unknowns);
-  for (const std::vector<Sighting>& piece : by_piece(*images.shape, o.sightings)) {
-    const auto pose = estimate_body_pose(images.rig_or_null(), piece, markers, sensor_from_tcp);
-    if (!pose) continue;
-    for (const Sighting& s : piece) {
-      const Vector3& in_tcp = markers[static_cast<std::size_t>(s.marker)];
-      const Vector3 measured = pose->sensor_from_body * in_tcp;
-      Eigen::Matrix<double, 3, 6> by_pose;
-      by_pose << Matrix3::Identity(), -cross_matrix(measured);
-      residuals.lengths.push_back((measured - sensor_from_tcp * in_tcp).norm());
-      residuals.length_squares_of_noise += (by_pose * pose->unit_covariance * by_pose.transpose()).trace();
-    }
-  }
-}
-
-Residuals residuals_of(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns) {
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
-  Residuals residuals;
-  std::vector<std::pair<Vector3, SightingNormal>> seen;
-  for (const Sighting& s : o.sightings) {
-    const Vector3 predicted = sensor_from_tcp * marker_at(o, unknowns, s.marker);
-    const SightingNormal n = sighting_normal(images.rig_or_null(), s, predicted);
-    if (images.rig) seen.emplace_back(predicted, n);
-    residuals.squares += n.cost;
-    residuals.rows += n.rows;
-    if (s.point && !s.along) {
-      residuals.lengths.push_back((*s.point - predicted).norm());
-      residuals.length_squares_of_noise += 3;
-    }
-    if (!images.rig) continue;
-    if (const auto point = triangulate_unweighed(*images.rig, s)) {
-      residuals.lengths.push_back((point->point - predicted).norm());
-      residuals.length_squares_of_noise += point->covariance.trace();
-    }
-  }
-  if (images.rig && images.shape && residuals.lengths.empty()) add_lengths_of_pose(images, o, unknowns, residuals);
-  if (const auto pose = pose_residual(images, o, unknowns)) {
-    residuals.lengths.push_back(pose->place.norm());
-    residuals.length_squares_of_noise += 3;
-  }
-  residuals.hand = hand_of(seen);
-  return residuals;
-}
-
-double rms(const std::vector<double>& values) {
-  double squares = 0;
-  for (const double v : values) squares += v * v;
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
-ErrorSummary summary(const std::vector<Residuals>& all, bool pixels) {
-  ErrorSummary s;
-  double squares = 0;
-  int rows = 0;
-  std::vector<double> lengths, hands;
-  for (const Residuals& r : all) {
-    squares += r.squares;
-    rows += r.rows;
-    if (r.hand) hands.push_back(r.hand->size_m);
-    lengths.insert(lengths.end(), r.lengths.begin(), r.lengths.end());
-  }
-  if (pixels && rows > 0) s.rms_pixel = std::sqrt(squares / rows);
-  if (!hands.empty()) s.hand_m = rms(hands);
-  if (lengths.empty()) return s;
-  s.rms_m = rms(lengths);
-  s.mean_m = 0;
-  for (const double l : lengths) *s.mean_m += l / static_cast<double>(lengths.size());
-  s.max_m = *std::max_element(lengths.begin(), lengths.end());
-  return s;
-}
 
 /// `in_part` has one entry an observation of the session.
 Problem part_of(const Problem& whole, const std::vector<char>& in_part) {
@@ -197,11 +85,10 @@ FitOptions asked_one_by_one(FitOptions options) {
 }
 
 /// What every used observation leaves when its fold is left out of the fit, fold by fold; `folds` has one number an
-/// observation, in the order of the problem.
-std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit, const FitOptions& asked,
-                                          std::size_t session_size, const std::vector<int>& folds) {
-  std::vector<Residuals> all(images.observations.size());
-  std::vector<char> is_known(images.observations.size(), 0);
+/// observation, in the order of the problem. Nothing where its fold is all of them.
+std::vector<std::optional<Residuals>> held_out_residuals(const Problem& images, const Fit& fit, const FitOptions& asked,
+                                                         std::size_t session_size, const std::vector<int>& folds) {
+  std::vector<std::optional<Residuals>> all(images.observations.size());
   const int last = folds.empty() ? -1 : *std::max_element(folds.begin(), folds.end());
   const FitOptions options = asked_one_by_one(asked);
   constexpr std::size_t most_at_once = 10'000;  // observations: of longer sessions every copy counts
@@ -226,28 +113,36 @@ std::vector<Residuals> held_out_residuals(const Problem& images, const Fit& fit,
     std::size_t i = 0;
     for (const ProblemObservation& o : held.observations) {
       if (!trains[static_cast<std::size_t>(o.index)]) continue;
-      all[held_ranks[i]] = residuals_of(held, o, unknowns);
-      is_known[held_ranks[i++]] = 1;
+      all[held_ranks[i++]] = residuals_of(held, o, unknowns);
     }
   });
+  return all;
+}
+
+std::vector<Residuals> known_of(const std::vector<std::optional<Residuals>>& all) {
   std::vector<Residuals> known;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (is_known[i]) known.push_back(std::move(all[i]));
+  for (const std::optional<Residuals>& one : all)
+    if (one) known.push_back(*one);
   return known;
 }
 
-ErrorSummary held_out(const Problem& images, const Fit& fit, const FitOptions& options, std::size_t session_size) {
+ErrorSummary summary_of(const std::vector<std::optional<Residuals>>& all, bool pixels) {
+  const std::vector<Residuals> known = known_of(all);
+  return known.empty() ? ErrorSummary{} : summary(known, pixels);
+}
+
+std::vector<std::optional<Residuals>> held_out(const Problem& images, const Fit& fit, const FitOptions& options,
+                                               std::size_t session_size) {
   std::vector<int> folds;
   for (const int first : first_of_same_pose(images)) folds.push_back(fold_of(first));
-  const std::vector<Residuals> all = held_out_residuals(images, fit, options, session_size, folds);
-  return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+  return held_out_residuals(images, fit, options, session_size, folds);
 }
 
 /// Where the points of the images were fitted: the images, moved by the same effects. Else they are the fit's problem.
 std::optional<Problem> images_of_points(const Session& session, const Fit& fit) {
   if (fit.objective != Objective::camera || !session.rig) return std::nullopt;
   Problem images = make_problem(session, chain_of(session), fit.problem.terms);
-  images.tcp_from_slip = fit.problem.tcp_from_slip;
+  images.set_slip_frames_of(fit.problem);
   images.columns_of_effects = fit.problem.columns_of_effects;
   if (!images.terms.empty()) place_observations(images);
   return images;
@@ -314,7 +209,7 @@ std::vector<double> mean_squares_of(const std::vector<Residuals>& all) {
 /// Of each used observation of another session.
 std::vector<Residuals> residuals_on(const Session& others, const Fit& fit) {
   Problem images = make_problem(others, chain_of(others), fit.problem.terms);
-  images.tcp_from_slip = fit.problem.tcp_from_slip;
+  images.set_slip_frames_of(fit.problem);
   if (!images.terms.empty()) place_observations(images);
   std::vector<Residuals> all;
   for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
@@ -371,7 +266,7 @@ std::optional<Rigid> tcp_from_target(const Session& session, const Fit& fit) {
 std::optional<TcpDeviation> tcp_deviation(const Problem& images, const ProblemObservation& o,
                                           const Unknowns& unknowns) {
   // With the markers in the TCP frame standing for the body, sensor_from_body is sensor_from_tcp_est.
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns);
   const auto pose = estimate_body_pose(images.rig_or_null(), o.sightings, markers_at(o, unknowns), sensor_from_tcp);
   if (!pose) return std::nullopt;
   // exp(xi) sensor_from_tcp_est, brought to the TCP frame: the motion about the sensor's origin there, then at the
@@ -402,7 +297,7 @@ std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, c
   std::vector<int> folds;
   for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
     folds.push_back(static_cast<int>(rank * static_cast<std::size_t>(blocks) / images.observations.size()));
-  return mean_squares_of(held_out_residuals(images, fit, options, session.observations.size(), folds));
+  return mean_squares_of(known_of(held_out_residuals(images, fit, options, session.observations.size(), folds)));
 }
 
 ErrorSummary held_out_by_region(const Session& session, const Fit& fit, const FitOptions& options) {
@@ -413,8 +308,8 @@ ErrorSummary held_out_by_region(const Session& session, const Fit& fit, const Fi
   quick.least_gain = std::max(options.least_gain, 1e-2 * fit.residual_rms * fit.residual_rms);
   quick.reuse_below = std::max(options.reuse_below, 1e-3);
   quick.most_iterations = std::min(options.most_iterations, 40);
-  const std::vector<Residuals> all = held_out_residuals(images, fit, quick, session.observations.size(), regions);
-  return all.empty() ? ErrorSummary{} : summary(all, images.rig.has_value());
+  return summary_of(held_out_residuals(images, fit, quick, session.observations.size(), regions),
+                    images.rig.has_value());
 }
 
 std::optional<HandResidual> hand_residual(const Problem& images, const ProblemObservation& o, const Unknowns& u) {
@@ -433,7 +328,9 @@ FitReport report(const Session& session, const Fit& fit, const FitOptions& optio
   r.fitted = summary(all, images.rig.has_value());
   r.rms_of_noise_m = rms_of_noise(all, fit.noise);
   r.noise_of_hand_m = noise_of_hand(all, fit.noise);
-  r.held_out = held_out(images, fit, options, session.observations.size());
+  auto held = held_out(images, fit, options, session.observations.size());
+  r.held_out = summary_of(held, images.rig.has_value());
+  if (!session.parts.empty()) r.held_out_residuals = std::move(held);
   const std::vector<char> out = outliers(all, fit.noise);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const ProblemObservation& o = images.observations[i];

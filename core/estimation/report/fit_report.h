@@ -2,9 +2,8 @@
 // What a fit says to its user: residuals of every observation, what was not used and why, the held-out error.
 #pragma once
 
-#include <cmath>
-
 #include "estimation/fit/fit.h"
+#include "estimation/report/residuals.h"
 
 namespace handsight {
 
@@ -28,17 +27,6 @@ struct Unused {
   std::string reason;
 };
 
-/// Root mean square, mean and maximum. Pixel: over image coordinates. Metres: over the lengths of the markers' 3D
-/// residuals in the sensor's frame, of markers seen as points. Of cameras, hand_m: root mean square of how far the hand
-/// is from where it is predicted, the markers of an observation taken together (their middle), to first order.
-struct ErrorSummary {
-  std::optional<double> rms_pixel, rms_m, mean_m, max_m, hand_m;
-};
-
-/// What the noise of one coordinate makes of an rms error as it is told: in px it is over coordinates, in metres over
-/// the lengths of three coordinates together.
-inline double as_told(double noise, bool in_pixels) { return in_pixels ? noise : std::sqrt(3.0) * noise; }
-
 struct FitReport {
   int observations = 0;
   int used = 0;
@@ -50,7 +38,13 @@ struct FitReport {
   std::optional<double> noise_of_hand_m;  // what the noise alone makes of ErrorSummary::hand_m
   ErrorSummary held_out;         // five folds over observations: floor(rank by time / 4) mod 5, repeated poses together
   ErrorSummary held_out_region;  // five regions (regions.h), each foretold from the others; where asked for
+  /// Of a joined session, where asked for (part_report.h): every part foretold by a robot learned from the others; in
+  /// units of its own sensor part by part.
+  ErrorSummary held_out_session;
+  std::vector<ErrorSummary> held_out_sessions;
   std::vector<ObservationReport> per_observation;  // of the used, in order of time
+  std::vector<std::optional<Residuals>>
+      held_out_residuals;  // the same of `held_out`, where the session is a joined one
 };
 
 /// `options` must be those of the fit. Held-out errors need observations in two folds at least; else they are absent.

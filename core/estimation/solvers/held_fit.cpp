@@ -25,7 +25,7 @@ HeldFit::Sums HeldFit::sums_at(const Unknowns& u) const {
   const Eigen::Index mount = columns_ - 6;
   Eigen::Matrix<double, 3, Eigen::Dynamic> by(3, columns_);
   for (const ProblemObservation& o : observations_) {
-    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
     Eigen::VectorXd own = Eigen::VectorXd::Zero(columns_);
     for (const Sighting& s : o.sightings) {
       const auto m = static_cast<std::size_t>(s.marker);

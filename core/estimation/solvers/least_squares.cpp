@@ -43,8 +43,9 @@ Unknowns stepped(const Problem& problem, const Unknowns& unknowns, const Eigen::
   Unknowns next = unknowns;
   const Rigid motion = small_motion<double>(step.head<6>());
   for (Vector3& marker : next.markers_in_tcp) marker = motion * marker;
-  if (problem.mount_is_estimated)
-    next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.segment<6>(6));
+  for (int i = 0; i < problem.mount_count(); ++i)
+    if (const Eigen::Index column = problem.column_of_mount(i); column >= 0)
+      next.mount(i) = unknowns.mount(i) * small_motion<double>(step.segment<6>(6 + column - problem.mount_column()));
   next.effects += step.tail(problem.effect_count());
   return next;
 }

@@ -30,7 +30,7 @@ NormalEquations weighted_normal_equations(Problem& problem, const Unknowns& unkn
   if (loss == Loss::none) return normal_equations(problem, unknowns);
   double cost = 0;
   for (ProblemObservation& o : problem.observations) {
-    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+    const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns);
     o.weights.resize(o.sightings.size());
     for (std::size_t i = 0; i < o.sightings.size(); ++i) {
       const Vector3 x = sensor_from_tcp * marker_at(o, unknowns, o.sightings[i].marker);

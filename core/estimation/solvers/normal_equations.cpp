@@ -16,19 +16,21 @@ Unknowns moved(const Problem& problem, const Unknowns& unknowns, const Eigen::Ve
   Unknowns next = unknowns;
   for (std::size_t m = 0; m < next.markers_in_tcp.size(); ++m)
     next.markers_in_tcp[m] += step.segment<3>(3 * static_cast<Eigen::Index>(m));
-  if (problem.mount_is_estimated)
-    next.mount_from_sensor = unknowns.mount_from_sensor * small_motion<double>(step.segment<6>(problem.mount_column()));
+  for (int i = 0; i < problem.mount_count(); ++i)
+    if (const Eigen::Index column = problem.column_of_mount(i); column >= 0)
+      next.mount(i) = unknowns.mount(i) * small_motion<double>(step.segment<6>(column));
   next.effects += step.tail(problem.effect_count());
   return next;
 }
 
 Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_columns(const Problem& problem, const ProblemObservation& o,
                                                            const Unknowns& u) {
-  const Eigen::Index mount = problem.mount_is_estimated ? 6 : 0;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> motion(6, mount + problem.effect_count());
-  if (problem.mount_is_estimated) motion.leftCols<6>() = -adjoint(inverse(o.sensor_motion));
+  const Eigen::Index mounts = problem.mount_columns(), mount = problem.column_of_mount(o.mount);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> motion(6, mounts + problem.effect_count());
+  if (mounts > 6 || mount < 0) motion.leftCols(mounts).setZero();
+  if (mount >= 0) motion.middleCols<6>(mount - problem.mount_column()) = -adjoint(inverse(o.sensor_motion));
   if (problem.effect_count() == 0) return motion;
-  const Rigid sensor_from_root = inverse(o.root_from_mount * u.mount_from_sensor * o.sensor_motion);
+  const Rigid sensor_from_root = inverse(o.root_from_mount * mount_of(o, u) * o.sensor_motion);
   motion.rightCols(problem.effect_count()).noalias() = adjoint(sensor_from_root) * o.motion.tcp_by_effect;
   if (o.motion.sensor_by_effect.cols() > 0) motion.rightCols(problem.effect_count()) -= o.motion.sensor_by_effect;
   return motion;
@@ -112,7 +114,7 @@ void add_sighting_with_effects(const Problem& problem, const ProblemObservation&
 /// The general road: effects among the columns, or a sensor or markers that move.
 void add_observation_with_effects(const Problem& problem, const ProblemObservation& o, const Unknowns& u,
                                   GatheredRows& gathered, NormalEquations& normal) {
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   const Eigen::Index mount = problem.mount_column();
   const Eigen::Index count = problem.columns() - mount;
   const auto motion = motion_by_columns(problem, o, u);
@@ -139,9 +141,9 @@ bool is_plain(const Problem& problem, const ProblemObservation& o) {
 
 void add_plain_observation(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                            NormalEquations& normal) {
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(observation, unknowns.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(observation, unknowns);
   const Matrix3& r = sensor_from_tcp.rotation;
-  const Eigen::Index mount = problem.mount_column();
+  const Eigen::Index mount = problem.column_of_mount(observation.mount);
   Matrix6 mount_information = Matrix6::Zero();
   Vector6 mount_gradient = Vector6::Zero();
   for (std::size_t i = 0; i < observation.sightings.size(); ++i) {
@@ -160,7 +162,7 @@ void add_plain_observation(const Problem& problem, const ProblemObservation& obs
     const Matrix3 information_r = n.information * r;
     normal.information.block<3, 3>(m, m).noalias() += r.transpose() * information_r;
     normal.gradient.segment<3>(m).noalias() += r.transpose() * n.gradient;
-    if (!problem.mount_is_estimated) continue;
+    if (mount < 0) continue;
     // The mount's exp(v) moves the point in the sensor's frame by -(v_t + v_r cross x).
     const Matrix3 k = cross_matrix(x);
     const Matrix3 information_k = n.information * k;
@@ -172,7 +174,7 @@ void add_plain_observation(const Problem& problem, const ProblemObservation& obs
     normal.information.block<3, 3>(mount, m) -= information_r;
     normal.information.block<3, 3>(mount + 3, m).noalias() -= k * information_r;
   }
-  if (!problem.mount_is_estimated) return;
+  if (mount < 0) return;
   normal.information.block<6, 6>(mount, mount) += mount_information;
   normal.gradient.segment<6>(mount) += mount_gradient;
 }
@@ -240,7 +242,7 @@ void add_observation(const Problem& problem, const ProblemObservation& observati
 
 Eigen::VectorXd gradient_of(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(problem.columns());
-  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u.mount_from_sensor);
+  const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
   Vector6 by_body = Vector6::Zero();
   for (std::size_t i = 0; i < o.sightings.size(); ++i) {

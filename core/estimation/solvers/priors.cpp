@@ -26,6 +26,7 @@ namespace {
 /// One piece's part of the prior; its markers have the numbers `first` to `first + count - 1`.
 void add_piece(const KnownShape& shape, double weight, const std::vector<Vector3>& markers, Eigen::Index first,
                Eigen::Index count, Prior& prior) {
+  if (count == 1) return;  // a single point has no shape
   Eigen::Matrix3Xd here(3, count), known(3, count);
   Eigen::MatrixXd motions(3 * count, 6);
   for (Eigen::Index m = 0; m < count; ++m) {
@@ -47,14 +48,16 @@ void add_piece(const KnownShape& shape, double weight, const std::vector<Vector3
   prior.cost += weight * off.squaredNorm();
 }
 
-/// m, of one coordinate; what is known exactly is taken as known to 1 um.
-double print_sigma(const Problem& problem) {
+/// m, of one coordinate of a piece; what is known exactly is taken as known to 1 um.
+double print_sigma(const Problem& problem, int piece = 0) {
   constexpr double exactly = 1e-6;
-  return std::max(problem.shape->sigma.value(), exactly);
+  return std::max(problem.shape->piece_sigma(piece), exactly);
 }
 
-/// (noise / sigma)^2 of a known shape.
-double shape_prior_weight(const Problem& problem) { return std::pow(problem.noise / print_sigma(problem), 2); }
+/// (noise / sigma)^2 of a piece of a known shape.
+double shape_prior_weight(const Problem& problem, int piece) {
+  return std::pow(problem.noise / print_sigma(problem, piece), 2);
+}
 
 PriorRows rows_of_parts(const Problem& problem, const std::vector<Vector3>& markers) {
   PartRows rows = part_rows(*problem.shape, markers, print_sigma(problem));
@@ -77,13 +80,13 @@ Prior shape_prior(const Problem& problem, const std::vector<Vector3>& markers) {
   const KnownShape& shape = *problem.shape;
   if (!shape.parts.empty()) return prior_of(rows_of_parts(problem, markers));
   const auto count = static_cast<Eigen::Index>(markers.size());
-  const double weight = shape_prior_weight(problem);
   prior.information = Eigen::MatrixXd::Zero(3 * count, 3 * count);
   prior.gradient = Eigen::VectorXd::Zero(3 * count);
   for (Eigen::Index first = 0, next = 0; first < count; first = next) {
     while (next < count && shape.piece(static_cast<std::size_t>(next)) == shape.piece(static_cast<std::size_t>(first)))
       ++next;
-    add_piece(shape, weight, markers, first, next - first, prior);
+    const int piece = shape.piece(static_cast<std::size_t>(first));
+    add_piece(shape, shape_prior_weight(problem, piece), markers, first, next - first, prior);
   }
   return prior;
 }
@@ -92,8 +95,11 @@ PriorRows shape_prior_rows(const Problem& problem, const std::vector<Vector3>& m
   if (problem.has_shape_prior() && !problem.shape->parts.empty()) return rows_of_parts(problem, markers);
   // The information is the weight times a projection, which is its own root.
   const Prior prior = shape_prior(problem, markers);
-  const double root = 1 / std::sqrt(shape_prior_weight(problem));
-  return {root * prior.information, -root * prior.gradient};
+  Eigen::VectorXd roots(prior.gradient.size());
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    roots.segment<3>(3 * static_cast<Eigen::Index>(m))
+        .setConstant(1 / std::sqrt(shape_prior_weight(problem, problem.shape->piece(m))));
+  return {roots.asDiagonal() * prior.information, -roots.cwiseProduct(prior.gradient)};
 }
 
 namespace {

@@ -87,11 +87,12 @@ class Place : public ceres::EvaluationCallback {
       : problem(original),
         unknowns(start),
         is_fixed_body(options.fixed_body),
-        mount(numbers_of(start.mount_from_sensor)),
         body(numbers_of(Rigid{})),
         effects(start.effects.size()),
         start_(start) {
     for (Eigen::Index i = 0; i < effects.size(); ++i) effects[i] = start.effects[i] / sigma(i);
+    for (int i = 0; i < problem.mount_count(); ++i) mounts.push_back(numbers_of(start.mount(i)));
+    mount_steps_by_numbers.resize(mounts.size());
     motions.resize(problem.observations.size());
     sensor_from_tcp.resize(problem.observations.size());
   }
@@ -108,30 +109,39 @@ class Place : public ceres::EvaluationCallback {
     derives_ = evaluate_jacobians;
     for (std::size_t k = 0; k < problem.observations.size(); ++k) {
       const ProblemObservation& o = problem.observations[k];
-      sensor_from_tcp[k] = sensor_from_tcp_at(o, unknowns.mount_from_sensor);
+      sensor_from_tcp[k] = sensor_from_tcp_at(o, unknowns);
       if (evaluate_jacobians) motions[k] = motion_by_columns(problem, o, unknowns);
     }
     if (!evaluate_jacobians) return;
-    if (problem.mount_is_estimated) mount_step_by_numbers = mount_manifold.step_by_numbers(mount.data());
+    for (std::size_t i = 0; i < mounts.size(); ++i)
+      if (is_free(i)) mount_steps_by_numbers[i] = mount_manifold.step_by_numbers(mounts[i].data());
     if (is_fixed_body) body_step_by_numbers = body_manifold.step_by_numbers(body.data());
   }
 
   /// The unknowns of Ceres' numbers.
   void read() {
     for (Eigen::Index i = 0; i < effects.size(); ++i) unknowns.effects[i] = effects[i] * sigma(i);
-    if (problem.mount_is_estimated) unknowns.mount_from_sensor = motion_of(mount.data());
+    for (std::size_t i = 0; i < mounts.size(); ++i)
+      if (is_free(i)) unknowns.mount(static_cast<int>(i)) = motion_of(mounts[i].data());
     if (!is_fixed_body) return;
     for (std::size_t m = 0; m < unknowns.markers_in_tcp.size(); ++m)
       unknowns.markers_in_tcp[m] = motion_of(body.data()) * start_.markers_in_tcp[m];
   }
 
+  bool is_free(std::size_t mount) const { return problem.column_of_mount(static_cast<int>(mount)) >= 0; }
+  std::size_t mount_at(std::size_t observation) const {
+    return static_cast<std::size_t>(problem.observations[observation].mount);
+  }
+
   Problem problem;
   Unknowns unknowns;  // its markers are Ceres' own where the body is not held
   bool is_fixed_body;
-  MotionNumbers mount, body;
+  MotionNumbers body;
+  std::vector<MotionNumbers> mounts;
   Eigen::VectorXd effects;  // in plausible sizes
   MotionManifold mount_manifold{false}, body_manifold{true};
-  Eigen::Matrix<double, 6, 12> mount_step_by_numbers, body_step_by_numbers;
+  Eigen::Matrix<double, 6, 12> body_step_by_numbers;
+  std::vector<Eigen::Matrix<double, 6, 12>> mount_steps_by_numbers;
   std::vector<Rigid> sensor_from_tcp;
   std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> motions;  // motion_by_columns
 
@@ -154,7 +164,7 @@ class SightingCost : public ceres::CostFunction {
       : place_(place), observation_(observation), sighting_(sighting), weight_(weight) {
     set_num_residuals(row_count(seen()));
     mutable_parameter_block_sizes()->push_back(place.is_fixed_body ? 12 : 3);
-    if (place.problem.mount_is_estimated) mutable_parameter_block_sizes()->push_back(12);
+    if (place.is_free(place.mount_at(observation))) mutable_parameter_block_sizes()->push_back(12);
     if (place.effects.size() > 0) mutable_parameter_block_sizes()->push_back(static_cast<int>(place.effects.size()));
   }
 
@@ -191,9 +201,10 @@ class SightingCost : public ceres::CostFunction {
       }
     }
     const auto& motion = place_.motions[observation_];
-    if (p.mount_is_estimated)
+    if (const Eigen::Index mount = p.column_of_mount(o.mount); mount >= 0)
       if (double* by_mount = jacobians[block++])
-        Rows(by_mount, r.rows, 12) = by_sensor * motion.leftCols<6>() * place_.mount_step_by_numbers;
+        Rows(by_mount, r.rows, 12) = by_sensor * motion.middleCols<6>(mount - p.mount_column()) *
+                                     place_.mount_steps_by_numbers[place_.mount_at(observation_)];
     if (p.effect_count() == 0) return;
     double* by_effects = jacobians[block];
     if (!by_effects) return;
@@ -331,7 +342,7 @@ void add_sightings(Place& place, const SolveOptions& options, double unit, ceres
       std::vector<double*> blocks{
           place.is_fixed_body ? place.body.data()
                               : place.unknowns.markers_in_tcp[static_cast<std::size_t>(o.sightings[i].marker)].data()};
-      if (p.mount_is_estimated) blocks.push_back(place.mount.data());
+      if (place.is_free(place.mount_at(k))) blocks.push_back(place.mounts[place.mount_at(k)].data());
       if (place.effects.size() > 0) blocks.push_back(place.effects.data());
       if (options.loss != Loss::none && !losses.contains(rows))
         losses[rows] = loss_function(options.loss, bend(rows) * options.noise / unit);
@@ -371,8 +382,8 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
   ownership.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem squares(ownership);
   add_sightings(place, options, unit, squares);
-  if (problem.mount_is_estimated && squares.HasParameterBlock(place.mount.data()))
-    squares.SetManifold(place.mount.data(), &place.mount_manifold);
+  for (MotionNumbers& mount : place.mounts)
+    if (squares.HasParameterBlock(mount.data())) squares.SetManifold(mount.data(), &place.mount_manifold);
   if (place.is_fixed_body && squares.HasParameterBlock(place.body.data()))
     squares.SetManifold(place.body.data(), &place.body_manifold);
   if (place.effects.size() > 0)

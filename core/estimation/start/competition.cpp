@@ -194,6 +194,7 @@ bool is_no_answer(const Problem& images, const Solution& s) { return !s.normal.i
 std::vector<Unknowns> competing_starts(const Problem& images, const Unknowns& given) {
   const bool cameras = cameras_are_free(images);
   if (!cameras && !images.mount_is_estimated) return {};
+  if (!images.source->chain.parts.empty()) return {};  // each part's own fit has looked round
   const Problem thin = thinned(images, spread);
   Problem body = cameras ? first_alone(thin) : thin;
   if (body.observations.empty()) body = thin;

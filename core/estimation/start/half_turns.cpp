@@ -56,8 +56,7 @@ std::vector<char> half_turned(const Problem& problem, const Mount& mount) {
   if (!start) return turned;
   std::vector<Vector3> across;  // the board's x axis in the TCP frame
   for (const SeenBoard& board : boards) {
-    const Rigid tcp_from_sensor =
-        inverse(sensor_from_tcp_at(problem.observations[board.place], start->mount_from_sensor));
+    const Rigid tcp_from_sensor = inverse(sensor_from_tcp_at(problem.observations[board.place], *start));
     across.push_back(tcp_from_sensor.rotation * board.sensor_from_target.rotation.col(0));
   }
   Vector3 mean = across.front();

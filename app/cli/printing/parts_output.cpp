@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/degrees.h"
+#include "estimation/report/part_report.h"
+#include "fit_output.h"
+#include "json_values.h"
+
+namespace handsight::cli {
+namespace {
+
+std::string error_of(const ErrorSummary& e) {
+  if (e.rms_pixel) return fmt::format("{:.3f} px", *e.rms_pixel);
+  return e.mean_m ? fmt::format("{:.3f} mm", 1e3 * *e.mean_m) : "unknown";
+}
+
+std::string place_of(const Rigid& m) {
+  const Vector3 xyz = 1e3 * m.translation, rpy = degrees * rpy_from_rotation(m.rotation);
+  return fmt::format("{:.3f} {:.3f} {:.3f} mm, rpy {:.3f} {:.3f} {:.3f} deg", xyz.x(), xyz.y(), xyz.z(), rpy.x(),
+                     rpy.y(), rpy.z());
+}
+
+void add_errors(const ErrorSummary& e, const std::string& prefix, Json& json) {
+  json[prefix + "rms_pixel"] = number(e.rms_pixel);
+  json[prefix + "rms_m"] = number(e.rms_m);
+  json[prefix + "mean_m"] = number(e.mean_m);
+}
+
+Json observations_json(const PartReport& part) {
+  Json list = Json::array();
+  for (const ObservationReport& o : part.per_observation)
+    list.push_back({{"id", o.id},
+                    {"rms_pixel", number(o.rms_pixel)},
+                    {"rms_m", number(o.rms_m)},
+                    {"tcp_from_tcp_est", o.deviation ? motion(o.deviation->tcp_from_tcp_est) : Json(nullptr)},
+                    {"outlier", o.outlier}});
+  return list;
+}
+
+}  // namespace
+
+void print_parts(const Output& out, const Session& session, const Fit& fit, const FitReport& told) {
+  const std::vector<PartReport> parts = part_reports(session, fit, told);
+  if (parts.empty()) return;
+  out.line();
+  out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", "session", "used", "fitted", "held out", "robot from the"));
+  out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", "", "", "", "", "others alone"));
+  for (const PartReport& p : parts)
+    out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", p.title, p.used, error_of(p.fitted), error_of(p.held_out),
+                         error_of(p.held_out_session)));
+  for (const PartReport& p : parts) {
+    const Vector6 sigma = origin_sigma(p.found.tcp_from_body, p.found.covariance);
+    out.line(fmt::format("{}: tcp_from_body {} (+- {:.3f} {:.3f} {:.3f} mm)", p.title, place_of(p.found.tcp_from_body),
+                         1e3 * sigma[0], 1e3 * sigma[1], 1e3 * sigma[2]));
+    if (p.found.mount_covariance)
+      out.line(fmt::format("{}: mount {}", std::string(p.title.size(), ' '), place_of(p.found.mount_from_sensor)));
+  }
+}
+
+Json parts_json(const Session& session, const Fit& fit, const FitReport& told) {
+  Json list = Json::array();
+  for (const PartReport& p : part_reports(session, fit, told)) {
+    Json one{{"title", p.title}, {"observations", p.observations}, {"used", p.used}};
+    one["tcp_from_body"] = {{"matrix", motion(p.found.tcp_from_body)}, {"covariance", matrix(p.found.covariance)}};
+    one["mount"] = {{"matrix", motion(p.found.mount_from_sensor)},
+                    {"covariance", p.found.mount_covariance ? matrix(*p.found.mount_covariance) : Json(nullptr)}};
+    add_errors(p.fitted, "", one);
+    add_errors(p.held_out, "held_out_", one);
+    add_errors(p.held_out_session, "held_out_session_", one);
+    Json markers = Json::array();
+    for (const Vector3& x : p.found.markers_in_body) markers.push_back(numbers(x));
+    one["markers"] = markers;
+    one["per_observation"] = observations_json(p);
+    list.push_back(one);
+  }
+  return list;
+}
+
+}  // namespace handsight::cli

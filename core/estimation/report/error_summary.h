@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Errors of many observations together.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+namespace handsight {
+
+/// Root mean square, mean and maximum. Pixel: over image coordinates. Metres: over the lengths of the markers' 3D
+/// residuals in the sensor's frame, of markers seen as points. Of cameras, hand_m: root mean square of how far the hand
+/// is from where it is predicted, the markers of an observation taken together (their middle), to first order.
+struct ErrorSummary {
+  std::optional<double> rms_pixel, rms_m, mean_m, max_m, hand_m;
+};
+
+/// What the noise of one coordinate makes of an rms error as it is told: in px it is over coordinates, in metres over
+/// the lengths of three coordinates together.
+inline double as_told(double noise, bool in_pixels) { return in_pixels ? noise : std::sqrt(3.0) * noise; }
+
+}  // namespace handsight
