@@ -414,6 +414,12 @@ void require_same_robot(const Session& a, const Session& b) {
                    fmt::format("link {} has a mass of {:g} kg in one and {:g} kg in the other", x.links[i].name,
                                x.links[i].mass, y.links[i].mass));
   }
+  for (std::size_t i = 0; i < x.links.size(); ++i)
+    if (!(x.links[i].center_of_mass - y.links[i].center_of_mass).isZero(1e-9))
+      refuse_robot(a, b,
+                   fmt::format("link {} has its centre of mass at {} in one and {} in the other", x.links[i].name,
+                               shown_place({Matrix3::Identity(), x.links[i].center_of_mass}),
+                               shown_place({Matrix3::Identity(), y.links[i].center_of_mass})));
   for (std::size_t j = 0; j < x.joints.size(); ++j) require_same_joint(a, b, x.joints[j], y.joints[j]);
 }
 

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Several sessions of one robot together against the best of them alone: are effects named that no single session
+// shows, is nothing named that is not there, and how far is the hand from where it is predicted in poses that were not
+// measured?
+//   trial_collections [COUNT [SEED [WORLD]]]; worlds: two_hands, places, days, null
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <random>
+
+#include "diagnosis/selection/improvement.h"
+#include "estimation/fit/fit_parts.h"
+#include "estimation/fit/part_fit.h"
+#include "estimation/report/prediction.h"
+#include "fixtures/trial_sessions.h"
+#include "fixtures/two_arms.h"
+
+namespace handsight {
+namespace {
+
+constexpr double noise_m = 2e-4;
+
+/// One world: its sessions, what is hidden in the robot, and where.
+struct World {
+  std::vector<JoinedMember> members;
+  std::vector<EffectTerm> hidden;
+  std::string id, place;  // of what is hidden; empty: nothing
+};
+
+SimulationOptions simulation(std::mt19937_64& random, int observations) {
+  SimulationOptions o;
+  o.seed = random();
+  o.observations = observations;
+  o.noise = noise_m;
+  o.nearest = 0.2;
+  o.farthest = 4;
+  o.most_turned = 1.5;
+  return o;
+}
+
+Session placed(Session s, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double x = uniform(random), y = uniform(random), z = uniform(random), turn = uniform(random);
+  s.mount.mount_from_sensor = {rotation_from_rpy({0.1 + 0.1 * z, -0.2 + 0.1 * x, 2.5 + 0.8 * turn}),
+                               {2.4 + 0.3 * x, 0.4 + y, 1.1 + 0.3 * z}};
+  return s;
+}
+
+/// Sessions of a kind of world, with these effects of the robot in all of them.
+std::vector<JoinedMember> members_of(const std::string& kind, const std::vector<EffectTerm>& effects,
+                                     std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<JoinedMember> members;
+  const auto add = [&](const Session& like, const std::string& title, const std::string& rig, const std::string& body) {
+    SimulationOptions o = simulation(random, 30);
+    o.effects = effects;
+    members.push_back(fixture::simulated_member(like, o, title));
+    members.back().rig = rig;
+    members.back().body = body;
+  };
+  if (kind == "places") {  // one hand before a tracker in three places
+    for (const char* place : {"here", "there", "elsewhere"})
+      add(placed(fixture::hand_session('l'), random), place, "", "");
+  } else if (kind == "days") {  // one hand, one place, three days; each day the markers are glued anew
+    const Session like = placed(fixture::hand_session('l'), random);
+    for (const char* day : {"june", "july", "august"}) add(like, day, "tracker", "");
+  } else {  // both hands before one tracker
+    const Session left = placed(fixture::hand_session('l'), random);
+    Session right = fixture::hand_session('r');
+    right.mount = left.mount;
+    add(left, "left", "tracker", "");
+    add(right, "right", "tracker", "");
+  }
+  return members;
+}
+
+World world_of(const std::string& kind, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  World w;
+  const Session like = fixture::hand_session('l');
+  if (kind != "null") {
+    const std::vector<std::pair<std::string, double>> kinds{
+        {"joint_offset", 1e-3}, {"joint_elasticity", 2e-5}, {"joint_scale", 1e-3}, {"encoder_eccentricity", 1e-3}};
+    const auto& [id, size] = kinds[random() % kinds.size()];
+    const std::vector<std::string> places{"torso_1", "torso_2", "l2", "l3", "l4"};
+    w.id = id;
+    w.place = places[random() % (kind == "two_hands" ? 2 : places.size())];
+    EffectTerm term = term_of(*find_effect(id), find_joint(like.robot, w.place));
+    std::normal_distribution<double> normal;
+    for (double& v : term.values) v = size * normal(random);
+    w.hidden = {term};
+  }
+  w.members = members_of(kind == "null" ? "two_hands" : kind, w.hidden, seed);
+  return w;
+}
+
+/// Median distance of the predicted from the true hand, over poses drawn from the whole of the joints' ranges; the
+/// prediction is of where the TCP is, its place on the hand as commanded.
+double hand_error(const Fit& fit, const Session& session, const std::vector<EffectTerm>& hidden, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const Chain chain = chain_of(session);
+  const PredictionModel model = prediction_model(fit);
+  std::vector<double> errors;
+  for (int i = 0; i < 200; ++i) {
+    Eigen::VectorXd q(static_cast<Eigen::Index>(chain.joints.size()));
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
+      q[j] = std::uniform_real_distribution<double>(0.8 * joint.lower, 0.8 * joint.upper)(random);
+    }
+    const Circumstances c = circumstances_at(chain, q);
+    const Rigid truly = observed_ends(c, moved_sites(c, hidden)).ends.root_from_tcp;
+    errors.push_back((predict_tcp(c, model).root_from_tcp_est.translation - truly.translation).norm());
+  }
+  std::nth_element(errors.begin(), errors.begin() + 100, errors.end());
+  return errors[100];
+}
+
+struct Tally {
+  int worlds = 0, named = 0, named_alone = 0, wrong = 0;
+  std::vector<double> ratio, seconds;
+};
+
+bool names(const Improvement& m, const World& w, int& wrong) {
+  bool right = false;
+  for (const FittedEffect& e : m.last.model.fit.effects) {
+    const std::string place = place_name(effect_of(e.term), e.term.joint, m.last.model.session.robot);
+    const bool is_it = e.term.id == w.id && place == w.place;
+    right = right || is_it;
+    wrong += !is_it;
+  }
+  return right;
+}
+
+void run(const std::string& kind, std::uint64_t seed, Tally& t) {
+  const World w = world_of(kind, seed);
+  const Session s = joined(w.members, "together");
+  const auto start = std::chrono::steady_clock::now();
+  const Improvement together = improve(s);
+  t.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  ++t.worlds;
+  t.named += names(together, w, t.wrong);
+  double best = 1e9, of_all = 0;
+  bool any = false;
+  for (std::size_t p = 0; p < w.members.size(); ++p) {
+    int ignored = 0;
+    const Improvement alone = improve(w.members[p].session);
+    any = any || names(alone, w, ignored);
+    best = std::min(best, hand_error(alone.last.model.fit, w.members[p].session, w.hidden, seed + p));
+    const PartFit part = fit_of_part(s, together.last.model.fit, static_cast<int>(p));
+    of_all = std::max(of_all, hand_error(part.fit, part.session, w.hidden, seed + p));
+  }
+  t.named_alone += any;
+  t.ratio.push_back(of_all / best);
+  fmt::print("{} {} {} {} together {} alone {} hand {:.3f} mm against {:.3f} mm\n", kind, seed, w.id, w.place,
+             together.last.model.fit.effects.size(), any, 1e3 * of_all, 1e3 * best);
+  std::fflush(stdout);
+}
+
+double middle(std::vector<double> v) {
+  std::sort(v.begin(), v.end());
+  return v.empty() ? 0 : v[v.size() / 2];
+}
+
+}  // namespace
+}  // namespace handsight
+
+int main(int argc, char** argv) {
+  using namespace handsight;
+  const int count = argc > 1 ? std::atoi(argv[1]) : 20;
+  const auto seed = static_cast<std::uint64_t>(argc > 2 ? std::atoll(argv[2]) : 1);
+  const std::vector<std::string> all{"two_hands", "places", "days", "null"};
+  for (const std::string& kind : argc > 3 ? std::vector<std::string>{argv[3]} : all) {
+    Tally t;
+    for (int i = 0; i < count; ++i) run(kind, seed + static_cast<std::uint64_t>(i), t);
+    fmt::print(
+        "{}: {} worlds, named together {}, by a session alone {}, wrong names {}, hand error together / best "
+        "alone {:.2f} (median), {:.1f} s a world\n",
+        kind, t.worlds, t.named, t.named_alone, t.wrong, middle(t.ratio), middle(t.seconds));
+  }
+}
