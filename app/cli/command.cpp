@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -95,9 +96,26 @@ Session open_one(const std::string& path) {
   return session;
 }
 
+/// How the observations of several sessions are numbered through.
+std::string numbering(const Session& joined) {
+  std::string text;
+  for (std::size_t p = 0; p < joined.parts.size(); ++p) {
+    std::int64_t first = 0, last = -1;
+    for (const Observation& o : joined.observations) {
+      if (o.part != static_cast<int>(p)) continue;
+      first = last < 0 ? o.id : std::min(first, o.id);
+      last = std::max(last, o.id);
+    }
+    if (last >= 0) text += fmt::format("{}{} {} to {}", text.empty() ? "" : ", ", joined.parts[p].title, first, last);
+  }
+  return text;
+}
+
 Session opened(const Collection& collection, const OpenOne& open) {
   for (const std::string& note : collection.notes) Output::note(note);
-  return joined_of(collection, open);
+  Session session = joined_of(collection, open);
+  if (!session.parts.empty()) Output::note(fmt::format("Observations are numbered through: {}.", numbering(session)));
+  return session;
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "command.h"
 #include "diagnosis/selection/improvement.h"
 #include "printing/outputs.h"
+#include "session/collection.h"
 #include "session/session_xml.h"
 
 namespace handsight::cli {
@@ -61,7 +62,7 @@ std::string diagnosis_line(const std::string& path, const Diagnosis& d, const Se
 
 std::string line_of(const std::string& path, bool improves) {
   try {
-    const Session session = read_session(path);
+    const Session session = is_collection(path) ? open_session(path) : read_session(path);
     if (improves) return diagnosis_line(path, improve(session).last, session);
     return diagnosis_line(path, diagnose(session), session);
   } catch (const InputError& error) {

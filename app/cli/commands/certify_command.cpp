@@ -8,10 +8,12 @@
 #include "certify/request.h"
 #include "command.h"
 #include "diagnosis/selection/improvement.h"
+#include "estimation/fit/part_fit.h"
 #include "options/named_effects.h"
 #include "printing/certificate_output.h"
 #include "printing/outputs.h"
 #include "session/calibration_xml.h"
+#include "session/joined.h"
 
 namespace handsight::cli {
 namespace {
@@ -19,7 +21,7 @@ namespace {
 constexpr char software[] = "handsight " HANDSIGHT_VERSION;
 
 struct CertifyArguments {
-  std::string session, calibration, file;
+  std::string session, part, calibration, file;
   std::vector<std::string> effects;
   Output output;
 };
@@ -43,6 +45,30 @@ CertificateRequest from_effects(const Session& session, const std::vector<std::s
                              fmt::format("the effects {}, fitted in this session", fmt::join(effects, " ")));
 }
 
+/// One session of a collection, with the robot that all of them tell.
+PartFit part_of_collection(const CertifyArguments& o, const Session& joined, Progress& progress) {
+  const int part = part_named(joined, o.part.empty() ? joined.parts.front().title : o.part);
+  if (!o.calibration.empty() || !o.effects.empty()) {
+    PartFit alone;
+    alone.session = part_session(joined, part);
+    return alone;
+  }
+  ImprovementOptions options;
+  options.on_progress = [&](double done) {
+    progress.at(static_cast<std::size_t>(60 * done));
+    return true;
+  };
+  return fit_of_part(joined, improve(joined, options).last.model.fit, part);
+}
+
+/// The robot stays as all sessions tell it; what is the session's own is fitted.
+CertificateRequest from_collection(const PartFit& part, const std::string& title) {
+  FitOptions options;
+  options.effects = terms_of(part.fit);
+  return certificate_request(part.session, fit(part.session, options), options, {}, software,
+                             fmt::format("found by improve in the collection {}", title));
+}
+
 CertificateRequest request_of(const CertifyArguments& o, const Session& session, Progress& progress) {
   if (!o.calibration.empty()) {
     if (!o.effects.empty())
@@ -54,7 +80,7 @@ CertificateRequest request_of(const CertifyArguments& o, const Session& session,
 
 int run(const CertifyArguments& o) {
   note_input(o.calibration);
-  const Session session = open_searched_session(o.session, o.output);
+  Session session = open_searched_session(o.session, o.output);
   require_output(o.file, "--out");
   if (session.robot.is_of_poses)
     throw InputError(
@@ -62,7 +88,15 @@ int run(const CertifyArguments& o) {
         "the "
         "joint angles and convert them with the robot's URDF.");
   Progress progress("certify", 100);
-  const CertificateRequest request = request_of(o, session, progress);
+  if (session.parts.empty() && !o.part.empty()) part_named(session, o.part);
+  std::optional<CertificateRequest> of_part;
+  if (!session.parts.empty()) {
+    const std::string title = session.title;
+    const PartFit part = part_of_collection(o, session, progress);
+    if (o.calibration.empty() && o.effects.empty()) of_part = from_collection(part, title);
+    session = part.session;
+  }
+  const CertificateRequest request = of_part ? *of_part : request_of(o, session, progress);
   const Certificate c = certificate_of(session, request, [&](double done) {
     progress.at(static_cast<std::size_t>(60 + 40 * done));
     return true;
@@ -86,6 +120,7 @@ Command add_certify(const CommandLine& program) {
   const CommandLine command = program.command(
       "certify", "A certificate as PDF: errors before and after by ISO 9283, promised limits and how often they held");
   add_session_option(command, options->session);
+  command.option("--session", options->part, "Of a collection: the session that is certified; absent: its first");
   command.option("CALIBRATION", options->calibration,
                  "A calibration XML; without it and --effects the model is the one that improve finds");
   command.option("--effects", options->effects, "Effects in the model, in place of a calibration");

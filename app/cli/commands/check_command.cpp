@@ -7,6 +7,7 @@
 #include "detection/target_finding.h"
 #include "printing/blunder_output.h"
 #include "printing/told_json.h"
+#include "session/collection.h"
 
 namespace handsight::cli {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 struct CheckArguments {
   std::string session;
   Output output;
+  Json* result = nullptr;  // of one session of a collection: where its answer goes
 };
 
 /// A target that no image shows is no session that works.
@@ -27,7 +29,35 @@ void add_lost_target(const Session& session, const TargetSearch& search, Session
   (is_seen_elsewhere ? check.warnings : check.problems).push_back(text);
 }
 
+int run(const CheckArguments& o);
+
+/// Each session of a collection by itself, and whether they can be one.
+int run_of_collection(const CheckArguments& o) {
+  const Collection collection = read_collection(o.session);
+  Json all = Json::array();
+  int worst = done;
+  for (const CollectionEntry& entry : collection.entries) {
+    o.output.line(entry.title + ":");
+    CheckArguments one = o;
+    one.session = folder_of(collection, entry).string();
+    one.output.json_file.clear();
+    Json json;
+    one.result = &json;
+    worst = std::max(worst, run(one));
+    json["title"] = entry.title;
+    all.push_back(std::move(json));
+  }
+  const Session together = open_session(o.session);
+  o.output.line(fmt::format("Together: {} observations of {} sessions, {} mount{} and {} marker{}.",
+                            together.observations.size(), collection.entries.size(), 1 + together.other_mounts.size(),
+                            together.other_mounts.empty() ? "" : "s", together.marker_count,
+                            together.marker_count == 1 ? "" : "s"));
+  o.output.json({{"sessions", all}});
+  return worst;
+}
+
 int run(const CheckArguments& o) {
+  if (is_collection(o.session)) return run_of_collection(o);
   TargetSearch search;
   const Session session = open_searched_session(o.session, o.output, search);
   SessionCheck check = check_session(session);
@@ -48,6 +78,7 @@ int run(const CheckArguments& o) {
   json["target_size"] = target_size_json(size);
   json["blunders"] = blunders_json(blunders);
   o.output.json(json);
+  if (o.result) *o.result = json;
   for (const std::string& line : check.problems) Output::note(line);
   return check.problems.empty() ? done : wrong_input;
 }

@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "command.h"
 #include "diagnosis/planning/planning.h"
+#include "estimation/fit/part_fit.h"
 #include "options/named_effects.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
@@ -13,7 +14,7 @@ namespace handsight::cli {
 namespace {
 
 struct PlanArguments {
-  std::string session, between, csv_file;
+  std::string session, part, between, csv_file;
   std::vector<std::string> effects;
   int count = 10;
   Output output;
@@ -111,9 +112,72 @@ void write_csv(const std::string& file, const Session& session, const Plan& p) {
   write_output(file, text, "--csv");
 }
 
+/// What the poses of one session of a collection would tell, with the robot that all sessions tell: in nats, or as the
+/// ln Bayes factor for the true one of two effects.
+struct PartPlan {
+  Session session;
+  Plan plan;
+  double worth() const {
+    if (plan.poses.empty()) return 0;
+    const auto& of_two = plan.poses.back().ln_bayes_factor;
+    if (of_two) return 0.5 * of_two->sum();
+    double nats = 0;
+    for (const PlannedPose& pose : plan.poses) nats += pose.gain;
+    return nats;
+  }
+};
+
+PartPlan plan_of_part(const PlanArguments& o, const Session& joined, const Fit& together, int part) {
+  PartFit own = fit_of_part(joined, together, part);
+  PlanOptions options;
+  options.count = o.count;
+  for (const FittedEffect& e : own.fit.effects) {
+    const bool is_free = std::any_of(e.sigmas.begin(), e.sigmas.end(), [](double s) { return s > 0; });
+    (is_free ? options.estimated : options.effects).push_back(e.term);
+  }
+  if (!o.between.empty()) options.between = rivals(o.between, own.session);
+  PartPlan result{std::move(own.session), {}};
+  result.plan = plan(result.session, options);
+  return result;
+}
+
+/// Of a collection each session's, and which is worth most.
+int run_of_collection(const PlanArguments& o, const Session& joined) {
+  FitOptions fit_options;
+  add_effects(o.effects, joined, fit_options.effects, fit_options.estimated);
+  const Fit together = fit(joined, fit_options);
+  std::optional<PartPlan> best;
+  Json sessions = Json::array();
+  for (std::size_t p = 0; p < joined.parts.size(); ++p) {
+    if (!o.part.empty() && joined.parts[p].title != o.part) continue;
+    PartPlan one = plan_of_part(o, joined, together, static_cast<int>(p));
+    o.output.line(fmt::format("{:<20} {} poses more there are worth {:.2f} {}", joined.parts[p].title,
+                              one.plan.poses.size(), one.worth(),
+                              o.between.empty() ? "nats" : "of ln Bayes factor for the true one"));
+    Json json = plan_json(one.session, one.plan);
+    json["session"] = joined.parts[p].title;
+    json["worth"] = number(one.worth());
+    sessions.push_back(std::move(json));
+    if (!best || one.worth() > best->worth()) best = std::move(one);
+  }
+  o.output.line("Best measured next: " + best->session.title);
+  print(o, best->session, best->plan);
+  Json json = plan_json(best->session, best->plan);
+  json["session"] = best->session.title;
+  json["sessions"] = sessions;
+  o.output.json(json);
+  if (!o.csv_file.empty()) {
+    write_csv(o.csv_file, best->session, best->plan);
+    o.output.line("Written: " + o.csv_file);
+  }
+  return done;
+}
+
 int run(const PlanArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   require_output(o.csv_file, "--csv");
+  if (!o.part.empty()) part_named(session, o.part);
+  if (!session.parts.empty()) return run_of_collection(o, session);
   PlanOptions options;
   options.count = o.count;
   add_effects(o.effects, session, options.effects, options.estimated);
@@ -134,6 +198,7 @@ Command add_plan(const CommandLine& program) {
   auto options = std::make_shared<PlanArguments>();
   const CommandLine command = program.command("plan", "Next poses: for precision, or to tell two effects apart");
   add_session_option(command, options->session);
+  command.option("--session", options->part, "Of a collection: the session that is planned for; absent: the best one");
   command.option("--count", options->count, "How many poses, 1 to 100").shows_default();
   command.option("--effects", options->effects,
                  "Effects in the model: id or id:joint+joint to estimate, id:joint.parameter=value to hold");

@@ -3,12 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/files.h"
 #include "command.h"
 #include "effects/own_effect.h"
 #include "options/option_limits.h"
 #include "options/target_option.h"
 #include "printing/outputs.h"
 #include "robot/urdf.h"
+#include "session/collection.h"
 #include "simulate_live.h"
 #include "simulation/simulated_files.h"
 
@@ -42,7 +44,32 @@ int images_wanted(const std::string& text, int observations) {
 
 std::string effects_text(std::size_t count) { return fmt::format("{} effect{}", count, count == 1 ? "" : "s"); }
 
+int run(const SimulateArguments& o);
+
+/// A session like each of a collection, with the same truth about the robot; bodies are drawn anew for each, so that
+/// none is shared.
+int run_of_collection(const SimulateArguments& o) {
+  if (o.out.empty()) throw InputError("--out is missing: the folder to make, in which the collection's sessions go.");
+  Collection made = read_collection(o.like);
+  made.file = std::filesystem::path(o.out) / "collection.xml";
+  const Collection given = read_collection(o.like);
+  for (std::size_t i = 0; i < given.entries.size(); ++i) {
+    SimulateArguments one = o;
+    one.like = folder_of(given, given.entries[i]).string();
+    one.out = (std::filesystem::path(o.out) / given.entries[i].title).string();
+    one.simulation.seed += i;
+    one.output.json_file.clear();
+    run(one);
+    made.entries[i].folder = given.entries[i].title;
+    made.entries[i].body.clear();
+  }
+  replace_file(made.file, collection_text(made));
+  o.output.line("Written: " + made.file.string());
+  return done;
+}
+
 int run(const SimulateArguments& o) {
+  if (is_collection(o.like)) return run_of_collection(o);
   note_input(o.robot);
   Session like = open_session(o.like, o.output);
   SimulationOptions options = o.simulation;

@@ -192,7 +192,8 @@ std::vector<std::string> session_doubts(const Session& session) {
   doubt_masses(session, chain, doubts);
   if (session.rig) {
     for (const RigCamera& c : session.rig->cameras) doubt_camera(c.name, c.camera, doubts);
-    for (int c = 1; c < session.rig->count(); ++c) doubt_pair(session, c, doubts);
+    // The cameras of several sessions are no rig together; each session has been doubted by itself.
+    for (int c = 1; session.parts.empty() && c < session.rig->count(); ++c) doubt_pair(session, c, doubts);
   }
   doubt_gravity(session, doubts);
   const std::vector<std::string> old = standstill_doubts(session);
