@@ -179,8 +179,11 @@ void run(const std::string& kind, std::uint64_t seed, Tally& t) {
   }
   t.named_alone += any;
   t.ratio.push_back(ratio);
-  fmt::print("{} {} {} {} named together {} alone {} hand {:.3f} mm against {:.3f} mm\n", kind, seed, w.id, w.place,
-             is_named, any, 1e3 * of_all, 1e3 * of_one);
+  std::string told;
+  for (const FittedEffect& e : together.last.model.fit.effects)
+    told += fmt::format(" {}:{}", e.term.id, place_name(effect_of(e.term), e.term.joint, s.robot));
+  fmt::print("{} {} {} {} named together {} ({} ) alone {} hand {:.3f} mm against {:.3f} mm\n", kind, seed, w.id,
+             w.place, is_named, told, any, 1e3 * of_all, 1e3 * of_one);
   std::fflush(stdout);
 }
 

@@ -42,7 +42,6 @@ FitOptions with_robot_of(const Fit& elsewhere, const FitOptions& options, int pa
   FitOptions own = options;
   own.effects.clear();
   own.estimated.clear();
-  own.on_iteration = nullptr;
   own.start = estimate(elsewhere);
   const Chain& chain = elsewhere.problem.source->chain;
   for (const EffectTerm& term : terms_of(elsewhere))
@@ -50,12 +49,20 @@ FitOptions with_robot_of(const Fit& elsewhere, const FitOptions& options, int pa
   return own;
 }
 
+/// To a hundredth of what a residual shows.
+FitOptions to_what_is_shown(const Fit& fit, FitOptions options) {
+  options.least_gain = std::max(options.least_gain, 1e-2 * fit.residual_rms * fit.residual_rms);
+  options.reuse_below = std::max(options.reuse_below, 1e-3);
+  options.most_iterations = std::min(options.most_iterations, 40);
+  options.on_iteration = nullptr;
+  return options;
+}
+
 std::vector<Residuals> held_out_part(const Session& joined, const Fit& fit, const FitOptions& options, int part) {
-  FitOptions of_others = options;
+  FitOptions of_others = to_what_is_shown(fit, options);
   of_others.start = estimate(fit);
-  of_others.on_iteration = nullptr;
   const Fit elsewhere = handsight::fit(part_of(joined, observations_of(joined, part, true)), of_others);
-  const FitOptions own = with_robot_of(elsewhere, options, part);
+  const FitOptions own = with_robot_of(elsewhere, to_what_is_shown(fit, options), part);
   const Session alone = part_of(joined, observations_of(joined, part, false));
   std::vector<Residuals> held;
   for (auto& one : report(alone, handsight::fit(alone, own), own).held_out_residuals)
