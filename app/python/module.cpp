@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "diagnosis/ranking/clean_model.h"
+#include "options/joined_source.h"
 #include "options/named_effects.h"
 #include "options/predict_source.h"
 #include "printing/blunder_output.h"
@@ -206,7 +207,12 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("joints", [](const CalibratedRobot& r) { return r.joint_names; })
       .def("text", [](const CalibratedRobot& r) { return readable_text(r.calibration); });
   m.def(
-      "read_session", [](const std::string& path) { return read_session(path); }, arg("path"));
+      "read_session",
+      [](const std::string& path) {
+        const auto one = [](const std::string& file) { return read_session(file); };
+        return is_collection(path) ? cli::joined_of(read_collection(path), one) : one(path);
+      },
+      arg("path"));
   m.def("session_of", &session_of, arg("text"), arg("robot"));
   m.def("check", &checked, without_python);
   m.def("fit", &fitted, without_python);

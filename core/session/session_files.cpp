@@ -43,6 +43,10 @@ fs::path file_of(const fs::path& path) {
     return path;
   }
   fs::path file = path / "session.xml";
+  if (!fs::exists(file, error) && fs::exists(path / "collection.xml", error))
+    throw InputError(shown_path(path) +
+                     ": the folder holds a collection of several sessions, expected one session's folder; open one of "
+                     "them here, or give the collection to handsight-cli fit or improve.");
   if (!fs::exists(file, error))
     throw InputError(shown_path(path) + ": the folder holds no session.xml, expected a session's folder.");
   return file;

@@ -148,6 +148,9 @@ std::string updated_text(const Session& session) {
 }  // namespace
 
 std::string session_text(const Session& session) {
+  if (!session.parts.empty())
+    throw InputError(
+        "A collection of several sessions is not written as one; change and save its sessions one by one.");
   return session.source ? updated_text(session) : text_from_scratch(session);
 }
 

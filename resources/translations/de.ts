@@ -6942,6 +6942,14 @@
         <translation>eine solche Datei gibt es nicht; erwartet wird der Ordner einer Sitzung oder ihre session.xml.</translation>
     </message>
     <message>
+        <source>A collection of several sessions is not written as one; change and save its sessions one by one.</source>
+        <translation>Eine Sammlung mehrerer Sitzungen wird nicht als eine geschrieben; ändern und speichern Sie ihre Sitzungen einzeln.</translation>
+    </message>
+    <message>
+        <source>the folder holds a collection of several sessions, expected one session's folder; open one of them here, or give the collection to handsight-cli fit or improve.</source>
+        <translation>der Ordner enthält eine Sammlung mehrerer Sitzungen; erwartet wird der Ordner einer einzelnen Sitzung. Öffnen Sie hier eine davon, oder geben Sie die Sammlung handsight-cli fit oder improve.</translation>
+    </message>
+    <message>
         <source>the folder holds no session.xml, expected a session's folder.</source>
         <translation>der Ordner enthält keine session.xml; erwartet wird der Ordner einer Sitzung.</translation>
     </message>

@@ -16,6 +16,8 @@ bool follows_time(const EffectTerm& term) {
   return slip_order({term}).has_value() || effect_of(term).check_reads == CheckReads::start_to_end;
 }
 
+bool is_change_between_sessions(const EffectTerm& term) { return term.id.ends_with("_changed"); }
+
 double ln_odds_against_time(const EffectTerm& term) {
   if (!follows_time(term)) return 0;
   return slip_order({term}) ? ln_odds_against_slip : ln_odds_against_drift;

@@ -12,6 +12,12 @@ inline constexpr double ln_odds_against_slip = 7;
 /// Cameras that drift are one in fifty.
 inline constexpr double ln_odds_against_drift = 4;
 
+/// A number of the robot changes from one session to the next in one of fifty.
+inline constexpr double ln_odds_against_change = 4;
+
+/// Is the term one session's own against the others (effects/part_effects.h)?
+bool is_change_between_sessions(const EffectTerm& term);
+
 /// Does the term explain by time alone: a slip, a drift?
 bool follows_time(const EffectTerm& term);
 

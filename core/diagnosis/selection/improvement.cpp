@@ -72,7 +72,12 @@ void take_back(Improvement& settled, Improvement& m) {
 /// Slips and drifts must overcome the odds against them, also beside whatever may follow the posture: poses seldom come
 /// in random order. Why one is refused; empty where it is not, and for everything else.
 std::string unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& candidate) {
-  if (candidate.unnamed || !follows_time(candidate.terms.front())) return "";
+  if (candidate.unnamed) return "";
+  if (is_change_between_sessions(candidate.terms.front()))
+    return candidate.ln_bayes_factor >= model.threshold + ln_odds_against_change
+               ? ""
+               : "what belongs to the robot seldom changes between sessions, and the evidence is too weak for that";
+  if (!follows_time(candidate.terms.front())) return "";
   const double least = model.threshold + ln_odds_against_time(candidate.terms.front());
   const char* kind = slip_order(candidate.terms) ? "slips" : "drifts";
   if (candidate.ln_bayes_factor < least)

@@ -154,9 +154,8 @@ OnlineStep OnlineTarget::add(const Observation& observation, const std::string& 
   step.from_images = has_images(observation) && problem_.rig;
   const Circumstances here = circumstances_at(chain_, observation.position);
   const ChainEnds ends = observed_ends(here, moved_sites(here, options_.effects)).ends;
-  ProblemObservation posture{.root_from_tcp = ends.root_from_tcp,
-                             .root_from_mount = ends.root_from_mount,
-                             .sightings = observation.sightings};
+  ProblemObservation posture{
+      .root_from_tcp = ends.root_from_tcp, .root_from_mount = ends.root_from_mount, .sightings = observation.sightings};
   for (Sighting& s : posture.sightings) s.usual_sigma = usual_sigma_;
   step.sightings = observation.sightings;
   if (observation.decision == Decision::excluded)

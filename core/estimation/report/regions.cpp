@@ -105,15 +105,16 @@ Eigen::MatrixXd posture_features(const Problem& problem) {
     // The nominal robot's: no effect of the model moves an observation to another region.
     const auto index = static_cast<std::size_t>(problem.observations[static_cast<std::size_t>(i)].index);
     features.row(i).tail<3>() =
-        nominal_tcp(problem.source->chain, problem.source->circumstances[index].sensor).transpose();
+        nominal_tcp(*problem.source->circumstances[index].chain, problem.source->circumstances[index].sensor)
+            .transpose();
   }
   scale_to_range(features);
   return features;
 }
 
-std::vector<int> regions_of(const Problem& problem) {
-  if (problem.observations.empty()) return {};
-  const Eigen::MatrixXd features = posture_features(problem);
+namespace {
+
+std::vector<int> clusters_of(const Eigen::MatrixXd& features) {
   Eigen::MatrixXd centres = first_centres(features);
   std::vector<int> regions = nearest_centres(features, centres);
   for (int round = 0; round < most_rounds; ++round) {
@@ -121,6 +122,29 @@ std::vector<int> regions_of(const Problem& problem) {
     std::vector<int> next = nearest_centres(features, centres);
     if (next == regions) break;
     regions = std::move(next);
+  }
+  return regions;
+}
+
+}  // namespace
+
+std::vector<int> regions_of(const Problem& problem) {
+  if (problem.observations.empty()) return {};
+  const Eigen::MatrixXd features = posture_features(problem);
+  if (problem.source->chain.parts.empty()) return clusters_of(features);
+  // A region is one of its own session: mount and body of a session that is left out as a whole would be told by none.
+  std::vector<int> regions(problem.observations.size(), 0);
+  for (const Chain& part : problem.source->chain.parts) {
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < problem.observations.size(); ++i) {
+      const auto index = static_cast<std::size_t>(problem.observations[i].index);
+      if (problem.source->circumstances[index].chain->part == part.part) rows.push_back(static_cast<Eigen::Index>(i));
+    }
+    if (rows.empty()) continue;
+    Eigen::MatrixXd own = features(rows, Eigen::all);
+    scale_to_range(own);
+    const std::vector<int> clusters = clusters_of(own);
+    for (std::size_t i = 0; i < rows.size(); ++i) regions[static_cast<std::size_t>(rows[i])] = clusters[i];
   }
   return regions;
 }
