@@ -55,6 +55,7 @@ Chain chain_of(const Session& session) {
                                    session.file.filename().string(), name, session.robot_file));
     chain.joints.push_back(joint);
   }
+  chain.is_touch = session.is_touch();
   add_parts(session, chain);
   return chain;
 }

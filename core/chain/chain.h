@@ -23,6 +23,7 @@ struct Chain {
   int part = 0, mount = 0, body = 0;  // of the chain of a part of a joined session: which of its parts, mounts, bodies
   int first_marker = 0;               // of that part's body
   std::vector<std::string> own = {};  // SessionPart::own
+  bool is_touch = false;              // the parts are fixtures that are touched in one session
   std::vector<Chain> parts = {};      // of a joined session: the chains of its parts
   std::vector<std::string> part_names = {};  // and what they are called
   std::vector<int> first_cameras = {};       // of each of their rigs, in `rig`

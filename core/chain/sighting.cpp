@@ -17,6 +17,17 @@ std::optional<Eigen::Matrix2d> weighting(const std::optional<PixelSigma>& sigma,
   return usual * (Eigen::Matrix2d() << 1 / sigma->u, 0, -slope / (sigma->u * across), 1 / across).finished();
 }
 
+/// How far it is, and by the point.
+struct Distance {
+  double error = 0;
+  Vector3 direction = Vector3::UnitX();
+};
+
+Distance distance_of(const Sighting& s, const Vector3& x) {
+  const double far = x.norm();
+  return {s.point->norm() - far, far > 0 ? Vector3(x / far) : Vector3(Vector3::UnitX())};
+}
+
 double point_weight(const Sighting& s) {
   return s.point_sigma && s.usual_sigma > 0 ? s.usual_sigma / *s.point_sigma : 1.0;
 }
@@ -55,6 +66,13 @@ SightingResidual sighting_residual(const Rig* rig, const Sighting& sighting, con
   r.rows = row_count(sighting);
   r.error.resize(r.rows);
   r.by_point.resize(r.rows, 3);
+  if (sighting.by_distance) {
+    const double weight = point_weight(sighting);
+    const Distance distance = distance_of(sighting, x_in_sensor);
+    r.error[0] = weight * distance.error;
+    r.by_point = weight * distance.direction.transpose();
+    return r;
+  }
   if (sighting.along) {
     const double weight = point_weight(sighting);
     r.error[0] = weight * sighting.along->dot(*sighting.point - x_in_sensor);
@@ -130,6 +148,13 @@ SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const V
   n.rows = row_count(sighting);
   if (sighting.point) {
     const double weight = point_weight(sighting) * point_weight(sighting);
+    if (sighting.by_distance) {
+      const Distance distance = distance_of(sighting, x_in_sensor);
+      n.information = weight * distance.direction * distance.direction.transpose();
+      n.gradient = weight * distance.error * distance.direction;
+      n.cost = weight * distance.error * distance.error;
+      return n;
+    }
     const Vector3 error = *sighting.point - x_in_sensor;
     if (sighting.along) {
       const double along = sighting.along->dot(error);
@@ -156,7 +181,7 @@ SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const V
 }
 
 int row_count(const Sighting& sighting) {
-  if (sighting.along) return 1;
+  if (sighting.along || sighting.by_distance) return 1;
   return sighting.point ? 3 : 2 * static_cast<int>(sighting.in_cameras.size());
 }
 

@@ -87,11 +87,12 @@ OwnEffects part_effects(const Chain& chain) {
   const auto add = [&](Effect effect, Owner owner) {
     all.push_back(std::make_shared<const Effect>(at_parts(std::move(effect), chain, owner)));
   };
-  add(payload(), &Chain::body);
   add(camera_mount(), &Chain::mount);
-  add(time_lag(), &Chain::part);
   add(mount_drift(), &Chain::part);
   add(mount_slip(), &Chain::part);
+  if (chain.is_touch) return all;  // one hand, in one session
+  add(payload(), &Chain::body);
+  add(time_lag(), &Chain::part);
   add(body_slip(), &Chain::part);
   for (const std::string& id : may_change(chain)) {
     const Effect* const effect = find_effect(id);

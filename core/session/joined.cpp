@@ -87,6 +87,10 @@ class Joiner {
   void add(std::size_t member) {
     const JoinedMember& m = members_[member];
     const Session& s = m.session;
+    if (s.is_touch())
+      throw InputError(called(m) +
+                       ": touches are fitted by themselves; a collection takes sessions of cameras, trackers "
+                       "and poses.");
     if (member > 0) require_alike(m);
     SessionPart& part = all_.parts.emplace_back();
     part.title = m.title;

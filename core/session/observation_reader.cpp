@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
+#include "session/touch_xml.h"
 
 namespace handsight {
 
@@ -133,8 +134,9 @@ void read_decision(const XmlNode& node, Observation& observation, Ignored& ignor
 }  // namespace
 
 Observation read_observation(const XmlNode& node, const Session& session, Ignored& ignored) {
-  note_unknown(ignored, node, {"id", "time"},
-               {"position", "velocity", "torque", "images", "marker", "decision", "target_pose", "flange_pose"});
+  note_unknown(
+      ignored, node, {"id", "time"},
+      {"position", "velocity", "torque", "images", "marker", "touched", "decision", "target_pose", "flange_pose"});
   Observation observation;
   observation.id = required_integer(node, "id", 0, INT64_MAX);
   observation.time = required_number(node, "time", bounds::time);
@@ -144,7 +146,10 @@ Observation read_observation(const XmlNode& node, const Session& session, Ignore
   observation.velocity = find_joint_vector(node, "velocity", session, bounds::joint, ignored);
   observation.torque = find_joint_vector(node, "torque", session, bounds::torque, ignored);
   if (const auto images = find_child(node, "images")) read_images(*images, session, observation, ignored);
-  if (!session.pose_sensor) read_sightings(node, session, observation, ignored);
+  if (session.is_touch())
+    read_touched(node, session, observation, ignored);
+  else if (!session.pose_sensor)
+    read_sightings(node, session, observation, ignored);
   if (const auto pose = find_child(node, "target_pose"); pose && session.pose_sensor) {
     note_unknown(ignored, *pose, {"xyz", "quaternion", "rpy"}, {});
     observation.target_pose = read_pose(*pose);

@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
+#include "session/touch_xml.h"
 
 namespace handsight {
 
@@ -142,8 +143,9 @@ void write_observation(XMLElement& parent, const Session& session, const Observa
       if (const std::string& image = observation.images[static_cast<std::size_t>(c)]; !image.empty())
         images.SetAttribute(session.rig->at(c).name.c_str(), image.c_str());
   }
+  if (session.is_touch()) write_touched(element, session, observation);
   for (const Sighting& sighting : observation.sightings) {
-    if (session.pose_sensor) break;  // they stand for the target's pose
+    if (session.pose_sensor || session.is_touch()) break;  // they stand for the target's pose
     XMLElement& marker = *element.InsertNewChildElement("marker");
     update_marker(marker, session, sighting);
     set_text(marker, "by", word(sighting.by));
@@ -152,7 +154,7 @@ void write_observation(XMLElement& parent, const Session& session, const Observa
 }
 
 void update_observation(XMLElement& element, const Session& session, const Observation& observation) {
-  if (!session.pose_sensor) update_markers(element, session, observation);
+  if (!session.pose_sensor && !session.is_touch()) update_markers(element, session, observation);
   update_decision(element, observation);
 }
 

@@ -12,6 +12,7 @@ std::filesystem::path folder(const Session& session) {
 }
 
 const char* device_tag(const Session& session) {
+  if (session.is_touch()) return "touch";
   if (!session.rig) return session.pose_sensor ? "pose_sensor" : "tracker";
   return is_left_and_right(*session.rig) ? "stereo" : "cameras";
 }

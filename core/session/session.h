@@ -39,6 +39,7 @@ struct Sighting {  // NOLINT(bugprone-exception-escape): what is small is moved 
   boost::container::small_vector<CameraPoint, 2> in_cameras = {};  // in order of camera, each at most once
   std::optional<Vector3> point = {};                               // m, in the tracker's frame
   std::optional<Vector3> along = {};  // in that frame: only the product with the point is measured
+  bool by_distance = false;           // only how far it is from that frame's origin is measured: |point|
   MarkedBy by = MarkedBy::import;
   std::optional<double> point_sigma = {};  // m, of each coordinate; absent: the session's usual one
   /// The sigma of a measurement whose residuals are taken as they are (px, m): those of surer ones are drawn out, those
@@ -125,6 +126,26 @@ struct Mount {
   bool known = true;      // false: estimate="yes" with neither xyz nor rpy; the start is found in closed form
 };
 
+/// What a probe touches. Each has a frame of its own, which takes the sensor's place (SessionPart::mount).
+enum class FixtureKind {
+  plane,   // z of its frame is its normal; a value is how far the tip stands above it
+  point,   // a socket, in which the tip's ball sits at the frame's origin
+  line,    // an edge along z of its frame
+  gauge,   // reads how far the tip is along z of its frame
+  length,  // a bar or a wire: reads how far the tip is from the frame's origin
+};
+struct Fixture {
+  std::string id;
+  FixtureKind kind = FixtureKind::plane;
+  std::optional<double> sigma;  // m, of one reading there
+};
+
+/// Two fixtures whose frames' origins are this far apart.
+struct KnownDistance {
+  int of = 0, from = 0;      // into Session::fixtures
+  double by = 0, sigma = 0;  // m
+};
+
 /// One of several sessions of a robot that are fitted as one (session/joined.h).
 struct SessionPart {
   std::string title;                  // unique
@@ -160,12 +181,15 @@ struct Session {
   std::vector<std::string> joints;        // the order of position, velocity and torque; joints not named stand at 0
   std::vector<SessionPart> parts;         // of a joined session; empty: it is one by itself
   std::vector<Mount> other_mounts;        // of a joined session: mounts 1, 2 ...
+  std::vector<Fixture> fixtures;          // of a session of touches: each is a part, with its own mount
+  std::vector<KnownDistance> distances;   // between them
   std::vector<Observation> observations;  // in order of time
   std::vector<EffectDefinition> effect_definitions;  // of effects.xml and the user's own folder
   std::vector<std::string> notes;                    // what the reader ignored, and warnings, a sentence each
   std::shared_ptr<const std::string> source;  // the XML text as read, so that saving keeps what is not understood
 
   bool is_tracker() const { return !rig.has_value(); }
+  bool is_touch() const { return !fixtures.empty(); }
 };
 
 /// The element that holds what watches the robot: "stereo", "cameras", "tracker" or "pose_sensor".

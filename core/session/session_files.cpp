@@ -106,7 +106,12 @@ void bind_robot(Session& session, Robot robot, const SessionLines& lines) {
     if (joint.is_mimic()) refuse_joint(session, lines, name, "which follows other joints (<mimic>)");
   }
   require_link(session, lines.robot, "<robot> tcp", session.tcp);
-  require_link(session, lines.device, fmt::format("<{}> mount", device_tag(session)), session.mount.link);
+  std::vector<Mount*> mounts{&session.mount};
+  for (Mount& mount : session.other_mounts) mounts.push_back(&mount);
+  for (Mount* mount : mounts) {
+    if (mount->link.empty() && session.is_touch()) mount->link = session.robot.links.front().name;
+    require_link(session, lines.device, fmt::format("<{}> mount", device_tag(session)), mount->link);
+  }
 }
 
 void check_image_paths(const Session& session, const SessionLines& lines) {

@@ -11,6 +11,7 @@
 #include "session/observation_xml.h"
 #include "session/pose_points.h"
 #include "session/session_xml.h"
+#include "session/touch_xml.h"
 
 namespace handsight {
 
@@ -166,18 +167,21 @@ void read_pose_sensor(const XmlNode& node, Session& session, Ignored& ignored) {
 /// Returns the device's line.
 int read_device(const XmlNode& root, Session& session, Ignored& ignored) {
   std::optional<XmlNode> found;
-  for (const char* tag : {"stereo", "cameras", "tracker", "pose_sensor"})
+  for (const char* tag : {"stereo", "cameras", "tracker", "pose_sensor", "touch"})
     if (const auto device = find_child(root, tag)) {
       if (found)
         refuse(*device, fmt::format("stands beside the <{}> of line {}, expected one of the two.",
                                     found->element->Name(), found->line()));
       found = device;
     }
-  if (!found) refuse(root, "has neither <stereo> nor <tracker> nor <cameras> nor <pose_sensor>, expected one of them.");
+  if (!found)
+    refuse(root,
+           "has neither <stereo> nor <tracker> nor <cameras> nor <pose_sensor> nor <touch>, expected one of them.");
   const std::string tag = found->element->Name();
   (tag == "stereo"    ? read_stereo
    : tag == "cameras" ? read_cameras
    : tag == "tracker" ? read_tracker
+   : tag == "touch"   ? read_touch
                       : read_pose_sensor)(*found, session, ignored);
   return found->line();
 }
@@ -233,6 +237,10 @@ void read_target_element(const XmlNode& node, Session& session, Ignored& ignored
 /// What the sensor looks at: markers, a target, or a target whose whole pose it tells.
 void read_markers_or_target(const XmlNode& root, Session& session, Ignored& ignored) {
   if (session.pose_sensor) return read_pose_target(root, ignored);
+  if (session.is_touch() && !find_child(root, "markers")) {
+    session.marker_count = 1;  // the probe's tip
+    return;
+  }
   const auto target = find_child(root, "target"), markers = find_child(root, "markers");
   if (target && markers)
     refuse(*target, fmt::format("stands beside the <markers> of line {}, expected one of the two.", markers->line()));
@@ -293,8 +301,8 @@ Session parse_session(const std::string& text, const std::string& file, SessionL
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "title"},
-               {"robot", "gravity", "stereo", "cameras", "tracker", "pose_sensor", "target", "markers", "joints",
-                "observations"});
+               {"robot", "gravity", "stereo", "cameras", "tracker", "pose_sensor", "touch", "target", "markers",
+                "joints", "observations"});
   SessionLines found;
   Session session;
   session.title = find_name(root, "title").value_or("");
@@ -304,6 +312,7 @@ Session parse_session(const std::string& text, const std::string& file, SessionL
   if (const auto gravity = find_child(root, "gravity")) read_gravity(*gravity, session, ignored);
   found.device = read_device(root, session, ignored);
   read_markers_or_target(root, session, ignored);
+  for (SessionPart& fixture : session.parts) fixture.marker_count = session.marker_count;
   if (!session.robot.is_of_poses) {
     const XmlNode joints = required_child(root, "joints");
     found.joints = joints.line();

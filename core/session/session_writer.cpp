@@ -8,6 +8,7 @@
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
 #include "session/session_xml.h"
+#include "session/touch_xml.h"
 
 namespace handsight {
 
@@ -53,6 +54,7 @@ void write_cameras(XMLElement& device, const Session& session) {
 }
 
 void write_device(XMLElement& root, const Session& session) {
+  if (session.is_touch()) return write_touch(root, session);
   XMLElement& device = *root.InsertNewChildElement(device_tag(session));
   if (session.pose_sensor) {
     if (session.pose_sensor->sigma) set(device, "sigma", *session.pose_sensor->sigma);
@@ -71,6 +73,7 @@ void write_device(XMLElement& root, const Session& session) {
 
 void write_markers_or_target(XMLElement& root, const Session& session) {
   if (session.pose_sensor) return root.InsertNewChildElement("target")->SetAttribute("kind", "pose");
+  if (session.is_touch() && session.marker_count == 1) return;
   XMLElement& element = *root.InsertNewChildElement(session.target ? "target" : "markers");
   if (session.target)
     write_target(element, *session.target);
@@ -148,7 +151,7 @@ std::string updated_text(const Session& session) {
 }  // namespace
 
 std::string session_text(const Session& session) {
-  if (!session.parts.empty())
+  if (!session.parts.empty() && !session.is_touch())
     throw InputError(
         "A collection of several sessions is not written as one; change and save its sessions one by one.");
   return session.source ? updated_text(session) : text_from_scratch(session);

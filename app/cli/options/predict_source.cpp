@@ -19,6 +19,7 @@ int part_meant(const Session& joined, const std::string& title) {
   const auto mount_of = [&](const SessionPart& p) -> const std::string& {
     return p.mount == 0 ? joined.mount.link : joined.other_mounts[static_cast<std::size_t>(p.mount - 1)].link;
   };
+  if (joined.is_touch()) return 0;
   for (const SessionPart& p : joined.parts)
     if (p.tcp != joined.tcp || mount_of(p) != joined.mount.link)
       throw InputError(fmt::format(

@@ -120,7 +120,7 @@ void print_errors(const Output& out, const Fit& fit, const FitReport& told) {
 
 /// Where the sensor sits on its link, where that was estimated: what is asked for with the camera on the hand.
 void print_mount(const Output& out, const Session& s, const Fit& fit) {
-  if (!s.mount.estimate) return;
+  if (!s.mount.estimate || s.is_touch()) return;
   const char* sensor = s.pose_sensor               ? "sensor"
                        : s.is_tracker()            ? "tracker"
                        : is_left_and_right(*s.rig) ? "left"
@@ -215,7 +215,7 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
   result["per_observation"] = observations_json(fit, told);
   if (!session.parts.empty()) {
     result.update(errors_json(told.held_out_session, "held_out_session_"));
-    result["sessions"] = parts_json(session, fit, told);
+    result[session.is_touch() ? "fixtures" : "sessions"] = parts_json(session, fit, told);
   }
   result["notes"] = fit.notes;
   return result;

@@ -46,12 +46,18 @@ void print_parts(const Output& out, const Session& session, const Fit& fit, cons
   const std::vector<PartReport> parts = part_reports(session, fit, told);
   if (parts.empty()) return;
   out.line();
-  out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", "session", "used", "fitted", "held out", "robot from the"));
+  out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", session.is_touch() ? "fixture" : "session", "used",
+                       "fitted", "held out", "robot from the"));
   out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", "", "", "", "", "others alone"));
   for (const PartReport& p : parts)
     out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", p.title, p.used, error_of(p.fitted), error_of(p.held_out),
                          error_of(p.held_out_session)));
   for (const PartReport& p : parts) {
+    if (session.is_touch()) {
+      if (p.found.mount_covariance)
+        out.line(fmt::format("{}: its frame on its link {}", p.title, place_of(p.found.mount_from_sensor)));
+      continue;
+    }
     const Vector6 sigma = origin_sigma(p.found.tcp_from_body, p.found.covariance);
     out.line(fmt::format("{}: tcp_from_body {} (+- {:.3f} {:.3f} {:.3f} mm)", p.title, place_of(p.found.tcp_from_body),
                          1e3 * sigma[0], 1e3 * sigma[1], 1e3 * sigma[2]));

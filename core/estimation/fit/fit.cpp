@@ -16,6 +16,7 @@
 #include "estimation/solvers/covariance_factor.h"
 #include "estimation/start/competition.h"
 #include "estimation/start/start.h"
+#include "estimation/start/touch_start.h"
 #include "session/pose_points.h"
 
 namespace handsight {
@@ -68,6 +69,15 @@ void set_body(const FitOptions& options, const Eigen::MatrixXd& factor, Fit& fit
                     fit.sides.markers.size() == 1 ? "not" : "only partly"));
 }
 
+/// Directions of the fixtures' frames that mean nothing: a plane turned and shifted in itself.
+int no_matter(const Session& session) {
+  int count = 0;
+  for (std::size_t f = 0; f < session.fixtures.size(); ++f)
+    if ((f == 0 ? session.mount : session.other_mounts[f - 1]).estimate)
+      count += session.fixtures[f].kind == FixtureKind::line ? 2 : 3;
+  return count;
+}
+
 void add_notes(const Session& session, Fit& fit) {
   if (fit.problem.observations.size() == 1)
     fit.notes.push_back("Only one observation is used: tcp_from_body is that of thesis (4.35), and nothing checks it.");
@@ -87,10 +97,11 @@ void add_notes(const Session& session, Fit& fit) {
     fit.notes.push_back(fmt::format(
         "{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",
         fit.sightings_left_out));
-  if (fit.solution.unobservable > 0)
+  if (fit.solution.unobservable > no_matter(session))
     fit.notes.push_back(
         fmt::format("{} direction{} of the unknowns cannot be observed in these poses and stay as they were.",
-                    fit.solution.unobservable, fit.solution.unobservable == 1 ? "" : "s"));
+                    fit.solution.unobservable - no_matter(session),
+                    fit.solution.unobservable - no_matter(session) == 1 ? "" : "s"));
   if (!fit.solution.normal.in_front)
     fit.notes.push_back(
         "A marker would lie behind a camera that saw it: this is no answer; check the mount, the cameras and the "
@@ -205,6 +216,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options);
 /// Nothing where nothing can be found.
 std::optional<Unknowns> start_for(const Session& session, const FitOptions& options, const Problem& images) {
   if (options.start) return options.start;
+  if (session.is_touch()) return touch_start(session, images);
   if (session.parts.empty()) return start_values(images, session.mount);
   FitOptions alone;
   alone.on_iteration = options.on_iteration;

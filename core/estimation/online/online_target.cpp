@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t fewest_for_scatter = 10;
 constexpr std::size_t fewest_for_mount = 5;  // observations that an unknown mount is first found from
-constexpr std::size_t enough_for_sides = 20;
 
 /// The unit of squared residuals that noise alone leaves before anything is known of it.
 double usual_noise(const Problem& problem) { return problem.rig ? 0.5 : 1e-3; }

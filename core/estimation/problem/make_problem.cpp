@@ -25,6 +25,15 @@ void require_bearable(const Session& session) {
                     session.file.filename().string(), most, session.marker_count));
 }
 
+void require_one_link(const Session& session, const KnownDistance& d, const Chain& chain) {
+  const auto of = static_cast<std::size_t>(d.of), from = static_cast<std::size_t>(d.from);
+  if (chain.parts[of].mount_link == chain.parts[from].mount_link) return;
+  throw InputError(
+      fmt::format("{}: <apart> names {} and {}, which stand on different links; their distance is not one "
+                  "number.",
+                  session.file.filename().string(), session.fixtures[of].id, session.fixtures[from].id));
+}
+
 }  // namespace
 
 Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held,
@@ -36,6 +45,10 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   problem.marker_count = chain.marker_count;
   problem.mount_is_estimated = session.mount.estimate;
   for (const Mount& mount : session.other_mounts) problem.other_mounts_estimated.push_back(mount.estimate);
+  for (const KnownDistance& d : session.distances) {
+    require_one_link(session, d, chain);
+    problem.mount_distances.push_back({d.of, d.from, d.by, d.sigma});
+  }
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
   problem.terms = held;
   for (const EffectTerm& term : estimated) {

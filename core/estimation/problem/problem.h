@@ -82,13 +82,20 @@ struct RobotScale {
   Eigen::VectorXd by_effect;                      // of `change`, by the effects' columns
 };
 
+/// Two mounts' origins, on one link, are this far apart.
+struct MountDistance {
+  int of = 0, from = 0;
+  double by = 0, sigma = 0;  // m
+};
+
 struct Problem {
   std::vector<ProblemObservation> observations;
   std::optional<Rig> rig;  // absent: sightings are points
   int marker_count = 0;
   bool mount_is_estimated = false;
   std::vector<char> other_mounts_estimated;  // of a joined session: of the mounts 1, 2 ...
-  std::vector<char> marker_is_seen;          // per marker, in any used observation
+  std::vector<MountDistance> mount_distances;
+  std::vector<char> marker_is_seen;  // per marker, in any used observation
 
   std::shared_ptr<const ProblemSource> source;
   std::vector<EffectTerm> terms;  // the model's effects at their present values

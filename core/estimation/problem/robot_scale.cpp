@@ -11,7 +11,9 @@ namespace handsight {
 
 bool measures_no_length(const Session& session, const Chain& chain) {
   constexpr double least = 1e-2;  // of the robot's length
-  if (!session.is_tracker()) return false;
+  if (!session.is_tracker() || !session.distances.empty()) return false;
+  for (const Fixture& fixture : session.fixtures)
+    if (fixture.kind == FixtureKind::length) return false;
   double length = 0;
   for (const Joint& joint : chain.robot.joints) length += joint.parent_from_joint.translation.norm();
   std::vector<std::optional<Vector3>> first(static_cast<std::size_t>(session.marker_count));

@@ -139,6 +139,14 @@ Calibration calibration_of_parts(const Session& joined, const Fit& fit, const Fi
 
 Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options,
                            const std::string& software, const Doubt& doubt) {
+  if (session.is_touch()) {  // one hand, whatever it touches
+    const PartFit part = fit_of_part(session, fit, 0);
+    Calibration c = calibration_of(part.session, part.fit, told, options, software);
+    c.session = session.title;
+    if (!c.effects.empty()) c.times = times_of(session);
+    c.positions = used_positions(session);
+    return c;
+  }
   if (!session.parts.empty()) return calibration_of_parts(session, fit, told, options, software);
   Calibration c;
   c.session = session.title;

@@ -70,7 +70,12 @@ Residuals residuals_of(const Problem& images, const ProblemObservation& o, const
     if (images.rig) seen.emplace_back(predicted, n);
     residuals.squares += n.cost;
     residuals.rows += n.rows;
-    if (s.point && !s.along) {
+    if (s.by_distance || (s.along && !images.shape)) {  // a reading of one coordinate
+      const SightingResidual one = sighting_residual(images.rig_or_null(), s, predicted);
+      residuals.lengths.push_back(std::abs(one.error[0]) *
+                                  (s.point_sigma && s.usual_sigma > 0 ? *s.point_sigma / s.usual_sigma : 1));
+      residuals.length_squares_of_noise += 1;
+    } else if (s.point && !s.along) {
       residuals.lengths.push_back((*s.point - predicted).norm());
       residuals.length_squares_of_noise += 3;
     }

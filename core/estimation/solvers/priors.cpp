@@ -124,6 +124,35 @@ Prior robot_scale_prior(const Problem& problem) {
   return prior;
 }
 
+DistanceRow distance_row(const MountDistance& d, const Vector3& of, const Vector3& from) {
+  const Vector3 between = of - from;
+  const double length = between.norm();
+  const Vector3 along = length > 0 ? Vector3(between / length) : Vector3(Vector3::UnitX());
+  return {(d.by - length) / d.sigma, -along / d.sigma, along / d.sigma};
+}
+
+namespace {
+
+/// The known distances of mounts, by the mounts' columns.
+void add_distances(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
+  for (const MountDistance& d : problem.mount_distances) {
+    const Rigid &of = unknowns.mount(d.of), &from = unknowns.mount(d.from);
+    const DistanceRow row = distance_row(d, of.translation, from.translation);
+    // M exp(v): the origin moves by the mount's rotation times v's translation.
+    Eigen::VectorXd by = Eigen::VectorXd::Zero(problem.columns());
+    if (const Eigen::Index c = problem.column_of_mount(d.of); c >= 0)
+      by.segment<3>(c) += of.rotation.transpose() * row.by_of;
+    if (const Eigen::Index c = problem.column_of_mount(d.from); c >= 0)
+      by.segment<3>(c) += from.rotation.transpose() * row.by_from;
+    const double weight = problem.noise * problem.noise;
+    normal.information += weight * by * by.transpose();
+    normal.gradient -= weight * row.off * by;
+    normal.prior_cost += weight * row.off * row.off;
+  }
+}
+
+}  // namespace
+
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
     const double weight = problem.noise / problem.columns_of_effects[static_cast<std::size_t>(i)].prior_sigma();
@@ -135,6 +164,7 @@ void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquation
   add(camera_prior(problem), problem.noise * problem.noise, problem.effect_column(), normal);
   add(robot_scale_prior(problem), problem.noise * problem.noise, problem.effect_column(), normal);
   add(shape_prior(problem, unknowns.markers_in_tcp), 1, 0, normal);
+  add_distances(problem, unknowns, normal);
   normal.cost += normal.prior_cost;
 }
 

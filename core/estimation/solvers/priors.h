@@ -41,6 +41,13 @@ Prior camera_prior(const Problem& problem);
 /// problem stands; by the effects' columns, in units of that. Empty elsewhere.
 Prior robot_scale_prior(const Problem& problem);
 
+/// How far two mounts are apart: off in units of the sigma, and by the two mounts' origins (m^-1).
+struct DistanceRow {
+  double off = 0;
+  Vector3 by_of, by_from;  // of the origins in their link's frame
+};
+DistanceRow distance_row(const MountDistance& distance, const Vector3& of, const Vector3& from);
+
 /// Adds these and the priors of the effects' sizes to the normal equations of all columns.
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal);
 

@@ -285,6 +285,29 @@ class RobotScaleCost : public ceres::CostFunction {
   const Place& place_;
 };
 
+/// A known distance of two mounts, by their twelve numbers each.
+class DistanceCost : public ceres::CostFunction {
+ public:
+  explicit DistanceCost(const MountDistance& distance) : distance_(distance) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->assign(2, 12);
+  }
+  bool Evaluate(double const* const* mounts, double* residuals, double** jacobians) const override {
+    const DistanceRow row = distance_row(distance_, motion_of(mounts[0]).translation, motion_of(mounts[1]).translation);
+    residuals[0] = row.off;
+    for (int m = 0; jacobians && m < 2; ++m) {
+      if (!jacobians[m]) continue;
+      Rows by(jacobians[m], 1, 12);
+      by.setZero();
+      by.rightCols<3>() = (m == 0 ? row.by_of : row.by_from).transpose();
+    }
+    return true;
+  }
+
+ private:
+  MountDistance distance_;
+};
+
 /// What is known of the shape of markers that are not held: their places off the known ones, laid onto them as well as
 /// can be, in units of the sigma.
 class ShapeCost : public ceres::CostFunction {
@@ -382,6 +405,12 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
   ownership.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem squares(ownership);
   add_sightings(place, options, unit, squares);
+  for (const MountDistance& d : problem.mount_distances)
+    squares.AddResidualBlock(new DistanceCost(d), nullptr, place.mounts[static_cast<std::size_t>(d.of)].data(),
+                             place.mounts[static_cast<std::size_t>(d.from)].data());
+  for (std::size_t i = 0; i < place.mounts.size(); ++i)
+    if (!place.is_free(i) && squares.HasParameterBlock(place.mounts[i].data()))
+      squares.SetParameterBlockConstant(place.mounts[i].data());
   for (MotionNumbers& mount : place.mounts)
     if (squares.HasParameterBlock(mount.data())) squares.SetManifold(mount.data(), &place.mount_manifold);
   if (place.is_fixed_body && squares.HasParameterBlock(place.body.data()))

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/start/touch_start.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "base/error.h"
+#include "estimation/solvers/least_squares.h"
+
+namespace handsight {
+namespace {
+
+int fixture_of(const Session& session, const ProblemObservation& o) {
+  return session.observations[static_cast<std::size_t>(o.index)].part;
+}
+
+Rigid mount_from_tcp(const ProblemObservation& o) { return inverse(o.root_from_mount) * o.root_from_tcp; }
+
+/// R t + p = c of every touch of a point: 3 numbers a tip, 3 a fixture.
+std::vector<Vector3> tips_by_points(const Session& session, const Problem& problem) {
+  const Eigen::Index tips = 3 * problem.marker_count;
+  const auto count = tips + 3 * static_cast<Eigen::Index>(session.fixtures.size());
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(count);
+  for (const ProblemObservation& o : problem.observations) {
+    const int f = fixture_of(session, o);
+    if (session.fixtures[static_cast<std::size_t>(f)].kind != FixtureKind::point) continue;
+    const Rigid by = mount_from_tcp(o);
+    Eigen::MatrixXd row = Eigen::MatrixXd::Zero(3, count);
+    row.middleCols<3>(3 * o.sightings.front().marker) = by.rotation;
+    row.middleCols<3>(tips + 3 * f) = -Matrix3::Identity();
+    h += row.transpose() * row;
+    g -= row.transpose() * by.translation;
+  }
+  const Eigen::VectorXd x = pseudo_inverse(h) * g;
+  std::vector<Vector3> all;
+  for (int m = 0; m < problem.marker_count; ++m) all.push_back(x.segment<3>(3 * m));
+  return all;
+}
+
+/// A frame in the middle of the places whose z is across them as they lie flattest.
+Rigid plane_through(const std::vector<Vector3>& places) {
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& x : places) middle += x / static_cast<double>(places.size());
+  Matrix3 spread = Matrix3::Zero();
+  for (const Vector3& x : places) spread += (x - middle) * (x - middle).transpose();
+  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(spread);
+  Matrix3 frame;
+  frame.col(2) = eigen.eigenvectors().col(0);
+  frame.col(0) = eigen.eigenvectors().col(2);
+  frame.col(1) = frame.col(2).cross(frame.col(0));
+  return {frame, middle};
+}
+
+Rigid found_frame(const Session& session, std::size_t fixture, const std::vector<Vector3>& places) {
+  const Fixture& f = session.fixtures[fixture];
+  const std::size_t least = f.kind == FixtureKind::plane ? 3 : 1;
+  if (places.size() < least)
+    throw InputError(
+        fmt::format("{}: nothing says where the fixture {} is, and {} touch{} of it do not tell; touch it "
+                    "more often, or say where it is about.",
+                    session.file.filename().string(), f.id, places.size(), places.size() == 1 ? "" : "es"));
+  Rigid frame = plane_through(places);
+  if (f.kind == FixtureKind::point) frame.rotation.setIdentity();
+  return frame;
+}
+
+}  // namespace
+
+Unknowns touch_start(const Session& session, const Problem& problem) {
+  Unknowns start;
+  start.markers_in_tcp = tips_by_points(session, problem);
+  start.effects = effect_values(problem);
+  start.other_mounts.resize(session.other_mounts.size());
+  for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
+    const Mount& mount = f == 0 ? session.mount : session.other_mounts[f - 1];
+    Rigid& frame = start.mount(static_cast<int>(f));
+    frame = mount.mount_from_sensor;
+    if (mount.known) continue;
+    std::vector<Vector3> places;
+    for (const ProblemObservation& o : problem.observations)
+      if (fixture_of(session, o) == static_cast<int>(f))
+        places.push_back(mount_from_tcp(o) * marker_at(o, start, o.sightings.front().marker));
+    frame = found_frame(session, f, places);
+  }
+  return start;
+}
+
+}  // namespace handsight
