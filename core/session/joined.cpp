@@ -298,6 +298,24 @@ class Joiner {
   int next_order_ = 0;
 };
 
+/// Of a session of touches, whose fixtures are touched in turn, the place is that among all touches.
+PlaceInWhole place_in_whole(const Session& all, const Observation& o) {
+  if (o.whole) return *o.whole;
+  PlaceInWhole place;
+  const std::vector<int> order = by_time(all);
+  const auto at = [&](std::size_t k) -> const Observation& {
+    return all.observations[static_cast<std::size_t>(order[k])];
+  };
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (&at(k) != &o) continue;
+    place.order = static_cast<int>(k);
+    if (k > 0) place.position_before = at(k - 1).position;
+  }
+  place.start = at(0).time;
+  place.end = at(order.size() - 1).time;
+  return place;
+}
+
 }  // namespace
 
 Session joined(const std::vector<JoinedMember>& members, const std::string& title, const std::filesystem::path& file) {
@@ -351,7 +369,7 @@ Session part_session(const Session& all, int number) {
     o.part = 0;
     o.id -= part.first_id;
     o.time -= part.first_time;
-    auto whole = std::make_shared<PlaceInWhole>(*o.whole);
+    auto whole = std::make_shared<PlaceInWhole>(place_in_whole(all, from));
     whole->order -= part.first_order;
     whole->start -= part.first_time;
     whole->end -= part.first_time;

@@ -88,6 +88,10 @@ int run(const CertifyArguments& o) {
         "the "
         "joint angles and convert them with the robot's URDF.");
   Progress progress("certify", 100);
+  if (session.is_touch())
+    throw InputError(
+        "A certificate needs measurements of where the hand is, and a touch tells one to three numbers of it; measure "
+        "some poses with a tracker or cameras, and certify that session with the calibration.");
   if (session.parts.empty() && !o.part.empty()) part_named(session, o.part);
   std::optional<CertificateRequest> of_part;
   if (!session.parts.empty()) {

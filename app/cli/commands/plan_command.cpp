@@ -177,6 +177,10 @@ int run(const PlanArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   require_output(o.csv_file, "--csv");
   if (!o.part.empty()) part_named(session, o.part);
+  if (session.is_touch())
+    throw InputError(
+        "plan chooses postures before a camera or a tracker, and none that touch a fixture; touch each fixture from "
+        "postures that differ as much as they can.");
   if (!session.parts.empty()) return run_of_collection(o, session);
   PlanOptions options;
   options.count = o.count;

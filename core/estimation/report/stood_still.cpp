@@ -72,7 +72,7 @@ std::string listed(const std::vector<std::string>& pairs) {
 
 std::vector<std::string> standstill_doubts(const Session& session) {
   std::vector<std::string> robot_stood, sight_stood, doubts;
-  if (session.joints.empty()) return doubts;
+  if (session.joints.empty() || session.is_touch()) return doubts;  // a socket is where it was
   for (std::size_t i = 1; i < session.observations.size(); ++i) {
     const Observation &a = session.observations[i - 1], &b = session.observations[i];
     if (!is_used(a) || !is_used(b)) continue;
