@@ -75,7 +75,7 @@ struct Calibration {
   std::optional<Eigen::MatrixXd> hand_covariance;
   std::optional<Matrix6> hand_scatter;
   std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
-  std::vector<double> times;  // s, of all observations in order: what slips and drifts are placed by
+  std::vector<double> times;               // s, of all observations in order: what slips and drifts are placed by
   std::vector<Eigen::VectorXd> positions;  // rad or m: of the used observations in order, or of some spread over them
 
   std::vector<std::string> notes;  // what the reader ignored, a sentence each; not written

@@ -260,8 +260,7 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
   note_unknown(
       ignored, root, {"version", "session", "created", "software"},
       {"tcp_from_body", "fit", "markers", "effects", "effect_definitions", "robot", "gravity", "joints", "tcp_scatter",
-       "model_covariance", "hand_scatter", "hand_covariance", "doubt", "mount_from_sensor", "times",
-       "positions"});
+       "model_covariance", "hand_scatter", "hand_covariance", "doubt", "mount_from_sensor", "times", "positions"});
   Calibration calibration;
   calibration.session = find_name(root, "session").value_or("");
   calibration.created = find_text(root, "created").value_or("");

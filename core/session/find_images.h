@@ -16,9 +16,10 @@ struct ImageFiles {
   std::filesystem::path left, right;
 };
 
-/// Pairs the images of two folders by the date and time, else the last number, in their names, ascending. With both folders the same, names
-/// tell the sides apart: "left" or "right" in them, else a last letter l or r. InputError where there is no image, or a
-/// side has a number twice. Names that begin with a dot are those of files that are still written.
+/// Pairs the images of two folders by the date and time, else the last number, in their names, ascending. With both
+/// folders the same, names tell the sides apart: "left" or "right" in them, else a last letter l or r. InputError where
+/// there is no image, or a side has a number twice. Names that begin with a dot are those of files that are still
+/// written.
 std::vector<ImageFiles> find_image_pairs(const std::filesystem::path& left_folder,
                                          const std::filesystem::path& right_folder);
 
@@ -30,8 +31,8 @@ struct InstantImages {
 
 std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs);
 
-/// The images of each camera's folder, by the date and time, else the last number, in their names, ascending; two folders as `find_image_pairs`
-/// has it. InputError where a folder has no image or a number twice.
+/// The images of each camera's folder, by the date and time, else the last number, in their names, ascending; two
+/// folders as `find_image_pairs` has it. InputError where a folder has no image or a number twice.
 std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>& folders);
 
 /// The same by the cameras' names, which may end in a number of their own: it is not the instant's. Where cameras share
