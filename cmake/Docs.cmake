@@ -2,8 +2,8 @@
 # cmake --build build --target docs: the C++ interface and the pages of docs as one site, build/docs/html/index.html.
 # Doxygen ends with an error where a link leads nowhere or a comment is not understood.
 find_program(HANDSIGHT_DOXYGEN doxygen)
-if(NOT HANDSIGHT_DOXYGEN OR NOT HANDSIGHT_LIBRARY)
-  message(STATUS "The pages of docs are not made: doxygen is not there.")
+if(NOT HANDSIGHT_DOXYGEN OR NOT HANDSIGHT_HAS_LIBRARY)
+  message(STATUS "The pages of docs are not made: doxygen is not there, or the library is not built.")
   return()
 endif()
 set(HANDSIGHT_PAGES ${CMAKE_BINARY_DIR}/docs)

@@ -52,7 +52,7 @@ install(FILES ${CMAKE_SOURCE_DIR}/resources/debian/copyright_cli DESTINATION ${C
 install(FILES ${CMAKE_SOURCE_DIR}/resources/justin.urdf DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/robots COMPONENT cli)
 
 # cmake --install build --component development: the library, its headers, and what find_package(Handsight) reads.
-if(HANDSIGHT_LIBRARY)
+if(HANDSIGHT_HAS_LIBRARY)
   include(CMakePackageConfigHelpers)
   set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Handsight)
   file(RELATIVE_PATH codec_from_lib ${CMAKE_INSTALL_FULL_LIBDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/handsight)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What find_package(Handsight) finds: libhandsight.so, made of the folders of core that the face stands on, and the headers
 # of core/include/handsight with those that they need below handsight/detail. Where code is position independent.
-if(NOT HANDSIGHT_LIBRARY)
+if(NOT HANDSIGHT_HAS_LIBRARY)
   return()
 endif()
 
