@@ -44,12 +44,29 @@ install(FILES ${described}/fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor
   COMPONENT cli)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli
-  FILES_MATCHING PATTERN "*.md" PATTERN pictures EXCLUDE)
+  FILES_MATCHING PATTERN "*.md" PATTERN pictures EXCLUDE PATTERN examples EXCLUDE)
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${described}/NEWS.gz DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli)
 install(FILES ${described}/handsight-cli.changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME changelog.gz COMPONENT cli)
 install(FILES ${CMAKE_SOURCE_DIR}/resources/debian/copyright_cli DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME copyright
   COMPONENT cli)
 install(FILES ${CMAKE_SOURCE_DIR}/resources/justin.urdf DESTINATION ${CMAKE_INSTALL_DATADIR}/handsight/robots COMPONENT cli)
+
+# cmake --install build --component development: the library, its headers, and what find_package(Handsight) reads.
+if(HANDSIGHT_HAS_LIBRARY)
+  include(CMakePackageConfigHelpers)
+  set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Handsight)
+  file(RELATIVE_PATH codec_from_lib ${CMAKE_INSTALL_FULL_LIBDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/handsight)
+  set_target_properties(handsight_shared PROPERTIES BUILD_RPATH "$ORIGIN" INSTALL_RPATH "$ORIGIN/${codec_from_lib}")
+  install(TARGETS handsight_shared EXPORT Handsight LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(TARGETS handsight_image_codec LIBRARY DESTINATION ${codec_folder} COMPONENT development)
+  install(DIRECTORY ${CMAKE_BINARY_DIR}/face/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+  install(EXPORT Handsight NAMESPACE Handsight:: FILE HandsightTargets.cmake DESTINATION ${package_folder} COMPONENT development)
+  configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/HandsightConfig.cmake.in ${CMAKE_BINARY_DIR}/HandsightConfig.cmake
+    INSTALL_DESTINATION ${package_folder})
+  write_basic_package_version_file(${CMAKE_BINARY_DIR}/HandsightConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${CMAKE_BINARY_DIR}/HandsightConfig.cmake ${CMAKE_BINARY_DIR}/HandsightConfigVersion.cmake
+    DESTINATION ${package_folder} COMPONENT development)
+endif()
 
 if(HANDSIGHT_HAS_WINDOW)
   set_target_properties(handsight PROPERTIES INSTALL_RPATH "$ORIGIN/${codec_from_bin}")

@@ -9,9 +9,10 @@ window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick poppler-utils
   fonts-liberation fonts-noto-core fonts-freefont-ttf fonts-open-sans  # how the window looks with other fonts
   python3 dpkg-dev  # dpkg-dev: what a package depends on
+  clang-format codespell doxygen  # form, spelling, and the pages of docs
   libmujoco-dev libsdformat-dev liburdfdom-dev  # readers of robot descriptions
   python3-rosbag python3-sensor-msgs python3-tf2-msgs)  # writers of ROS 1 bags
-python_packages=(pybind11-dev python3-dev python3-numpy python3-venv)  # the module, and an environment to try its wheel in
+python_packages=(pybind11-dev python3-dev python3-numpy python3-venv python3-matplotlib)  # the module, an environment to try its wheel in, plots of the examples
 
 new_packages=""
 # install_missing WHY PACKAGE...: asks apt for those that are not there; says what and why before it does.

@@ -30,7 +30,7 @@ bool operator==(const RobotReading& a, const RobotReading& b) {
 
 std::optional<TypedReading> parse_reading(const QString& text) {
   QString plain = text.trimmed();
-  plain.replace(QChar(0x2212), '-');                  // a true minus
+  plain.replace(QChar(0x2212), '-');  // a true minus
   // As much of the world writes it; but three digits behind a comma may be thousands.
   static const QRegularExpression thousands(QStringLiteral(",\\d{3}(?!\\d)"));
   if (!plain.contains('.') && !plain.contains(thousands)) plain.replace(',', '.');

@@ -46,6 +46,8 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
+    for old in arguments.out.glob("handsight-*.whl"):  # of another version: one wheel is what there is to install
+        old.unlink()
     wheel = arguments.out / f"handsight-{arguments.version}-{tag()}.whl"
     record = []
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:

@@ -20,6 +20,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "readers/bag_contents.h"
 #include "readers/bags/bag.h"
 #include "readers/robots/robot_file.h"
 #include "session/new_session.h"

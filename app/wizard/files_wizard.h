@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "convert/convert.h"
+#include "convert/file_kind.h"
 #include "jobs/jobs.h"
 #include "readers/field_urdf.h"
 

@@ -175,7 +175,7 @@ BundleResult adjust_bundle(const BoardImages& images, const CameraRig& start,
                            const std::vector<std::optional<Rigid>>& first_from_target, const BundleOptions& options,
                            bool with_covariances) {
   BundleResult result = start_of(images, start, first_from_target, options);
-  FLAGS_minloglevel = google::GLOG_FATAL;  // core never prints
+  FLAGS_minloglevel = google::GLOG_FATAL;             // core never prints
   const int rounds = options.loss_pixel > 0 ? 3 : 1;  // weights, then a solution, and again
   std::unique_ptr<BundleProblem> problem;
   for (int round = 0; round < rounds; ++round) {

@@ -3,6 +3,7 @@
 // convert.
 #pragma once
 
+#include "convert/brought.h"
 #include "convert/conversion.h"
 
 namespace handsight {

@@ -5,7 +5,7 @@
 #include <exception>
 #include <functional>
 
-#include "convert/brought.h"
+#include "readers/series.h"
 #include "session/session.h"
 
 namespace handsight {

@@ -2,6 +2,7 @@
 // The ways from what was brought to a session, by the sensor that measured. Internal to convert.
 #pragma once
 
+#include "convert/brought.h"
 #include "convert/conversion.h"
 #include "convert/session_parts.h"
 #include "readers/field_urdf.h"

@@ -2,6 +2,7 @@
 // Which poses of two tables are of one instant, and which are no measurement of their own. Internal to convert.
 #pragma once
 
+#include "convert/brought.h"
 #include "convert/conversion.h"
 #include "session/find_images.h"
 

@@ -2,6 +2,7 @@
 // How the flange's poses are to be read, by what images show of a target. Internal to convert.
 #pragma once
 
+#include "convert/brought.h"
 #include "convert/conversion.h"
 
 namespace handsight {

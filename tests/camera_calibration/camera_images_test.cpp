@@ -39,9 +39,9 @@ TEST_F(CameraImagesByName, FoldersOfTheSameNameAreCamerasByTheFolderAbove) {
 }
 
 TEST_F(CameraImagesByName, TimesThatDifferALittleAreOneMoment) {
-  for (const char* n : {"cam0/data/1575683268010000000.png", "cam0/data/1575683268270000000.png",
-                        "cam0/data/1575683268530000000.png", "cam1/data/1575683268018000000.png",
-                        "cam1/data/1575683268278000000.png", "cam1/data/1575683268700000000.png"})
+  for (const char* n :
+       {"cam0/data/1575683268010000000.png", "cam0/data/1575683268270000000.png", "cam0/data/1575683268530000000.png",
+        "cam1/data/1575683268018000000.png", "cam1/data/1575683268278000000.png", "cam1/data/1575683268700000000.png"})
     make(n);
   const GroupedImages grouped = group_images({folder_});
   ASSERT_EQ(grouped.cameras.size(), 2u);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files as they came from the field: cameras, targets and bags.
+#include "convert/brought.h"
 #include "convert/convert_fixture.h"
 #include "readers/kalibr_target.h"
 

@@ -117,8 +117,7 @@ TEST(Hand, CarriesEveryMarkerOnAPedestalThatReachesIt) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Random random(seed);
     const Vector3 up = random.gaussian3().normalized(), normal = random.gaussian3().normalized();
-    const std::vector<MarkerPlate> markers =
-        lay_out_markers(4, 0.012, seed, normal, up);
+    const std::vector<MarkerPlate> markers = lay_out_markers(4, 0.012, seed, normal, up);
     Scene scene = make_scene(markers, SceneOptions());
     scene.solids.clear();
     scene.room_lower.setConstant(-5);

@@ -6,6 +6,7 @@
 #include "blunders/mended.h"
 #include "command.h"
 #include "convert/convert.h"
+#include "geometry/angle_kinds.h"
 #include "options/target_option.h"
 #include "printing/outputs.h"
 

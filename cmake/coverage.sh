@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# coverage.sh [TEST_PROGRAM...]: after cmake --preset coverage && cmake --build build-coverage, runs test programs (all of them without
+# an argument; test_cli runs handsight-cli, which counts too) and tells which share of core's lines they run. Needs llvm.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+folder=build-coverage
+tool() { command -v "$1" || command -v "$1-14" || { echo "$1 is not installed (apt-get install llvm)." >&2; exit 1; }; }
+profdata=$(tool llvm-profdata) cov=$(tool llvm-cov)
+programs=("$@")
+[ ${#programs[@]} -gt 0 ] || for program in "$folder"/tests/test_*; do [ -x "$program" ] && programs+=("$(basename "$program")"); done
+rm -rf "$folder/profiles"
+mkdir -p "$folder/profiles"
+objects=()
+for program in "${programs[@]}"; do
+  LLVM_PROFILE_FILE="$folder/profiles/$program-%p.profraw" "$folder/tests/$program" --gtest_brief=1
+  objects+=(-object "$folder/tests/$program")
+done
+[ -x "$folder/app/cli/handsight-cli" ] && objects+=(-object "$folder/app/cli/handsight-cli")
+"$profdata" merge -sparse "$folder"/profiles/*.profraw -o "$folder/all.profdata"
+"$cov" report "${objects[@]}" -instr-profile="$folder/all.profdata" -ignore-filename-regex='tests/|/usr/' |
+  tee "$folder/coverage.txt" | tail -1
+echo "By file: $folder/coverage.txt"

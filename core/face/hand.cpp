@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the hand is, and what to command.
+#include "handsight/correct.h"
+#include "handsight/handsight.h"
+#include "robot/urdf.h"
+#include "session/calibration_xml.h"
+
+namespace handsight {
+namespace {
+
+/// The robot whose hand is told of; `moved` holds it where that is another than the one that was given.
+const CalibratedRobot& hand_of(const CalibratedRobot& robot, CalibratedRobot& moved) {
+  if (!robot.of_hand) return robot;
+  return moved = with_moved_hand(robot);
+}
+
+/// At rest, and from nowhere.
+Circumstances pose_at(const CalibratedRobot& robot, const Eigen::VectorXd& position) {
+  if (position.size() != static_cast<Eigen::Index>(robot.joint_names.size()))
+    throw InputError(fmt::format("The position has {} numbers; expected {}, one for each joint: {}.", position.size(),
+                                 robot.joint_names.size(), fmt::join(robot.joint_names, " ")));
+  if (!position.allFinite())
+    throw InputError("The position holds a number that is not finite (nan or inf); expected angles in rad (m).");
+  return circumstances_at(robot.chain, position);
+}
+
+}  // namespace
+
+const char* version() { return HANDSIGHT_VERSION; }
+
+CalibratedRobot calibrated_robot(const Session& session, const Improvement& m) {
+  return calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options,
+                          std::string("handsight ") + version(), m.certainty.doubt);
+}
+
+CalibratedRobot read_calibrated_robot(const std::filesystem::path& calibration, const std::filesystem::path& urdf) {
+  return calibrated_robot(read_calibration(calibration), read_urdf(urdf), urdf.string(), calibration.string());
+}
+
+void save_calibration(const std::filesystem::path& file, const CalibratedRobot& robot) {
+  write_calibration(file, robot.calibration);
+}
+
+TcpPrediction predict(const CalibratedRobot& robot, const Eigen::VectorXd& position) {
+  CalibratedRobot moved;
+  const CalibratedRobot& hand = hand_of(robot, moved);
+  return predict_tcp(pose_at(hand, position), hand.model);
+}
+
+Correction correct(const CalibratedRobot& robot, const Eigen::VectorXd& position,
+                   const std::optional<Rigid>& root_from_tcp) {
+  CalibratedRobot moved;
+  const CalibratedRobot& hand = hand_of(robot, moved);
+  return corrected(pose_at(hand, position), hand.model, root_from_tcp);
+}
+
+}  // namespace handsight
