@@ -6486,6 +6486,26 @@
         <translation>Die Marker %1 sind in keiner verwendeten Beobachtung zu sehen und haben keinen Ort.</translation>
     </message>
     <message>
+        <source>From pose to pose the robot is off by more than the noise of the images: %1 (one standard deviation of each number). Images and robot are weighed by that.</source>
+        <translation>Von Stellung zu Stellung liegt der Roboter weiter daneben, als die Bilder rauschen: %1 (eine Standardabweichung jeder Zahl). Bilder und Roboter sind danach gewichtet.</translation>
+    </message>
+    <message>
+        <source>its joints by %1 mrad and its flange by %2 mm</source>
+        <translation>seine Gelenke um %1 mrad und sein Flansch um %2 mm</translation>
+    </message>
+    <message>
+        <source>its joints by %1 mrad</source>
+        <translation>seine Gelenke um %1 mrad</translation>
+    </message>
+    <message>
+        <source>its flange by %1 mm</source>
+        <translation>sein Flansch um %1 mm</translation>
+    </message>
+    <message>
+        <source>its flange by %1 mm and %2 mrad</source>
+        <translation>sein Flansch um %1 mm und %2 mrad</translation>
+    </message>
+    <message>
         <source>The fit did not converge in %1 iterations.</source>
         <translation>Die Anpassung ist nach %1 Schritten nicht zur Ruhe gekommen.</translation>
     </message>

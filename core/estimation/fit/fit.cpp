@@ -8,6 +8,7 @@
 #include "effects/term_numbers.h"
 #include "estimation/fit/fit_covariance.h"
 #include "estimation/fit/fit_noise.h"
+#include "estimation/fit/flange_error_size.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/problem/pose_residuals.h"
@@ -77,6 +78,8 @@ void add_notes(const Session& session, Fit& fit) {
     fit.notes.push_back(
         "Nothing that was measured tells a length (every marker was measured at one place only): the robot's size is "
         "taken from its description, within 0.1 %. Measure a marker at two places of known distance to find it.");
+  if (fit.problem.flange_error.is_any())
+    fit.notes.push_back(flange_error_text(fit.problem.flange_error, !session.robot.is_of_poses));
   std::vector<std::size_t> unseen;
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) unseen.push_back(m);
