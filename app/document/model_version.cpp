@@ -2,10 +2,12 @@
 #include "document/model_version.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 #include "diagnosis/ranking/clean_model.h"
 #include "diagnosis/residuals/residual_views.h"
+#include "estimation/fit/undetermined.h"
 #include "estimation/report/export.h"
 #include "words/core_words.h"
 
@@ -16,9 +18,12 @@ ErrorAndNoise error_and_noise(const ModelVersion& version) {
 }
 
 Vector6 origin_sigma(const Fit& fit) {
-  Matrix6 at_origin = Matrix6::Identity();
-  at_origin.topRightCorner<3, 3>() = -cross_matrix(fit.tcp_from_body.translation);
-  return (at_origin * fit.covariance * at_origin.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
+  const Matrix6 covariance = body_covariance_at_origin(fit);
+  const UndeterminedMotions unknown = undetermined_motions(covariance);
+  Vector6 sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  for (int i = 0; i < 6; ++i)
+    if (unknown.numbers[static_cast<std::size_t>(i)]) sigma[i] = std::numeric_limits<double>::quiet_NaN();
+  return sigma;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "estimation/fit/flange_error_size.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/sure_fit.h"
+#include "estimation/fit/undetermined.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/covariance_factor.h"
@@ -92,7 +93,9 @@ void add_notes(const Session& session, Fit& fit) {
     fit.notes.push_back(fmt::format(
         "{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",
         fit.sightings_left_out));
-  if (fit.solution.unobservable > 0)
+  const std::vector<std::string> undetermined = undetermined_texts(fit);
+  fit.notes.insert(fit.notes.end(), undetermined.begin(), undetermined.end());
+  if (fit.solution.unobservable > 0 && undetermined.empty())
     fit.notes.push_back(
         fmt::format("{} direction{} of the unknowns cannot be observed in these poses and stay as they were.",
                     fit.solution.unobservable, fit.solution.unobservable == 1 ? "" : "s"));
@@ -261,6 +264,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   Eigen::MatrixXd factor =
       covariance_factor(measured, options, declared_noise(session).has_value() || !result.noise_estimate, result);
   add_shape_columns(result, factor);
+  add_undetermined_columns(result, factor);
   result.parameter_covariance = covariance_from(factor);
   set_body(options, factor, result);
   // What moves the body may be asked for later, of a model that has nothing of the kind yet.
