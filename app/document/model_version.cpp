@@ -2,10 +2,12 @@
 #include "document/model_version.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 #include "diagnosis/ranking/clean_model.h"
 #include "diagnosis/residuals/residual_views.h"
+#include "estimation/fit/undetermined.h"
 #include "estimation/report/export.h"
 #include "words/core_words.h"
 
@@ -15,7 +17,14 @@ ErrorAndNoise error_and_noise(const ModelVersion& version) {
   return version.fit ? story_error(*version.fit, *version.report) : ErrorAndNoise{};
 }
 
-Vector6 origin_sigma(const Fit& fit) { return origin_sigma(fit.tcp_from_body, fit.covariance); }
+Vector6 origin_sigma(const Fit& fit) {
+  const Matrix6 covariance = body_covariance_at_origin(fit);
+  const UndeterminedMotions unknown = undetermined_motions(covariance);
+  Vector6 sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  for (int i = 0; i < 6; ++i)
+    if (unknown.numbers[static_cast<std::size_t>(i)]) sigma[i] = std::numeric_limits<double>::quiet_NaN();
+  return sigma;
+}
 
 namespace {
 

@@ -50,7 +50,8 @@ using ModelVersionPointer = std::shared_ptr<const ModelVersion>;
 using ErrorAndNoise = StoryError;
 ErrorAndNoise error_and_noise(const ModelVersion& version);
 
-/// Standard deviations of tcp_from_body: of the body's origin (m), and of the rotations about the TCP's axes (rad).
+/// Standard deviations of tcp_from_body: of the body's origin (m), and of the rotations about the TCP's axes (rad); NaN
+/// where these poses do not determine it.
 Vector6 origin_sigma(const Fit& fit);
 
 /// Of a model's terms, those that the settings estimate and those that they hold, at the values of the fit.

@@ -156,7 +156,7 @@ std::vector<Blunder> told(const Session& session, const Trial& trial, double ln,
 /// The whole fit of the whole session once it is right; nothing where that is not clearly better.
 std::optional<double> confirmed(const Session& session, const Trial& trial, double before) {
   try {
-    const Fit right = fit(put_right(session, trial.mends));
+    const Fit right = fit(put_right(session, trial.mends), {.smallest_step = 1e-9});
     const bool is_answer = !is_no_answer(right.problem, right.solution);
     return is_answer && unit_of(trial.mends) * right.residual_rms < 0.8 * before ? std::optional(right.residual_rms)
                                                                                  : std::nullopt;
@@ -257,7 +257,8 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
   const std::vector<Trial> tried = trials.run(goes_on);
   const std::vector<const Trial*> promising = most_promising(tried);
   if (promising.empty()) return {};
-  const double before = has_unknown_lever(session) ? fit(whole).residual_rms : given.residual_rms;
+  const double before =
+      has_unknown_lever(session) ? fit(whole, {.smallest_step = 1e-9}).residual_rms : given.residual_rms;
   const Judge judge(thin, trials, given);
   std::vector<Claim> claims;
   for (std::size_t i = 0; i < promising.size(); ++i) {

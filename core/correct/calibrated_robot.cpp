@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "estimation/fit/undetermined.h"
 #include "estimation/report/hand_end.h"
 
 namespace handsight {
@@ -44,6 +45,7 @@ CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const F
     if (is_used(o)) robot.positions.push_back(o.position);
   robot.calibration = calibration_of(session, fit, told, options, software, doubt);
   robot.rig = moved_cameras(robot.chain, robot.model);
+  robot.notes = undetermined_texts(fit);
   if (robot.model.scatter.observations < 3)
     robot.notes.emplace_back(
         "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "

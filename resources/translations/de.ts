@@ -6486,6 +6486,98 @@
         <translation>Die Marker %1 sind in keiner verwendeten Beobachtung zu sehen und haben keinen Ort.</translation>
     </message>
     <message>
+        <source>From pose to pose the robot is off by more than the noise of the images: %1 (one standard deviation of each number). Images and robot are weighed by that.</source>
+        <translation>Von Stellung zu Stellung liegt der Roboter weiter daneben, als die Bilder rauschen: %1 (eine Standardabweichung jeder Zahl). Bilder und Roboter sind danach gewichtet.</translation>
+    </message>
+    <message>
+        <source>its joints by %1 mrad and its flange by %2 mm</source>
+        <translation>seine Gelenke um %1 mrad und sein Flansch um %2 mm</translation>
+    </message>
+    <message>
+        <source>its joints by %1 mrad</source>
+        <translation>seine Gelenke um %1 mrad</translation>
+    </message>
+    <message>
+        <source>its flange by %1 mm</source>
+        <translation>sein Flansch um %1 mm</translation>
+    </message>
+    <message>
+        <source>its flange by %1 mm and %2 mrad</source>
+        <translation>sein Flansch um %1 mm und %2 mrad</translation>
+    </message>
+    <message>
+        <source>TCP-&gt;Body is not determined in %1: %2. Its numbers there are where the fit began.</source>
+        <translation>TCP→Körper ist unbestimmt: %1; %2. Seine Zahlen dort stehen, wo die Anpassung begann.</translation>
+    </message>
+    <message>
+        <source>The sensor's mount is not determined in %1: %2. Its numbers there are where the fit began.</source>
+        <translation>Der Sitz des Sensors ist unbestimmt: %1; %2. Seine Zahlen dort stehen, wo die Anpassung begann.</translation>
+    </message>
+    <message>
+        <source>%1; the sensor's mount and the body can move together</source>
+        <translation>%1; Sitz des Sensors und Körper können sich miteinander bewegen</translation>
+    </message>
+    <message>
+        <source>the hand stands in one and the same pose in all observations</source>
+        <translation>die Hand steht in allen Beobachtungen in derselben Stellung</translation>
+    </message>
+    <message>
+        <source>no pose turns the hand</source>
+        <translation>keine Stellung dreht die Hand</translation>
+    </message>
+    <message>
+        <source>every pose turns the hand about the same axis</source>
+        <translation>jede Stellung dreht die Hand um dieselbe Achse</translation>
+    </message>
+    <message>
+        <source>these poses do not show it</source>
+        <translation>diese Stellungen zeigen es nicht</translation>
+    </message>
+    <message>
+        <source>its place along %1</source>
+        <translation>der Ort entlang %1</translation>
+    </message>
+    <message>
+        <source>its place across %1</source>
+        <translation>der Ort quer zu %1</translation>
+    </message>
+    <message>
+        <source>its place</source>
+        <translation>der Ort</translation>
+    </message>
+    <message>
+        <source>its turn about %1</source>
+        <translation>die Drehung um %1</translation>
+    </message>
+    <message>
+        <source>its turn but about %1</source>
+        <translation>die Drehung außer um %1</translation>
+    </message>
+    <message>
+        <source>its turn</source>
+        <translation>die Drehung</translation>
+    </message>
+    <message>
+        <source>the TCP's %1</source>
+        <translation>%1 des TCP</translation>
+    </message>
+    <message>
+        <source>the %1 of the mount's link</source>
+        <translation>%1 des Gliedes, auf dem der Sensor sitzt</translation>
+    </message>
+    <message>
+        <source>(%1) of the TCP</source>
+        <translation>(%1) des TCP</translation>
+    </message>
+    <message>
+        <source>(%1) of the mount's link</source>
+        <translation>(%1) des Gliedes, auf dem der Sensor sitzt</translation>
+    </message>
+    <message>
+        <source>The robot stands in one and the same pose in all observations, and where the sensor sits is asked for: neither it nor TCP-&gt;Body can be told from one pose. Record poses that shift the hand and turn it about two axes.</source>
+        <translation>Der Roboter steht in allen Beobachtungen in derselben Stellung, und gefragt ist, wo der Sensor sitzt: aus einer einzigen Stellung lässt sich weder er noch TCP→Körper sagen. Nimm Stellungen auf, die die Hand verschieben und um zwei Achsen drehen.</translation>
+    </message>
+    <message>
         <source>The fit did not converge in %1 iterations.</source>
         <translation>Die Anpassung ist nach %1 Schritten nicht zur Ruhe gekommen.</translation>
     </message>

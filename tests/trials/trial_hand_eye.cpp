@@ -82,7 +82,8 @@ void trial(int count, std::uint64_t first, int poses, double place, double turn)
         {.poses = poses, .place = place, .turn = turn, .seed = first + static_cast<std::uint64_t>(i)});
     const Fit f = fit(h.session);
     converged += f.converged();
-    const Vector6 off = small_motion_between(h.flange_from_camera, estimate(f).mount_from_sensor);
+    // As the covariance has it, in the camera's own frame.
+    const Vector6 off = small_motion_between(inverse(estimate(f).mount_from_sensor), inverse(h.flange_from_camera));
     ours.push_back((estimate(f).mount_from_sensor.translation - h.flange_from_camera.translation).norm());
     const Eigen::Index mount = f.problem.mount_column();
     for (int n = 0; n < 6; ++n)

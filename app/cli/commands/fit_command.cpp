@@ -6,6 +6,7 @@
 #include "command.h"
 #include "diagnosis/outliers/flipped_targets.h"
 #include "diagnosis/ranking/clean_model.h"
+#include "estimation/fit/undetermined.h"
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
 #include "estimation/report/part_report.h"
@@ -71,7 +72,7 @@ int run(const FitArguments& o) {
   o.output.json(json);
   if (!o.output.export_file.empty())
     o.output.calibration(calibration_of(session, result, told, options, "handsight " HANDSIGHT_VERSION));
-  return result.converged() ? done : answer_is_no;
+  return result.converged() && !never_moved(result) ? done : answer_is_no;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/degrees.h"
 #include "base/numbers.h"
 #include "command.h"
@@ -47,9 +49,11 @@ RivalEffects rivals(const std::string& text, const Session& session) {
 void print(const PlanArguments& o, const Session& session, const Plan& p) {
   const bool between = p.ln_bayes_factor_before.has_value();
   const auto sigma = [&](const Vector6& s) {
-    const std::string rotation =
-        p.rotation_is_observed ? fmt::format("{:.4f}", degrees * s.tail<3>().norm()) : std::string("-");
-    return fmt::format("{:>9.4f} {:>9}", 1e3 * s.head<3>().norm(), rotation);
+    const auto text = [](bool is_known, double value) {
+      return is_known && std::isfinite(value) ? fmt::format("{:.4f}", value) : std::string("-");
+    };
+    return fmt::format("{:>9} {:>9}", text(true, 1e3 * s.head<3>().norm()),
+                       text(p.rotation_is_observed, degrees * s.tail<3>().norm()));
   };
   if (between)
     o.output.line(
@@ -75,7 +79,8 @@ void print(const PlanArguments& o, const Session& session, const Plan& p) {
 /// Translation, and the rotation where markers show all of it.
 Json sigma_json(const Vector6& sigma, bool rotation_is_observed) {
   Json list = numbers(sigma);
-  for (std::size_t i = 3; i < 6 && !rotation_is_observed; ++i) list[i] = nullptr;
+  for (std::size_t i = 0; i < 6; ++i)
+    if (!std::isfinite(sigma[static_cast<Eigen::Index>(i)]) || (i > 2 && !rotation_is_observed)) list[i] = nullptr;
   return list;
 }
 
@@ -193,7 +198,7 @@ int run(const PlanArguments& o) {
     write_csv(o.csv_file, session, p);
     o.output.line("Written: " + o.csv_file);
   }
-  return done;
+  return p.never_moved ? answer_is_no : done;
 }
 
 }  // namespace

@@ -9,16 +9,31 @@
 #include "base/degrees.h"
 #include "effects/units.h"
 #include "estimation/fit/sure_fit.h"
+#include "estimation/fit/undetermined.h"
 #include "json_values.h"
 
 namespace handsight::cli {
 namespace {
 
 std::string with_sigma(const char* name, double value, double sigma, const char* unit) {
-  value += 0.0;  // no minus before a zero
-  if (std::string(unit) == "deg" && sigma > 90)
-    return fmt::format("  {:<6} {:>11.4f}    not observed, left at its start", name, value);
-  return fmt::format("  {:<6} {:>11.4f} +- {:<8.4f} {}", name, value, sigma, unit);
+  return fmt::format("  {:<6} {:>11.4f} +- {:<8.4f} {}", name, value + 0.0, sigma, unit);  // no minus before a zero
+}
+
+/// Place and turns of a pose with their sigmas; where nothing is known of a number, no figure stands beside it.
+void print_pose(const Output& out, const Rigid& pose, const Matrix6& covariance, bool rotation_is_observed) {
+  const UndeterminedMotions unknown = undetermined_motions(covariance);
+  const Vector6 sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  const Vector3 rpy = degrees * rpy_from_rotation(pose.rotation);
+  const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
+  for (int i = 0; i < 6; ++i) {
+    const bool is_place = i < 3;
+    const double value = is_place ? 1e3 * pose.translation[i] : rpy[i - 3];
+    if (unknown.numbers[static_cast<std::size_t>(i)])
+      out.line(fmt::format("  {:<6} {:>11.4f}    {}, left at its start", names[i], value + 0.0,
+                           is_place || rotation_is_observed ? "not determined" : "not observed"));
+    else
+      out.line(with_sigma(names[i], value, (is_place ? 1e3 : degrees) * sigma[i], is_place ? "mm" : "deg"));
+  }
 }
 
 std::string text_or_unknown(const std::optional<double>& value, double scale, const char* unit) {
@@ -101,6 +116,25 @@ Json observations_json(const Fit& fit, const FitReport& told) {
   return list;
 }
 
+/// Where nothing is known: of which pose, along or about which axis.
+void add_undetermined(const char* of, const std::string& frame, const Matrix6& covariance, Json& list) {
+  const UndeterminedMotions motions = undetermined_motions(covariance);
+  for (Eigen::Index i = 0; i < motions.directions.cols(); ++i)
+    list.push_back({{"of", of},
+                    {"in", frame},
+                    {"shift", numbers(Vector3(motions.directions.col(i).head<3>()))},
+                    {"turn", numbers(Vector3(motions.directions.col(i).tail<3>()))}});
+}
+
+Json undetermined_json(const Session& session, const Fit& fit) {
+  Json list = Json::array();
+  if (has_no_answer(fit)) return list;
+  add_undetermined("tcp_from_body", session.tcp, body_covariance_at_origin(fit), list);
+  if (session.mount.estimate)
+    add_undetermined("mount_from_sensor", session.mount.link, mount_covariance_at_origin(fit), list);
+  return list;
+}
+
 void print_errors(const Output& out, const Fit& fit, const FitReport& told) {
   const bool pixels = told.fitted.rms_pixel.has_value();
   if (pixels)
@@ -125,27 +159,13 @@ void print_mount(const Output& out, const Session& s, const Fit& fit) {
                        : s.is_tracker()            ? "tracker"
                        : is_left_and_right(*s.rig) ? "left"
                                                    : "first";
-  const Rigid& mount = estimate(fit).mount_from_sensor;
-  const Matrix6 covariance =
-      fit.parameter_covariance.block<6, 6>(fit.problem.mount_column(), fit.problem.mount_column());
-  const Matrix3 place = mount.rotation * covariance.topLeftCorner<3, 3>() * mount.rotation.transpose();
-  const Matrix3 turn = mount.rotation * covariance.bottomRightCorner<3, 3>() * mount.rotation.transpose();
-  const Vector3 rpy = degrees * rpy_from_rotation(mount.rotation);
   out.line(fmt::format("\nmount_from_{}, on {}", sensor, s.mount.link));
-  const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
-  for (int i = 0; i < 3; ++i)
-    out.line(with_sigma(names[i], 1e3 * mount.translation[i], 1e3 * std::sqrt(place(i, i)), "mm"));
-  for (int i = 0; i < 3; ++i) out.line(with_sigma(names[i + 3], rpy[i], degrees * std::sqrt(turn(i, i)), "deg"));
+  print_pose(out, estimate(fit).mount_from_sensor, mount_covariance_at_origin(fit), true);
 }
 
 void print_answer(const Output& out, const Session& session, const Fit& fit) {
   out.line(fmt::format("tcp_from_body{}", fit.converged() ? "" : " (NOT CONVERGED)"));
-  const Vector6 sigma = origin_sigma(fit.tcp_from_body, fit.covariance);
-  const Vector3 rpy = degrees * rpy_from_rotation(fit.tcp_from_body.rotation);
-  const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
-  for (int i = 0; i < 3; ++i)
-    out.line(with_sigma(names[i], 1e3 * fit.tcp_from_body.translation[i], 1e3 * sigma[i], "mm"));
-  for (int i = 0; i < 3; ++i) out.line(with_sigma(names[i + 3], rpy[i], degrees * sigma[i + 3], "deg"));
+  print_pose(out, fit.tcp_from_body, body_covariance_at_origin(fit), fit.rotation_is_observed);
   out.line(fit.covariance_kind == CovarianceKind::noise
                ? "  (sigmas from the noise; rotations about the TCP's x, y, z)"
                : "  (sigmas from how the observations differ: the model does not agree with them to the noise)");
@@ -205,6 +225,7 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
   result["tcp_from_body"] = {{"matrix", motion(fit.tcp_from_body)}, {"covariance", matrix(fit.covariance)}};
   const auto target = tcp_from_target(session, fit);
   result["tcp_from_target"] = target ? motion(*target) : Json(nullptr);
+  result["undetermined"] = undetermined_json(session, fit);
   result["covariance_from"] = fit.covariance_kind == CovarianceKind::noise ? "noise" : "scatter";
   Json markers = Json::array();
   for (std::size_t m = 0; m < fit.markers_in_body.size(); ++m)

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "diagnosis/planning/rivalry.h"
 #include "diagnosis/ranking/refitting.h"
+#include "estimation/fit/undetermined.h"
 
 namespace handsight {
 namespace {
@@ -49,7 +51,8 @@ class Planner {
     look_at_pool();
     keep([&](std::size_t i) { return is_shown(i); });
     plan.pool = pool_.size();
-    plan.sigma_before = sigma_of_body();
+    plan.sigma_before = known_so_far();
+    plan.never_moved = never_moved(base_);
     for (int step = 0; step < options_.count; ++step)
       if (!add_best(step, plan)) break;
     judge_the_rivals(plan);
@@ -252,7 +255,17 @@ class Planner {
     }
   }
 
+  /// Where nothing is known no figure stands.
+  Vector6 known_so_far() const {
+    Vector6 sigma = sigma_of_body();
+    const UndeterminedMotions unknown = undetermined_motions(body_covariance_at_origin(base_));
+    for (int i = 0; i < 6; ++i)
+      if (unknown.numbers[static_cast<std::size_t>(i)]) sigma[i] = std::numeric_limits<double>::quiet_NaN();
+    return sigma;
+  }
+
   void add_notes(Plan& plan) const {
+    plan.notes = undetermined_texts(base_);
     if (static_cast<int>(plan.poses.size()) < options_.count)
       plan.notes.push_back(
           fmt::format("Only {} of {} poses lie {:.3f} rad or more away from the others and from those "

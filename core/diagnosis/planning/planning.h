@@ -34,8 +34,10 @@ struct PlannedPose {
 /// Gains are expected of the linearised model and of normal noise. For precision: the information about all parameters
 /// of the model (half of ln det of its gain). Between two effects: the ln Bayes factor for the true one, mean of both.
 struct Plan {
-  std::vector<PlannedPose> poses;          // in the order in which they are to be taken
-  Vector6 sigma_before = Vector6::Zero();  // of tcp_from_body with the observations so far, as `sigma` is counted
+  std::vector<PlannedPose> poses;  // in the order in which they are to be taken
+  /// Of tcp_from_body with the observations so far, as `sigma` is counted; NaN where they do not determine it.
+  Vector6 sigma_before = Vector6::Zero();
+  bool never_moved = false;  // the hand, so far
   bool rotation_is_observed = true;
   double noise = 0;                              // px or m of one coordinate, that was reckoned with
   std::optional<double> ln_bayes_factor_before;  // of the first effect against the second, in the measurements so far

@@ -93,7 +93,9 @@ class Work {
     base.effects = options_.effects;
     base.estimated = options_.estimated;
     base.start = options_.start;
-    if (!base.estimated.empty() || session_.robot.is_of_poses) base.smallest_step = 1e-9;
+    // Not exact, so that the robot's own error is no part of it: what is missing must not pass for that, and evidence
+    // is weighed by a scatter of its own.
+    base.smallest_step = 1e-9;
     if (!base.estimated.empty() && base.start) base.reuse_below = near_start;
     d_.model_options = base;
     base.on_iteration = options_.on_iteration;

@@ -9,8 +9,10 @@
 #include "estimation/fit/fit_covariance.h"
 #include "estimation/fit/fit_noise.h"
 #include "estimation/fit/fit_parts.h"
+#include "estimation/fit/flange_error_size.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/sure_fit.h"
+#include "estimation/fit/undetermined.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/covariance_factor.h"
@@ -85,6 +87,8 @@ void add_notes(const Session& session, Fit& fit) {
     fit.notes.push_back(
         "Nothing that was measured tells a length (every marker was measured at one place only): the robot's size is "
         "taken from its description, within 0.1 %. Measure a marker at two places of known distance to find it.");
+  if (fit.problem.flange_error.is_any())
+    fit.notes.push_back(flange_error_text(fit.problem.flange_error, !session.robot.is_of_poses));
   std::vector<std::size_t> unseen;
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) unseen.push_back(m);
@@ -97,7 +101,9 @@ void add_notes(const Session& session, Fit& fit) {
     fit.notes.push_back(fmt::format(
         "{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",
         fit.sightings_left_out));
-  if (fit.solution.unobservable > no_matter(session))
+  const std::vector<std::string> undetermined = undetermined_texts(fit);
+  fit.notes.insert(fit.notes.end(), undetermined.begin(), undetermined.end());
+  if (fit.solution.unobservable > no_matter(session) && undetermined.empty())
     fit.notes.push_back(
         fmt::format("{} direction{} of the unknowns cannot be observed in these poses and stay as they were.",
                     fit.solution.unobservable - no_matter(session),
@@ -289,6 +295,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   Eigen::MatrixXd factor =
       covariance_factor(measured, options, declared_noise(session).has_value() || !result.noise_estimate, result);
   add_shape_columns(result, factor);
+  add_undetermined_columns(result, factor);
   result.parameter_covariance = covariance_from(factor);
   set_body(options, factor, result);
   // What moves the body may be asked for later, of a model that has nothing of the kind yet.

@@ -154,10 +154,12 @@ static Problem without_flange_error(Problem problem) {
   return problem;
 }
 
-/// The size of the robot's error is itself found from few poses, six numbers each: what a normal distribution would
-/// leave has Student's tails, and so much more variance.
+/// The sizes of the robot's error are themselves found from few poses, six numbers each, which they share: what a
+/// normal distribution would leave has Student's tails, and so much more variance.
 static double as_few_poses_tell(const Fit& fit) {
-  const double degrees = 6.0 * static_cast<double>(fit.problem.observations.size()) - static_cast<double>(fit.unknowns);
+  constexpr double sizes = 2;
+  const double degrees =
+      (6.0 * static_cast<double>(fit.problem.observations.size()) - static_cast<double>(fit.unknowns)) / sizes;
   return degrees > 4 ? degrees / (degrees - 2) : 2;
 }
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/fit/flange_error_size.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "base/shown_number.h"
+#include "estimation/problem/column_products.h"
+#include "estimation/problem/problem_part.h"
 #include "estimation/solvers/flange_error.h"
 #include "estimation/solvers/normal_equations.h"
 
@@ -18,67 +23,56 @@ constexpr double least = 1e-6, most_place = 0.1, most_turn = 0.3;  // m and rad
 /// What is off by more is no scatter of a robot's: something is missing that weighing would only hide.
 constexpr FlangeError most_of_a_robot{6e-3, 18e-3};
 
-/// One observation by the unknowns of the fit and by the flange's error.
-struct Part {
-  Eigen::MatrixXd information;                      // unknowns x unknowns
-  Eigen::VectorXd gradient;                         // unknowns
-  Eigen::Matrix<double, Eigen::Dynamic, 6> shared;  // unknowns x 6
-  Matrix6 own;
-  Vector6 own_gradient;
-  double cost = 0;
-};
+/// Sizes are known to a few hundredths from that many observations, and a weight need not be known better.
+constexpr std::size_t enough = 150;
 
-Part part_of(const Problem& problem, const ProblemObservation& o, const Solution& solution) {
-  NormalEquations one(problem.columns());
-  add_observation(problem, o, solution.unknowns, one);
-  complete(one);
-  const FlangeSums sums = flange_sums(problem, o, solution.unknowns, one);
-  const Eigen::MatrixXd& basis = solution.basis;
-  return {basis.transpose() * one.information * basis,
-          basis.transpose() * one.gradient,
-          basis.transpose() * sums.shared,
-          sums.own,
-          sums.gradient,
-          one.cost};
-}
+/// One observation by the unknowns of the fit and by the motion of the TCP.
+struct Part {
+  FlangeSums sums;  // shared: unknowns x 6
+  FlangeErrorShares shares;
+};
 
 class RestrictedLikelihood {
  public:
   RestrictedLikelihood(const Problem& problem, const Solution& solution) : noise_(problem.noise) {
-    for (const ProblemObservation& o : problem.observations) parts_.push_back(part_of(problem, o, solution));
-    Problem unseen = problem;
-    unseen.observations.clear();
-    unseen.flange_error = {};
-    const NormalEquations priors = normal_equations(unseen, solution.unknowns);
-    priors_ = {solution.basis.transpose() * priors.information * solution.basis,
-               solution.basis.transpose() * priors.gradient,
-               {},
-               Matrix6::Zero(),
-               Vector6::Zero(),
-               priors.cost};
+    const Eigen::MatrixXd& basis = solution.basis;
+    const NormalEquations priors = normal_equations(without_observations(problem), solution.unknowns);
+    information_ = basis.transpose() * priors.information * basis;
+    gradient_ = basis.transpose() * priors.gradient;
+    cost_ = priors.cost;
+    for (const ProblemObservation& o : problem.observations) {
+      NormalEquations one(problem.columns());
+      add_observation(problem, o, solution.unknowns, one);
+      complete(one);
+      FlangeSums sums = flange_sums(problem, o, solution.unknowns, one);
+      sums.shared = basis.transpose() * sums.shared;
+      parts_.push_back({std::move(sums), flange_error_shares(problem, o)});
+      information_ += basis.transpose() * one.information * basis;
+      gradient_ += basis.transpose() * one.gradient;
+      cost_ += one.cost;
+    }
   }
 
   double ln(const FlangeError& error) const {
-    Eigen::MatrixXd information = priors_.information;
-    Eigen::VectorXd gradient = priors_.gradient;
-    double cost = priors_.cost, ln_volume = 0;
-    const Vector6 weights = flange_error_weights(error, noise_);
+    Eigen::VectorXd gradient = gradient_;
+    double cost = cost_, ln_volume = 0;
+    Eigen::MatrixXd taken = Eigen::MatrixXd::Zero(information_.rows(), information_.cols());
+    GatheredRows rows(taken);
     for (const Part& p : parts_) {
-      information += p.information;
-      gradient += p.gradient;
-      cost += p.cost;
-      if (!error.is_any()) continue;
-      Matrix6 own = p.own;
-      own.diagonal() += weights;
-      const Eigen::LLT<Matrix6> llt(own);
-      information -= p.shared * llt.solve(p.shared.transpose());
-      const Vector6 best = llt.solve(p.own_gradient);
-      gradient -= p.shared * best;
-      cost -= p.own_gradient.dot(best);
-      ln_volume += 2 * llt.matrixLLT().diagonal().array().log().sum() - weights.array().log().sum();
+      if (!error.is_any()) break;
+      FlangeSums sums = along(p.sums, root_of_covariance(covariance_of(p.shares, error)) / noise_);
+      sums.own.diagonal().array() += 1;
+      const Eigen::LLT<Matrix6> llt(sums.own);
+      const Vector6 best = llt.solve(sums.gradient);
+      rows.add(llt.matrixL().solve(sums.shared.transpose()));
+      gradient -= sums.shared * best;
+      cost -= sums.gradient.dot(best);
+      ln_volume += 2 * llt.matrixLLT().diagonal().array().log().sum();
     }
+    rows.settle();
     // What is not observable in these poses is so under every size of the error.
-    for (Eigen::Index i = 0; i < information.cols(); ++i) information(i, i) += 1e-10 * information(i, i) + 1e-300;
+    Eigen::MatrixXd information = information_ - taken;
+    for (Eigen::Index i = 0; i < information.cols(); ++i) information(i, i) += 1e-10 * information_(i, i) + 1e-300;
     const Eigen::LLT<Eigen::MatrixXd> llt(information);
     const double squares = cost - gradient.dot(llt.solve(gradient));
     return -0.5 * ln_volume - llt.matrixLLT().diagonal().array().abs().log().sum() - 0.5 * squares / (noise_ * noise_);
@@ -87,7 +81,9 @@ class RestrictedLikelihood {
  private:
   double noise_;
   std::vector<Part> parts_;
-  Part priors_;
+  Eigen::MatrixXd information_;
+  Eigen::VectorXd gradient_;
+  double cost_ = 0;
 };
 
 struct Found {
@@ -101,11 +97,10 @@ void take_better(const RestrictedLikelihood& likelihood, const FlangeError& erro
 }
 
 Found best_of_grid(const RestrictedLikelihood& likelihood) {
-  constexpr std::array<double, 8> places{0, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
-  constexpr std::array<double, 8> turns{0, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
+  constexpr std::array<double, 8> sizes{0, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
   Found best;
-  for (const double place : places)
-    for (const double turn : turns) take_better(likelihood, {place, turn}, best);
+  for (const double place : sizes)
+    for (const double turn : sizes) take_better(likelihood, {place, turn}, best);
   return best;
 }
 
@@ -124,16 +119,49 @@ void refine(const RestrictedLikelihood& likelihood, Found& best) {
   }
 }
 
+/// Without what brings nothing, of a robot with joints.
+void simplify(const RestrictedLikelihood& likelihood, Found& best) {
+  constexpr double nothing = 1;  // ln
+  for (const FlangeError& simpler : {FlangeError{0, best.error.turn}, FlangeError{best.error.place, 0}})
+    if (likelihood.ln(simpler) > best.ln - nothing) {
+      best.error = simpler;
+      return;
+    }
+}
+
+Problem thinned(const Problem& problem) {
+  if (problem.observations.size() <= enough) return problem;
+  Problem few = without_observations(problem);
+  for (std::size_t i = 0; i < enough; ++i)
+    few.observations.push_back(problem.observations[i * problem.observations.size() / enough]);
+  return few;
+}
+
 }  // namespace
 
 FlangeError likely_flange_error(const Problem& problem, const Solution& solution) {
   constexpr std::size_t fewest = 4;
   if (problem.observations.size() < fewest) return {};
-  const RestrictedLikelihood likelihood(problem, solution);
+  Problem few = thinned(problem);
+  few.flange_error = {};
+  const RestrictedLikelihood likelihood(few, solution);
   Found best = best_of_grid(likelihood);
   refine(likelihood, best);
+  if (!problem.source->chain.robot.is_of_poses) simplify(likelihood, best);
   const bool is_a_robots = best.error.place <= most_of_a_robot.place && best.error.turn <= most_of_a_robot.turn;
   return is_a_robots && best.ln > likelihood.ln({}) + clearly_likelier ? best.error : FlangeError{};
+}
+
+std::string flange_error_text(const FlangeError& e, bool has_joints) {
+  const std::string place = shown_number(1e3 * e.place), turn = shown_number(1e3 * e.turn);
+  const std::string sizes = !has_joints    ? fmt::format("its flange by {} mm and {} mrad", place, turn)
+                            : e.place == 0 ? fmt::format("its joints by {} mrad", turn)
+                            : e.turn == 0  ? fmt::format("its flange by {} mm", place)
+                                           : fmt::format("its joints by {} mrad and its flange by {} mm", turn, place);
+  return fmt::format(
+      "From pose to pose the robot is off by more than the noise of the images: {} (one standard deviation of each "
+      "number). Images and robot are weighed by that.",
+      sizes);
 }
 
 }  // namespace handsight

@@ -55,18 +55,25 @@ void settle_priors(const Session& session, Problem& images, const FitOptions& op
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
 }
 
-/// The noise of one coordinate of a robot of poses before cameras, where it is known beside the robot's own error.
-std::optional<double> noise_beside_the_robot(const Session& session, const Problem& images, const Fit& fit) {
-  if (const auto& declared = declared_noise(session)) return declared;
+/// The noise of one coordinate beside the robot's own error, and the degrees of freedom that it was estimated from: 0
+/// where it is declared.
+struct KnownNoise {
+  double sigma = 0;
+  int degrees = 0;
+};
+
+std::optional<KnownNoise> noise_beside_the_robot(const Session& session, const Problem& images, const Fit& fit) {
+  if (const auto& declared = declared_noise(session)) return KnownNoise{*declared, 0};
   const auto seen = estimate_noise(images, fit.solution.unknowns);
-  return seen && seen->sigma > 0 ? std::optional(seen->sigma) : std::nullopt;
+  return seen && seen->sigma > 0 ? std::optional(KnownNoise{seen->sigma, seen->degrees}) : std::nullopt;
 }
 
-bool leaves_noise_alone(const Fit& fit, double noise) {
+/// A few poses tell the noise badly: then it takes more to be more than it.
+bool leaves_noise_alone(const Fit& fit, const KnownNoise& noise) {
   constexpr double surely = 1e-3;  // p
   const NormalEquations& n = fit.solution.normal;
-  const auto test =
-      noise_test(n.data_cost() / (noise * noise), n.rows - static_cast<double>(fit.solution.basis.cols()), 0);
+  const auto test = noise_test(n.data_cost() / (noise.sigma * noise.sigma),
+                               n.rows - static_cast<double>(fit.solution.basis.cols()), noise.degrees);
   return !test || test->p > surely;
 }
 
@@ -76,7 +83,14 @@ bool is_about(const FlangeError& a, const FlangeError& b) {
   return near(a.place, b.place) && near(a.turn, b.turn);
 }
 
-/// Where the flange is told by a controller, it is part of the measurements and may be what errs: its error's size
+/// How joints move the hand: filled where no effect has asked for it.
+void fill_motions(Problem& problem) {
+  if (problem.source->chain.robot.is_of_poses || problem.with_motions || problem.effect_count() > 0) return;
+  problem.with_motions = true;
+  place_observations(problem);
+}
+
+/// Where the hand is told by a controller, it is part of the measurements and may be what errs: its error's size
 /// follows from the solution, and the solution from it. Where noise alone is left nothing changes.
 void settle_flange_error(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
   constexpr int most_rounds = 6;
@@ -84,12 +98,16 @@ void settle_flange_error(const Session& session, Problem& images, const FitOptio
   // has a scatter of its own: an error that a missing cause makes must not pass for the robot's.
   constexpr double exact = 1e-12;
   if (options.smallest_step > exact) return;
-  if (!session.robot.is_of_poses || !session.rig || options.loss != Loss::none || !fit.solution.converged) return;
+  if (!session.rig || options.loss != Loss::none || !fit.solution.converged) return;
   const auto known = noise_beside_the_robot(session, images, fit);
   if (!known || (!images.flange_error.is_any() && leaves_noise_alone(fit, *known))) return;
-  images.noise = fit.problem.noise = *known;
+  const double before = images.noise;
+  images.noise = fit.problem.noise = known->sigma;
+  fill_motions(fit.problem);
+  fill_motions(images);
   for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
     const FlangeError likely = likely_flange_error(fit.problem, fit.solution);
+    if (round == 0 && !likely.is_any() && !session.robot.is_of_poses) images.noise = fit.problem.noise = before;
     if (is_about(likely, images.flange_error)) return;
     images.flange_error = fit.problem.flange_error = likely;
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
@@ -112,7 +130,7 @@ void minimise_widening(const Session& session, Problem& images, const Unknowns& 
   while (!fit.solution.stopped && widened(fit.solution.unknowns.effects))
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
   if (options.objective == Objective::image) {
-    settle_flange_error(session, images, options, noise, fit);
+    if (session.robot.is_of_poses) settle_flange_error(session, images, options, noise, fit);
     settle_priors(session, images, options, noise, fit);
   }
   const bool is_quick = options.least_gain > 0;
@@ -200,6 +218,10 @@ void minimise_surely(const Session& session, Problem& images, const Unknowns& st
   if (is_whole && fit.problem.effect_count() > 0 && leaves_more_than_noise(images, fit.solution, clearly))
     try_other_sizes(session, images, options, noise, fit);
   if (is_no_answer(images, fit.solution)) fit.solution.converged = false;
+  // A minimum beside the best one must not pass for a robot that errs: that is asked of the best alone.
+  if (session.robot.is_of_poses) return;
+  settle_flange_error(session, images, options, noise, fit);
+  if (images.flange_error.is_any()) settle_priors(session, images, options, noise, fit);
 }
 
 bool has_no_answer(const Fit& fit) {

@@ -92,16 +92,19 @@ TcpScatter tcp_scatter(const Fit& fit, const ToFrame& to_frame) {
 
 namespace {
 
-/// The covariance given that the rotations of which nothing is known are as they are; false where there are any.
-bool without_unknown_rotations(Eigen::MatrixXd& covariance) {
-  constexpr double nothing_known = 1;  // rad^2
-  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(Matrix3(covariance.block<3, 3>(3, 3)));
+/// The covariance given that places and rotations of which nothing is known are as they are; false where a rotation is
+/// among them.
+bool without_unknown_motions(Eigen::MatrixXd& covariance) {
+  constexpr double nothing_known = 1;  // rad^2, m^2
   bool all_known = true;
-  for (int i = 0; i < 3; ++i) {
-    if (eigen.eigenvalues()[i] < nothing_known) continue;
-    const Eigen::VectorXd together = covariance.middleCols<3>(3) * eigen.eigenvectors().col(i);
-    covariance -= together * together.transpose() / eigen.eigenvalues()[i];
-    all_known = false;
+  for (const int first : {3, 0}) {
+    const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(Matrix3(covariance.block<3, 3>(first, first)));
+    for (int i = 0; i < 3; ++i) {
+      if (eigen.eigenvalues()[i] < nothing_known) continue;
+      const Eigen::VectorXd together = covariance.middleCols<3>(first) * eigen.eigenvectors().col(i);
+      covariance -= together * together.transpose() / eigen.eigenvalues()[i];
+      all_known = all_known && first == 0;
+    }
   }
   return all_known;
 }
@@ -112,7 +115,7 @@ PredictionModel prediction_model(const Fit& fit, const Doubt& doubt) {
   PredictionModel model{terms_of(fit), tcp_scatter(fit), fit.model_covariance, fit.tcp_from_body,
                         estimate(fit).mount_from_sensor};
   model.doubt = doubt;
-  model.rotation_is_observed = without_unknown_rotations(model.covariance);
+  model.rotation_is_observed = without_unknown_motions(model.covariance);
   return model;
 }
 
@@ -218,7 +221,7 @@ PredictionModel prediction_model(const Calibration& calibration, const Robot& ro
     model.doubt.covariance = reordered(calibration.doubt->covariance, others.after(place_of, 6 + read.count()),
                                        6 + read.count() + others.count());
   }
-  model.rotation_is_observed = without_unknown_rotations(model.covariance);
+  model.rotation_is_observed = without_unknown_motions(model.covariance);
   return model;
 }
 

@@ -184,6 +184,11 @@ SessionCheck check_session(const Session& session) {
   const Chain chain = chain_of(session);
   list_contents(session, chain, check);
   check.warnings = session_doubts(session);
+  if (session.mount.estimate && session.observations.size() > 1 && never_moved(session))
+    check.problems.emplace_back(
+        "The robot stands in one and the same pose in all observations, and where the sensor sits is asked for: "
+        "neither "
+        "it nor TCP->Body can be told from one pose. Record poses that shift the hand and turn it about two axes.");
   check_images(session, check);
   check_limits(session, chain, check);
   check_markers(session, check);

@@ -128,9 +128,7 @@ void doubt_turns(const Session& session, std::vector<std::string>& doubts) {
 }
 
 void doubt_poses(const Session& session, std::vector<std::string>& doubts) {
-  const auto same = [&](const Observation& o) { return o.position == session.observations.front().position; };
-  if (session.joints.empty()) return;  // of a robot of poses
-  if (session.observations.size() > 1 && std::all_of(session.observations.begin(), session.observations.end(), same))
+  if (session.observations.size() > 1 && never_moved(session))
     doubts.emplace_back("All observations have the same joint positions: nothing can be told from one pose.");
 }
 
@@ -178,6 +176,16 @@ void doubt_gravity(const Session& session, std::vector<std::string>& doubts) {
 }
 
 }  // namespace
+
+bool never_moved(const Session& session) {
+  constexpr double still = 1e-6;  // rad, m: less than any encoder tells
+  const Eigen::VectorXd first =
+      session.observations.empty() ? Eigen::VectorXd() : session.observations.front().position;
+  return std::all_of(session.observations.begin(), session.observations.end(), [&](const Observation& o) {
+    return o.position.size() == first.size() &&
+           (first.size() == 0 || (o.position - first).cwiseAbs().maxCoeff() < still);
+  });
+}
 
 std::vector<std::string> session_doubts(const Session& session) {
   std::vector<std::string> doubts;

@@ -16,6 +16,9 @@ namespace handsight {
 /// readings that were not made anew. Empty where nothing is.
 std::vector<std::string> session_doubts(const Session& session);
 
+/// Does the robot stand in one and the same pose in all observations?
+bool never_moved(const Session& session);
+
 /// The same of what a fit found: a body farther from the TCP than any hand is long, m. Empty where it is not.
 std::string body_doubt(const Rigid& tcp_from_body);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot that is wrong about its own flange: in every observation the flange stands off by a small motion exp(delta),
-// drawn anew, with place and turn of these sizes. The motions are no unknowns: they are eliminated from the normal
-// equations, which then weigh images and robot as either of them errs (generalised least squares).
+// drawn anew. Of a robot of poses FlangeError has the sizes of its place and of its turns; of a robot with joints that
+// of its place, and as FlangeError::turn that of each joint's error (rad; 0.3 m a rad where prismatic), which turns and
+// shifts the flange as the joints stand. The motions are no unknowns: they are eliminated from the normal equations,
+// which then weigh images and robot as either of them errs (generalised least squares).
 #pragma once
 
 #include "estimation/problem/problem.h"
@@ -9,17 +11,29 @@
 
 namespace handsight {
 
-/// tcp_from_flange in one observation of a robot of poses, whichever end of the chain the flange carries.
-Rigid tcp_from_flange(const Problem& problem, const ProblemObservation& observation);
+/// What a flange error of each kind by 1 makes of the small motion of the TCP against the sensor, in the TCP's frame:
+/// covariances.
+struct FlangeErrorShares {
+  Matrix6 place, turn;
+};
 
-/// How the markers' columns move by the flange's error (v, w in the flange's frame): 3 markers x 6.
-Eigen::Matrix<double, Eigen::Dynamic, 6> markers_by_flange(const Problem& problem,
+/// Of an observation; of a robot with joints ProblemObservation::motion must be filled (with_motions).
+FlangeErrorShares flange_error_shares(const Problem& problem, const ProblemObservation& observation);
+
+/// The covariance of the motion for these sizes.
+Matrix6 covariance_of(const FlangeErrorShares& shares, const FlangeError& error);
+
+/// A matrix G with G G^T = `covariance`, which may be singular.
+Matrix6 root_of_covariance(const Matrix6& covariance);
+
+/// How the markers' columns move with the TCP (v, w in its frame): 3 markers x 6.
+Eigen::Matrix<double, Eigen::Dynamic, 6> markers_by_motion(const Problem& problem,
                                                            const ProblemObservation& observation,
                                                            const Unknowns& unknowns);
 
-/// What one observation says of the flange's error.
+/// What one observation says of the motion.
 struct FlangeSums {
-  Eigen::Matrix<double, Eigen::Dynamic, 6> shared;  // H of the problem's columns x the error's six numbers
+  Eigen::Matrix<double, Eigen::Dynamic, 6> shared;  // H of the problem's columns x the motion's six numbers
   Matrix6 own;                                      // H of these
   Vector6 gradient;
 };
@@ -28,8 +42,8 @@ struct FlangeSums {
 FlangeSums flange_sums(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,
                        const NormalEquations& one);
 
-/// The weight (noise / sigma)^2 of the error's six numbers; problem.flange_error must be of some size.
-Vector6 flange_error_weights(const FlangeError& error, double noise);
+/// By numbers z of the motion G z in place of the motion itself.
+FlangeSums along(const FlangeSums& sums, const Matrix6& g);
 
 /// Adds one observation's normal equations `one` (both triangles), Problem::flange_error eliminated.
 void add_without_flange_error(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns,

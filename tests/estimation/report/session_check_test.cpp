@@ -33,6 +33,19 @@ TEST(CheckSession, TorquesWithoutASignAreNotGravitys) {
   EXPECT_NE(warnings[0].find("measured torques"), std::string::npos);
 }
 
+/// Where the sensor sits is asked for, and the recorder wrote one pose again and again.
+TEST(CheckSession, RefusesAHandThatNeverMoved) {
+  Session session = simulate_session(fixture::stand_session(), {.observations = 6, .seed = 5}).session;
+  session.mount.estimate = true;
+  EXPECT_TRUE(check_session(session).problems.empty());
+  for (Observation& o : session.observations) o.position = session.observations.front().position;
+  const auto problems = check_session(session).problems;
+  ASSERT_EQ(problems.size(), 1);
+  EXPECT_NE(problems[0].find("one and the same pose"), std::string::npos);
+  session.mount.estimate = false;
+  EXPECT_TRUE(check_session(session).problems.empty());
+}
+
 /// The same as the window and `convert` say.
 TEST(CheckSession, TellsWhatIsDoubtful) {
   Session session = simulate_session(fixture::stand_session(), {.observations = 12, .seed = 5}).session;
