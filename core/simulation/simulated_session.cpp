@@ -220,6 +220,10 @@ void add_observations(const Session& like, const SimulationOptions& options, con
     for (Eigen::Index j = 0; j < o.velocity.size(); ++j) o.velocity[j] = std::round(1e6 * 0.2 * times.gaussian()) / 1e6;
     s.session.observations.push_back(o);
   }
+}
+
+/// Where things truly were in the session's observations.
+void place_observations(const World& world, SimulatedSession& s) {
   for (const Circumstances& c : circumstances_of(s.session, world.chain)) {
     const Ends ends = ends_at(world, c);
     s.root_from_tcp.push_back(ends.root_from_tcp);
@@ -228,9 +232,9 @@ void add_observations(const Session& like, const SimulationOptions& options, con
   }
 }
 
-}  // namespace
-
-SimulatedSession simulate_session(const Session& like, const SimulationOptions& options) {
+/// `given`: the observations' postures and times; null: they are drawn.
+SimulatedSession simulated(const Session& like, const SimulationOptions& options,
+                           const std::vector<Observation>* given) {
   const Chain chain = chain_of(like);
   const World world{chain, options.effects, options.curves, like.mount.mount_from_sensor, like.shape};
   SimulatedSession s;
@@ -258,7 +262,11 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
 
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
   if (like.rig) s.true_rig = moved_rig(*like.rig, moved_sites(circumstances_at(chain, zero), options.effects));
-  add_observations(like, options, world, s);
+  if (given)
+    s.session.observations = *given;
+  else
+    add_observations(like, options, world, s);
+  place_observations(world, s);
   s.later_root_from_tcp = s.root_from_tcp;
   s.later_root_from_sensor = s.root_from_sensor;
   for (const Disturbance& d : options.disturbances) {
@@ -281,6 +289,19 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
     spoil_sightings(options, k, s);
   }
   return s;
+}
+
+}  // namespace
+
+SimulatedSession simulate_session(const Session& like, const SimulationOptions& options) {
+  return simulated(like, options, nullptr);
+}
+
+SimulatedSession simulate_at(const Session& like, const SimulationOptions& options,
+                             const std::vector<Observation>& given) {
+  SimulationOptions of_given = options;
+  of_given.observations = static_cast<int>(given.size());
+  return simulated(like, of_given, &given);
 }
 
 Disturbance parse_disturbance(const std::string& text, const Robot& robot) {
