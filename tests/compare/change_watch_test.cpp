@@ -79,7 +79,6 @@ TEST(ChangeWatch, ASlippedHandIsSeenWithinFivePosesAndNamed) {
   const Calibrated c = calibrated(fixture::stand_session(4), 7);
   std::vector<EffectTerm> slip;
   add_effect_value("body_slip:x=0.003", c.session.robot, slip);
-  add_effect_value("body_slip:order=0", c.session.robot, slip);
   ChangeWatch watch(c.robot);
   const Session before = rechecked(c, 2, {}, 3), after = rechecked(c, 1, slip, 4);
   for (const Observation& o : before.observations) EXPECT_FALSE(watch.add(before, o)->changed);

@@ -69,8 +69,8 @@ TEST_F(Paths, WhatStandsInTheWayIsNamed) {
 TEST_F(Paths, TheFloorIsOneUnlessThePlanesAreTold) {
   Session session = fixture::stand_session();
   Eigen::VectorXd down = Eigen::VectorXd::Zero(6);
-  down[1] = 1.9;
-  down[2] = 0.6;
+  down[1] = 1.5;
+  down[2] = 1.3;
   const auto touching = world_of(session).touching(down);
   ASSERT_TRUE(touching);
   EXPECT_THAT(*touching, HasSubstr("the floor"));
@@ -106,12 +106,14 @@ TEST(RobotSolids, BoxesHoldEveryPointOfAMesh) {
   Mesh mesh;
   std::mt19937_64 random(1);
   std::uniform_real_distribution<float> uniform(-1, 1);
-  for (int i = 0; i < 300; ++i) {  // an L
+  for (std::uint32_t i = 0; i < 300; ++i) {  // an L of small triangles
     const float x = uniform(random), y = uniform(random), z = 0.1F * uniform(random);
-    mesh.points.emplace_back(i % 2 == 0 ? x : 0.1F * x - 0.9F, i % 2 == 0 ? 0.1F * y - 0.9F : y, z);
+    const Eigen::Vector3f corner(i % 2 == 0 ? x : 0.1F * x - 0.9F, i % 2 == 0 ? 0.1F * y - 0.9F : y, z);
+    for (const Eigen::Vector3f& off :
+         {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(0.02F, 0, 0), Eigen::Vector3f(0, 0.02F, 0)})
+      mesh.points.emplace_back(corner + off);
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
-  for (std::uint32_t i = 0; i + 4 < 300; i += 2) mesh.triangles.push_back({i, i + 2, i + 4});
-  for (std::uint32_t i = 1; i + 4 < 300; i += 2) mesh.triangles.push_back({i, i + 2, i + 4});
   const auto boxes = boxes_of(mesh, {0.5, 0.5, 0.5}, 0, {rotation_from_rpy({0.3, 0.2, 0.1}), {1, 2, 3}});
   EXPECT_GE(boxes.size(), 2U);
   EXPECT_LE(boxes.size(), 8U);

@@ -397,7 +397,7 @@ void Experiment::finish() {
         result_.known = known_of(session_, model_, false, judged_by_);
       } catch (const InputError&) {  // of what there is nothing follows
       }
-    result_.more = forecast(session_, model_, result_.known, *reach_, result_.seconds_a_pose);
+    if (reach_) result_.more = forecast(session_, model_, result_.known, *reach_, result_.seconds_a_pose);
   }
   result_.session = std::move(session_);
 }

@@ -32,7 +32,7 @@ std::optional<std::string> what_paths_need() {
 
 namespace {
 
-constexpr double often = 0.95;
+constexpr double often = 0.95, sometimes = 0.1;
 constexpr int drawn_postures = 200;
 constexpr double sight_radius = 0.005;  // m: a line of sight is this thick
 constexpr double sight_left = 0.06;     // m: what lies so near to an end belongs to it
@@ -224,12 +224,14 @@ void CollisionWorld::Parts::set_watches(const std::vector<Eigen::VectorXd>& take
     }
   }
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (tight[i] >= often * drawn_postures || touched[i]) {
+    // Always near and often touching: neighbours beyond a short link.
+    const bool is_near = wide[i] >= often * drawn_postures;
+    if (tight[i] >= (is_near ? sometimes : often) * drawn_postures || touched[i]) {
       pairs[i].watch = Watch::not_at_all;
-      if (touched[i] && tight[i] < often * drawn_postures)
+      if (touched[i] && !is_near)
         notes.push_back(
             fmt::format("{} touch by their shapes where the robot has been: they are not watched.", name_of(pairs[i])));
-    } else if (wide[i] >= often * drawn_postures || near[i]) {
+    } else if (is_near || near[i]) {
       pairs[i].watch = Watch::tightly;
     }
   }

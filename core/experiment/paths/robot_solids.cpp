@@ -18,10 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double limb_radius = 0.04;   // m
-constexpr int most_halvings = 3;       // of a mesh
-constexpr double least_saving = 0.85;  // of the volume, of two halves beside the whole
-constexpr double thinnest = 1e-3;      // m: half a side of a box
+constexpr double limb_radius = 0.04;       // m
+constexpr double limb_slenderness = 0.35;  // of a short limb's length is its radius
+constexpr int most_halvings = 3;           // of a mesh
+constexpr double least_saving = 0.85;      // of the volume, of two halves beside the whole
+constexpr double thinnest = 1e-3;          // m: half a side of a box
 
 using Triangle = std::array<Vector3, 3>;
 
@@ -103,10 +104,11 @@ void add_shape(const Shape& shape, int link, const fs::path& robot_folder, Robot
   all.solids.push_back(solid);
 }
 
+/// A capsule from the link's frame to `end`; short ones are thin.
 RobotSolid limb(int link, const Vector3& end) {
   const double length = end.norm();
-  if (length < 1e-6) return {RobotSolidKind::sphere, link, {}, {limb_radius, 0, 0}};
-  RobotSolid capsule{RobotSolidKind::capsule, link, {Matrix3::Identity(), 0.5 * end}, {limb_radius, 0, 0.5 * length}};
+  const double radius = std::min(limb_radius, limb_slenderness * length);
+  RobotSolid capsule{RobotSolidKind::capsule, link, {Matrix3::Identity(), 0.5 * end}, {radius, 0, 0.5 * length}};
   capsule.link_from_solid.rotation.col(2) = end / length;
   capsule.link_from_solid.rotation.col(0) = capsule.link_from_solid.rotation.col(2).unitOrthogonal();
   capsule.link_from_solid.rotation.col(1) =
@@ -122,8 +124,11 @@ void add_limbs(const Robot& robot, int link, RobotSolids& all) {
       all.solids.push_back(limb(link, joint.parent_from_joint.translation));
       has_any = true;
     }
-  if (!has_any && robot.links[static_cast<std::size_t>(link)].mass > 0)
-    all.solids.push_back(limb(link, Vector3::Zero()));
+  const Link& last = robot.links[static_cast<std::size_t>(link)];
+  if (has_any || !(last.mass > 0) || last.parent_joint < 0) return;
+  const double length = robot.joints[static_cast<std::size_t>(last.parent_joint)].parent_from_joint.translation.norm();
+  all.solids.push_back(
+      {RobotSolidKind::sphere, link, {}, {std::min(limb_radius, limb_slenderness * std::max(length, 0.03)), 0, 0}});
 }
 
 /// <disable_collisions link1="" link2=""/> of the SRDF files beside the robot.

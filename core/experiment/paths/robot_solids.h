@@ -38,7 +38,8 @@ struct RobotSolids {
 std::vector<RobotSolid> boxes_of(const Mesh& mesh, const Vector3& scale, int link, const Rigid& link_from_mesh);
 
 /// Of the URDF's <collision> shapes, else its <visual> ones; a link that has none is a limb (a capsule) from its frame
-/// to those of the joints on it, 40 mm thick, and a last one a ball of 40 mm. Beside the robot's file an SRDF file
+/// to those of the joints on it, of a radius of 40 mm, 0.35 of the length of short ones, and a last one such a ball.
+/// Beside the robot's file an SRDF file
 /// (*.srdf) is read. A mesh that cannot be found or read counts as none, with a note.
 RobotSolids robot_solids(const Session& session);
 
