@@ -23,7 +23,7 @@ struct Arguments {
   std::string session, images_to, fault;
   std::vector<std::string> effects, curves;
   double scatter = 0, noise = -1;
-  bool in_real_time = false;
+  bool in_real_time = false, new_body = false;
   SimulatedRobotOptions robot;
 };
 
@@ -148,6 +148,7 @@ int run(int argc, char** argv) {
   program.add_option("--seed", a.robot.truth.seed, "Every random thing follows from it");
   program.add_option("--images", a.images_to, "Render images into images/ in this folder, in place of told markers");
   program.add_option("--body-size", a.robot.truth.body_size, "m: longest side of the markers, about");
+  program.add_flag("--new-body", a.new_body, "The markers are another body than that of the session's observations");
   program.add_flag("--in-real-time", a.in_real_time, "Moves take as long as their speed makes them");
   program.add_option("--fault", a.fault, faults_text());
   try {
@@ -162,7 +163,9 @@ int run(int argc, char** argv) {
   if (a.noise >= 0) a.robot.truth.noise = a.noise;
   a.robot.scatter = a.scatter;
   a.robot.images_to = a.images_to;
-  return Driver(session, a).run();
+  Session like = session;
+  if (!a.new_body) a.robot = robot_of(session, a.robot, like);
+  return Driver(like, a).run();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/simulated_session.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -43,6 +44,23 @@ ShownBody random_body(int count, double size, Random random) {
     body.markers_in_tcp.push_back(center + radius * (std::cos(angle) * across + std::sin(angle) * along) +
                                   0.1 * size * random.uniform(-1, 1) * body.normal_in_tcp);
   }
+  return body;
+}
+
+/// The normal of a flat body, so that it looks to the sensor in most of the session's observations.
+ShownBody given_body(const Session& like, const Chain& chain, const std::vector<Vector3>& markers) {
+  ShownBody body{markers};
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& m : markers) middle += m / static_cast<double>(markers.size());
+  Matrix3 spread = Matrix3::Zero();
+  for (const Vector3& m : markers) spread += (m - middle) * (m - middle).transpose();
+  body.normal_in_tcp = Eigen::SelfAdjointEigenSolver<Matrix3>(spread).eigenvectors().col(0);
+  double toward = 0;
+  for (const Observation& o : like.observations) {
+    const Rigid from_tcp = sensor_from_tcp(chain_ends(chain, o.position), like.mount.mount_from_sensor);
+    toward -= (from_tcp.rotation * body.normal_in_tcp).dot(from_tcp * middle);
+  }
+  if (toward < 0) body.normal_in_tcp = -body.normal_in_tcp;
   return body;
 }
 
@@ -252,7 +270,8 @@ SimulatedSession simulated(const Session& like, const SimulationOptions& options
   (tracker ? s.session.sigma_point : s.session.sigma_pixel) =
       options.declare_noise && s.noise > 0 ? std::optional(s.noise) : std::nullopt;
   const ShownBody body =
-      like.target
+      !options.markers_in_tcp.empty() ? given_body(like, chain, options.markers_in_tcp)
+      : like.target
           ? shown_target(like, options, like.target->sigma.value_or(2e-4), Random(options.seed).child(body_stream))
       : like.pose_sensor ? random_target(like, Random(options.seed).child(body_stream))
                          : random_body(like.marker_count, options.body_size, Random(options.seed).child(body_stream));

@@ -65,7 +65,8 @@ TEST_F(DriverFaults, EveryKindStopsWithASentenceAndWhatWasMeasuredIsThere) {
                         {"blind@3", "the lens is covered", 2}};
   for (const Case& c : cases) {
     const std::size_t before = observations();
-    const auto result = experiment(std::string("--fault ") + c.fault, {"--wait", "0.4", "--until", "count=40"});
+    const auto result =
+        experiment(std::string("--fault ") + c.fault, {"--wait", "2", "--speed", "10", "--until", "count=40"});
     EXPECT_EQ(result.exit_code, 2) << c.fault << result.errors;
     EXPECT_THAT(result.errors, HasSubstr(c.sentence)) << c.fault;
     const std::string last = result.errors.substr(result.errors.rfind('\n', result.errors.size() - 2) + 1);

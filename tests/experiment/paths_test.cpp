@@ -69,8 +69,8 @@ TEST_F(Paths, WhatStandsInTheWayIsNamed) {
 TEST_F(Paths, TheFloorIsOneUnlessThePlanesAreTold) {
   Session session = fixture::stand_session();
   Eigen::VectorXd down = Eigen::VectorXd::Zero(6);
-  down[1] = 1.5;
-  down[2] = 1.3;
+  down[1] = 1.4;
+  down[2] = 0.17;
   const auto touching = world_of(session).touching(down);
   ASSERT_TRUE(touching);
   EXPECT_THAT(*touching, HasSubstr("the floor"));

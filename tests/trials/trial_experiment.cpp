@@ -158,6 +158,13 @@ void try_robots(int count, std::uint64_t first) {
         loop.settled ? (loop.settled->id.empty() ? "none" : loop.settled->id) : "-", random_count,
         by_random ? (by_random->id.empty() ? "none" : by_random->id) : "-", seconds, loop.longest_choice,
         hands.empty() ? "" : fmt::format(", hand {:.3f}", hands.back()));
+    if (!loop.settled && loop.known.diagnosis)
+      fmt::print("     {}: {} by odds of {:.2g}, best {} {:.1f} of {:.1f}\n",
+                 verdict_text(loop.known.diagnosis->verdict),
+                 loop.known.settled->id.empty() ? "none" : loop.known.settled->id, loop.known.settled->odds,
+                 loop.known.diagnosis->candidates.empty() ? "-" : loop.known.diagnosis->candidates[0].id,
+                 loop.known.diagnosis->candidates.empty() ? 0 : loop.known.diagnosis->candidates[0].ln_bayes_factor,
+                 loop.known.diagnosis->threshold);
     std::fflush(stdout);
   }
   rusage usage{};

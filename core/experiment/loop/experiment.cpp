@@ -21,6 +21,7 @@ constexpr double slow_share = 0.1;       // of the speed, for the first move
 constexpr int most_in_vain = 10;         // moves in a row that brought nothing
 constexpr int most_batches_without = 3;  // choices in a row that found no pose
 constexpr int poses_for_limit = 150;
+constexpr std::size_t least_for_none = 20;  // observations before it is said that nothing is missing
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -61,6 +62,7 @@ class Experiment {
   void round();
   void learn(bool with_diagnosis);
   void check_goals();
+  bool is_settled(const Knowledge& known);
   void check_limits() const;
   std::vector<PlannedMove> next_moves();
   void add_moves(std::vector<ChosenPose> chosen, std::vector<PlannedMove>& moves);
@@ -98,7 +100,7 @@ class Experiment {
   std::optional<Deciding> deciding_;
   Eigen::VectorXd at_;  // where the robot stands, in the session's order
   bool was_confirmed_ = false, has_moved_ = false;
-  int batches_ = 0, in_vain_ = 0, batches_without_ = 0;
+  int batches_ = 0, in_vain_ = 0, batches_without_ = 0, adequate_in_a_row_ = 0;
   std::vector<Eigen::VectorXd> judged_by_;
   std::size_t judged_at_ = 0;
   double time_offset_ = 0, last_time_ = 0;  // s
@@ -207,10 +209,21 @@ void Experiment::check_limits() const {
                 fmt::format("The time that was asked for is over ({:.0f} s).", *options_.until.seconds)};
 }
 
+/// By odds; that nothing is missing is said of what two diagnoses in a row find so, from twenty observations on.
+bool Experiment::is_settled(const Knowledge& known) {
+  if (!known.settled) return false;
+  if (!known.settled->id.empty() || known.diagnosis->verdict != Verdict::adequate) {
+    adequate_in_a_row_ = 0;
+    return !known.settled->id.empty() && known.settled->odds >= *options_.until.odds;
+  }
+  if (known.used < least_for_none || known.settled->odds < 1) return false;
+  return ++adequate_in_a_row_ >= 2;
+}
+
 void Experiment::check_goals() {
   const Goals& until = options_.until;
   const Knowledge& known = result_.known;
-  if (until.odds && !result_.settled && known.settled && known.settled->odds >= *until.odds) {
+  if (until.odds && !result_.settled && is_settled(known)) {
     result_.settled = known.settled;
     // What has a name belongs to the model from now on: the hand is to be known with it.
     for (const EffectTerm& term : known.settled->terms) model_.estimated.push_back(term);
@@ -222,7 +235,7 @@ void Experiment::check_goals() {
     std::string reason = "What was asked for is reached:";
     if (until.odds)
       reason += result_.settled->id.empty()
-                    ? fmt::format(" nothing is missing (odds of {:.3g})", result_.settled->odds)
+                    ? std::string(" nothing is missing that these poses could show")
                     : fmt::format(" {}{}{} is missing (odds of {:.3g})", result_.settled->id,
                                   result_.settled->where.empty() ? "" : " of ",
                                   result_.settled->where.empty() ? "" : result_.settled->where.front(),

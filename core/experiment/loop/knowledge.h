@@ -26,7 +26,9 @@ struct SettledCause {
   std::string id;  // empty: nothing is missing
   std::vector<std::string> where;
   std::vector<EffectTerm> terms;
-  double odds = 1;  // of it against the next best, none and those that cannot be told from it apart
+  /// Of it against the next best, or none, those that cannot be told from it left out; of none against the mean of the
+  /// causes that the poses can show, of all plausible sizes, small ones too.
+  double odds = 1;
 };
 
 struct Knowledge {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/simulated/simulated_robot.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 namespace {
@@ -10,6 +13,19 @@ constexpr double looking_time = 1;  // s
 constexpr std::uint64_t scatter_stream = 7001;
 
 }  // namespace
+
+SimulatedRobotOptions robot_of(const Session& session, SimulatedRobotOptions options, Session& like) {
+  like = session;
+  try {
+    const Fit f = fit(session, {.effects = options.truth.effects});
+    const std::vector<char>& seen = f.problem.marker_is_seen;
+    if (std::find(seen.begin(), seen.end(), 0) != seen.end()) return options;
+    options.truth.markers_in_tcp = estimate(f).markers_in_tcp;
+    like.mount.mount_from_sensor = estimate(f).mount_from_sensor;
+  } catch (const InputError&) {  // nothing was seen yet
+  }
+  return options;
+}
 
 SimulatedRobot::SimulatedRobot(const Session& like, SimulatedRobotOptions options)
     : like_(like),
