@@ -65,8 +65,9 @@ TEST_F(DriverFaults, EveryKindStopsWithASentenceAndWhatWasMeasuredIsThere) {
                         {"blind@3", "the lens is covered", 2}};
   for (const Case& c : cases) {
     const std::size_t before = observations();
-    const auto result =
-        experiment(std::string("--fault ") + c.fault, {"--wait", "2", "--speed", "10", "--until", "count=40"});
+    const auto result = experiment(
+        std::string("--fault ") + c.fault,
+        {"--wait", std::string(c.fault).starts_with("hangs") ? "3" : "60", "--speed", "10", "--until", "count=40"});
     EXPECT_EQ(result.exit_code, 2) << c.fault << result.errors;
     EXPECT_THAT(result.errors, HasSubstr(c.sentence)) << c.fault;
     const std::string last = result.errors.substr(result.errors.rfind('\n', result.errors.size() - 2) + 1);
@@ -83,8 +84,8 @@ TEST_F(DriverFaults, ALieShowsInWhatIsSeenNotInWhatIsSaid) {
 }
 
 TEST_F(DriverFaults, ACommandThatIsNotThereIsSaid) {
-  const auto result = test::run_cli(
-      folder.path, {"experiment", session.string(), "--driver", "/nowhere/driver", "--yes", "--wait", "1"});
+  const auto result =
+      test::run_cli(folder.path, {"experiment", session.string(), "--driver", "/nowhere/driver", "--yes"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("is its command there?"));
 }

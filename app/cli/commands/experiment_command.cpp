@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <iostream>
@@ -160,7 +161,8 @@ int run(const ExperimentArguments& o) {
   std::signal(SIGINT, [](int) { is_stopped = true; });
   std::signal(SIGTERM, [](int) { is_stopped = true; });
   DriverPatience patience;
-  patience.hello = patience.look = patience.move = o.patience;
+  patience.look = patience.move = o.patience;
+  patience.hello = std::max(patience.hello, o.patience);  // programs take their time to begin
   ChildDriver driver(o.driver, session, patience, [] { return is_stopped.load(); });
   const ExperimentResult result = run_experiment(session, driver, options);
   o.output.json(result_json(result));

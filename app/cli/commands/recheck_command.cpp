@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -190,7 +191,8 @@ void drive(const RecheckArguments& o, const CalibratedRobot& before, const Sessi
   options.on_note = [](const std::string& text) { Output::note(text); };
   options.is_interrupted = [] { return is_stopped.load(); };
   DriverPatience patience;
-  patience.hello = patience.look = patience.move = o.patience;
+  patience.look = patience.move = o.patience;
+  patience.hello = std::max(patience.hello, o.patience);  // programs take their time to begin
   ChildDriver driver(o.driver, session, patience, options.is_interrupted);
   const ExperimentResult result = run_experiment(session, driver, options);
   if (result.end == ExperimentEnd::fault) throw InputError(result.reason);

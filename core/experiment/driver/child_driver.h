@@ -12,7 +12,7 @@ namespace handsight {
 
 /// How long answers are waited for, s.
 struct DriverPatience {
-  double hello = 20, look = 30;
+  double hello = 60, look = 30;
   double move = 30;  // beside three times what the path takes at its speed
   double stop = 1;
 };
