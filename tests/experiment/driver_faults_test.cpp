@@ -60,14 +60,14 @@ TEST_F(DriverFaults, EveryKindStopsWithASentenceAndWhatWasMeasuredIsThere) {
                         {"not_a_number@3", "something else than numbers", 2},
                         {"no_position@3", "does not say in \"position\"", 2},
                         {"endless@3", "longer than 16 MiB", 2},
-                        {"closes@3", "closed its output", 2},
+                        {"closes@3", "has not answered \"move\"", 2},
                         {"refuses@3", "the arm is locked", 2},
                         {"blind@3", "the lens is covered", 2}};
   for (const Case& c : cases) {
     const std::size_t before = observations();
-    const auto result = experiment(
-        std::string("--fault ") + c.fault,
-        {"--wait", std::string(c.fault).starts_with("hangs") ? "3" : "60", "--speed", "10", "--until", "count=40"});
+    const auto result = experiment(std::string("--fault ") + c.fault,
+                                   {"--wait", std::string(c.sentence).starts_with("has not answered") ? "3" : "60",
+                                    "--speed", "10", "--until", "count=40"});
     EXPECT_EQ(result.exit_code, 2) << c.fault << result.errors;
     EXPECT_THAT(result.errors, HasSubstr(c.sentence)) << c.fault;
     const std::string last = result.errors.substr(result.errors.rfind('\n', result.errors.size() - 2) + 1);
