@@ -5,8 +5,8 @@ include(GNUInstallDirs)
 
 set(codec_folder ${CMAKE_INSTALL_LIBEXECDIR}/handsight)  # what programs load when it is first needed
 file(RELATIVE_PATH codec_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/handsight)
-set_target_properties(handsight-cli PROPERTIES INSTALL_RPATH "$ORIGIN/${codec_from_bin}")
-install(TARGETS handsight-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT cli)
+set_target_properties(handsight-cli handsight-driver-simulated PROPERTIES INSTALL_RPATH "$ORIGIN/${codec_from_bin}")
+install(TARGETS handsight-cli handsight-driver-simulated RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT cli)
 install(TARGETS handsight_image_codec LIBRARY DESTINATION ${codec_folder} COMPONENT cli)
 
 # Manual page and completions, from the command line's own description.
@@ -44,7 +44,7 @@ install(FILES ${described}/fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor
   COMPONENT cli)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli
-  FILES_MATCHING PATTERN "*.md" PATTERN pictures EXCLUDE PATTERN examples EXCLUDE)
+  FILES_MATCHING PATTERN "*.md" PATTERN "drivers/*.py" PATTERN pictures EXCLUDE PATTERN "examples/cpp" EXCLUDE PATTERN "examples/python" EXCLUDE)
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${described}/NEWS.gz DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli COMPONENT cli)
 install(FILES ${described}/handsight-cli.changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME changelog.gz COMPONENT cli)
 install(FILES ${CMAKE_SOURCE_DIR}/resources/debian/copyright_cli DESTINATION ${CMAKE_INSTALL_DOCDIR}-cli RENAME copyright

@@ -3,7 +3,7 @@
 
 build_packages=(clang g++ cmake ninja-build ccache libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev libtinyxml2-dev
   libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libmuparser-dev libyaml-cpp-dev
-  libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev pkg-config)
+  libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev pkg-config libfcl-dev libompl-dev)
 window_packages=(qt6-base-dev libqt6opengl6-dev qt6-svg-dev libqt6svg6 libgl-dev libvtk9-dev libqcustomplot-dev
   libqcustomplot2.1-qt6 fonts-dejavu-core)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa-dri libglx-mesa0 imagemagick poppler-utils

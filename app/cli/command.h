@@ -108,6 +108,8 @@ Command add_simulate(const CommandLine& program);
 Command add_effects(const CommandLine& program);
 Command add_target(const CommandLine& program);
 Command add_cameras(const CommandLine& program);
+Command add_experiment(const CommandLine& program);
+Command add_recheck(const CommandLine& program);
 
 /// InputError where the session has not two cameras, whose images `command` needs.
 void require_pair(const Session& session, const char* command);

@@ -26,12 +26,12 @@ int run(int argc, char** argv) {
   const cli::CommandLine describe = line.command("describe", "Writes the manual page or a shell's completion").hidden();
   describe.option("WHAT", described).required().one_of({"man", "bash", "zsh", "fish"});
   const std::vector<cli::Command> commands = {
-      cli::add_check(line),   cli::add_detect(line),  cli::add_label(line),          cli::add_online(line),
-      cli::add_fit(line),     cli::add_inspect(line), cli::add_diagnose(line),       cli::add_improve(line),
-      cli::add_predict(line), cli::add_convert(line), cli::add_export(line),         cli::add_correct(line),
-      cli::add_compare(line), cli::add_batch(line),   cli::add_effective_mass(line), cli::add_simulate(line),
-      cli::add_effects(line), cli::add_plan(line),    cli::add_target(line),         cli::add_cameras(line),
-      cli::add_certify(line)};
+      cli::add_check(line),   cli::add_detect(line),     cli::add_label(line),          cli::add_online(line),
+      cli::add_fit(line),     cli::add_inspect(line),    cli::add_diagnose(line),       cli::add_improve(line),
+      cli::add_predict(line), cli::add_convert(line),    cli::add_export(line),         cli::add_correct(line),
+      cli::add_compare(line), cli::add_batch(line),      cli::add_effective_mass(line), cli::add_simulate(line),
+      cli::add_effects(line), cli::add_plan(line),       cli::add_target(line),         cli::add_cameras(line),
+      cli::add_certify(line), cli::add_experiment(line), cli::add_recheck(line)};
   if (const std::optional<int> ended = cli::parse(*program, argc, argv)) return *ended;
   if (describe.is_given()) {
     std::cout << (described == "man" ? cli::manual_page(line, HANDSIGHT_VERSION) : cli::completion(line, described));

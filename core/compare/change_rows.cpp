@@ -17,9 +17,7 @@ Matrix6 posterior(const Matrix6& scatter, const Matrix6& body_squares) {
 }
 
 /// Rows of one observation, not weighed yet.
-struct ObservationParts {
-  Eigen::MatrixXd by_columns, by_body;
-  Eigen::VectorXd error;
+struct ObservationParts : SingleRows {
   Eigen::Index row = 0;
 };
 
@@ -65,7 +63,8 @@ ObservationParts parts_of(const Problem& p, const ProblemObservation& o, const S
                           const ChangeColumns& columns, const Eigen::VectorXd& sizes, double weight) {
   Eigen::Index count = 0;
   for (const Sighting& s : o.sightings) count += row_count(s);
-  ObservationParts parts{Eigen::MatrixXd::Zero(count, sizes.size()), Eigen::MatrixXd(count, 6), Eigen::VectorXd(count)};
+  ObservationParts parts{
+      {Eigen::MatrixXd::Zero(count, sizes.size()), Eigen::MatrixXd(count, 6), Eigen::VectorXd(count)}};
   const Unknowns& u = state.unknowns;
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   BodyMotions motion{motion_by_columns(p, o, u), {}};
@@ -79,6 +78,16 @@ ObservationParts parts_of(const Problem& p, const ProblemObservation& o, const S
   parts.by_body *= weight;
   parts.error *= weight;
   return parts;
+}
+
+/// Old columns by new ones: the markers' own replaced by a rigid motion of all of them.
+Eigen::MatrixXd by_rigid_markers(Eigen::Index columns, const std::vector<Vector3>& markers) {
+  const Eigen::Index points = 3 * static_cast<Eigen::Index>(markers.size());
+  Eigen::MatrixXd by_new = Eigen::MatrixXd::Zero(columns, columns - points + 6);
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    by_new.block<3, 6>(3 * static_cast<Eigen::Index>(m), 0) << Matrix3::Identity(), -cross_matrix(markers[m]);
+  by_new.bottomRightCorner(columns - points, columns - points).setIdentity();
+  return by_new;
 }
 
 }  // namespace
@@ -113,12 +122,15 @@ ChangeRows change_rows(const Problem& p, const SharedState& state, const ChangeC
   return all;
 }
 
+SingleRows single_rows(const Problem& p, const ProblemObservation& o, const SharedState& state,
+                       const ChangeColumns& columns, double weight) {
+  SingleRows rows = parts_of(p, o, state, columns, sizes_of(p, columns), weight);
+  rows.by_columns *= by_rigid_markers(rows.by_columns.cols(), state.unknowns.markers_in_tcp);
+  return rows;
+}
+
 ChangeRows with_rigid_markers(const ChangeRows& rows, const std::vector<Vector3>& markers) {
-  const Eigen::Index points = 3 * static_cast<Eigen::Index>(markers.size()), columns = rows.gradient.size();
-  Eigen::MatrixXd by_new = Eigen::MatrixXd::Zero(columns, columns - points + 6);
-  for (std::size_t m = 0; m < markers.size(); ++m)
-    by_new.block<3, 6>(3 * static_cast<Eigen::Index>(m), 0) << Matrix3::Identity(), -cross_matrix(markers[m]);
-  by_new.bottomRightCorner(columns - points, columns - points).setIdentity();
+  const Eigen::MatrixXd by_new = by_rigid_markers(rows.gradient.size(), markers);
   ChangeRows rigid = rows;
   rigid.information = by_new.transpose() * rows.information * by_new;
   rigid.gradient = by_new.transpose() * rows.gradient;

@@ -49,6 +49,14 @@ ChangeRows change_rows(const Problem& problem, const SharedState& state, const C
 /// known.
 ChangeRows with_rigid_markers(const ChangeRows& rows, const std::vector<Vector3>& markers_in_tcp);
 
+/// The rows of one observation in the order of its sightings, in units of the noise; columns as with_rigid_markers.
+struct SingleRows {
+  Eigen::MatrixXd by_columns, by_body;  // by_body: by the body's motion in the sensor's frame
+  Eigen::VectorXd error;
+};
+SingleRows single_rows(const Problem& problem, const ProblemObservation& observation, const SharedState& state,
+                       const ChangeColumns& columns, double weight);
+
 /// Normal equations where every observation's body is off by a draw of its own with this covariance (sensor frame, m
 /// and rad).
 struct ScatteredNormal {

@@ -37,6 +37,9 @@ void add_note(Notes& notes, const XmlNode& node, std::string_view sentence);
 /// Named materials of the whole robot.
 Colors read_colors(const XmlNode& robot);
 
+/// The box, cylinder, sphere or mesh of a <geometry>; nothing where it is of another kind.
+std::optional<Shape> read_geometry(const XmlNode& geometry);
+
 std::vector<Shape> read_shapes(const XmlNode& link, const Colors& colors, Notes& notes);
 LinkPart read_link(const XmlNode& node, const Colors& colors, Notes& notes);
 JointPart read_joint(const XmlNode& node, Notes& notes);

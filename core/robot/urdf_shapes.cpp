@@ -33,17 +33,6 @@ Shape read_mesh(const XmlNode& node) {
   return {ShapeKind::mesh, scale, required_name(node, "filename"), {}, {}};
 }
 
-/// Nothing where the shape is of a kind that is not drawn.
-std::optional<Shape> read_geometry(const XmlNode& geometry) {
-  if (const auto box = find_child(geometry, "box")) return read_box(*box);
-  if (const auto node = find_child(geometry, "cylinder"))
-    return Shape{ShapeKind::cylinder, {read_length(*node, "radius"), read_length(*node, "length"), 0}, {}, {}, {}};
-  if (const auto node = find_child(geometry, "sphere"))
-    return Shape{ShapeKind::sphere, {read_length(*node, "radius"), 0, 0}, {}, {}, {}};
-  if (const auto mesh = find_child(geometry, "mesh")) return read_mesh(*mesh);
-  return std::nullopt;
-}
-
 std::optional<Eigen::Vector4d> color_of(const XmlNode& visual, const Colors& colors) {
   const auto material = find_child(visual, "material");
   if (!material) return std::nullopt;
@@ -59,6 +48,16 @@ void add_colors(const XmlNode& node, Colors& colors) {
 }
 
 }  // namespace
+
+std::optional<Shape> read_geometry(const XmlNode& geometry) {
+  if (const auto box = find_child(geometry, "box")) return read_box(*box);
+  if (const auto node = find_child(geometry, "cylinder"))
+    return Shape{ShapeKind::cylinder, {read_length(*node, "radius"), read_length(*node, "length"), 0}, {}, {}, {}};
+  if (const auto node = find_child(geometry, "sphere"))
+    return Shape{ShapeKind::sphere, {read_length(*node, "radius"), 0, 0}, {}, {}, {}};
+  if (const auto mesh = find_child(geometry, "mesh")) return read_mesh(*mesh);
+  return std::nullopt;
+}
 
 Colors read_colors(const XmlNode& robot) {
   Colors colors;

@@ -117,6 +117,15 @@ std::string robot_name(const fs::path& robot_file) {
 
 }  // namespace
 
+void write_images(const SimulatedSession& scene_of, const SimulationOptions& options, const ImageOptions& images,
+                  std::size_t k, const fs::path& folder, SimulatedSession& simulated) {
+  const Scene scene = scene_for(scene_of, options, images);
+  std::vector<PixelRays> rays;
+  for (const RigCamera& c : simulated.true_rig->cameras) rays.push_back(pixel_rays(c.camera));
+  fs::create_directories(folder / "images");
+  render_observation(simulated, k, scene, rays, images, options.seed, folder, simulated.session.observations[k]);
+}
+
 WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptions& options, const fs::path& robot_file,
                                const ImageOptions& images, const fs::path& out,
                                const std::function<void(int)>& rendered) {

@@ -28,4 +28,9 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
                                const std::filesystem::path& robot_file, const ImageOptions& images,
                                const std::filesystem::path& out, const std::function<void(int)>& rendered = {});
 
+/// Renders what the cameras see in observation `k` into folder/images, and names the files in the observation. The
+/// scene is that of `scene_of`, the same for all images of a robot. The simulation has cameras.
+void write_images(const SimulatedSession& scene_of, const SimulationOptions& options, const ImageOptions& images,
+                  std::size_t k, const std::filesystem::path& folder, SimulatedSession& simulated);
+
 }  // namespace handsight

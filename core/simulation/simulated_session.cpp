@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/simulated_session.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -43,6 +44,23 @@ ShownBody random_body(int count, double size, Random random) {
     body.markers_in_tcp.push_back(center + radius * (std::cos(angle) * across + std::sin(angle) * along) +
                                   0.1 * size * random.uniform(-1, 1) * body.normal_in_tcp);
   }
+  return body;
+}
+
+/// The normal of a flat body, so that it looks to the sensor in most of the session's observations.
+ShownBody given_body(const Session& like, const Chain& chain, const std::vector<Vector3>& markers) {
+  ShownBody body{markers};
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& m : markers) middle += m / static_cast<double>(markers.size());
+  Matrix3 spread = Matrix3::Zero();
+  for (const Vector3& m : markers) spread += (m - middle) * (m - middle).transpose();
+  body.normal_in_tcp = Eigen::SelfAdjointEigenSolver<Matrix3>(spread).eigenvectors().col(0);
+  double toward = 0;
+  for (const Observation& o : like.observations) {
+    const Rigid from_tcp = sensor_from_tcp(chain_ends(chain, o.position), like.mount.mount_from_sensor);
+    toward -= (from_tcp.rotation * body.normal_in_tcp).dot(from_tcp * middle);
+  }
+  if (toward < 0) body.normal_in_tcp = -body.normal_in_tcp;
   return body;
 }
 
@@ -220,6 +238,10 @@ void add_observations(const Session& like, const SimulationOptions& options, con
     for (Eigen::Index j = 0; j < o.velocity.size(); ++j) o.velocity[j] = std::round(1e6 * 0.2 * times.gaussian()) / 1e6;
     s.session.observations.push_back(o);
   }
+}
+
+/// Where things truly were in the session's observations.
+void place_observations(const World& world, SimulatedSession& s) {
   for (const Circumstances& c : circumstances_of(s.session, world.chain)) {
     const Ends ends = ends_at(world, c);
     s.root_from_tcp.push_back(ends.root_from_tcp);
@@ -228,9 +250,9 @@ void add_observations(const Session& like, const SimulationOptions& options, con
   }
 }
 
-}  // namespace
-
-SimulatedSession simulate_session(const Session& like, const SimulationOptions& options) {
+/// `given`: the observations' postures and times; null: they are drawn.
+SimulatedSession simulated(const Session& like, const SimulationOptions& options,
+                           const std::vector<Observation>* given) {
   const Chain chain = chain_of(like);
   const World world{chain, options.effects, options.curves, like.mount.mount_from_sensor, like.shape};
   SimulatedSession s;
@@ -248,7 +270,8 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
   (tracker ? s.session.sigma_point : s.session.sigma_pixel) =
       options.declare_noise && s.noise > 0 ? std::optional(s.noise) : std::nullopt;
   const ShownBody body =
-      like.target
+      !options.markers_in_tcp.empty() ? given_body(like, chain, options.markers_in_tcp)
+      : like.target
           ? shown_target(like, options, like.target->sigma.value_or(2e-4), Random(options.seed).child(body_stream))
       : like.pose_sensor ? random_target(like, Random(options.seed).child(body_stream))
                          : random_body(like.marker_count, options.body_size, Random(options.seed).child(body_stream));
@@ -258,7 +281,11 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
 
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
   if (like.rig) s.true_rig = moved_rig(*like.rig, moved_sites(circumstances_at(chain, zero), options.effects));
-  add_observations(like, options, world, s);
+  if (given)
+    s.session.observations = *given;
+  else
+    add_observations(like, options, world, s);
+  place_observations(world, s);
   s.later_root_from_tcp = s.root_from_tcp;
   s.later_root_from_sensor = s.root_from_sensor;
   for (const Disturbance& d : options.disturbances) {
@@ -281,6 +308,19 @@ SimulatedSession simulate_session(const Session& like, const SimulationOptions& 
     spoil_sightings(options, k, s);
   }
   return s;
+}
+
+}  // namespace
+
+SimulatedSession simulate_session(const Session& like, const SimulationOptions& options) {
+  return simulated(like, options, nullptr);
+}
+
+SimulatedSession simulate_at(const Session& like, const SimulationOptions& options,
+                             const std::vector<Observation>& given) {
+  SimulationOptions of_given = options;
+  of_given.observations = static_cast<int>(given.size());
+  return simulated(like, of_given, &given);
 }
 
 Disturbance parse_disturbance(const std::string& text, const Robot& robot) {

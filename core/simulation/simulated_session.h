@@ -41,6 +41,12 @@ struct SimulatedSession {
 /// pose is found.
 SimulatedSession simulate_session(const Session& like, const SimulationOptions& options);
 
+/// The same in postures that are given, with their times and velocities; what one observation measures does not depend
+/// on those after it, but for effects that follow the whole session's duration. Markers that no camera sees are left
+/// out.
+SimulatedSession simulate_at(const Session& like, const SimulationOptions& options,
+                             const std::vector<Observation>& given);
+
 /// Parses "58:joint:arm_4=0.12", "75:marker:1=0.012" or "98:right_image:arm_2=0.05".
 Disturbance parse_disturbance(const std::string& text, const Robot& robot);
 

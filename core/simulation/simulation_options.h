@@ -43,7 +43,8 @@ struct SimulationOptions {
   double wrong_corners = 0;  // share of the image points that are off by wrong_corner_size in u and in v, 0 to 1
   double unseen = 0;         // share of the markers that no camera saw, 0 to 1
   double body_size = 0.06;   // m: the longest side of the marker body, about
-  bool follow = false;       // neighbouring observations are neighbours in posture, as a guided arm's are
+  std::vector<Vector3> markers_in_tcp;  // m: the body that is to be seen; empty: one is drawn
+  bool follow = false;                  // neighbouring observations are neighbours in posture, as a guided arm's are
   Vector3 shift_in_sensor = Vector3::Zero();  // m: every marker is measured off by this (thesis 5.2)
 };
 

@@ -9,6 +9,7 @@
 #include "diagnosis/planning/planning.h"
 #include "estimation/fit/part_fit.h"
 #include "options/named_effects.h"
+#include "options/rival_effects.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
 
@@ -21,30 +22,6 @@ struct PlanArguments {
   int count = 10;
   Output output;
 };
-
-std::vector<EffectTerm> rival(const std::string& text, const Session& session) {
-  if (text.find('=') != std::string::npos)
-    throw InputError(
-        fmt::format("--between: \"{}\" has a value; both effects are estimated, so write id or id:joint+joint.", text));
-  std::vector<EffectTerm> held, estimated;
-  add_effects({text}, session, held, estimated);
-  return estimated;
-}
-
-RivalEffects rivals(const std::string& text, const Session& session) {
-  const auto comma = text.find(',');
-  if (comma == std::string::npos || comma == 0 || comma + 1 == text.size() ||
-      text.find(',', comma + 1) != std::string::npos)
-    throw InputError(fmt::format(
-        "--between \"{}\": expected two effects with a comma between, for example joint_scale,encoder_eccentricity.",
-        text));
-  RivalEffects r;
-  r.first_name = text.substr(0, comma);
-  r.second_name = text.substr(comma + 1);
-  r.first = rival(r.first_name, session);
-  r.second = rival(r.second_name, session);
-  return r;
-}
 
 void print(const PlanArguments& o, const Session& session, const Plan& p) {
   const bool between = p.ln_bayes_factor_before.has_value();

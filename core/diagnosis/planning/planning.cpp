@@ -47,6 +47,7 @@ class Planner {
     for (const Fit* f : fits()) models_.emplace_back(*f, noise_);
     if (options_.between) suspicions_ = {Suspicion(models_[1], models_[2]), Suspicion(models_[2], models_[1])};
     pool_ = pose_pool(session_, *judge_, affordable_pool(), options_.seed);
+    if (options_.may_take) std::erase_if(pool_, [&](const Eigen::VectorXd& q) { return !options_.may_take(q); });
     before_ = session_.observations.back().position;
     look_at_pool();
     keep([&](std::size_t i) { return is_shown(i); });

@@ -2,6 +2,8 @@
 // The poses to measure next: those that settle the estimate best, or those that best tell two effects apart.
 #pragma once
 
+#include <functional>
+
 #include "estimation/fit/fit.h"
 
 namespace handsight {
@@ -19,6 +21,7 @@ struct PlanOptions {
   std::optional<RivalEffects> between;
   int pool = 2000;  // poses to choose from; fewer for models so large that it would take long
   std::uint64_t seed = 1;
+  std::function<bool(const Eigen::VectorXd&)> may_take;  // says no of poses that cannot be had; empty: all can
 };
 inline constexpr int most_planned_poses = 100;
 

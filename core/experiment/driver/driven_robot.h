@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot that is told where to go and what to look at: a driver's process (child_driver.h), or a simulation.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "session/session.h"
+
+namespace handsight {
+
+/// A driver that died, hangs, lies or sends nonsense: one sentence. Nothing more is asked of it.
+class DriverFault : public InputError {
+ public:
+  explicit DriverFault(const std::string& sentence) : InputError(sentence) {}
+};
+
+struct DriverHello {
+  std::string name;
+  std::vector<std::string> joints;          // the order of its positions
+  std::vector<std::string> can;             // "move", "look"
+  std::optional<Eigen::VectorXd> position;  // rad or m: where the robot stands, where the driver says it
+};
+
+struct MoveAnswer {
+  bool ok = false;
+  std::string why;                   // of a move that was refused
+  Eigen::VectorXd position, torque;  // rad or m; N m (N), empty where not measured
+  std::optional<double> time;        // s, on the driver's clock
+};
+
+/// What a look saw: one of images, points, a pose or markers in the images.
+struct LookAnswer {
+  bool ok = false;
+  std::string why;                            // where nothing could be seen
+  std::map<std::string, std::string> images;  // by camera: file
+  std::vector<Sighting> sightings;            // points of a tracker, or markers in the images
+  std::optional<Rigid> target_pose;           // of a pose sensor
+};
+
+class DrivenRobot {
+ public:
+  DrivenRobot() = default;
+  DrivenRobot(const DrivenRobot&) = delete;
+  DrivenRobot& operator=(const DrivenRobot&) = delete;
+  virtual ~DrivenRobot() = default;
+
+  /// Positions and paths are in the order of DriverHello::joints. Each may throw DriverFault.
+  virtual DriverHello hello() = 0;
+  /// Along the path's points, straight in the joints between them; `speed`: of the fastest joint, rad/s (m/s).
+  virtual MoveAnswer move(const std::vector<Eigen::VectorXd>& path, double speed) = 0;
+  virtual LookAnswer look() = 0;
+  /// Stands still as soon as it can. Throws nothing.
+  virtual void stop() noexcept = 0;
+};
+
+}  // namespace handsight

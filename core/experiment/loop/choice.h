@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which poses are measured next, and how the robot comes there.
+#pragma once
+
+#include <functional>
+
+#include "diagnosis/planning/pose_pool.h"
+#include "experiment/loop/knowledge.h"
+#include "experiment/paths/ways.h"
+
+namespace handsight {
+
+enum class PoseReason { spread, precision, between, region, repeat };
+/// "to settle the estimate", for people.
+const char* reason_text(PoseReason reason);
+/// "precision", for programs.
+const char* reason_name(PoseReason reason);
+
+struct ChosenPose {
+  Eigen::VectorXd position;  // rad (m), in the order of the session's joints
+  PoseReason reason = PoseReason::spread;
+};
+
+/// Where an experiment may go: the robot, what stands about it, what was tried in vain.
+struct Reach {
+  Chain chain;
+  CollisionWorld world;
+  JointRanges ranges;
+  std::vector<Eigen::VectorXd> refused;  // could not be reached, or showed nothing
+  std::optional<WorkBox> box;            // where the hand is wanted to be known
+};
+
+/// Free of collisions, within the ranges, and not near what was tried in vain.
+bool can_be_taken(const Reach& reach, const Eigen::VectorXd& position);
+
+/// Does the sensor see the target there: turned away by less than 60 degrees, in one image at least with a margin, and
+/// nothing between? Of a tracker or a sensor of poses only what stands between counts.
+bool is_well_seen(const Reach& reach, const Fit& fit, const Eigen::VectorXd& position);
+
+struct ChoiceOptions {
+  int count = 5;
+  bool with_repeat = false;
+  std::uint64_t seed = 1;
+};
+
+/// Up to `count` poses. Without a fit, or with fewer than six observations, poses are spread: with a fit over what can
+/// be seen, else about where the target was seen, or where the robot stands (`from`). Later: for the two causes that
+/// cannot be told apart, the rest for the precision of the model with what is likely, one in a region not yet seen, one
+/// that is repeated for the scatter. Fewer, or none, where there are no more.
+std::vector<ChosenPose> choose_poses(const Session& session, const ExperimentModel& model, const Knowledge& known,
+                                     const Reach& reach, const Eigen::VectorXd& from, const ChoiceOptions& options);
+
+/// Poses over what can be reached and seen, to ask the hand's limit at: within the box where there is one.
+std::vector<Eigen::VectorXd> poses_to_judge_by(const Session& session, const Fit& fit, const Reach& reach, int count,
+                                               std::uint64_t seed);
+
+}  // namespace handsight

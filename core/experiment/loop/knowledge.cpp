@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/loop/knowledge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "certify/limits.h"
+#include "estimation/report/hand_end.h"
+#include "estimation/report/prediction.h"
+
+namespace handsight {
+namespace {
+
+constexpr std::size_t least_to_diagnose = 10;  // observations
+constexpr double least_visible = 30;           // DiagnosisCandidate::visibility
+constexpr double ln_20 = 2.995732273553991;
+constexpr double probability = 0.95;
+constexpr double worth_showing = 1;  // ln Bayes factor from which on a candidate is measured for
+
+bool are_told_apart(const DiagnosisCandidate& a, const DiagnosisCandidate& b) {
+  return a.id != b.id &&
+         std::find(a.cannot_be_told_from.begin(), a.cannot_be_told_from.end(), b.id) == a.cannot_be_told_from.end();
+}
+
+std::vector<const DiagnosisCandidate*> named(const Diagnosis& diagnosis) {
+  std::vector<const DiagnosisCandidate*> all;
+  for (const DiagnosisCandidate& c : diagnosis.candidates)
+    if (!c.id.empty() && !c.unnamed && !c.terms.empty()) all.push_back(&c);
+  return all;
+}
+
+/// What the next poses should show: the two likeliest, and those that may be there.
+void set_open_questions(Knowledge& known) {
+  const std::vector<const DiagnosisCandidate*> all = named(*known.diagnosis);
+  if (all.empty() || all[0]->ln_bayes_factor < worth_showing) return;
+  known.likely = all[0]->terms;
+  for (const DiagnosisCandidate* other : all)
+    if (are_told_apart(*all[0], *other) && other->ln_bayes_factor > 0 &&
+        all[0]->ln_bayes_factor - other->ln_bayes_factor < ln_20) {
+      known.rivals = RivalEffects{all[0]->id, other->id, all[0]->terms, other->terms};
+      return;
+    }
+}
+
+}  // namespace
+
+SettledCause settled_cause(const Diagnosis& diagnosis) {
+  const std::vector<const DiagnosisCandidate*> all = named(diagnosis);
+  std::vector<double> of_visible;
+  for (const DiagnosisCandidate* c : all)
+    if (c->visibility >= least_visible) of_visible.push_back(c->ln_bayes_factor);
+  if (diagnosis.verdict == Verdict::adequate) {
+    // One of the causes that these poses can show, each as likely beforehand, against none.
+    if (of_visible.empty()) return {};
+    double mean = 0;
+    for (const double f : of_visible) mean += std::exp(std::min(f, 700.0)) / static_cast<double>(of_visible.size());
+    return {.odds = 1 / std::max(mean, 1e-9)};
+  }
+  if (all.empty() || all[0]->ln_bayes_factor < diagnosis.threshold) return {};
+  double next = 0;  // of none
+  for (const DiagnosisCandidate* other : all)
+    if (are_told_apart(*all[0], *other)) {
+      next = std::max(next, other->ln_bayes_factor);
+      break;
+    }
+  return {all[0]->id, all[0]->where, all[0]->terms, std::exp(std::min(all[0]->ln_bayes_factor - next, 100.0))};
+}
+
+std::optional<double> hand_limit(const Fit& fit, const std::vector<Eigen::VectorXd>& poses) {
+  if (poses.empty()) return std::nullopt;
+  const Chain& own = fit.problem.source->chain;
+  const bool exchanged = hand_carries_sensor(own);
+  const std::optional<PredictionModel> model =
+      exchanged ? model_of_hand(fit, {}) : std::optional(prediction_model(fit));
+  if (!model) return std::nullopt;
+  const Chain chain = exchanged ? chain_of_hand(own) : own;
+  std::vector<double> limits;
+  for (const Eigen::VectorXd& q : poses) {
+    const Matrix6 covariance = predict_tcp(chain, q, *model).covariance;
+    limits.push_back(length_limit(covariance.topLeftCorner<3, 3>(), probability));
+  }
+  const auto place = limits.begin() + static_cast<std::ptrdiff_t>(probability * static_cast<double>(limits.size() - 1));
+  std::nth_element(limits.begin(), place, limits.end());
+  return *place;
+}
+
+Knowledge known_of(const Session& session, const ExperimentModel& model, bool with_diagnosis,
+                   const std::vector<Eigen::VectorXd>& poses) {
+  Knowledge known;
+  known.used =
+      static_cast<std::size_t>(std::count_if(session.observations.begin(), session.observations.end(), is_used));
+  try {
+    known.fit = fit(session, {.effects = model.held, .estimated = model.estimated});
+  } catch (const InputError&) {
+    return known;  // an unknown mount that nothing determines yet, or nothing seen
+  }
+  known.hand_limit = hand_limit(*known.fit, poses);
+  if (!with_diagnosis || known.used < least_to_diagnose) return known;
+  DiagnosisOptions options;
+  options.effects = model.held;
+  options.estimated = model.estimated;
+  options.with_held_out = false;
+  options.with_regions = false;
+  known.diagnosis = diagnose(session, options);
+  known.settled = settled_cause(*known.diagnosis);
+  set_open_questions(known);
+  return known;
+}
+
+}  // namespace handsight

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/simulated/simulated_robot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "estimation/fit/fit.h"
+
+namespace handsight {
+namespace {
+
+constexpr double looking_time = 1;  // s
+constexpr std::uint64_t scatter_stream = 7001;
+
+}  // namespace
+
+SimulatedRobotOptions robot_of(const Session& session, SimulatedRobotOptions options, Session& like) {
+  like = session;
+  try {
+    const Fit f = fit(session, {.effects = options.truth.effects});
+    const std::vector<char>& seen = f.problem.marker_is_seen;
+    if (std::find(seen.begin(), seen.end(), 0) != seen.end()) return options;
+    options.truth.markers_in_tcp = estimate(f).markers_in_tcp;
+    like.mount.mount_from_sensor = estimate(f).mount_from_sensor;
+  } catch (const InputError&) {  // nothing was seen yet
+  }
+  return options;
+}
+
+SimulatedRobot::SimulatedRobot(const Session& like, SimulatedRobotOptions options)
+    : like_(like),
+      options_(std::move(options)),
+      random_(Random(options_.truth.seed).child(scatter_stream)),
+      position_(like.observations.back().position),
+      true_position_(position_) {
+  like_.observations.resize(1);
+}
+
+DriverHello SimulatedRobot::hello() {
+  return {"a simulated " + like_.robot.name, like_.joints, {"move", "look"}, position_};
+}
+
+MoveAnswer SimulatedRobot::move(const std::vector<Eigen::VectorXd>& path, double speed) {
+  for (const Eigen::VectorXd& point : path) {
+    for (Eigen::Index j = 0; j < point.size(); ++j) {
+      const std::string& name = like_.joints[static_cast<std::size_t>(j)];
+      const Joint& joint = like_.robot.joints[static_cast<std::size_t>(find_joint(like_.robot, name))];
+      if (point[j] < joint.lower || point[j] > joint.upper)
+        return {.why = fmt::format("{} cannot go to {:.4g}: its limits are {:.4g} and {:.4g}", name, point[j],
+                                   joint.lower, joint.upper)};
+    }
+    time_ += (point - position_).cwiseAbs().maxCoeff() / std::max(speed, 1e-3);
+    position_ = point;
+  }
+  true_position_ = position_;
+  for (double& q : true_position_) q += options_.scatter * random_.gaussian();
+  MoveAnswer answer{.ok = true, .position = position_};
+  answer.time = time_;
+  return answer;
+}
+
+LookAnswer SimulatedRobot::look() {
+  time_ += looking_time;
+  Observation o;
+  o.id = static_cast<std::int64_t>(looks_.size());
+  o.time = time_;
+  o.position = true_position_;
+  looks_.push_back(o);
+  simulated_ = simulate_at(like_, options_.truth, looks_);
+  LookAnswer answer{.ok = true};
+  if (like_.pose_sensor) {
+    answer.target_pose = simulated_.session.observations.back().target_pose;
+    return answer;
+  }
+  if (like_.rig && !options_.images_to.empty()) {
+    const SimulatedSession first = simulate_at(like_, options_.truth, {looks_.front()});
+    write_images(first, options_.truth, {.distractors = 0}, looks_.size() - 1, options_.images_to, simulated_);
+    for (int c = 0; c < like_.rig->count(); ++c)
+      answer.images[like_.rig->at(c).name] =
+          (options_.images_to / simulated_.session.observations.back().images[static_cast<std::size_t>(c)]).string();
+    return answer;
+  }
+  answer.sightings = simulated_.session.observations.back().sightings;
+  return answer;
+}
+
+}  // namespace handsight

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/change_watch.h"
+
+#include <gmock/gmock.h>
+
+#include "estimation/report/fit_report.h"
+#include "fixtures/arms.h"
+#include "simulation/simulated_session.h"
+
+namespace handsight {
+namespace {
+
+struct Calibrated {
+  Session session;
+  CalibratedRobot robot;
+  std::vector<Eigen::VectorXd> poses;  // to recheck in
+  SimulationOptions truth;
+};
+
+Calibrated calibrated(const Session& like, std::uint64_t seed, int poses = 5) {
+  Calibrated c;
+  c.truth.observations = 60;
+  c.truth.seed = seed;
+  c.session = simulate_session(like, c.truth).session;
+  const Fit f = fit(c.session);
+  c.robot = calibrated_robot(c.session, f, report(c.session, f), {}, "test");
+  std::vector<Eigen::VectorXd> positions;
+  for (const Observation& o : c.session.observations) positions.push_back(o.position);
+  for (const std::size_t place : telling_poses(c.robot, c.session, positions, poses))
+    c.poses.push_back(positions[place]);
+  return c;
+}
+
+/// The same robot `visits` times in its poses, with these effects. The noise is another each time.
+Session rechecked(const Calibrated& c, int visits, const std::vector<EffectTerm>& effects, std::uint64_t noise_seed) {
+  std::vector<Observation> given;
+  for (int visit = 0; visit < visits; ++visit)
+    for (const Eigen::VectorXd& q : c.poses) {
+      Observation o;
+      o.id = static_cast<std::int64_t>(given.size());
+      o.time = 3600.0 * visit + static_cast<double>(given.size());
+      o.position = q;
+      given.push_back(o);
+    }
+  SimulationOptions truth = c.truth;
+  truth.effects = effects;
+  // The body follows from the seed, and so does the noise of the n-th observation: the first ones are left out.
+  std::vector<Observation> all(1000 + noise_seed * 1000 % 7001, given.front());
+  all.insert(all.end(), given.begin(), given.end());
+  Session session = simulate_at(c.session, truth, all).session;
+  session.observations.erase(session.observations.begin(),
+                             session.observations.end() - static_cast<std::ptrdiff_t>(given.size()));
+  return session;
+}
+
+TEST(ChangeWatch, WithoutAChangeTheEValueStaysSmallForMonths) {
+  int alarms = 0;
+  double largest = -1e300;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Calibrated c = calibrated(fixture::tracker_session(4), seed);
+    ChangeWatch watch(c.robot, {.window = 10});
+    const Session session = rechecked(c, 40, {}, seed);
+    for (const Observation& o : session.observations) {
+      const auto step = watch.add(session, o);
+      ASSERT_TRUE(step);
+      largest = std::max(largest, step->ln_e_value);
+      if (step->changed) {
+        ++alarms;
+        break;
+      }
+    }
+  }
+  EXPECT_EQ(alarms, 0);
+  EXPECT_LT(largest, std::log(1000.0));
+  EXPECT_GT(largest, -20);
+}
+
+TEST(ChangeWatch, ASlippedHandIsSeenWithinFivePosesAndNamed) {
+  const Calibrated c = calibrated(fixture::stand_session(4), 7);
+  std::vector<EffectTerm> slip;
+  add_effect_value("body_slip:x=0.003", c.session.robot, slip);
+  ChangeWatch watch(c.robot);
+  const Session before = rechecked(c, 2, {}, 3), after = rechecked(c, 1, slip, 4);
+  for (const Observation& o : before.observations) EXPECT_FALSE(watch.add(before, o)->changed);
+  std::optional<WatchStep> last;
+  for (const Observation& o : after.observations) last = watch.add(after, o);
+  EXPECT_TRUE(last->changed);
+  EXPECT_EQ(last->what, "body_slip") << last->text;
+  EXPECT_NEAR(last->terms[0].values[0], 0.003, 4 * last->sigma[0]);
+  EXPECT_THAT(last->text, testing::HasSubstr("slipped"));
+}
+
+TEST(ChangeWatch, AnOffsetOfAJointIsNamedWithItsSize) {
+  const Calibrated c = calibrated(fixture::tracker_session(4), 9);
+  std::vector<EffectTerm> offset;
+  add_effect_value("joint_offset:a2.offset=0.002", c.session.robot, offset);
+  ChangeWatch watch(c.robot);
+  const Session after = rechecked(c, 1, offset, 4);
+  std::optional<WatchStep> last;
+  for (const Observation& o : after.observations) last = watch.add(after, o);
+  EXPECT_TRUE(last->changed);
+  EXPECT_EQ(last->what, "joint_offset") << last->text;
+  EXPECT_EQ(last->where, "a2");
+  EXPECT_NEAR(last->terms[0].values[0], 0.002, 4 * last->sigma[0] + 1e-4);
+}
+
+TEST(ChangeWatch, WhatShowsNothingIsNoStep) {
+  const Calibrated c = calibrated(fixture::tracker_session(4), 9);
+  ChangeWatch watch(c.robot);
+  Observation empty;
+  empty.position = c.poses[0];
+  EXPECT_FALSE(watch.add(c.session, empty));
+}
+
+}  // namespace
+}  // namespace handsight
