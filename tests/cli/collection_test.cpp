@@ -48,7 +48,7 @@ TEST_F(CollectionCommands, FitTellsWhatIsEachSessionsOwn) {
   ASSERT_EQ(json["sessions"].size(), 2U);
   EXPECT_EQ(json["sessions"][0]["title"], "june");
   EXPECT_EQ(json["sessions"][1]["used"], 60);
-  EXPECT_TRUE(json["sessions"][1]["held_out_session_rms_pixel"].is_number() ||
+  EXPECT_TRUE(json["sessions"][1]["held_out_session_pixel"].is_number() ||
               json["sessions"][1]["held_out_session_rms_m"].is_number());
   EXPECT_EQ(json["sessions"][0]["tcp_from_body"], json["sessions"][1]["tcp_from_body"]) << "one body";
   const double offset = json["effects"][0]["parameters"][0]["value"],

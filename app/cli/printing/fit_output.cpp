@@ -235,7 +235,9 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
   result["effects"] = effects_json(session, fit.effects);
   result["per_observation"] = observations_json(fit, told);
   if (!session.parts.empty()) {
-    result.update(errors_json(told.held_out_session, "held_out_session_"));
+    result["held_out_session_pixel"] = number(told.held_out_session.rms_pixel);
+    result["held_out_session_rms_m"] = number(told.held_out_session.rms_m);
+    result["held_out_session_mean_m"] = number(told.held_out_session.mean_m);
     result[session.is_touch() ? "fixtures" : "sessions"] = parts_json(session, fit, told);
   }
   result["notes"] = fit.notes;

@@ -75,7 +75,9 @@ Json parts_json(const Session& session, const Fit& fit, const FitReport& told) {
                     {"covariance", p.found.mount_covariance ? matrix(*p.found.mount_covariance) : Json(nullptr)}};
     add_errors(p.fitted, "", one);
     add_errors(p.held_out, "held_out_", one);
-    add_errors(p.held_out_session, "held_out_session_", one);
+    one["held_out_session_pixel"] = number(p.held_out_session.rms_pixel);
+    one["held_out_session_rms_m"] = number(p.held_out_session.rms_m);
+    one["held_out_session_mean_m"] = number(p.held_out_session.mean_m);
     Json markers = Json::array();
     for (const Vector3& x : p.found.markers_in_body) markers.push_back(numbers(x));
     one["markers"] = markers;
