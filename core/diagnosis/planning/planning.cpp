@@ -266,7 +266,8 @@ class Planner {
   }
 
   void add_notes(Plan& plan) const {
-    plan.notes = undetermined_texts(base_);
+    const std::vector<std::string> unknown = undetermined_texts(base_);
+    plan.notes.insert(plan.notes.begin(), unknown.begin(), unknown.end());
     if (static_cast<int>(plan.poses.size()) < options_.count)
       plan.notes.push_back(
           fmt::format("Only {} of {} poses lie {:.3f} rad or more away from the others and from those "

@@ -7,6 +7,7 @@
 #include "estimation/fit/flange_error_size.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/prior_widths.h"
+#include "estimation/problem/problem_part.h"
 #include "estimation/start/competition.h"
 #include "estimation/start/effect_starts.h"
 
@@ -90,8 +91,30 @@ void fill_motions(Problem& problem) {
   place_observations(problem);
 }
 
+/// Squares of what the observations leave of every fifth of them that the fit has not seen, pixels counted alike.
+double held_out_squares(const Fit& fit, const FitOptions& options, double noise) {
+  constexpr int folds = 5, together = 4;  // as FitReport::held_out
+  const auto fold_of = [](int rank) { return rank / together % folds; };
+  FitOptions quick = options;
+  quick.most_iterations = std::min(options.most_iterations, 40);
+  quick.reuse_below = std::max(options.reuse_below, 1e-3);
+  double squares = 0;
+  for (int fold = 0; fold < folds; ++fold) {
+    int rank = 0, held_rank = 0;
+    const Problem part = part_of(fit.problem, [&](const ProblemObservation&) { return fold_of(rank++) != fold; });
+    Problem held = part_of(fit.problem, [&](const ProblemObservation&) { return fold_of(held_rank++) == fold; });
+    if (part.observations.empty() || held.observations.empty()) continue;
+    const Unknowns u = refit(fit, quick, part, noise);
+    held.flange_error = {};
+    if (held.effect_count() > 0) set_effects(held, u.effects);
+    squares += normal_equations(held, u).data_cost();
+  }
+  return squares;
+}
+
 /// Where the hand is told by a controller, it is part of the measurements and may be what errs: its error's size
-/// follows from the solution, and the solution from it. Where noise alone is left nothing changes.
+/// follows from the solution, and the solution from it. Where noise alone is left nothing changes, nor where a robot
+/// with joints predicts images worse with it: then what is left is no scatter, but follows what the model lacks.
 void settle_flange_error(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
   constexpr int most_rounds = 6;
   // A fit that is asked for less than its exact answer is one step of a diagnosis, which asks what is missing first and
@@ -101,17 +124,27 @@ void settle_flange_error(const Session& session, Problem& images, const FitOptio
   if (!session.rig || options.loss != Loss::none || !fit.solution.converged) return;
   const auto known = noise_beside_the_robot(session, images, fit);
   if (!known || (!images.flange_error.is_any() && leaves_noise_alone(fit, *known))) return;
+  constexpr double no_worse = 1.02;
   const double before = images.noise;
+  const bool has_joints = !session.robot.is_of_poses;
+  const Fit plain = has_joints ? fit : Fit{};
   images.noise = fit.problem.noise = known->sigma;
   fill_motions(fit.problem);
   fill_motions(images);
   for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
     const FlangeError likely = likely_flange_error(fit.problem, fit.solution);
-    if (round == 0 && !likely.is_any() && !session.robot.is_of_poses) images.noise = fit.problem.noise = before;
-    if (is_about(likely, images.flange_error)) return;
+    if (round == 0 && !likely.is_any() && has_joints) images.noise = fit.problem.noise = before;
+    if (is_about(likely, images.flange_error)) break;
     images.flange_error = fit.problem.flange_error = likely;
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
   }
+  if (!has_joints || !images.flange_error.is_any()) return;
+  const double most = no_worse * no_worse * held_out_squares(plain, options, noise);
+  if (held_out_squares(fit, options, noise) <= most) return;
+  const bool is_one = &images == &fit.problem;
+  fit = plain;
+  if (!is_one) images.flange_error = {};
+  images.noise = fit.problem.noise = before;
 }
 
 void minimise_widening(const Session& session, Problem& images, const Unknowns& start, const FitOptions& options,
