@@ -21,7 +21,7 @@ using namespace handsight;
 
 struct Arguments {
   std::string session, images_to, fault;
-  std::vector<std::string> effects, curves;
+  std::vector<std::string> effects, changes, curves;
   double scatter = 0, noise = -1;
   bool in_real_time = false, new_body = false;
   SimulatedRobotOptions robot;
@@ -141,6 +141,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "handsight " HANDSIGHT_VERSION);
   program.add_option("SESSION", a.session, "The session that it is a robot of: folder or session.xml")->required();
   program.add_option("--effect", a.effects, "What is hidden in it: id:joint.parameter=value");
+  program.add_option("--change", a.changes, "What has changed since the session was measured: as --effect");
   program.add_option("--curve", a.curves, "A deviation that no effect describes: \"JOINT: SIZE*sin(ORDERq)\", or cos");
   program.add_option("--noise", a.noise, "px (m with a tracker) of one coordinate; the session's where it is left out");
   program.add_option("--scatter", a.scatter,
@@ -165,6 +166,7 @@ int run(int argc, char** argv) {
   a.robot.images_to = a.images_to;
   Session like = session;
   if (!a.new_body) a.robot = robot_of(session, a.robot, like);
+  for (const std::string& change : a.changes) add_effect_value(change, session.robot, a.robot.truth.effects, own);
   return Driver(like, a).run();
 }
 

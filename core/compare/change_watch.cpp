@@ -166,6 +166,7 @@ PoseSums ChangeWatch::Parts::sums_of(const Session& session, const Observation& 
   }
   std::vector<EffectTerm> terms;
   for (const ChangeUnit& unit : units) terms.insert(terms.end(), unit.terms.begin(), unit.terms.end());
+  sides.after.problem.tcp_from_slip = before.model.tcp_from_body;
   Candidates candidates = candidates_of(sides.after.problem, terms);
   Problem& problem = candidates.problem;
   Eigen::VectorXd values = Eigen::VectorXd::Zero(problem.effect_count());

@@ -116,11 +116,13 @@ TEST_F(DriverFaults, KilledAtAnyMomentTheSessionIsWhole) {
   int rounds = 12;
   if (const char* more = std::getenv("HANDSIGHT_KILLS")) rounds = std::atoi(more);
   std::size_t before = observations();
+  double seconds = 0.4;
   for (int i = 0; i < rounds; ++i) {
     experiment("--seed " + std::to_string(i), {"--until", "count=200", "--seed", std::to_string(i)},
-               "timeout -s KILL " + std::to_string(0.1 + 0.13 * (i % 17)) + " ");
+               "timeout -s KILL " + std::to_string(seconds + 0.037 * (i % 7)) + " ");
     const std::size_t now = observations();  // throws where it cannot be read
     EXPECT_GE(now, before);
+    if (now == before) seconds = std::min(1.6 * seconds, 20.0);  // it has not come to a look: a machine at work
     before = now;
   }
   EXPECT_GT(before, 3U);

@@ -162,6 +162,14 @@ std::vector<Eigen::VectorXd> poses_of(const RecheckArguments& o, const Calibrate
   if (positions.empty())
     throw InputError(
         "Neither the calibration nor the session says where the robot was measured: no pose to recheck in.");
+  // Where the shapes touch nothing, as far as there are such poses.
+  std::vector<Eigen::VectorXd> taken, free;
+  for (const Observation& one : session.observations) taken.push_back(one.position);
+  const CollisionWorld world(chain_of(session), robot_solids(session), o.cell.empty() ? Cell{} : read_cell(o.cell),
+                             taken);
+  for (const Eigen::VectorXd& q : positions)
+    if (!world.touching(q)) free.push_back(q);
+  if (static_cast<int>(free.size()) >= o.poses) positions = free;
   std::vector<Eigen::VectorXd> poses;
   for (const std::size_t place : telling_poses(before, session, positions, o.poses)) poses.push_back(positions[place]);
   return poses;
@@ -197,6 +205,11 @@ void drive(const RecheckArguments& o, const CalibratedRobot& before, const Sessi
   const ExperimentResult result = run_experiment(session, driver, options);
   if (result.end == ExperimentEnd::fault) throw InputError(result.reason);
   if (result.end != ExperimentEnd::reached) Output::note(result.reason);
+  if (result.observations < static_cast<int>(options.given.size()))
+    Output::note(
+        fmt::format("Only {} of {} poses were taken: to the others no way leads without a collision, or they "
+                    "were refused.",
+                    result.observations, options.given.size()));
 }
 
 void watch(const RecheckArguments& o, Session session, Rechecking& rechecking) {
