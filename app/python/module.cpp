@@ -32,7 +32,7 @@ constexpr char software[] = "handsight " HANDSIGHT_VERSION;
 std::string text_of(const cli::Json& json) { return cli::json_text(json, -1); }
 
 /// A session of this text and robot; there are no images.
-Session session_of(const std::string& text, const std::string& robot) {
+Session session_from_text(const std::string& text, const std::string& robot) {
   SessionLines lines;
   Session session = parse_session(text, "session", &lines);
   bind_robot(session, read_urdf(robot), lines);
@@ -213,7 +213,7 @@ PYBIND11_MODULE(_core, m) {
         return is_collection(path) ? cli::joined_of(read_collection(path), one) : one(path);
       },
       arg("path"));
-  m.def("session_of", &session_of, arg("text"), arg("robot"));
+  m.def("session_of", &session_from_text, arg("text"), arg("robot"));
   m.def("check", &checked, without_python);
   m.def("fit", &fitted, without_python);
   m.def("diagnose", &diagnosis_text, without_python);

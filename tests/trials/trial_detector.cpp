@@ -67,7 +67,7 @@ void published_fixture(double cell, double blur, double noise, double parts) {
   int found = 0;
   for (int i = 0; i < 36; ++i) {
     const Eigen::Vector2d corner(22 + (i / 6) / parts, 22 + (i % 6) / parts), start = corner.array().round();
-    const Fixture image = fixture(corner, blur, noise, cell, random);
+    const corner_images::Fixture image = fixture(corner, blur, noise, cell, random);
     const auto ours = refine_corner(image.image, start);
     if (!ours) continue;
     ++found;

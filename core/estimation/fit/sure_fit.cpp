@@ -127,7 +127,8 @@ void settle_flange_error(const Session& session, Problem& images, const FitOptio
   constexpr double no_worse = 1.02;
   const double before = images.noise;
   const bool has_joints = !session.robot.is_of_poses;
-  const Fit plain = has_joints ? fit : Fit{};
+  std::optional<Fit> plain;
+  if (has_joints) plain = fit;
   images.noise = fit.problem.noise = known->sigma;
   fill_motions(fit.problem);
   fill_motions(images);
@@ -139,10 +140,10 @@ void settle_flange_error(const Session& session, Problem& images, const FitOptio
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
   }
   if (!has_joints || !images.flange_error.is_any()) return;
-  const double most = no_worse * no_worse * held_out_squares(plain, options, noise);
+  const double most = no_worse * no_worse * held_out_squares(*plain, options, noise);
   if (held_out_squares(fit, options, noise) <= most) return;
   const bool is_one = &images == &fit.problem;
-  fit = plain;
+  fit = *plain;
   if (!is_one) images.flange_error = {};
   images.noise = fit.problem.noise = before;
 }
