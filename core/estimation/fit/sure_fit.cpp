@@ -124,7 +124,6 @@ void settle_flange_error(const Session& session, Problem& images, const FitOptio
   if (!session.rig || options.loss != Loss::none || !fit.solution.converged) return;
   const auto known = noise_beside_the_robot(session, images, fit);
   if (!known || (!images.flange_error.is_any() && leaves_noise_alone(fit, *known))) return;
-  constexpr double no_worse = 1.02;
   const double before = images.noise;
   const bool has_joints = !session.robot.is_of_poses;
   std::optional<Fit> plain;
@@ -140,8 +139,7 @@ void settle_flange_error(const Session& session, Problem& images, const FitOptio
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
   }
   if (!has_joints || !images.flange_error.is_any()) return;
-  const double most = no_worse * no_worse * held_out_squares(*plain, options, noise);
-  if (held_out_squares(fit, options, noise) <= most) return;
+  if (held_out_squares(fit, options, noise) <= held_out_squares(*plain, options, noise)) return;
   const bool is_one = &images == &fit.problem;
   fit = *plain;
   if (!is_one) images.flange_error = {};

@@ -59,9 +59,9 @@ inline Rigid sensor_from_tcp_at(const ProblemObservation& o, const Rigid& mount_
   return inverse(o.root_from_mount * mount_from_sensor * o.sensor_motion) * o.root_from_tcp;
 }
 
-/// How far a robot is wrong about its flange, anew in every observation: one standard deviation of each coordinate of its
-/// place (m), and of each of the three small turns (rad) in the flange's frame; of a robot with joints, of each joint
-/// instead (rad; solvers/flange_error.h).
+/// How far a robot is wrong about its flange, anew in every observation: one standard deviation of each coordinate of
+/// its place (m), and of each of the three small turns (rad) in the flange's frame; of a robot with joints, of each
+/// joint instead (rad; solvers/flange_error.h).
 struct FlangeError {
   double place = 0, turn = 0;
 
