@@ -51,13 +51,14 @@ void tell(const Session& session, const SecondLooks& looks, Fit fitted, std::sha
   version.inspection = inspection_of(session, looks, version);
 }
 
-FitOptions options_of(const ModelSettings& settings) {
+FitOptions options_of(const ModelSettings& settings, bool has_joints) {
   FitOptions options;
   options.objective = settings.objective;
   options.fix_markers = settings.fix_markers;
   options.effects = settings.held;
   options.estimated = settings.estimated;
-  if (!options.estimated.empty()) options.smallest_step = 1e-9;  // as a diagnosis fits
+  // As a diagnosis fits: what the views show of a robot with joints is linear about pixels that count alike.
+  if (has_joints || !options.estimated.empty()) options.smallest_step = 1e-9;
   return options;
 }
 
@@ -118,7 +119,7 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
   version->revision = revision;
   version->cause = std::move(cause);
   version->settings = settings;
-  version->options = options_of(settings);
+  version->options = options_of(settings, !session.robot.is_of_poses);
   // Of the version itself nothing may hold on to the one who asked.
   const auto asking = [&](FitOptions options) {
     if (goes_on) options.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };

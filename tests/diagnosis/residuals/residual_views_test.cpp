@@ -66,7 +66,7 @@ TEST(ResidualViews, AnEffectLooksAsIfItWereThere) {
 
 TEST(ResidualViews, TheBestSizeIsTheTrueOneAndLeavesTheNoise) {
   const std::vector<EffectTerm> hidden = {{"encoder_eccentricity", 1, {2e-3, -1e-3}}};
-  const Fit f = fit(sprung(hidden, 6, 0.2));
+  const Fit f = fit(sprung(hidden, 6, 0.2), {.smallest_step = 1e-9});  // as a diagnosis fits
   const ResidualViews views = residual_views(f);
   const EffectView view = effect_view(views, {{"encoder_eccentricity", 1, {0, 0}}});
   ASSERT_EQ(view.best.size(), 2);
