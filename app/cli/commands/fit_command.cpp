@@ -35,6 +35,7 @@ int run(const FitArguments& o) {
                       : o.objective == "angle-axis" ? Objective::angle_axis
                                                     : Objective::image;
   options.loss = o.loss == "huber" ? Loss::huber : o.loss == "cauchy" ? Loss::cauchy : Loss::none;
+  if (o.without_wrong_points && !session.robot.is_of_poses) options.smallest_step = 1e-9;  // as a diagnosis fits
   options.fix_markers = o.fix_markers;
   add_effects(o.effects, session, options.effects, options.estimated);
   std::vector<std::string> notes;

@@ -60,6 +60,8 @@ SecondLooks look_again(const Session& session, const Fit& fit) {
 
 Inspected inspected(const Session& session, const InspectArguments& o) {
   FitOptions options;
+  // As a diagnosis fits: whose fault it is must not be weighed by the robot's own error before it is asked.
+  if (!session.robot.is_of_poses) options.smallest_step = 1e-9;
   add_effects(o.effects, session, options.effects, options.estimated);
   std::vector<FlippedTarget> flipped;
   if (session.pose_sensor) flipped = flipped_targets(session, fit(session, options));
