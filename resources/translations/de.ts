@@ -7350,8 +7350,8 @@
         <translation>nennt kein Gelenk; erwartet werden die, die in den Vektoren der Beobachtungen stehen.</translation>
     </message>
     <message>
-        <source>has neither &lt;stereo&gt; nor &lt;tracker&gt; nor &lt;cameras&gt; nor &lt;pose_sensor&gt;, expected one of them.</source>
-        <translation>hat weder &lt;stereo&gt; noch &lt;tracker&gt; noch &lt;cameras&gt; noch &lt;pose_sensor&gt;; erwartet wird eines davon.</translation>
+        <source>has neither &lt;stereo&gt; nor &lt;tracker&gt; nor &lt;cameras&gt; nor &lt;pose_sensor&gt; nor &lt;touch&gt;, expected one of them.</source>
+        <translation>hat weder &lt;stereo&gt; noch &lt;tracker&gt; noch &lt;cameras&gt; noch &lt;pose_sensor&gt; noch &lt;touch&gt;; erwartet wird eines davon.</translation>
     </message>
     <message>
         <source>has index="%1" a second time in its observation, expected each marker once.</source>
