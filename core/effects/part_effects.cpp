@@ -113,11 +113,11 @@ std::vector<EffectTerm> own_terms(const Chain& chain, const OwnEffects& effects)
       const std::string id = said.substr(0, said.find(':')) + "_changed";
       const std::string joint = said.find(':') == std::string::npos ? "" : said.substr(said.find(':') + 1);
       const std::string& session = chain.part_names[static_cast<std::size_t>(part.part)];
+      const std::string before_joint = session + " ";
       const std::size_t before = terms.size();
       for (const std::shared_ptr<const Effect>& effect : effects)
         for (std::size_t p = 0; effect->id == id && p < effect->parts.size(); ++p)
-          if (effect->parts[p] == session + " " + joint ||
-              (joint.empty() && effect->parts[p].starts_with(session + " ")))
+          if (effect->parts[p] == before_joint + joint || (joint.empty() && effect->parts[p].starts_with(before_joint)))
             terms.push_back(term_of(*effect, static_cast<int>(p), effect));
       if (terms.size() == before)
         throw InputError(
