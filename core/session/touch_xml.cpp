@@ -30,7 +30,7 @@ std::optional<Vector3> find_place(const XmlNode& node, const char* attribute) {
 }
 
 std::optional<Vector3> find_direction(const XmlNode& node, const char* attribute) {
-  const auto direction = find_place(node, attribute);
+  auto direction = find_place(node, attribute);
   if (direction && direction->norm() < 1e-6)
     refuse(node, fmt::format("has {}=\"0 0 0\", expected a direction.", attribute));
   return direction;

@@ -19,7 +19,7 @@ std::string brought_image(const Session& session, std::int64_t id, const RigCame
   if (!fs::is_regular_file(from, error))
     throw DriverFault(fmt::format("The driver names {} as what camera {} saw, and there is no such file.",
                                   shown_path(from), camera.name));
-  const std::string name = fmt::format("images/{:04}_{}{}", id, camera.name, from.extension().string());
+  std::string name = fmt::format("images/{:04}_{}{}", id, camera.name, from.extension().string());
   const fs::path to = folder(session) / name;
   if (fs::equivalent(from, to, error)) return name;
   if (fs::exists(to, error))
