@@ -32,10 +32,6 @@ Effect at_parts(Effect effect, const Chain& chain, Owner owner) {
   return effect;
 }
 
-}  // namespace
-
-namespace {
-
 /// A joint's effect that is another in one part than in the others: what has changed between sessions.
 Effect changed_between(const Effect& of_robot, const Chain& chain) {
   Effect effect = of_robot;

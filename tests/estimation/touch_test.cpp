@@ -8,11 +8,13 @@
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
 #include "estimation/report/fit_report.h"
-#include "fixtures/arms.h"
+#include "fixtures/two_arms.h"
 #include "session/touch_xml.h"
 
 namespace handsight {
 namespace {
+
+using fixture::offset_of;
 
 const Vector3 tip(0.01, -0.02, 0.15);  // m, in the TCP's frame
 constexpr double sigma = 2e-5;         // m, of one reading
@@ -129,12 +131,6 @@ void touch(Bench& b, std::size_t fixture, int count, std::uint64_t seed, double 
     }
     b.session.observations.push_back(o);
   }
-}
-
-EffectTerm offset_of(const Session& s, const std::string& joint, double value) {
-  EffectTerm term = term_of(*find_effect("joint_offset"), find_joint(s.robot, joint));
-  term.values[0] = value;
-  return term;
 }
 
 Rigid at(const Vector3& place, const Vector3& rpy = Vector3::Zero()) { return {rotation_from_rpy(rpy), place}; }

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "experiment/loop/deciding.h"
+#include "experiment/loop/driven_joints.h"
 #include "experiment/loop/forecast.h"
 #include "session/session_xml.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double most_off = M_PI / 180;  // rad: farther from where it was sent the robot is not driven on
-constexpr double most_off_slide = 0.01;  // m
 constexpr double slow_share = 0.1;       // of the speed, for the first move
 constexpr int most_in_vain = 10;         // moves in a row that brought nothing
 constexpr int most_batches_without = 3;  // choices in a row that found no pose
@@ -70,7 +69,6 @@ class Experiment {
   void drive(const PlannedMove& move);
   void look(ExperimentStep& step, const MoveAnswer& stood);
   MoveAnswer moved(const PlannedMove& move);
-  void require_arrival(const Eigen::VectorXd& sent, const Eigen::VectorXd& position) const;
   void keep();
   void told(const ExperimentStep& step);
   void finish();
@@ -79,23 +77,12 @@ class Experiment {
   void note(const std::string& text) const {
     if (options_.on_note) options_.on_note(text);
   }
-  Eigen::VectorXd to_session(const Eigen::VectorXd& of_driver) const {
-    Eigen::VectorXd q(of_driver.size());
-    for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = of_driver[place_in_driver_[static_cast<std::size_t>(j)]];
-    return q;
-  }
-  Eigen::VectorXd to_driver(const Eigen::VectorXd& of_session) const {
-    Eigen::VectorXd q(of_session.size());
-    for (Eigen::Index j = 0; j < q.size(); ++j) q[place_in_driver_[static_cast<std::size_t>(j)]] = of_session[j];
-    return q;
-  }
-
   Session session_;
   DrivenRobot& robot_;
   const ExperimentOptions& options_;
   ExperimentModel model_;
   ExperimentResult result_;
-  std::vector<Eigen::Index> place_in_driver_;  // by joint of the session
+  JointOrder order_;
   std::optional<Reach> reach_;
   std::optional<Deciding> deciding_;
   Eigen::VectorXd at_;  // where the robot stands, in the session's order
@@ -114,19 +101,10 @@ void Experiment::meet_driver() {
     if (std::find(hello.can.begin(), hello.can.end(), what) == hello.can.end())
       throw DriverFault(fmt::format("The driver {} does not say that it can \"{}\", which an experiment needs.",
                                     in_quotes(hello.name), what));
-  for (const std::string& joint : session_.joints) {
-    const auto place = std::find(hello.joints.begin(), hello.joints.end(), joint);
-    if (place != hello.joints.end()) place_in_driver_.push_back(place - hello.joints.begin());
-  }
-  if (place_in_driver_.size() != session_.joints.size() || hello.joints.size() != session_.joints.size()) {
-    std::string joints;
-    for (const std::string& name : session_.joints) joints += " " + name;
-    throw DriverFault(fmt::format("The driver moves {} joints, not those of the session: expected{}, in any order.",
-                                  hello.joints.size(), shortened(joints, 300)));
-  }
+  order_ = joint_order(session_, hello);
   at_ = session_.observations.back().position;
   if (hello.position)
-    at_ = to_session(*hello.position);
+    at_ = order_.to_session(*hello.position);
   else
     note(
         "The driver does not say where the robot stands: it is taken to stand where the session's last observation "
@@ -295,29 +273,15 @@ void Experiment::confirm(const std::vector<PlannedMove>& moves) {
   was_confirmed_ = true;
 }
 
-void Experiment::require_arrival(const Eigen::VectorXd& sent, const Eigen::VectorXd& position) const {
-  for (Eigen::Index j = 0; j < sent.size(); ++j) {
-    const int joint = reach_->chain.joints[static_cast<std::size_t>(j)];
-    const bool slides = reach_->chain.robot.joints[static_cast<std::size_t>(joint)].kind == JointKind::prismatic;
-    const double off = position[j] - sent[j];
-    if (std::abs(off) <= (slides ? most_off_slide : most_off)) continue;
-    throw DriverFault(fmt::format(
-        "The driver says that {} stands {:.3g} {} from where it was sent; more than {} stops an experiment, and it was "
-        "told to stop.",
-        session_.joints[static_cast<std::size_t>(j)], slides ? 1e3 * off : off * 180 / M_PI, slides ? "mm" : "degrees",
-        slides ? "10 mm" : "1 degree"));
-  }
-}
-
 MoveAnswer Experiment::moved(const PlannedMove& move) {
   std::vector<Eigen::VectorXd> path;
-  for (const Eigen::VectorXd& point : move.way) path.push_back(to_driver(point));
+  for (const Eigen::VectorXd& point : move.way) path.push_back(order_.to_driver(point));
   MoveAnswer answer = robot_.move(path, options_.speed * (has_moved_ ? 1 : slow_share));
   ++result_.moves;
   if (!answer.ok) return answer;
-  answer.position = to_session(answer.position);
-  if (answer.torque.size() > 0) answer.torque = to_session(answer.torque);
-  require_arrival(move.pose.position, answer.position);
+  answer.position = order_.to_session(answer.position);
+  if (answer.torque.size() > 0) answer.torque = order_.to_session(answer.torque);
+  require_arrival(reach_->chain, session_.joints, move.pose.position, answer.position);
   has_moved_ = true;
   at_ = answer.position;
   return answer;

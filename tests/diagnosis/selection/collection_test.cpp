@@ -8,6 +8,8 @@
 namespace handsight {
 namespace {
 
+using fixture::offset_of;
+
 SimulationOptions simulation(std::uint64_t seed) {
   SimulationOptions o;
   o.seed = seed;
@@ -17,12 +19,6 @@ SimulationOptions simulation(std::uint64_t seed) {
   o.farthest = 4;
   o.most_turned = 1.5;
   return o;
-}
-
-EffectTerm offset_of(const Session& s, const std::string& joint, double value) {
-  EffectTerm term = term_of(*find_effect("joint_offset"), find_joint(s.robot, joint));
-  term.values[0] = value;
-  return term;
 }
 
 std::vector<std::string> names_of(const Improvement& m) {

@@ -16,6 +16,8 @@
 namespace handsight {
 namespace {
 
+using fixture::offset_of;
+
 SimulationOptions simulation(std::uint64_t seed, int observations = 40) {
   SimulationOptions o;
   o.seed = seed;
@@ -24,12 +26,6 @@ SimulationOptions simulation(std::uint64_t seed, int observations = 40) {
   o.farthest = 4;
   o.most_turned = 1.4;
   return o;
-}
-
-EffectTerm offset_of(const Session& s, const std::string& joint, double value) {
-  EffectTerm term = term_of(*find_effect("joint_offset"), find_joint(s.robot, joint));
-  term.values[0] = value;
-  return term;
 }
 
 std::vector<EffectTerm> estimated(const Session& s, const std::string& text) {
