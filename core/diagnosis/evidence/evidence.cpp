@@ -8,39 +8,35 @@
 #include <optional>
 
 #include "base/threads.h"
+#include "diagnosis/evidence/scaled_score.h"
 #include "estimation/problem/column_products.h"
 
 namespace handsight {
-namespace {
 
-constexpr auto& scales = plausible_scales;
+static constexpr auto& scales = plausible_scales;
 
 double ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt) {
   return 2 * llt.matrixLLT().diagonal().array().log().sum();
 }
 
-/// What squares gained are worth: half of them where sigma is known, else by the share of all squares.
 double ln_worth(double gained, const WhitenedModel& w, const NoiseKnowledge& noise) {
   if (noise.known) return 0.5 * gained;
   const double left = std::max(1 - gained / w.residual_squares, 1e-12);
   return -0.5 * noise.degrees * std::log(left);
 }
 
+std::optional<double> beyond_usual(std::size_t scale, double at_largest_usual, double largest, Eigen::Index numbers) {
+  if (scale <= largest_usual || largest > largest_usual_scale) return std::nullopt;
+  return at_largest_usual - static_cast<double>(numbers) * std::log(scales[scale] / largest_usual_scale);
+}
+
+namespace {
+
 struct ScaledScore {
   double ln_bayes_factor = 0;
   double largest = 0;               // of the estimate's numbers, plausible sizes
   Eigen::LLT<Eigen::MatrixXd> llt;  // of I + s^2 A
 };
-
-constexpr std::size_t largest_usual = 3;  // into the scales
-static_assert(scales[largest_usual] == largest_usual_scale);
-
-/// Where an estimate fits into the largest usual scale, a wider one leaves it where it is and only costs its volume: so
-/// much for each of its numbers. Nothing where the wider scale must be asked.
-std::optional<double> beyond_usual(std::size_t scale, double at_largest_usual, double largest, Eigen::Index numbers) {
-  if (scale <= largest_usual || largest > largest_usual_scale) return std::nullopt;
-  return at_largest_usual - static_cast<double>(numbers) * std::log(scales[scale] / largest_usual_scale);
-}
 
 ScaledScore at_scale(const Score& score, double scale, const WhitenedModel& w, const NoiseKnowledge& noise) {
   ScaledScore s;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "diagnosis/evidence/exchanged_factors.h"
+
 namespace handsight {
 namespace {
 
@@ -37,6 +39,20 @@ class Neighbours {
     return ln_bayes_factors_beside(score_, numbers_of(chosen), groups, whitened_, all_.by().knowledge);
   }
 
+  /// Of a choice without each of its units, and with each of these in its place; one list a unit of the choice.
+  std::vector<ExchangedFactors> exchanged(const Chosen& chosen, const std::vector<Chosen>& instead) const {
+    std::vector<NumberExchange> exchanges;
+    Eigen::Index first = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const Eigen::Index count = all_.units()[chosen[i]].count;
+      exchanges.push_back({{first, count}, {}});
+      first += count;
+      for (const std::size_t u : instead[i])
+        exchanges.back().coming.push_back({first_number_.at(u), all_.units()[u].count});
+    }
+    return exchanged_factors(score_, numbers_of(chosen), exchanges, whitened_, all_.by().knowledge);
+  }
+
  private:
   const Explanations& all_;
   const Score& score_;
@@ -59,25 +75,32 @@ OpenUnits open_units(const Explanations& all, const std::function<bool()>& goes_
     return all.units()[u].is_present ||
            all.score().information.block(first, first, count, count).trace() >= least_shown;
   };
-  const auto look_beside = [&](const Chosen& chosen, const std::optional<std::size_t>& in_place_of) {
+  const auto that_may_come = [&](const Chosen& chosen, const std::optional<std::size_t>& in_place_of) {
     Chosen coming;
     for (std::size_t u = 0; u < all.units().size(); ++u)
       if (u != in_place_of && shows(u) && all.can_come(u, chosen)) coming.push_back(u);
-    const std::vector<double> factors = near.ln_factors_beside(chosen, coming);
-    for (std::size_t i = 0; i < coming.size(); ++i) {
-      if (factors[i] - all.cost_of(with_unit(chosen, coming[i])) < least) continue;
-      open.insert(coming[i]);
-      if (!in_place_of) continue;
-      open.insert(*in_place_of);
-      units.instead[*in_place_of].push_back(coming[i]);
-      units.instead[coming[i]].push_back(*in_place_of);
-    }
+    return coming;
   };
-  look_beside(present, std::nullopt);
-  for (std::size_t i = 0; i < present.size() && goes_on(); ++i) {
+  const auto is_likely = [&](double factor, const Chosen& chosen) { return factor - all.cost_of(chosen) >= least; };
+  const Chosen further = that_may_come(present, std::nullopt);
+  const std::vector<double> factors = near.ln_factors_beside(present, further);
+  for (std::size_t i = 0; i < further.size(); ++i)
+    if (is_likely(factors[i], with_unit(present, further[i]))) open.insert(further[i]);
+  std::vector<Chosen> instead;
+  for (std::size_t i = 0; i < present.size(); ++i)
+    instead.push_back(that_may_come(without_unit(present, i), present[i]));
+  const std::vector<ExchangedFactors> exchanged =
+      goes_on() ? near.exchanged(present, instead) : std::vector<ExchangedFactors>{};
+  for (std::size_t i = 0; i < exchanged.size() && goes_on(); ++i) {
     const Chosen fewer = without_unit(present, i);
-    if (near.ln_factor(fewer) - all.cost_of(fewer) >= least) open.insert(present[i]);
-    look_beside(fewer, present[i]);
+    if (is_likely(exchanged[i].without, fewer)) open.insert(present[i]);
+    for (std::size_t k = 0; k < instead[i].size(); ++k) {
+      const std::size_t other = instead[i][k];
+      if (!is_likely(exchanged[i].instead[k], with_unit(fewer, other))) continue;
+      open.insert({other, present[i]});
+      units.instead[present[i]].push_back(other);
+      units.instead[other].push_back(present[i]);
+    }
   }
   units.open.assign(open.begin(), open.end());
   for (const std::size_t u : present)
@@ -177,11 +200,17 @@ class Walk {
     if (!is_new) return b;
     const double here = worth(chosen);
     add_beside(chosen, that_can_come(units_.open, chosen), here, b);
+    std::vector<Chosen> fewer, instead;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-      const Chosen fewer = without_unit(chosen, i);
-      add(fewer, near_.ln_factor(fewer), here, b);
-      if (const auto instead = units_.instead.find(chosen[i]); instead != units_.instead.end())
-        add_beside(fewer, that_can_come(instead->second, fewer), here, b);
+      fewer.push_back(without_unit(chosen, i));
+      const auto others = units_.instead.find(chosen[i]);
+      instead.push_back(others == units_.instead.end() ? Chosen{} : that_can_come(others->second, fewer.back()));
+    }
+    const std::vector<ExchangedFactors> exchanged = near_.exchanged(chosen, instead);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      add(fewer[i], exchanged[i].without, here, b);
+      for (std::size_t k = 0; k < instead[i].size(); ++k)
+        add(with_unit(fewer[i], instead[i][k]), exchanged[i].instead[k], here, b);
     }
     return b;
   }

@@ -100,6 +100,25 @@ bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rou
   return is_new;
 }
 
+Widths widths_of(const Problem& problem) {
+  Widths widths;
+  for (const EffectColumn& c : problem.columns_of_effects) widths.push_back(c.width);
+  return widths;
+}
+
+bool end_circle(std::vector<Widths>& before, Problem& problem) {
+  const Widths now = widths_of(problem);
+  const auto same = std::find(before.begin(), before.end(), now);
+  if (same == before.end()) {
+    before.push_back(now);
+    return false;
+  }
+  for (auto widths = same; widths != before.end(); ++widths)
+    for (std::size_t c = 0; c < now.size(); ++c)
+      problem.columns_of_effects[c].width = std::max(problem.columns_of_effects[c].width, (*widths)[c]);
+  return true;
+}
+
 bool settle_guessed_noise(Problem& problem, const Solution& solution, double finest) {
   constexpr double few_per_cent = 0.05;
   const auto degrees = static_cast<double>(solution.normal.rows) - static_cast<double>(solution.basis.cols());

@@ -2,6 +2,8 @@
 // How far an effect's numbers may be from zero: their priors have heavy tails.
 #pragma once
 
+#include <vector>
+
 #include "estimation/solvers/least_squares.h"
 
 namespace handsight {
@@ -17,6 +19,14 @@ void start_prior_widths(Problem& problem, const Eigen::VectorXd& values);
 /// (widen_refuted). True where a number is pulled otherwise than before by a twentieth of its sigma or more: then the
 /// solution is no longer the problem's. `is_rough`: by three tenths.
 bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rough = false);
+
+/// One for each effect number, in units of its plausible size.
+using Widths = std::vector<double>;
+Widths widths_of(const Problem& problem);
+
+/// Widths that come again would take turns for ever: each number keeps the widest that it had in the circle, wherever
+/// that was entered. False where the problem's have not come before; they are then added to `before`.
+bool end_circle(std::vector<Widths>& before, Problem& problem);
 
 /// Where nothing tells the noise, what the solution leaves stands in for it: else priors would be weighed against a
 /// guess. Has it changed by more than a few per cent?

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/fit/sure_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimation/fit/fit_noise.h"
@@ -40,11 +41,13 @@ void settle_priors(const Session& session, Problem& images, const FitOptions& op
   constexpr int most_rounds = 6;
   FitOptions near = options;  // of the widths, to which an answer nearby is enough
   near.reuse_below = std::max(options.reuse_below, 1e-3);
-  bool is_another = false;
-  for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
+  bool is_another = false, is_circle = false;
+  std::vector<Widths> before{widths_of(images)};
+  for (int round = 0; round < most_rounds && !is_circle && fit.solution.converged && !fit.solution.stopped; ++round) {
     const bool other_noise =
         options.loss == Loss::none && settle_guessed_noise(images, fit.solution, finest_noise(session));
     const bool other_widths = settle_prior_widths(images, fit.solution, options.least_gain > 0);
+    is_circle = !other_noise && other_widths && end_circle(before, images);
     fit.problem.noise = images.noise;
     fit.problem.columns_of_effects = images.columns_of_effects;
     if (!other_noise && !other_widths) break;

@@ -68,6 +68,16 @@ Eigen::VectorXd damped_step(const Eigen::MatrixXd& h, const Eigen::VectorXd& gra
   return scale.asDiagonal() * (pseudo_inverse(scaled) * right);
 }
 
+Eigen::VectorXd gradient_by_steps(const NormalEquations& normal, const Eigen::MatrixXd& basis, bool fixed_body) {
+  return fixed_body ? Eigen::VectorXd(basis.transpose() * normal.gradient) : normal.gradient;
+}
+
+Eigen::VectorXd step_from(const NormalEquations& normal, const Eigen::MatrixXd& basis, double damping,
+                          bool fixed_body) {
+  return damped_step(by_steps(normal.information, basis, fixed_body), gradient_by_steps(normal, basis, fixed_body),
+                     damping);
+}
+
 }  // namespace
 
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) {
@@ -91,6 +101,7 @@ double size_of(const Problem& problem, const Eigen::VectorXd& step) {
 }  // namespace
 
 Solution solve(const Problem& original, const Unknowns& start, const SolveOptions& options) {
+  constexpr double most_risen = 10;  // times the cost: from farther up no single step leads back
   const bool has_effects = original.effect_count() > 0;
   Problem own;  // only a robust loss and moving effects need their own copy
   if (options.loss != Loss::none || has_effects) own = original;
@@ -113,15 +124,25 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   while (can_start && solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
     ++solution.iterations;
     solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
-    const Eigen::MatrixXd h = by_steps(solution.normal.information, solution.basis, options.fixed_body);
-    const Eigen::VectorXd gradient = options.fixed_body
-                                         ? Eigen::VectorXd(solution.basis.transpose() * solution.normal.gradient)
-                                         : solution.normal.gradient;
-    const Eigen::VectorXd step = damped_step(h, gradient, damping);
-    const Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
+    const Eigen::VectorXd gradient = gradient_by_steps(solution.normal, solution.basis, options.fixed_body);
+    const Eigen::VectorXd step = step_from(solution.normal, solution.basis, damping, options.fixed_body);
+    Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
     const double size = size_of(original, step);
     // The derivatives that are at hand after a refused step are those of where it led.
     NormalEquations normal = normal_at(next, was_refused || size >= options.reuse_below);
+    // A long step along a bent valley leaves its floor; the next one leads back to it, farther on.
+    const bool may_lead_back = normal.cost > solution.normal.cost && normal.cost < most_risen * solution.normal.cost &&
+                               size >= options.reuse_below;
+    if (may_lead_back) {
+      const Eigen::VectorXd back =
+          step_from(normal, step_basis(original, next, options.fixed_body), damping, options.fixed_body);
+      Unknowns farther = stepped(original, next, back, options.fixed_body);
+      NormalEquations there = normal_at(farther, true);
+      if (there.cost < solution.normal.cost) {
+        next = std::move(farther);
+        normal = std::move(there);
+      }
+    }
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
     const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < options.least_gain;
     const bool rounding = size < options.smallest_step || gains_nothing;

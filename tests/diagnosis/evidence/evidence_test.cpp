@@ -7,6 +7,7 @@
 #include <random>
 
 #include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/exchanged_factors.h"
 #include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
 
@@ -148,6 +149,30 @@ TEST(Evidence, BesideAGroupIsThatOfBoth) {
     };
     beside(chosen);
     beside({});
+  }
+}
+
+TEST(Evidence, AfterAnExchangeIsThatOfTheOthersAndTheNew) {
+  const Bench b = bench(6, 60);
+  const std::vector<Eigen::Index> chosen{9, 1, 4, 7, 8};
+  const std::vector<NumberExchange> exchanges{{{0, 1}, {{0, 1}, {2, 2}}}, {{1, 2}, {}}, {{3, 2}, {{5, 2}, {10, 2}}}};
+  for (const NoiseKnowledge& knowledge : {NoiseKnowledge{}, NoiseKnowledge{false, 500}}) {
+    const WhitenedModel w = whiten(b.model, {}, knowledge);
+    const Score all = score(w, 0, 12);
+    const std::vector<ExchangedFactors> factors = exchanged_factors(all, chosen, exchanges, w, knowledge);
+    ASSERT_EQ(factors.size(), exchanges.size());
+    for (std::size_t e = 0; e < exchanges.size(); ++e) {
+      const auto [gone, coming] = exchanges[e];
+      std::vector<Eigen::Index> fewer = chosen;
+      fewer.erase(fewer.begin() + gone.first, fewer.begin() + gone.first + gone.count);
+      EXPECT_NEAR(factors[e].without, ln_bayes_factor(part_of(all, fewer), w, knowledge), 1e-8) << e;
+      ASSERT_EQ(factors[e].instead.size(), coming.size());
+      for (std::size_t k = 0; k < coming.size(); ++k) {
+        std::vector<Eigen::Index> both = fewer;
+        for (Eigen::Index i = 0; i < coming[k].count; ++i) both.push_back(coming[k].first + i);
+        EXPECT_NEAR(factors[e].instead[k], ln_bayes_factor(part_of(all, both), w, knowledge), 1e-7) << e << ' ' << k;
+      }
+    }
   }
 }
 

@@ -55,6 +55,23 @@ TEST(PriorWidths, WhatIsDeterminedIsWithinATenthOfASigmaOfTheFreeAnswer) {
         << i;
 }
 
+TEST(PriorWidths, InACircleEachKeepsItsWidest) {
+  Problem problem;
+  problem.columns_of_effects.resize(3);
+  const auto set = [&](const Widths& widths) {
+    for (std::size_t c = 0; c < widths.size(); ++c) problem.columns_of_effects[c].width = widths[c];
+  };
+  std::vector<Widths> before{{25, 1, 1}};  // not of the circle
+  for (const Widths& next : {Widths{1, 5, 1}, Widths{5, 1, 1}}) {
+    set(next);
+    EXPECT_FALSE(end_circle(before, problem));
+    EXPECT_EQ(widths_of(problem), next);
+  }
+  set({1, 5, 1});
+  EXPECT_TRUE(end_circle(before, problem));
+  EXPECT_EQ(widths_of(problem), (Widths{5, 5, 1}));
+}
+
 TEST(PriorWidths, WhatIsNotThereKeepsItsPlausibleSize) {
   const Fit f = fitted(with_offsets({}).session, "joint_offset");
   for (const EffectColumn& c : f.problem.columns_of_effects) EXPECT_EQ(c.width, 1);
