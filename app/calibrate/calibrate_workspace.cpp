@@ -343,7 +343,7 @@ void CalibrateWorkspace::refresh_decision_title(bool is_present) {
 
 void CalibrateWorkspace::refresh_model() {
   is_stale_ = false;
-  if (const Inspection* all = bench_.inspection()) scene_->set_arrows(scene_arrows(*all));
+  if (const Inspection* all = bench_.inspection()) scene_->set_arrows(scene_arrows(*all, bench_.sessions));
   refresh_observation();
 }
 

@@ -68,7 +68,7 @@ void WatchingPane::remember() {
     }
   }
   memory_ = stairs;
-  if (stairs.size() > 1) remember_stairs(bench_.document.session().file, stairs);
+  if (stairs.size() > 1) remember_stairs(bench_.document.file(), stairs);
 }
 
 void WatchingPane::refresh() {

@@ -62,9 +62,11 @@ widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, 
                            .coordinates = row && row->coordinates > 0 ? row->coordinates : 12,
                            .bar = unit.scale * p.sigma,
                            .is_weak = p.sigma > weak * proof.noise});
+    if (!bench.sessions.is_observation_shown(p.id)) continue;
     const double y = unit.scale * (1 - added) * p.curve;
     plot.candidate.push_back({p.x, y, y - noise, y + noise});
   }
+  bench.sessions.apply(plot.points);
   std::stable_sort(plot.candidate.begin(), plot.candidate.end(),
                    [](const widgets::TrendPoint& a, const widgets::TrendPoint& b) { return a.x < b.x; });
   if (added >= 1) plot.trend = std::exchange(plot.candidate, {});

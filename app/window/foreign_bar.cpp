@@ -65,7 +65,7 @@ ForeignBar::ForeignBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
 void ForeignBar::begin() {
   is_put_off_ = false;
   seen_.reset();
-  const QString folder = QString::fromStdString(bench_.document.session().file.parent_path().string());
+  const QString folder = QString::fromStdString(bench_.document.file().parent_path().string());
   if (!files_.directories().contains(folder)) {
     if (!files_.directories().isEmpty()) files_.removePaths(files_.directories());
     files_.addPath(folder);
@@ -84,7 +84,7 @@ void ForeignBar::look() {
   if (!bench_.document.is_open()) return;
   timer_.start(between_looks);
   std::error_code no_size, no_time;
-  const fs::path& file = bench_.document.session().file;
+  const fs::path& file = bench_.document.file();
   const Stamp now{fs::file_size(file, no_size), fs::last_write_time(file, no_time)};
   if (no_size || no_time || seen_ == now) return;  // it is being replaced, or is as it was
   seen_ = now;

@@ -83,6 +83,11 @@ class MainWindow : public QMainWindow {
   void connect_units();
   void show_collisions();
   void choose_session();
+  void choose_added();
+  bool is_another(const std::filesystem::path& path) const;
+  /// Asks what the session shares with what is open.
+  void add_session(const QString& path);
+  void show_shared();
   void run_wizard();
   void save();
   void show_keys();

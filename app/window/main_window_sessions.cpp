@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "bench/session_parts.h"
+#include "collection/share_dialog.h"
 #include "start/session_places.h"
 #include "start/start_page.h"
 #include "widgets/base/read_out_line.h"
@@ -49,12 +51,20 @@ bool wants_explaining(const Session& s) {
 
 /// Where the work goes on.
 Place first_place(const Session& s) {
-  if (wants_labels(s)) return Place::label;
+  if (!is_joined(s) && wants_labels(s)) return Place::label;
   if (wants_explaining(s)) return Place::explain;
+  if (is_joined(s)) return Place::inspect;
   return is_decided(s) ? Place::inspect : Place::calibrate;
 }
 
 }  // namespace
+
+/// Another session than the one that is open, which is not one of touches.
+bool MainWindow::is_another(const std::filesystem::path& path) const {
+  std::error_code error;
+  const auto open = session_folder(bench_.document.file());
+  return !bench_.document.session().is_touch() && session_folder(path) != open;
+}
 
 bool MainWindow::open(const QString& path) {
   try {
@@ -89,6 +99,26 @@ void MainWindow::choose_session() {
   dialog->open();
 }
 
+void MainWindow::choose_added() {
+  auto* dialog = new QFileDialog(this, tr("Add a session of this robot"),
+                                 QString::fromStdString(bench_.document.file().parent_path().parent_path().string()),
+                                 tr("Sessions (*.xml)"));
+  dialog->setObjectName("add_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::add_session);
+  dialog->open();
+}
+
+void MainWindow::add_session(const QString& path) {
+  auto* dialog = new ShareDialog(bench_, path.toStdString(), this);
+  connect(dialog, &ShareDialog::written, this, &MainWindow::open);
+  connect(dialog, &ShareDialog::open_wanted, this, &MainWindow::open);
+  dialog->open();
+}
+
+void MainWindow::show_shared() { (new ShareDialog(bench_, this))->open(); }
+
 void MainWindow::run_wizard() {
   SessionWizard::run(
       *this, [this](const QString& path) { open(path); }, [this] { bring_files({}); });
@@ -113,7 +143,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const std::filesystem::path& first = files.front();
   const bool is_session =
       files.size() == 1 && (first.filename() == "session.xml" || std::filesystem::exists(first / "session.xml", error));
-  if (is_session) {
+  if (is_session && bench_.document.is_open() && is_another(first)) {
+    add_session(QString::fromStdString(first.string()));
+  } else if (is_session || (files.size() == 1 && is_collection(first))) {
     open(QString::fromStdString(first.string()));
   } else {
     bring_files(files);
@@ -132,7 +164,12 @@ void MainWindow::save() {
 void MainWindow::session_opened() {
   const Session& s = bench_.document.session();
   setWindowTitle(tr("%1 - Handsight").arg(name_of(s)));
-  remember_session(s.file, name_of(s));
+  if (bench_.document.is_rejoining()) {  // the same work goes on
+    refresh_strip();
+    show_workspace(place_);
+    return refresh_rail();
+  }
+  remember_session(bench_.document.file(), name_of(s));
   start_->set_refusal({});
   pages_->setCurrentIndex(1);
   strip_->set_selected(widgets::kNoObservation);
@@ -160,7 +197,7 @@ void MainWindow::remember_state() {
   QString state = tr("Error %1, noise %2").arg(text_in(unit, sizes.error()), text_in(unit, sizes.noise));
   const QString explained = page_of(Place::explain).status().line;
   if (!explained.isEmpty()) state += tr(": %1").arg(explained);
-  handsight::app::remember_state(bench_.document.session().file, state, ratios);
+  handsight::app::remember_state(bench_.document.file(), state, ratios);
 }
 
 void MainWindow::session_closed() {

@@ -26,8 +26,8 @@ ObservationStrip::ObservationStrip(QWidget* parent)
   setAccessibleName(QObject::tr("Observation strip"));
 }
 
-QSize ObservationStrip::sizeHint() const { return {1152, 74}; }
-QSize ObservationStrip::minimumSizeHint() const { return {240, 74}; }
+QSize ObservationStrip::sizeHint() const { return {1152, 80}; }
+QSize ObservationStrip::minimumSizeHint() const { return {240, 80}; }
 
 void ObservationStrip::set_cells(std::vector<ObservationCell> cells) {
   cells_ = std::move(cells);
@@ -65,6 +65,11 @@ void ObservationStrip::set_highlighted(std::vector<ObservationId> ids) {
   std::sort(ids.begin(), ids.end());
   highlighted_ = std::move(ids);
   update();
+}
+
+void ObservationStrip::set_session_names(const QStringList& names) {
+  session_names_ = names;
+  invalidate();
 }
 
 void ObservationStrip::set_empty_text(const QString& sentence) {

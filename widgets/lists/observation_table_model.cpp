@@ -8,6 +8,7 @@
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
+#include "widgets/base/session_mark.h"
 #include "widgets/base/theme.h"
 
 namespace handsight::widgets {
@@ -111,6 +112,8 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
   const ObservationRow& row = rows_[static_cast<std::size_t>(index.row())];
   const auto column = static_cast<TableColumn>(index.column());
   if (role == Qt::DisplayRole) return shown(row, column, units_);
+  if (role == Qt::DecorationRole && column == TableColumn::id && row.session >= 0)
+    return session_mark_picture(row.session, 12, 2);
   if (role == kSortRole) return sort_value(row, column, units_);
   if (role == Qt::ToolTipRole && column >= TableColumn::state && !row.reason.isEmpty()) return row.reason;
   if (role == Qt::TextAlignmentRole)
