@@ -239,7 +239,9 @@ void ShareDialog::add() {
     } else {
       std::error_code error;
       if (fs::exists(c.file, error))
-        throw InputError(c.file.string() + ": is there already and is not written over; name another file.");
+        throw InputError(tr("%1 is there already and is not written over; name another file.")
+                             .arg(QString::fromStdString(c.file.string()))
+                             .toStdString());
       bench_.document.save();
       replace_file(c.file, collection_text(c));
       emit written(QString::fromStdString(c.file.string()));

@@ -119,6 +119,7 @@ ModelVersionPointer inspected_again(const Session& session, const ModelVersion& 
 ModelVersionPointer doubted(const Session& session, const ModelVersion& before, const Doubt& doubt) {
   auto version = std::make_shared<ModelVersion>(before);
   version->prediction.doubt = doubt;
+  if (!before.hands.empty()) return version;  // what is doubted is no part of a collection's calibration
   auto calibration = std::make_shared<Calibration>(*before.calibration);
   set_doubt(session.robot, terms_of(*before.fit), doubt, *calibration);
   version->calibration = std::move(calibration);

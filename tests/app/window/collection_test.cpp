@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// A collection in the window: opened like a session, shown session by session, what is shared changed, one more added.
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QUrl>
+
+#include "app/two_hands.h"
+#include "app/window/pages.h"
+#include "base/files.h"
+#include "collection/share_dialog.h"
+#include "export/export_workspace.h"
+#include "session/calibration_xml.h"
+#include "temporary_folder.h"
+#include "widgets/images/image_view.h"
+#include "widgets/lists/observation_strip.h"
+#include "widgets/plots/scatter_plot.h"
+#include "widgets/scene/robot_view.h"
+
+namespace handsight::test {
+namespace {
+
+class CollectionPage : public testing::Test {
+ protected:
+  void SetUp() override { file = two_hands(folder.path); }
+  void open(const std::filesystem::path& path) {
+    ASSERT_TRUE(desk.window.open(QString::fromStdString(path.string())));
+    ASSERT_TRUE(desk.settle());
+    ASSERT_TRUE(desk.document().model() && desk.document().model()->fit);
+  }
+  void go(int workspace) {
+    desk.key(Qt::Key_0 + workspace, Qt::ControlModifier);
+    desk.settle();
+  }
+  widgets::ObservationStrip* strip() { return desk.find<widgets::ObservationStrip>("strip"); }
+  QToolButton* toggle(int session) {
+    return desk.find<QToolButton>(QString("session_%1").arg(session).toUtf8().constData());
+  }
+  app::ShareDialog* dialog() {
+    EXPECT_TRUE(desk.wait([this] { return desk.window.findChild<app::ShareDialog*>() != nullptr; }));
+    return desk.window.findChild<app::ShareDialog*>();
+  }
+  void drop(const std::filesystem::path& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(path.string()))});
+    QDragEnterEvent enter({20, 20}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&desk.window, &enter);
+    QDropEvent dropped(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&desk.window, &dropped);
+    QTest::qWait(50);
+  }
+
+  TemporaryFolder folder;
+  std::filesystem::path file;
+  Desk desk;
+};
+
+TEST_F(CollectionPage, OpensLikeASessionWithItsSessionsNamed) {
+  open(folder.path);
+  EXPECT_EQ(desk.window.windowTitle(), "Both hands - Handsight");
+  ASSERT_TRUE(desk.find<QWidget>("sessions")->isVisible());
+  EXPECT_TRUE(toggle(0)->text().startsWith("right"));
+  EXPECT_TRUE(toggle(1)->text().contains("px")) << toggle(1)->text().toStdString();
+  ASSERT_EQ(strip()->cells().size(), 80U);
+  EXPECT_EQ(strip()->cells().front().session, 0);
+  EXPECT_EQ(strip()->cells().back().session, 1);
+  desk.document().close();
+  EXPECT_TRUE(desk.find<QWidget>("recent_0")->isVisible()) << "the start page offers it again";
+}
+
+TEST_F(CollectionPage, ASessionAloneHasNoRowOfSessions) {
+  open(folder.path / "right");
+  EXPECT_FALSE(desk.find<QWidget>("sessions")->isVisible());
+  EXPECT_EQ(strip()->cells().front().session, -1);
+}
+
+TEST_F(CollectionPage, WhatIsHiddenIsHiddenInStripTableAndPlots) {
+  open(file);
+  go(3);
+  InspectPage inspect{desk};
+  EXPECT_EQ(inspect.table()->shown().size(), 80U);
+  desk.click(toggle(0));
+  EXPECT_FALSE(toggle(0)->isChecked());
+  EXPECT_EQ(strip()->cells().size(), 40U);
+  EXPECT_EQ(inspect.table()->shown().size(), 40U);
+  desk.click(toggle(1));
+  EXPECT_TRUE(toggle(1)->isChecked()) << "one at least is looked at";
+  desk.click(toggle(1), toggle(1)->rect().center(), Qt::ShiftModifier);
+  EXPECT_EQ(strip()->cells().size(), 80U) << "it was alone: all again";
+  ExplainPage explain{desk};
+  ASSERT_TRUE(explain.open());
+  const auto with_points = [this] {
+    std::vector<widgets::ScatterPlot*> plots;
+    for (auto* plot : desk.window.findChildren<widgets::ScatterPlot*>())
+      if (plot->isVisible() && !plot->points().empty()) plots.push_back(plot);
+    return plots;
+  };
+  ASSERT_FALSE(with_points().empty());
+  const auto all = with_points().front()->points().size();
+  desk.press_button("session_marks");
+  for (const widgets::ScatterPoint& p : with_points().front()->points())
+    EXPECT_EQ(p.session, desk.document().find(p.observation)->part);
+  desk.click(toggle(1));
+  EXPECT_LT(with_points().front()->points().size(), all);
+  for (const widgets::ScatterPoint& p : with_points().front()->points()) EXPECT_EQ(p.session, 0);
+}
+
+TEST_F(CollectionPage, EachHandStandsInCalibrateAndInTheModel) {
+  open(file);
+  go(2);
+  auto* hands = desk.find<QTableWidget>("hands_table");
+  ASSERT_TRUE(hands->isVisible());
+  ASSERT_EQ(hands->columnCount(), 2);
+  EXPECT_EQ(hands->horizontalHeaderItem(1)->text(), "left");
+  EXPECT_TRUE(hands->item(0, 0)->text().contains("±"));
+  EXPECT_NE(hands->item(0, 0)->text(), hands->item(0, 1)->text());
+  EXPECT_FALSE(desk.find<QAbstractButton>("play")->isEnabled());
+  EXPECT_TRUE(desk.find<QLabel>("play_progress")->text().contains("one by one"));
+  desk.window.bench().selection.select_observation(70);
+  const Rigid left = desk.window.bench().row(70)->root_from_tcp;
+  desk.window.bench().selection.select_observation(3);
+  const Rigid right = desk.window.bench().row(3)->root_from_tcp;
+  EXPECT_GT((left.translation - right.translation).norm(), 0.05) << "another hand";
+}
+
+TEST_F(CollectionPage, WhatIsSharedIsChangedAndUndone) {
+  open(file);
+  ASSERT_EQ(desk.document().session().rig->count(), 2);
+  desk.press_button("what_is_shared");
+  app::ShareDialog* share = dialog();
+  ASSERT_NE(share, nullptr);
+  auto* rig = share->findChild<QCheckBox*>("share_rig");
+  EXPECT_TRUE(rig->isChecked());
+  EXPECT_FALSE(share->findChild<QCheckBox*>("share_body")->isChecked());
+  EXPECT_FALSE(share->findChild<QCheckBox*>("share_robot")->isEnabled()) << "always";
+  rig->click();
+  EXPECT_EQ(desk.document().session().rig->count(), 4);
+  EXPECT_EQ(desk.document().undo_stack().undoText(), "the cameras of left are not those of right");
+  auto* body = share->findChild<QCheckBox*>("share_body");
+  body->click();
+  EXPECT_FALSE(body->isChecked()) << "two hands are not one";
+  EXPECT_TRUE(share->findChild<QLabel*>("share_said")->text().contains("another TCP"))
+      << share->findChild<QLabel*>("share_said")->text().toStdString();
+  share->reject();
+  ASSERT_TRUE(desk.settle());
+  EXPECT_NE(desk.document().model()->fit, nullptr);
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(desk.document().session().rig->count(), 2);
+  ASSERT_TRUE(desk.settle());
+  EXPECT_TRUE(desk.document().is_saved());
+}
+
+TEST_F(CollectionPage, ASessionDroppedOnAnOpenOneMakesACollectionWhereTheUserSays) {
+  std::filesystem::remove(file);
+  open(folder.path / "right");
+  drop(folder.path / "left" / "session.xml");
+  app::ShareDialog* add = dialog();
+  ASSERT_NE(add, nullptr);
+  EXPECT_EQ(add->findChild<QLineEdit*>("collection_file")->text().toStdString(), file.string());
+  add->findChild<QCheckBox*>("share_rig")->click();
+  auto* body = add->findChild<QCheckBox*>("share_body");
+  body->click();
+  EXPECT_FALSE(add->findChild<QPushButton*>("add_it")->isEnabled()) << "said before the click";
+  body->click();
+  const QString where = QString::fromStdString((folder.path / "two.xml").string());
+  add->findChild<QLineEdit*>("collection_file")->setText(where);
+  add->findChild<QPushButton*>("add_it")->click();
+  ASSERT_TRUE(desk.wait([&] { return desk.document().collection() != nullptr; }));
+  EXPECT_EQ(desk.document().file(), folder.path / "two.xml");
+  EXPECT_EQ(desk.document().session().parts.size(), 2U);
+  EXPECT_EQ(desk.document().session().rig->count(), 2) << "one rig";
+  ASSERT_TRUE(desk.settle());
+}
+
+TEST_F(CollectionPage, ASessionIsAddedToACollectionAndTakenBack) {
+  write_hand(of_left_hand(read_session(folder.path / "right")), folder.path / "left_again", 9, 15);
+  open(file);
+  drop(folder.path / "left_again");
+  app::ShareDialog* add = dialog();
+  ASSERT_NE(add, nullptr);
+  EXPECT_EQ(add->findChild<QLineEdit*>("collection_file"), nullptr) << "it stands somewhere already";
+  add->findChild<QPushButton*>("add_it")->click();
+  EXPECT_EQ(desk.document().session().parts.size(), 3U);
+  EXPECT_EQ(toggle(2)->accessibleName(), "left_again");
+  ASSERT_TRUE(desk.settle());
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(desk.document().session().parts.size(), 2U);
+  ASSERT_TRUE(desk.settle());
+  EXPECT_TRUE(desk.document().model()->fit);
+}
+
+TEST_F(CollectionPage, ExportWritesAllHands) {
+  open(file);
+  go(5);
+  auto* hand = desk.find<QComboBox>("export_hand");
+  ASSERT_TRUE(hand->isVisible());
+  auto* motion = desk.find<QTableWidget>("motion");
+  const QString right = motion->item(0, 1)->text();
+  hand->setCurrentIndex(1);
+  EXPECT_NE(motion->item(0, 1)->text(), right);
+  desk.type_into(desk.find<QLineEdit>("export_path"), QString::fromStdString((folder.path / "both.xml").string()));
+  desk.press_button("save_xml");
+  const Calibration written = read_calibration(folder.path / "both.xml");
+  ASSERT_EQ(written.sessions.size(), 2U);
+  EXPECT_EQ(written.sessions[1].session, "left");
+  EXPECT_NEAR((written.sessions[1].tcp_from_body.motion.translation -
+               desk.document().model()->hands[1].tcp_from_body.translation)
+                  .norm(),
+              0, 1e-9);
+}
+
+TEST_F(CollectionPage, EverySessionShowsItsOwnImages) {
+  const auto sample = [](const char* name) {
+    return std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name;
+  };
+  for (const char* name : {"first_steps", "hundred_poses"})
+    std::filesystem::copy(sample(name), folder.path / name, std::filesystem::copy_options::recursive);
+  replace_file(folder.path / "images.xml",
+               "<handsight_collection version=\"1\" title=\"Images\"><session folder=\"first_steps\"/>"
+               "<session folder=\"hundred_poses\"/></handsight_collection>");
+  ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "images.xml").string())));
+  desk.settle();
+  go(3);
+  for (const Observation& o :
+       {desk.document().session().observations.front(), desk.document().session().observations.back()}) {
+    desk.window.bench().selection.select_observation(o.id);
+    desk.settle();
+    const auto first = static_cast<std::size_t>(o.part == 0 ? 0 : 2);
+    const QImage own(QString::fromStdString((folder.path / o.images[first]).string()));
+    ASSERT_FALSE(own.isNull()) << o.images[first];
+    EXPECT_EQ(desk.find<widgets::ImageView>("inspect_left")->image(), own) << o.images[first];
+  }
+}
+
+}  // namespace
+}  // namespace handsight::test
