@@ -5380,6 +5380,14 @@
         <source>Mount, %1</source>
         <translation>Ort der Kameras, %1</translation>
     </message>
+    <message>
+        <source>The mount drifts: %1 over the session (%2), %3 mm at the hand at most.</source>
+        <translation>Der Ort der Kameras wandert: %1 über die Sitzung (%2), höchstens %3 mm an der Hand.</translation>
+    </message>
+    <message>
+        <source>The mount drifts: %1 over the session (%2).</source>
+        <translation>Der Ort der Kameras wandert: %1 über die Sitzung (%2).</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
