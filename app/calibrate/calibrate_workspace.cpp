@@ -287,6 +287,7 @@ void CalibrateWorkspace::activate() {
   set_robot();
   refresh_transport();
   if (is_stale_) refresh_model();
+  hands_->look();
   if (!player_.is_playing()) refresh_decisions();
   refresh_observation();
   recall();
@@ -370,6 +371,7 @@ void CalibrateWorkspace::refresh_decision_title(bool is_present) {
 void CalibrateWorkspace::refresh_model() {
   is_stale_ = false;
   show_hands();
+  if (is_active()) hands_->look();
   if (const Inspection* all = bench_.inspection()) scene_->set_arrows(scene_arrows(*all, bench_.sessions));
   refresh_observation();
 }

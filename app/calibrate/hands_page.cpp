@@ -17,6 +17,8 @@
 namespace handsight::app {
 namespace {
 
+constexpr int held_out_row = 8;  // with the robot of the others
+
 /// "12.34 ± 0.05", and what cannot be determined without a figure.
 QString with_sigma(double value, double sigma) {
   return std::isfinite(sigma) ? widgets::with_sigma_text(value, sigma) : QObject::tr("not determined");
@@ -33,7 +35,8 @@ QStringList cells_of(const HandModel& hand, const PartReport& part) {
   const Vector3 rpy = degrees * rpy_from_rotation(hand.tcp_from_body.rotation);
   for (int i = 0; i < 3; ++i) cells << with_sigma(1e3 * hand.tcp_from_body.translation[i], 1e3 * hand.sigma[i]);
   for (int i = 0; i < 3; ++i) cells << with_sigma(rpy[i], degrees * hand.sigma[i + 3]);
-  return cells << error_text(part, part.fitted) << error_text(part, part.held_out) << QString::number(part.used);
+  return cells << error_text(part, part.fitted) << error_text(part, part.held_out) << QStringLiteral("-")
+               << QString::number(part.used);
 }
 
 }  // namespace
@@ -43,8 +46,10 @@ HandsPage::HandsPage(Workbench& bench, QWidget* parent) : QWidget(parent), bench
   sentence_ = new QLabel(this);
   sentence_->setWordWrap(true);
   sentence_->setObjectName("hands_sentence");
-  const QStringList rows{tr("x mm"),    tr("y mm"),  tr("z mm"),     tr("roll deg"),    tr("pitch deg"),
-                         tr("yaw deg"), tr("error"), tr("held out"), tr("observations")};
+  const QStringList rows{tr("x mm"),        tr("y mm"),      tr("z mm"),
+                         tr("roll deg"),    tr("pitch deg"), tr("yaw deg"),
+                         tr("error"),       tr("held out"),  tr("with the robot of the others"),
+                         tr("observations")};
   table_ = new QTableWidget(static_cast<int>(rows.size()), 0, this);
   table_->setObjectName("hands_table");
   table_->setAccessibleName(tr("TCP→Body of each hand"));
@@ -85,7 +90,46 @@ void HandsPage::refresh() {
       table_->setItem(r, c, item);
     }
   }
+  show_held_out();
   table_->resizeColumnsToContents();
+}
+
+/// Was the robot learned, or the fixture? Of longer collections it takes too long, and blunders would rule it.
+void HandsPage::look() {
+  const ModelVersionPointer model = bench_.document.model();
+  const bool is_wanted = model && model->fit && !model->hands.empty() && model->report->used <= most_shown &&
+                         model->wrong_points.empty() && model->lone.empty();
+  if (!is_wanted || model == held_out_of_) return;
+  held_out_of_ = model;
+  held_out_.clear();
+  for (int c = 0; c < table_->columnCount(); ++c)
+    if (QTableWidgetItem* item = table_->item(held_out_row, c)) item->setText(QStringLiteral("…"));
+  bench_.background.start<std::vector<ErrorSummary>>(
+      "sessions held out", tr("Sessions held out one by one"),
+      [model, session = bench_.document.shared_session()](JobControl& control) {
+        FitReport told = *model->report;
+        hold_out_sessions(*session, *model->fit, model->options, told, [&] { return !control.is_cancelled(); });
+        std::vector<ErrorSummary> errors;
+        for (const PartReport& part : part_reports(*session, *model->fit, told))
+          errors.push_back(part.held_out_session);
+        return errors;
+      },
+      [this, model](const std::vector<ErrorSummary>& errors) {
+        if (model != held_out_of_) return;
+        held_out_ = errors;
+        show_held_out();
+      },
+      [](const QString&) {});
+}
+
+void HandsPage::show_held_out() {
+  const ModelVersionPointer model = bench_.document.shown_model();
+  if (!model || model != held_out_of_ || model->parts.size() != held_out_.size()) return;
+  for (int c = 0; c < table_->columnCount() && c < static_cast<int>(held_out_.size()); ++c) {
+    const auto at = static_cast<std::size_t>(c);
+    if (QTableWidgetItem* item = table_->item(held_out_row, c))
+      item->setText(error_text(model->parts[at], held_out_[at]));
+  }
 }
 
 }  // namespace handsight::app

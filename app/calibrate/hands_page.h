@@ -17,11 +17,16 @@ class HandsPage : public QWidget {
  public:
   explicit HandsPage(Workbench& bench, QWidget* parent = nullptr);
   void refresh();
+  /// Looked at now: what takes longer is worked out.
+  void look();
 
  private:
+  void show_held_out();
   Workbench& bench_;
   QLabel* sentence_;
   QTableWidget* table_;
+  ModelVersionPointer held_out_of_;
+  std::vector<ErrorSummary> held_out_;  // by session, with the robot from the others alone; empty: not yet
 };
 
 }  // namespace handsight::app

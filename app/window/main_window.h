@@ -84,6 +84,8 @@ class MainWindow : public QMainWindow {
   void show_collisions();
   void choose_session();
   void choose_added();
+  void open_new(const QString& path);
+  bool is_same_robot(const std::filesystem::path& path) const;
   bool is_another(const std::filesystem::path& path) const;
   /// Asks what the session shares with what is open.
   void add_session(const QString& path);

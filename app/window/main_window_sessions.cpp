@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "bench/session_parts.h"
 #include "collection/share_dialog.h"
+#include "session/session_xml.h"
 #include "start/session_places.h"
 #include "start/start_page.h"
 #include "widgets/base/read_out_line.h"
@@ -117,15 +118,30 @@ void MainWindow::add_session(const QString& path) {
   dialog->open();
 }
 
+/// One that was just made: another hand, camera or day of the robot that is open is offered to be added to it.
+void MainWindow::open_new(const QString& path) {
+  is_same_robot(path.toStdString()) ? add_session(path) : static_cast<void>(open(path));
+}
+
+bool MainWindow::is_same_robot(const std::filesystem::path& path) const {
+  if (!bench_.document.is_open() || !is_another(path) || bench_.document.session().robot.is_of_poses) return false;
+  try {
+    require_same_robot(bench_.document.session(), read_session(path));
+    return true;
+  } catch (const InputError&) {
+    return false;  // opening it says what is the matter
+  }
+}
+
 void MainWindow::show_shared() { (new ShareDialog(bench_, this))->open(); }
 
 void MainWindow::run_wizard() {
   SessionWizard::run(
-      *this, [this](const QString& path) { open(path); }, [this] { bring_files({}); });
+      *this, [this](const QString& path) { open_new(path); }, [this] { bring_files({}); });
 }
 
 FilesWizard* MainWindow::bring_files(const std::vector<std::filesystem::path>& files) {
-  return FilesWizard::run(*this, bench_.background, files, [this](const QString& path) { open(path); });
+  return FilesWizard::run(*this, bench_.background, files, [this](const QString& path) { open_new(path); });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -5388,6 +5388,14 @@
         <source>The mount drifts: %1 over the session (%2).</source>
         <translation>Der Ort der Kameras wandert: %1 über die Sitzung (%2).</translation>
     </message>
+    <message>
+        <source>with the robot of the others</source>
+        <translation>mit dem Roboter der anderen</translation>
+    </message>
+    <message>
+        <source>Sessions held out one by one</source>
+        <translation>Sitzungen einzeln zurückgehalten</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
