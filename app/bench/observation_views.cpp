@@ -160,8 +160,8 @@ std::vector<widgets::SceneHand> other_hands(const Session& s, const std::string&
   if (is_joined(s))
     for (const SessionPart& part : s.parts)
       if (known.insert(part.tcp).second)
-        hands.push_back(
-            {QString::fromStdString(part.title), links[static_cast<std::size_t>(find_link(s.robot, part.tcp))]});
+        hands.push_back({QObject::tr("hand of %1").arg(QString::fromStdString(part.title)),
+                         links[static_cast<std::size_t>(find_link(s.robot, part.tcp))]});
   return hands;
 }
 

@@ -241,6 +241,8 @@ void CalibrateWorkspace::show_hands() {
   const bool is_collection = is_joined(bench_.document.session());
   hands_->setVisible(is_collection);
   board_->setVisible(!is_collection);
+  decisions_->set_empty_text(is_collection ? tr("Observations are taken or rejected in each session.")
+                                           : tr("Play: each observation is taken, or rejected with its reason."));
   if (is_collection) hands_->refresh();
 }
 

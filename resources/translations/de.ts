@@ -5369,10 +5369,6 @@
         <translation>Der Roboter ist für alle Sitzungen derselbe; jede Hand ist eine eigene, oder gemeinsam, wo Sie es gesagt haben.</translation>
     </message>
     <message>
-        <source>Sessions are played one by one: open one of them by itself. Here they are fitted together.</source>
-        <translation>Sitzungen werden einzeln abgespielt: öffnen Sie eine von ihnen für sich. Hier werden sie gemeinsam angepasst.</translation>
-    </message>
-    <message>
         <source>TCP→Body, %1</source>
         <translation>TCP→Body, %1</translation>
     </message>
@@ -5395,6 +5391,18 @@
     <message>
         <source>Sessions held out one by one</source>
         <translation>Sitzungen einzeln zurückgehalten</translation>
+    </message>
+    <message>
+        <source>Sessions are played one by one, each opened by itself.</source>
+        <translation>Sitzungen werden einzeln abgespielt, jede für sich geöffnet.</translation>
+    </message>
+    <message>
+        <source>Observations are taken or rejected in each session.</source>
+        <translation>Beobachtungen werden in jeder Sitzung genommen oder verworfen.</translation>
+    </message>
+    <message>
+        <source>hand of %1</source>
+        <translation>Hand von %1</translation>
     </message>
 </context>
 <context>

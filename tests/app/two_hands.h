@@ -22,16 +22,17 @@ inline Session of_left_hand(Session s) {
   return s;
 }
 
-/// Simulated like `like` into `out`, with a torso joint whose zero is off.
+/// Simulated like `like` into `out`, with a spring in the shoulder.
 inline void write_hand(const Session& like, const std::filesystem::path& out, std::uint64_t seed, int observations,
                        int with_images = 0) {
   SimulationOptions o;
   o.seed = seed;
   o.observations = observations;
   o.title = out.filename().string();
-  EffectTerm torso = term_of(*find_effect("joint_offset"), find_joint(like.robot, "torso_2"));
-  torso.values[0] = 0.004;
-  o.effects = {torso};
+  const std::string shoulder = like.tcp.substr(0, like.tcp.find('_')) + "_arm_2";
+  EffectTerm spring = term_of(*find_effect("joint_elasticity"), find_joint(like.robot, shoulder));
+  spring.values[0] = 1.2e-4;
+  o.effects = {spring};
   ImageOptions images;
   images.observations = with_images;
   write_simulated(simulate_session(like, o), o, folder(like) / like.robot_file, images, out);

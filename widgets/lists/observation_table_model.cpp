@@ -112,8 +112,6 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
   const ObservationRow& row = rows_[static_cast<std::size_t>(index.row())];
   const auto column = static_cast<TableColumn>(index.column());
   if (role == Qt::DisplayRole) return shown(row, column, units_);
-  if (role == Qt::DecorationRole && column == TableColumn::id && row.session >= 0)
-    return session_mark_picture(row.session, 12, 2);
   if (role == kSortRole) return sort_value(row, column, units_);
   if (role == Qt::ToolTipRole && column >= TableColumn::state && !row.reason.isEmpty()) return row.reason;
   if (role == Qt::TextAlignmentRole)
@@ -285,6 +283,10 @@ void ObservationTableDelegate::paint(QPainter* painter, const QStyleOptionViewIt
     const QRectF swatch(cell.left() + 6, cell.center().y() - 5, 8, 10);
     if (ratio) painter->fillRect(swatch, residual_color(ratio, is_id ? row.coordinates : 2));
     room.setLeft(swatch.right() + 4);
+    if (is_id && row.session >= 0) {
+      draw_session_mark(*painter, QPointF(swatch.right() + 8, cell.center().y() + 0.5), 8, row.session);
+      room.setLeft(swatch.right() + 14);
+    }
   }
   const bool is_out = row.state == CellState::rejected || row.state == CellState::excluded;
   QFont font = is_number(column) ? number_font(TextRole::body) : text_font(TextRole::body);

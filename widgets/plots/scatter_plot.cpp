@@ -118,7 +118,7 @@ void ScatterPlot::restyle() {
     const QColor color = session_mark_color(i);
     const auto at = static_cast<std::size_t>(i);
     layers_->of_session[at]->setScatterStyle(
-        QCPScatterStyle(session_mark_path(i), QPen(Qt::NoPen), QBrush(color), mark));
+        QCPScatterStyle(session_mark_path(i), QPen(color, 0.5), QBrush(color), mark));
     layers_->weak_of_session[at]->setScatterStyle(
         QCPScatterStyle(session_mark_path(i), QPen(color, 1), QBrush(c.panel), mark));
   }
