@@ -56,7 +56,8 @@ HandsPage::HandsPage(Workbench& bench, QWidget* parent) : QWidget(parent), bench
   table_->setVerticalHeaderLabels(rows);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
-  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->verticalHeader()->setMinimumSectionSize(18);
+  table_->verticalHeader()->setDefaultSectionSize(20);
   table_->setFrameShape(QFrame::NoFrame);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);

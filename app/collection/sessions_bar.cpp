@@ -84,8 +84,9 @@ void SessionsBar::rebuild() {
 
 void SessionsBar::refresh() {
   if (sessions_.empty() || !bench_.document.is_open()) return;
-  const ModelVersionPointer model = bench_.document.shown_model();
   const QStringList titles = bench_.sessions.names();
+  if (titles.size() != static_cast<qsizetype>(sessions_.size())) return rebuild();  // one came or went
+  const ModelVersionPointer model = bench_.document.shown_model();
   names_.clear();
   for (int i = 0; i < static_cast<int>(sessions_.size()); ++i) {
     const auto at = static_cast<std::size_t>(i);
