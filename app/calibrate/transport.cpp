@@ -189,8 +189,7 @@ bool Transport::is_labelled() const {
 }
 
 QString Transport::progress_text() const {
-  if (bench_.document.is_open() && is_joined(bench_.document.session()))
-    return tr("Sessions are played one by one, each opened by itself.");
+  if (bench_.document.is_open() && is_joined(bench_.document.session())) return tr("Each session is played by itself.");
   if (!bench_.document.is_open() || !is_labelled())
     return tr("Waits for three markers: label the first observation (Ctrl+1).");
   const std::size_t count = bench_.document.session().observations.size(), at = player_.position();

@@ -112,7 +112,7 @@ void LabelWorkspace::show_observation() {
       if (!is_same || was_coming_) view->fit();
     }
   };
-  const bool is_labelled_here = !is_joined(s) && (!s.rig || is_pair(*s.rig));
+  is_labelled_here_ = !is_joined(s) && (!s.rig || is_pair(*s.rig));
   const bool is_coming = left.is_coming || right.is_coming;
   const auto camera = [&](int c) {
     return c < own.camera_count ? camera_title(*s.rig, own.first_camera + c) : QString();
@@ -125,10 +125,10 @@ void LabelWorkspace::show_observation() {
   show(right_, right_loupe_, right, camera(1), file(1));
   was_coming_ = is_coming;
   for (QWidget* w : std::initializer_list<QWidget*>{right_, right_loupe_, together_}) w->setVisible(has_second);
-  for (widgets::ImageView* view : {left_, right_}) view->set_labelling(is_labelled_here);
-  hint_->setVisible(is_labelled_here);
+  for (widgets::ImageView* view : {left_, right_}) view->set_labelling(is_labelled_here_);
+  hint_->setVisible(is_labelled_here_);
   refresh();
-  if (is_labelled_here && corners_of_ != o->id && !left.image.isNull() && !right.image.isNull()) find_corners(o->id);
+  if (is_labelled_here_ && corners_of_ != o->id && !left.image.isNull() && !right.image.isNull()) find_corners(o->id);
 }
 
 void LabelWorkspace::find_corners(std::int64_t id) {

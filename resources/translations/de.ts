@@ -5186,11 +5186,11 @@
     </message>
     <message>
         <source>The collection or one of its sessions was changed by another program since it was opened; close it and open it again: what was done here is put on top of it.</source>
-        <translation>Die Sammlung oder eine ihrer Sitzungen wurde von einem anderen Programm geändert, seit sie geöffnet wurde; schließen Sie sie und öffnen Sie sie wieder: was hier getan wurde, kommt obendrauf.</translation>
+        <translation>Die Sammlung oder eine ihrer Sitzungen wurde von einem anderen Programm geändert, seit sie geöffnet wurde; schließe sie und öffne sie wieder: was hier getan wurde, kommt obendrauf.</translation>
     </message>
     <message>
         <source>%1 is there already and is not written over; name another file.</source>
-        <translation>%1 gibt es schon und wird nicht überschrieben; nennen Sie eine andere Datei.</translation>
+        <translation>%1 gibt es schon und wird nicht überschrieben; nenne eine andere Datei.</translation>
     </message>
     <message>
         <source>Add a session</source>
@@ -5246,7 +5246,7 @@
     </message>
     <message>
         <source>Choose two sessions.</source>
-        <translation>Wählen Sie zwei Sitzungen.</translation>
+        <translation>Wähle zwei Sitzungen.</translation>
     </message>
     <message>
         <source>the cameras of %1 are those of %2</source>
@@ -5318,7 +5318,7 @@
     </message>
     <message>
         <source>Markers are clicked in one session: open it by itself.</source>
-        <translation>Marker werden in einer einzelnen Sitzung angeklickt: öffnen Sie sie für sich.</translation>
+        <translation>Marker werden in einer einzelnen Sitzung angeklickt: öffne sie für sich.</translation>
     </message>
     <message>
         <source>Saved in %1: %2</source>
@@ -5366,7 +5366,7 @@
     </message>
     <message>
         <source>The robot is one for all sessions; each hand is its own, or shared where you said so.</source>
-        <translation>Der Roboter ist für alle Sitzungen derselbe; jede Hand ist eine eigene, oder gemeinsam, wo Sie es gesagt haben.</translation>
+        <translation>Der Roboter ist für alle Sitzungen derselbe; jede Hand ist eine eigene, oder gemeinsam, wo du es gesagt hast.</translation>
     </message>
     <message>
         <source>TCP→Body, %1</source>
@@ -5393,8 +5393,8 @@
         <translation>Sitzungen einzeln zurückgehalten</translation>
     </message>
     <message>
-        <source>Sessions are played one by one, each opened by itself.</source>
-        <translation>Sitzungen werden einzeln abgespielt, jede für sich geöffnet.</translation>
+        <source>Each session is played by itself.</source>
+        <translation>Jede Sitzung wird für sich abgespielt.</translation>
     </message>
     <message>
         <source>Observations are taken or rejected in each session.</source>
@@ -8894,15 +8894,15 @@
     </message>
     <message>
         <source>rig="%1" is that of session "%2", but it %3; give it a name of its own.</source>
-        <translation>rig="%1" ist das der Sitzung "%2", aber hier %3; geben Sie ihm einen eigenen Namen.</translation>
+        <translation>rig="%1" ist das der Sitzung "%2", aber hier %3; gib ihm einen eigenen Namen.</translation>
     </message>
     <message>
         <source>body="%1" is that of session "%2", but it has %3; give it a name of its own.</source>
-        <translation>body="%1" ist das der Sitzung "%2", aber hier ist %3; geben Sie ihm einen eigenen Namen.</translation>
+        <translation>body="%1" ist das der Sitzung "%2", aber hier ist %3; gib ihm einen eigenen Namen.</translation>
     </message>
     <message>
         <source>lies neither inside the folder of %1 nor beside it; write the collection into the folder that holds the sessions.</source>
-        <translation>liegt weder im Ordner von %1 noch daneben; schreiben Sie die Sammlung in den Ordner, der die Sitzungen enthält.</translation>
+        <translation>liegt weder im Ordner von %1 noch daneben; schreibe die Sammlung in den Ordner, der die Sitzungen enthält.</translation>
     </message>
 </context>
 <context>

@@ -121,7 +121,7 @@ TEST_F(CollectionPage, EachHandStandsInCalibrateAndInTheModel) {
   EXPECT_TRUE(hands->item(0, 0)->text().contains("±"));
   EXPECT_NE(hands->item(0, 0)->text(), hands->item(0, 1)->text());
   EXPECT_FALSE(desk.find<QAbstractButton>("play")->isEnabled());
-  EXPECT_TRUE(desk.find<QLabel>("play_progress")->text().contains("one by one"));
+  EXPECT_TRUE(desk.find<QLabel>("play_progress")->text().contains("by itself"));
   desk.window.bench().selection.select_observation(70);
   const Rigid left = desk.window.bench().row(70)->root_from_tcp;
   desk.window.bench().selection.select_observation(3);
