@@ -215,6 +215,24 @@ TEST_F(CollectionPage, ExportWritesAllHands) {
               0, 1e-9);
 }
 
+TEST_F(CollectionPage, WhatAnotherProgramWroteIntoOneOfItsSessionsIsSeenAndNotWrittenOver) {
+  open(file);
+  Session left = read_session(folder.path / "left");
+  left.observations[4].decision = Decision::excluded;
+  left.observations[4].reason = "elsewhere, by somebody";
+  save_session(left);
+  auto* bar = desk.find<QWidget>("foreign");
+  ASSERT_TRUE(desk.wait([&] { return bar->isVisible(); }, 10000));
+  desk.window.bench().exclude({2});
+  desk.press_button("foreign_together");
+  EXPECT_FALSE(desk.document().is_saved());
+  EXPECT_EQ(read_session(folder.path / "left").observations[4].decision, Decision::excluded);
+  desk.document().close();
+  open(file);
+  EXPECT_EQ(desk.document().find(2)->decision, Decision::excluded) << "on top of it";
+  EXPECT_EQ(desk.document().find(44)->decision, Decision::excluded);
+}
+
 TEST_F(CollectionPage, EverySessionShowsItsOwnImages) {
   for (const auto& [name, grey] : {std::pair{"right", 60}, {"left", 200}}) {
     Session s = read_session(folder.path / name);
