@@ -14,7 +14,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kMargin = 8, kTop = 4, kCellsHeight = 36, kWidest = 96;
+constexpr double kMargin = 8, kTop = 4, kCellsHeight = 34, kWidest = 96;
 
 }  // namespace
 
@@ -26,8 +26,8 @@ ObservationStrip::ObservationStrip(QWidget* parent)
   setAccessibleName(QObject::tr("Observation strip"));
 }
 
-QSize ObservationStrip::sizeHint() const { return {1152, 80}; }
-QSize ObservationStrip::minimumSizeHint() const { return {240, 80}; }
+QSize ObservationStrip::sizeHint() const { return {1152, 74}; }
+QSize ObservationStrip::minimumSizeHint() const { return {240, 74}; }
 
 void ObservationStrip::set_cells(std::vector<ObservationCell> cells) {
   cells_ = std::move(cells);

@@ -11,7 +11,7 @@
 
 namespace handsight::widgets {
 
-/// 80 px high: 36 of cells, which fill the width, a line of ids and a line of the legend. A cell's colour and (on a
+/// 74 px high: 34 of cells, which fill the width, a line of ids and a line of the legend. A cell's colour and (on a
 /// logarithmic scale) its height say the residual; rejected and excluded cells are struck through. Above one cell a
 /// pixel a column shows the worst of its bin; the wheel zooms, dragging with the middle button pans, a lens shows
 /// single cells. Click selects, left and right arrows step, Home and End, PageUp and PageDown by ten; Shift+click or

@@ -148,7 +148,7 @@ void ObservationStrip::paint_marks(QPainter& painter) const {
 
 /// Under the cells, as far as there is room.
 void ObservationStrip::paint_ids(QPainter& painter) const {
-  const QRectF row(kGap, 45, width() - 2 * kGap, 15);
+  const QRectF row(kGap, 42, width() - 2 * kGap, 15);
   painter.setFont(text_font(TextRole::small));
   painter.setPen(colors().ink2);
   const QFontMetricsF metrics(painter.font());
@@ -192,7 +192,7 @@ void ObservationStrip::paint_ids(QPainter& painter) const {
 /// A line of its own, from the left: how many times the noise each colour is.
 void ObservationStrip::paint_legend(QPainter& painter) const {
   const Colors& c = colors();
-  const QRectF row(kGap, 61, width() - 2 * kGap, 15);
+  const QRectF row(kGap, 57, width() - 2 * kGap, 15);
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
   const QFontMetricsF metrics(painter.font());
