@@ -5,6 +5,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "bench/session_parts.h"
+
 namespace handsight::app {
 
 CameraStrip::CameraStrip(Workbench& bench, widgets::ImageView* first, widgets::ImageView* second, QWidget* parent)
@@ -19,36 +21,49 @@ CameraStrip::CameraStrip(Workbench& bench, widgets::ImageView* first, widgets::I
 }
 
 void CameraStrip::rebuild() {
-  const auto& rig = bench_.document.session().rig;
-  cameras_ = {0, 1};
+  const Session& session = bench_.document.session();
+  const Observation* o = bench_.selected_observation();
+  const OwnSession own = own_session_of(session, o ? o->part : 0);
+  first_ = own.first_camera;
+  count_ = own.camera_count;
+  cameras_ = {first_, first_ + 1};
   next_ = 1;
   for (QToolButton* b : buttons_) delete b;
   buttons_.clear();
-  names_ = rig ? camera_names_in_words(*rig) : QStringList();
-  views_[1]->setVisible(rig && rig->count() > 1);
-  setVisible(names_.size() > 2);
-  for (int camera = 0; camera < names_.size() && names_.size() > 2; ++camera) {
+  const QStringList names = session.rig ? camera_names_in_words(*session.rig) : QStringList();
+  views_[1]->setVisible(count_ > 1);
+  setVisible(count_ > 2);
+  for (int camera = first_; camera < first_ + count_ && count_ > 2; ++camera) {
     auto* b = new QToolButton(this);
     b->setObjectName(QString("camera_%1").arg(camera));
-    b->setText(names_[camera]);
+    b->setText(names.value(camera));
     b->setToolTip(tr("Shows the image of this camera"));
     b->setCheckable(true);
     connect(b, &QToolButton::clicked, this, [this, camera] { show_camera(camera); });
-    row_->insertWidget(camera, b);
+    row_->insertWidget(camera - first_, b);
     buttons_.push_back(b);
   }
   refresh();
 }
 
-void CameraStrip::refresh() {
-  for (int camera = 0; camera < static_cast<int>(buttons_.size()); ++camera)
-    buttons_[static_cast<std::size_t>(camera)]->setChecked(camera == cameras_[0] || camera == cameras_[1]);
+/// In a collection each observation has its own session's cameras.
+void CameraStrip::follow() {
+  const Observation* o = bench_.selected_observation();
+  if (!o) return;
+  const OwnSession own = own_session_of(bench_.document.session(), o->part);
+  if (own.first_camera != first_ || own.camera_count != count_) rebuild();
 }
 
-std::vector<ShownCamera> CameraStrip::shown() const {
+void CameraStrip::refresh() {
+  for (int i = 0; i < static_cast<int>(buttons_.size()); ++i)
+    buttons_[static_cast<std::size_t>(i)]->setChecked(first_ + i == cameras_[0] || first_ + i == cameras_[1]);
+}
+
+std::vector<ShownCamera> CameraStrip::shown() {
+  follow();
+  if (count_ == 0) return {{views_[0], -1}};  // a tracker's, whatever other sessions have
   std::vector<ShownCamera> list{{views_[0], cameras_[0]}};
-  const auto& rig = bench_.document.session().rig;
-  if (rig && rig->count() > 1) list.push_back({views_[1], cameras_[1]});
+  if (count_ > 1) list.push_back({views_[1], cameras_[1]});
   return list;
 }
 
@@ -56,7 +71,7 @@ int CameraStrip::camera_of(const widgets::ImageView* view) const { return camera
 
 void CameraStrip::show_camera(int camera) {
   const bool is_shown = std::find(cameras_.begin(), cameras_.end(), camera) != cameras_.end();
-  if (!is_shown && camera < names_.size()) {
+  if (!is_shown && camera >= first_ && camera < first_ + count_) {
     cameras_[static_cast<std::size_t>(next_)] = camera;
     next_ = 1 - next_;
     emit changed();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which cameras' images stand beside each other: of a pair both, of one camera its own alone, of more the two that were
-// chosen last in this strip.
+// chosen last in this strip. Of a collection those of the selected observation's session.
 #pragma once
 
-#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <vector>
@@ -23,7 +22,7 @@ class CameraStrip : public QWidget {
   CameraStrip(Workbench& bench, widgets::ImageView* first, widgets::ImageView* second, QWidget* parent = nullptr);
 
   /// The views that are in use, each with its camera.
-  std::vector<ShownCamera> shown() const;
+  std::vector<ShownCamera> shown();
   int camera_of(const widgets::ImageView* view) const;
   /// In place of the one that was chosen longest ago, where it is not shown already.
   void show_camera(int camera);
@@ -34,13 +33,14 @@ class CameraStrip : public QWidget {
 
  private:
   void rebuild();
+  void follow();
   void refresh();
 
   Workbench& bench_;
   std::array<widgets::ImageView*, 2> views_;
   std::array<int, 2> cameras_ = {0, 1};
-  int next_ = 1;  // the view that the next choice goes to
-  QStringList names_;
+  int next_ = 1;               // the view that the next choice goes to
+  int first_ = 0, count_ = 0;  // cameras of the selected observation's session
   std::vector<QToolButton*> buttons_;
   QHBoxLayout* row_;
 };

@@ -2,8 +2,10 @@
 #include "bench/model_effects.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/degrees.h"
+#include "bench/session_parts.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
@@ -183,6 +185,41 @@ QString wrong_points_text(const ModelVersion& model, std::size_t most_named) {
       .arg(counted(static_cast<qint64>(wrong.size()), "%n wrong point(s)"), named.join("; "));
 }
 
+namespace {
+
+QString hand_title(const Session& session, std::size_t part) {
+  return QObject::tr("TCP→Body, %1").arg(QString::fromStdString(session.parts[part].title));
+}
+
+/// Of a collection; a hand that several sessions share stands once.
+void add_other_hands(const Session& session, const std::vector<HandModel>& hands,
+                     std::vector<widgets::ModelEffect>& list) {
+  std::set<int> known;
+  for (std::size_t p = 0; p < hands.size(); ++p) {
+    if (!known.insert(session.parts[p].body).second || p == 0) continue;
+    widgets::ModelEffect hand{.id = QString("tcp_from_body:%1").arg(p), .title = hand_title(session, p)};
+    hand.is_in_model = hand.is_permanent = true;
+    hand.parameters = six_parameters(hands[p].tcp_from_body, hands[p].sigma);
+    list.push_back(std::move(hand));
+  }
+}
+
+/// Of a collection: each place that is estimated, under the name of the first session that looks from it.
+void add_mounts(const Session& session, const std::vector<PartReport>& parts, std::vector<widgets::ModelEffect>& list) {
+  std::set<int> known;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const auto& covariance = parts[p].found.mount_covariance;
+    if (!covariance || !known.insert(session.parts[p].mount).second) continue;
+    widgets::ModelEffect mount{.id = QString("mount:%1").arg(p)};
+    mount.title = QObject::tr("Mount, %1").arg(QString::fromStdString(session.parts[p].title));
+    mount.is_in_model = mount.is_permanent = true;
+    mount.parameters = six_parameters(parts[p].found.mount_from_sensor, covariance->diagonal().cwiseMax(0).cwiseSqrt());
+    list.push_back(std::move(mount));
+  }
+}
+
+}  // namespace
+
 std::vector<widgets::ModelEffect> model_effects(const Document& document, const Diagnosis* diagnosis) {
   const ModelVersionPointer model = document.shown_model();
   if (!model || !model->fit) return {};
@@ -193,7 +230,10 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
   body.help = QObject::tr(
       "Where the marker body sits on the hand. Sigma is that of the body's origin, and of the "
       "rotations about the TCP's axes.");
-  body.parameters = six_parameters(fit.tcp_from_body, origin_sigma(fit));
+  const std::vector<HandModel>& hands = model->hands;
+  body.parameters = hands.empty() ? six_parameters(fit.tcp_from_body, origin_sigma(fit))
+                                  : six_parameters(hands[0].tcp_from_body, hands[0].sigma);
+  if (!hands.empty()) body.title = hand_title(document.session(), 0);
   if (fit.covariance_kind == CovarianceKind::scatter) {
     body.note = QObject::tr("Sigmas from how the observations differ, not from the noise alone.");
     body.note_is_warning = true;
@@ -205,7 +245,10 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
     body.help += "\n\n" + wrong_points_text(*model, 40);
   }
   list.push_back(std::move(body));
-  if (document.session().mount.estimate) {
+  add_other_hands(document.session(), hands, list);
+  if (is_joined(document.session())) {
+    add_mounts(document.session(), model->parts, list);
+  } else if (document.session().mount.estimate) {
     const bool of_cameras = document.session().rig.has_value();
     widgets::ModelEffect mount{.id = "mount",
                                .title = of_cameras ? QObject::tr("Camera mount") : QObject::tr("Mount of the tracker"),

@@ -2,7 +2,9 @@
 #include "bench/observation_views.h"
 
 #include <algorithm>
+#include <set>
 
+#include "bench/session_parts.h"
 #include "chain/chain.h"
 
 namespace handsight::app {
@@ -114,7 +116,7 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
                  const std::vector<ShownCamera>& shown_cameras, bool with_axes, bool at_once) {
   const Session& s = bench.document.session();
   for (const auto& [view, camera] : shown_cameras) {
-    if (!s.rig || camera >= s.rig->count()) {
+    if (!s.rig || camera < 0 || camera >= s.rig->count()) {
       view->clear(s.pose_sensor ? QObject::tr("A sensor that tells poses has no images.")
                                 : QObject::tr("A tracker session has no images."));
       continue;
@@ -149,26 +151,57 @@ std::vector<Rigid> link_motions(const Session& session, const Eigen::VectorXd& p
   return solve_posture(session.robot, joint_values(session.robot, joints, position), session.gravity).root_from_link;
 }
 
+namespace {
+
+/// Hands of a collection's other sessions, each once.
+std::vector<widgets::SceneHand> other_hands(const Session& s, const std::string& own, const std::vector<Rigid>& links) {
+  std::vector<widgets::SceneHand> hands;
+  std::set<std::string> known{own};
+  if (is_joined(s))
+    for (const SessionPart& part : s.parts)
+      if (known.insert(part.tcp).second)
+        hands.push_back({QObject::tr("hand of %1").arg(QString::fromStdString(part.title)),
+                         links[static_cast<std::size_t>(find_link(s.robot, part.tcp))]});
+  return hands;
+}
+
+/// Cameras of all rigs; those that saw the observation where it was seen from. A mount of which nothing is known yet
+/// has no place.
+std::vector<widgets::SceneCamera> scene_cameras(const Session& s, const ModelVersion* model, int part,
+                                                const InspectionRow* row, const std::vector<Rigid>& links) {
+  std::vector<widgets::SceneCamera> cameras;
+  std::set<int> known;
+  const int parts = is_joined(s) ? static_cast<int>(s.parts.size()) : 1;
+  for (int k = 0; k < parts; ++k) {
+    const int p = k == 0 ? part : k <= part ? k - 1 : k;  // the observation's own first
+    const OwnSession own = own_session_of(s, p);
+    const bool is_seen = p == part && row;
+    if (!is_seen && !own.mount->known && !(model && model->fit)) continue;
+    const Rigid root_from_sensor =
+        is_seen ? row->root_from_sensor
+                : links[static_cast<std::size_t>(find_link(s.robot, own.mount->link))] * mount_from_sensor(s, p, model);
+    for (int c = own.first_camera; c < own.first_camera + own.camera_count; ++c)
+      if (known.insert(c).second)
+        cameras.push_back(
+            {camera_name(*s.rig, c), root_from_sensor * inverse(s.rig->at(c).camera_from_first), s.rig->at(c).camera});
+  }
+  return cameras;
+}
+
+}  // namespace
+
 void show_pose(const Document& document, const Observation& observation, const InspectionRow* row,
                widgets::RobotView& view) {
   const Session& s = document.session();
   const std::vector<Rigid> links = link_motions(s, observation.position);
-  const int tcp = find_link(s.robot, s.tcp), mount = find_link(s.robot, s.mount.link);
+  const ModelVersionPointer model = document.shown_model();
+  const OwnSession own = own_session_of(s, observation.part);
+  const int tcp = find_link(s.robot, own.tcp);
   const Rigid root_from_tcp = row ? row->root_from_tcp : links[static_cast<std::size_t>(tcp)];
   view.set_posture(links);
   view.set_tcp(root_from_tcp);
-  const ModelVersionPointer model = document.shown_model();
-  const Rigid root_from_sensor =
-      row ? row->root_from_sensor
-          : links[static_cast<std::size_t>(mount)] *
-                (model && model->fit ? estimate(*model->fit).mount_from_sensor : s.mount.mount_from_sensor);
-  if (s.rig && (s.mount.known || row)) {
-    std::vector<widgets::SceneCamera> cameras;
-    for (int i = 0; i < s.rig->count(); ++i)
-      cameras.push_back(
-          {camera_name(*s.rig, i), root_from_sensor * inverse(s.rig->at(i).camera_from_first), s.rig->at(i).camera});
-    view.set_cameras(std::move(cameras));
-  }
+  view.set_other_hands(other_hands(s, own.tcp, links));
+  if (s.rig) view.set_cameras(scene_cameras(s, model.get(), observation.part, row, links));
   view.set_selected_observation(observation.id);
   std::vector<widgets::SceneMarker> markers;
   if (!row) {
@@ -199,13 +232,14 @@ void show_pose(const Document& document, const Observation& observation, const I
   view.set_ghost(ghost);
 }
 
-std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection) {
+std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection, const SessionFilter& shown) {
   // More than so many are a cloud, and slow without a graphics card: then every n-th, and all that stand out.
   constexpr std::size_t most = 1000;
   const std::size_t every = inspection.rows.size() / most + 1;
   std::vector<widgets::SceneArrow> arrows;
   for (std::size_t i = 0; i < inspection.rows.size(); ++i) {
     const InspectionRow& row = inspection.rows[i];
+    if (!shown.is_observation_shown(row.id)) continue;
     if (!row.tcp_from_tcp_est || (i % every != 0 && !row.outlier)) continue;
     arrows.push_back({.observation = row.id,
                       .from = row.root_from_tcp.translation,

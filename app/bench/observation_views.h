@@ -43,7 +43,7 @@ void show_pose(const Document& document, const Observation& observation, const I
                widgets::RobotView& view);
 
 /// Residual arrows at every TCP of an inspection; above a thousand observations, of every n-th and of the outliers.
-std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection);
+std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection, const SessionFilter& shown);
 
 /// The robot's links in a posture given in the order of Session::joints.
 std::vector<Rigid> link_motions(const Session& session, const Eigen::VectorXd& position);

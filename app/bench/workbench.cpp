@@ -129,10 +129,17 @@ std::vector<widgets::ObservationCell> Workbench::cells() const {
       cell.size = units.shown(size_of(all->rows[i]));
       cell.noise = noise_shape(all->rows[i], *all, cell.size->unit);
     }
+    if (sessions.is_any()) cell.session = o.part;
     if (const auto tried = predicted_ratios_.find(o.id); tried != predicted_ratios_.end())
       cell.predicted = tried->second;
     list.push_back(std::move(cell));
   }
+  return list;
+}
+
+std::vector<widgets::ObservationCell> Workbench::shown_cells() const {
+  std::vector<widgets::ObservationCell> list = cells();
+  std::erase_if(list, [this](const widgets::ObservationCell& c) { return !sessions.is_observation_shown(c.id); });
   return list;
 }
 

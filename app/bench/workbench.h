@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "bench/display_units.h"
+#include "bench/session_filter.h"
 #include "diagnosis/story/story.h"
 #include "document/diagnosing.h"
 #include "document/document.h"
@@ -30,6 +31,7 @@ class Workbench : public QObject {
 
   Document document;
   Selection selection;
+  SessionFilter sessions{document};
   DisplayUnits units;
   Jobs jobs;        // what the user waits for: fits, plays; shown in the header
   Jobs background;  // corners, second looks
@@ -60,6 +62,8 @@ class Workbench : public QObject {
 
   /// Every observation as a cell of strip and plots.
   std::vector<widgets::ObservationCell> cells() const;
+  /// Those of the sessions that are shown.
+  std::vector<widgets::ObservationCell> shown_cells() const;
 
   /// What is being tried before it is added: the error it would leave (px or m) and, per observation id, the rms of one
   /// coordinate over the noise; shown purple everywhere. No error: nothing is tried.

@@ -9,6 +9,8 @@
 #include "bench/camera_strip.h"
 #include "bench/link_selection.h"
 #include "bench/observation_views.h"
+#include "bench/session_parts.h"
+#include "calibrate/hands_page.h"
 #include "calibrate/objective_page.h"
 #include "calibrate/one_marker_page.h"
 #include "calibrate/own_pose_page.h"
@@ -84,10 +86,14 @@ void CalibrateWorkspace::make_layout() {
   upper->setSizes({32, 32, 36});
   auto* lower = new QSplitter(Qt::Horizontal, this);
   lower->addWidget(board_);
+  hands_ = new HandsPage(bench_, this);
+  hands_->hide();
+  lower->insertWidget(0, hands_);
   lower->addWidget(tabs_);
   lower->setStretchFactor(0, 68);
-  lower->setStretchFactor(1, 32);
-  lower->setSizes({800, 460});
+  lower->setStretchFactor(1, 68);
+  lower->setStretchFactor(2, 32);
+  lower->setSizes({800, 800, 460});
   auto* rows = new QSplitter(Qt::Vertical, this);
   rows->addWidget(upper);
   rows->addWidget(lower);
@@ -199,12 +205,19 @@ void CalibrateWorkspace::connect_selection() {
     if (is_active())
       scene_->set_hovered_observation(bench_.selection.hovered().observation.value_or(widgets::kNoObservation));
   });
-  connect(&bench_.document, &Document::opened, this, [this] { robot_is_set_ = is_recalled_ = false; });
+  connect(&bench_.document, &Document::opened, this, [this] {
+    robot_is_set_ = is_recalled_ = false;
+    show_hands();
+  });
   connect(&bench_.document, &Document::edited, this, [this] {
     if (!player_.is_playing()) refresh_transport();
   });
   connect(&bench_.document, &Document::model_changed, this, [this] {
     if (!player_.is_playing()) refresh_decisions();
+    is_stale_ = true;
+    if (is_active()) refresh_model();
+  });
+  connect(&bench_.sessions, &SessionFilter::changed, this, [this] {
     is_stale_ = true;
     if (is_active()) refresh_model();
   });
@@ -224,8 +237,22 @@ void CalibrateWorkspace::connect_selection() {
   });
 }
 
+void CalibrateWorkspace::show_hands() {
+  const bool is_collection = is_joined(bench_.document.session());
+  hands_->setVisible(is_collection);
+  board_->setVisible(!is_collection);
+  decisions_->set_empty_text(is_collection ? tr("Observations are taken or rejected in each session.")
+                                           : tr("Play: each observation is taken, or rejected with its reason."));
+  if (is_collection) hands_->refresh();
+}
+
 WorkStatus CalibrateWorkspace::status() const {
   const Session& s = bench_.document.session();
+  if (is_joined(s)) {
+    const ModelVersionPointer model = bench_.document.shown_model();
+    if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
+    return {WorkState::done, tr("%1 sessions").arg(s.parts.size())};
+  }
   const bool is_labelled = s.target || std::any_of(s.observations.begin(), s.observations.end(),
                                                    [](const Observation& o) { return !o.sightings.empty(); });
   if (!is_labelled) return {WorkState::waiting, tr("waits for labels")};
@@ -262,6 +289,7 @@ void CalibrateWorkspace::activate() {
   set_robot();
   refresh_transport();
   if (is_stale_) refresh_model();
+  hands_->look();
   if (!player_.is_playing()) refresh_decisions();
   refresh_observation();
   recall();
@@ -271,6 +299,7 @@ void CalibrateWorkspace::recall() {
   const Session& s = bench_.document.session();
   const bool was_played = std::any_of(s.observations.begin(), s.observations.end(),
                                       [](const Observation& o) { return o.decision == Decision::accepted; });
+  if (is_joined(s)) return;
   if (is_recalled_ || player_.position() > 0 || player_.is_playing() || !was_played) return;
   is_recalled_ = true;
   bench_.background.start<std::vector<OnlineStep>>(
@@ -343,7 +372,9 @@ void CalibrateWorkspace::refresh_decision_title(bool is_present) {
 
 void CalibrateWorkspace::refresh_model() {
   is_stale_ = false;
-  if (const Inspection* all = bench_.inspection()) scene_->set_arrows(scene_arrows(*all));
+  show_hands();
+  if (is_active()) hands_->look();
+  if (const Inspection* all = bench_.inspection()) scene_->set_arrows(scene_arrows(*all, bench_.sessions));
   refresh_observation();
 }
 

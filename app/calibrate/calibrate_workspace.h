@@ -21,6 +21,7 @@ namespace handsight::app {
 
 class CameraStrip;
 
+class HandsPage;
 class ObjectivePage;
 class OneMarkerPage;
 class OwnPosePage;
@@ -52,6 +53,8 @@ class CalibrateWorkspace : public Workspace {
   void refresh_decision_title(bool is_present);
   void set_robot();
   void say_notes();
+  /// Of a collection each hand in the place of the convergence, which is of one session.
+  void show_hands();
   /// The convergence of a session that was played before it was opened.
   void recall();
 
@@ -66,6 +69,7 @@ class CalibrateWorkspace : public Workspace {
   ObjectivePage* objectives_;
   OneMarkerPage* one_marker_;
   OwnPosePage* own_pose_;
+  HandsPage* hands_;
   std::vector<PlayedStep> unshown_;  // played, not yet in the views
   std::set<std::int64_t> shown_;     // observations that are in the views
   QTimer show_timer_;

@@ -158,6 +158,23 @@ void OwnPosePage::take_typed() {
   set_position(Eigen::Map<const Eigen::VectorXd>(numbers->data(), static_cast<Eigen::Index>(numbers->size())));
 }
 
+/// Of a collection the hand that the selected observation shows.
+const HandModel* OwnPosePage::hand(const ModelVersion& model) const {
+  const Observation* o = bench_.selected_observation();
+  const auto place = static_cast<std::size_t>(o ? o->part : 0);
+  return place < model.hands.size() ? &model.hands[place] : nullptr;
+}
+
+std::shared_ptr<const Session> OwnPosePage::own_session(const ModelVersion& model) const {
+  const HandModel* own = hand(model);
+  return own ? own->session : bench_.document.shared_session();
+}
+
+const PredictionModel& OwnPosePage::own_prediction(const ModelVersion& model) const {
+  const HandModel* own = hand(model);
+  return own ? own->prediction : model.prediction;
+}
+
 void OwnPosePage::refresh() {
   const ModelVersionPointer model = bench_.document.shown_model();
   if (!model || !model->fit) {
@@ -167,7 +184,7 @@ void OwnPosePage::refresh() {
     emit changed();
     return;
   }
-  prediction_ = predict_tcp(chain_of(bench_.document.session()), position(), model->prediction);
+  prediction_ = predict_tcp(chain_of(*own_session(*model)), position(), own_prediction(*model));
   const Vector3 t = prediction_->root_from_tcp_est.translation;
   const Vector6 s = prediction_->sigma();
   result_->setText(tr("TCP at %1, %2, %3 mm (± %4, %5, %6)")
@@ -180,12 +197,12 @@ void OwnPosePage::refresh() {
 
 /// The joints that bring the hand where it was meant to be, beside those that were asked for.
 void OwnPosePage::show_correction(const ModelVersion* model) {
-  const bool is_moved = model && !model->prediction.effects.empty();
+  const bool is_moved = model && !own_prediction(*model).effects.empty();
   correction_->setVisible(is_moved);
   for (QLabel* command : commands_) command->clear();
   if (!is_moved) return;
-  const Chain chain = chain_of(bench_.document.session());
-  const Correction c = corrected(circumstances_at(chain, position()), model->prediction);
+  const Chain chain = chain_of(*own_session(*model));
+  const Correction c = corrected(circumstances_at(chain, position()), own_prediction(*model));
   for (std::size_t i = 0; i < commands_.size(); ++i)
     commands_[i]->setText("→ " + widgets::fixed_text(c.position[static_cast<Eigen::Index>(i)] * scales_[i], 3) +
                           boxes_[i]->suffix());
@@ -203,6 +220,7 @@ void OwnPosePage::show_correction(const ModelVersion* model) {
 void OwnPosePage::show(widgets::RobotView& view) {
   Observation pose;
   pose.id = widgets::kNoObservation;
+  if (const Observation* o = bench_.selected_observation()) pose.part = o->part;
   pose.position = position();
   show_pose(bench_.document, pose, nullptr, view);
   if (!prediction_) return;

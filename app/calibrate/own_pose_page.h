@@ -38,6 +38,9 @@ class OwnPosePage : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  const HandModel* hand(const ModelVersion& model) const;
+  std::shared_ptr<const Session> own_session(const ModelVersion& model) const;
+  const PredictionModel& own_prediction(const ModelVersion& model) const;
   void take_selected();
   void take_typed();
   void refresh();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bench/session_parts.h"
 #include "chain/chain.h"
 #include "detection/target_finding.h"
 #include "words/core_words.h"
@@ -133,8 +134,11 @@ std::optional<OnlineCalibration::MountProgress> Player::wants_label() const {
   return is_finished() && !is_playing_ && !steps_.empty() ? steps_.back().search : std::nullopt;
 }
 
+/// Sessions of a collection are played one by one, each opened by itself.
+bool Player::can_play() const { return bench_.document.is_open() && !is_joined(bench_.document.session()); }
+
 void Player::play() {
-  if (!bench_.document.is_open() || is_playing_) return;
+  if (!can_play() || is_playing_) return;
   if (is_finished() && !is_live_) rewind();
   is_playing_ = true;
   is_single_ = false;
@@ -151,7 +155,7 @@ void Player::pause() {
 }
 
 void Player::step() {
-  if (!bench_.document.is_open() || is_busy_) return;
+  if (!can_play() || is_busy_) return;
   if (is_playing_) stop();
   if (is_finished()) rewind();
   is_single_ = true;

@@ -57,6 +57,7 @@ class Player : public QObject {
   void rewound();
 
  private:
+  bool can_play() const;
   std::size_t due() const;  // how many observations the next job is to decide
   void next();
   void take(std::vector<PlayedStep> played);

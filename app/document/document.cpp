@@ -49,15 +49,15 @@ Document::Document(QObject* parent) : QObject(parent) {
 Document::~Document() { close(); }
 
 void Document::open(const std::filesystem::path& path) {
-  Session session = read_session(path);
-  const std::string digest = digest_of(read_file(session.file));
+  OpenedSession read = open_files(path);
+  const std::string digest = digest_of(content_of(read.files));
   const bool is_same_file =
-      journal_ && std::filesystem::weakly_canonical(session.file) == std::filesystem::weakly_canonical(session_->file);
+      journal_ && std::filesystem::weakly_canonical(read.files.file) == std::filesystem::weakly_canonical(files_.file);
   if (is_same_file) close();
-  auto journal = std::make_unique<Journal>(session.file, digest, &session);
+  auto journal = std::make_unique<Journal>(read.files.file, digest, &read.session);
   close();
   journal_ = std::move(journal);
-  put_in(std::move(session), digest);
+  put_in(std::move(read), digest);
   const JournalContents contents = journal_->take_contents();
   replay(contents);
   emit opened();
@@ -79,7 +79,7 @@ void Document::close() {
   // What session.xml cannot hold (the model's effects, what was measured) stays in the journal.
   if (stack_.isClean() && settings_ == ModelSettings{} && readings_.empty() && drafts_.empty()) {
     try {
-      journal_->clear(digest_of(read_file(session_->file)));
+      journal_->clear(digest_of(content_of(files_)));
     } catch (const InputError&) {
       // The session's folder is gone; the journal is then set aside when it comes back.
     }
@@ -90,13 +90,15 @@ void Document::close() {
 }
 
 /// What is open is this session as it was read; nothing has been done to it.
-void Document::put_in(Session session, const std::string& digest) {
+void Document::put_in(OpenedSession opened, const std::string& digest) {
   stack_.clear();
   versions_.clear();
   shown_.reset();
   second_looks_.clear();
   collisions_.clear();
-  session_ = std::make_shared<Session>(std::move(session));
+  files_ = std::move(opened.files);
+  collection_on_disk_ = files_.is_collection() ? shared_text(files_) : std::string();
+  session_ = std::make_shared<Session>(std::move(opened.session));
   settings_ = {};
   readings_.clear();
   drafts_.clear();
@@ -299,6 +301,7 @@ void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
   apply_notes(edit, forward);
   if (edit.leaves_model()) return tell_notes(edit);
   if (!applies_) return;
+  if (edit.collection) return apply_collection(edit, forward);
   std::vector<std::int64_t> ids;
   for (const Observation& o : edit.added) ids.push_back(o.id);
   if (forward) add_observations(edit.added);

@@ -12,6 +12,7 @@
 #include "document/edit.h"
 #include "document/journal.h"
 #include "document/model_version.h"
+#include "document/opened_files.h"
 #include "session/merge.h"
 #include "session/session.h"
 
@@ -30,12 +31,22 @@ class Document : public QObject {
   explicit Document(QObject* parent = nullptr);
   ~Document() override;
 
-  /// Opens a session (folder or file) with what the journal remembers of it. InputError where it cannot be read; the
-  /// document is then as it was.
+  /// Opens a session or a collection (folder or file) with what the journal remembers of it. InputError where it cannot
+  /// be read; the document is then as it was.
   void open(const std::filesystem::path& path);
   /// Closes what is open; the journal keeps what was not saved.
   void close();
   bool is_open() const { return journal_ != nullptr; }
+
+  /// session.xml, or the collection's file.
+  const std::filesystem::path& file() const { return files_.file; }
+  /// The collection that is open; null where it is one session by itself.
+  const Collection* collection() const { return files_.collection ? &*files_.collection : nullptr; }
+  /// Makes this collection of the one that is open. InputError where its sessions cannot be read or joined; nothing is
+  /// done then.
+  Edit edit_of_collection(const QString& sentence, const Collection& after) const;
+  /// Is the session announced as opened() the one that was open, joined otherwise?
+  bool is_rejoining() const { return is_rejoining_; }
 
   const Session& session() const { return *session_; }
   /// The same for a job: nothing is copied, and what is changed later is changed in a copy.
@@ -132,11 +143,13 @@ class Document : public QObject {
  private:
   friend class EditCommand;
   void apply(const Edit& edit, bool forward, std::int64_t becomes);
+  void apply_collection(const Edit& edit, bool forward);
   void apply_notes(const Edit& edit, bool forward);
   void tell_notes(const Edit& edit);
   std::optional<std::string> what_another_wrote() const;
   std::string set_aside(const std::string& theirs) const;
   void write_session(const QString& more, bool is_theirs_known);
+  void save_collection();
   bool save_with(const std::string& theirs, const std::vector<Collision>& decided, const std::vector<bool>& mine);
   bool take_over(const Merge& merge, Session theirs, const std::string& digest);
   bool begin_anew(Session theirs, const Session& merged, const std::string& digest);
@@ -144,7 +157,7 @@ class Document : public QObject {
   bool perform_before_another(Edit own, const ModelSettings& settings);
   bool perform_notes(const std::map<std::string, RobotReading>& readings,
                      const std::map<std::int64_t, LabelDraft>& drafts);
-  void put_in(Session session, const std::string& digest);
+  void put_in(OpenedSession opened, const std::string& digest);
   void set_collisions(std::vector<Collision> collisions, bool at_save);
   static constexpr std::int64_t most_looks = 1 << 20;
   static std::int64_t state_in(std::int64_t revision) { return revision / most_looks; }
@@ -160,13 +173,15 @@ class Document : public QObject {
   /// " (0.24 → 9.1 px)": the errors at two indices of the undo stack; empty where they are not known.
   QString errors_text(int from, int to) const;
 
+  OpenedFiles files_;
+  std::string collection_on_disk_;  // shared_text as it was read or written
   std::shared_ptr<Session> session_ = std::make_shared<Session>();
   ModelSettings settings_;
   std::map<std::string, RobotReading> readings_;
   std::map<std::int64_t, LabelDraft> drafts_;
   std::unordered_map<std::int64_t, int> index_of_;
   std::unique_ptr<Journal> journal_;
-  std::string digest_;  // of session.xml as it was read or last written
+  std::string digest_;  // of session.xml (content_of a collection) as it was read or last written
   QUndoStack stack_;
   std::map<int, ModelVersionPointer> versions_;  // by index of the undo stack
   ModelVersionPointer shown_;
@@ -176,7 +191,7 @@ class Document : public QObject {
   std::int64_t state_ = 0, last_state_ = 0, looks_ = 0;
   std::int64_t last_join_ = 0;
   std::size_t most_kept_ = 200000;
-  bool is_replaying_ = false;
+  bool is_replaying_ = false, is_rejoining_ = false;
   bool applies_ = true;  // false while entries are replayed that session.xml already holds
 };
 

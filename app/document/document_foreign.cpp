@@ -85,8 +85,8 @@ Unsaved unsaved_of(const std::vector<JournalEntry>& entries) {
 
 std::optional<std::string> Document::what_another_wrote() const {
   std::error_code error;
-  if (!std::filesystem::exists(session_->file, error)) return std::nullopt;
-  std::string theirs = read_file(session_->file);
+  if (!std::filesystem::exists(files_.file, error)) return std::nullopt;
+  std::string theirs = content_of(files_);
   return digest_of(theirs) == digest_ ? std::nullopt : std::optional(std::move(theirs));
 }
 
@@ -101,6 +101,7 @@ bool Document::is_changed_by_another() const {
 
 void Document::save() {
   if (!journal_) return;
+  if (files_.is_collection()) return save_collection();
   const auto theirs = what_another_wrote();
   if (!theirs) return write_session({}, true);
   save_with(*theirs, {}, {});
@@ -196,10 +197,12 @@ bool Document::begin_anew(Session theirs, const Session& merged, const std::stri
   const auto drafts = drafts_;
   const std::filesystem::path kept = journal_->clear_and_keep(digest);
   std::unique_ptr<Journal> journal = std::move(journal_);
+  OpenedFiles files;
+  files.file = theirs.file;
   put_in({}, {});
   emit closed();
   journal_ = std::move(journal);
-  put_in(std::move(theirs), digest);
+  put_in({std::move(files), std::move(theirs)}, digest);
   emit opened();
   emit saved_changed(is_saved());
   const bool is_done = perform_before_another(std::move(*own), settings);

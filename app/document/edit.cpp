@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "effects/own_effect.h"
+#include "session/session_xml.h"
 
 namespace handsight::app {
 namespace {
@@ -47,6 +48,9 @@ Json state_json(const ObservationState& state) {
   return {{"sightings", sightings}, {"decision", static_cast<int>(state.decision)}, {"reason", state.reason}};
 }
 
+/// Of all boards of a collection together.
+constexpr int most_markers = 8 * most_session_points;
+
 int within(const Json& value, int lowest, int highest) {
   const int number = value.get<int>();
   if (number < lowest || number > highest) throw InputError("A number in the journal is out of its range.");
@@ -62,7 +66,7 @@ ObservationState parse_state(const Json& json) {
   ObservationState state;
   for (const Json& one : json.at("sightings")) {
     Sighting& s = state.sightings.emplace_back();
-    s.marker = within(one.at("marker"), 0, 63);
+    s.marker = within(one.at("marker"), 0, most_markers - 1);
     s.by = static_cast<MarkedBy>(within(one.at("by"), 0, 2));
     s.point = point_of<Vector3>(one, "point");
     for (int c = 0; c < max_cameras; ++c)
@@ -276,6 +280,7 @@ std::string edit_text(const Edit& edit) {
     json["draft"] = {{"observation", edit.draft->observation},
                      {"before", draft_json(edit.draft->before)},
                      {"after", draft_json(edit.draft->after)}};
+  if (edit.collection) json["collection"] = {{"before", edit.collection->before}, {"after", edit.collection->after}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -294,6 +299,9 @@ Edit parse_edit(const std::string& text, const Session* session) {
                        parse_settings(json["settings"].at("after"), session)};
     if (json.contains("reading")) edit.reading = parse_reading_edit(json["reading"]);
     if (json.contains("draft")) edit.draft = parse_draft_edit(json["draft"]);
+    if (json.contains("collection"))
+      edit.collection = CollectionEdit{json["collection"].at("before").get<std::string>(),
+                                       json["collection"].at("after").get<std::string>()};
     return edit;
   } catch (const Json::exception&) {
     throw InputError("A line of the journal is no action that this version understands.");

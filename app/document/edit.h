@@ -52,6 +52,11 @@ struct DraftEdit {
   std::optional<LabelDraft> before, after;
 };
 
+/// What a collection's sessions share, and which they are: the text of its file (session/collection.h).
+struct CollectionEdit {
+  std::string before, after;
+};
+
 /// One action. `sentence` says what was done in the past tense without a subject: "excluded observation 7".
 struct Edit {
   QString sentence;
@@ -59,14 +64,19 @@ struct Edit {
   std::optional<SettingsEdit> settings;
   std::optional<ReadingEdit> reading;
   std::optional<DraftEdit> draft;
+  std::optional<CollectionEdit> collection;
   /// Actions with the same number, pushed one after the other, are one action to undo: a drag, a play. 0: alone.
   std::int64_t joins = 0;
   /// New observations for the end of the session, as they came; what is known of them is in `observations`.
   std::vector<Observation> added;
 
-  bool is_empty() const { return added.empty() && observations.empty() && !settings && !reading && !draft; }
+  bool is_empty() const {
+    return added.empty() && observations.empty() && !settings && !reading && !draft && !collection;
+  }
   /// Does it leave the model as it is?
-  bool leaves_model() const { return added.empty() && observations.empty() && !settings && (reading || draft); }
+  bool leaves_model() const {
+    return added.empty() && observations.empty() && !settings && !collection && (reading || draft);
+  }
 };
 
 /// `later` follows `earlier`: both as one, with the later sentence.

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "diagnosis/ranking/clean_model.h"
 #include "diagnosis/residuals/residual_views.h"
+#include "estimation/fit/part_fit.h"
 #include "estimation/fit/undetermined.h"
 #include "estimation/report/export.h"
 #include "words/core_words.h"
@@ -35,6 +36,12 @@ std::shared_ptr<const Inspection> inspection_of(const Session& session, const Se
   return inspection;
 }
 
+HandModel hand_model(PartFit part) {
+  HandModel hand{nullptr, part.fit.tcp_from_body, origin_sigma(part.fit), prediction_model(part.fit)};
+  hand.session = std::make_shared<const Session>(std::move(part.session));
+  return hand;
+}
+
 /// Everything that a fit says, of a session with all its points.
 void tell(const Session& session, const SecondLooks& looks, Fit fitted, std::shared_ptr<const FitReport> told,
           ModelVersion& version) {
@@ -42,6 +49,11 @@ void tell(const Session& session, const SecondLooks& looks, Fit fitted, std::sha
     version.row_of[told->per_observation[i].id] = static_cast<int>(i);
   version.calibration = std::make_shared<Calibration>(
       calibration_of(session, fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
+  if (session.parts.size() > 1 && !session.is_touch()) {
+    version.parts = part_reports(session, fitted, *told);
+    for (int p = 0; p < static_cast<int>(session.parts.size()); ++p)
+      version.hands.push_back(hand_model(fit_of_part(session, fitted, p)));
+  }
   version.prediction = prediction_model(fitted);
   version.bill = bill_of(fitted);
   // From here on only some are looked at one by one.
@@ -107,6 +119,7 @@ ModelVersionPointer inspected_again(const Session& session, const ModelVersion& 
 ModelVersionPointer doubted(const Session& session, const ModelVersion& before, const Doubt& doubt) {
   auto version = std::make_shared<ModelVersion>(before);
   version->prediction.doubt = doubt;
+  if (!before.hands.empty()) return version;  // what is doubted is no part of a collection's calibration
   auto calibration = std::make_shared<Calibration>(*before.calibration);
   set_doubt(session.robot, terms_of(*before.fit), doubt, *calibration);
   version->calibration = std::move(calibration);

@@ -13,6 +13,7 @@
 #include "diagnosis/verdict/diagnosis.h"
 #include "document/edit.h"
 #include "estimation/report/fit_report.h"
+#include "estimation/report/part_report.h"
 #include "estimation/report/prediction.h"
 #include "session/calibration.h"
 
@@ -20,6 +21,14 @@ namespace handsight::app {
 
 /// Of longer sessions so many observations are shown, evenly over the session, as many as a diagnosis goes by.
 inline constexpr int most_shown = 3000;
+
+/// Of a collection: one session's hand, with what all sessions tell of the robot.
+struct HandModel {
+  std::shared_ptr<const Session> session;  // by itself
+  Rigid tcp_from_body;
+  Vector6 sigma;               // origin_sigma
+  PredictionModel prediction;  // for the session's joints
+};
 
 struct ModelVersion {
   std::int64_t revision = 0;  // of the document's state that was fitted
@@ -31,6 +40,8 @@ struct ModelVersion {
   std::shared_ptr<const FitReport> report;         // null with the fit
   std::shared_ptr<const Inspection> inspection;    // null with the fit
   std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit
+  std::vector<PartReport> parts;                   // of a collection: session by session
+  std::vector<HandModel> hands;                    // likewise
   std::vector<BillRow> bill;                       // without what a certainty says of it
   PredictionModel prediction;                      // where the TCP really is in other poses
   std::vector<WrongPoint> wrong_points;            // left out of the fit

@@ -143,6 +143,9 @@ void ExplainWorkspace::connect_bench() {
   connect(&bench_.units, &DisplayUnits::changed, this, [this] {
     if (is_active()) refresh_units();
   });
+  connect(&bench_.sessions, &SessionFilter::changed, this, [this] {
+    if (is_active()) refresh_units();
+  });
   connect(&d, &Diagnosing::residuals_changed, this, [this] {
     if (is_active()) refresh_all();
     renew_what_if();

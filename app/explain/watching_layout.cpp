@@ -120,7 +120,7 @@ void WatchingPane::connect_all() {
     robot_is_set_ = false;
     a_ = b_ = -1;
     rows_.clear();
-    memory_ = remembered_stairs(bench_.document.session().file);
+    memory_ = remembered_stairs(bench_.document.file());
     cost_->clear();
     cloud_->reset();
     choose_tab(tab_stairs);

@@ -68,7 +68,7 @@ void WatchingPane::remember() {
     }
   }
   memory_ = stairs;
-  if (stairs.size() > 1) remember_stairs(bench_.document.session().file, stairs);
+  if (stairs.size() > 1) remember_stairs(bench_.document.file(), stairs);
 }
 
 void WatchingPane::refresh() {
@@ -157,6 +157,8 @@ void WatchingPane::refresh_rows() {
 }
 
 std::vector<widgets::CloudPoint> WatchingPane::in_unit(std::vector<widgets::CloudPoint> points) const {
+  std::erase_if(points,
+                [this](const widgets::CloudPoint& p) { return !bench_.sessions.is_observation_shown(p.observation); });
   for (widgets::CloudPoint& p : points) {
     p.du *= cloud_scale_;
     p.dv *= cloud_scale_;

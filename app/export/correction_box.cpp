@@ -122,23 +122,28 @@ CorrectionBox::CorrectionBox(Workbench& bench, QWidget* parent) : QWidget(parent
   hide();
 }
 
-void CorrectionBox::show_model(const ModelVersionPointer& model) {
+void CorrectionBox::show_model(const ModelVersionPointer& model, std::size_t hand) {
   const bool is_moved = model && model->fit && !model->prediction.effects.empty();
   setVisible(is_moved);
-  if (!is_moved || model == model_) return;
+  if (!is_moved || (model == model_ && hand == hand_)) return;
   model_ = model;
+  hand_ = hand;
   gain_.reset();
   show_gain();
   bench_.background.start<CorrectionGain>(
       "correction", tr("What correcting buys"),
-      [model, session = bench_.document.shared_session()](JobControl&) {
+      [model, hand,
+       session =
+           hand < model->hands.size() ? model->hands[hand].session : bench_.document.shared_session()](JobControl&) {
         std::vector<Eigen::VectorXd> measured;
         for (const Observation& o : session->observations)
           if (is_used(o)) measured.push_back(o.position);
-        return correction_gain(chain_of(*session), model->prediction, measured, poses, 1);
+        return correction_gain(chain_of(*session),
+                               hand < model->hands.size() ? model->hands[hand].prediction : model->prediction, measured,
+                               poses, 1);
       },
-      [this, model](const CorrectionGain& gain) {
-        if (model != model_) return;
+      [this, model, hand](const CorrectionGain& gain) {
+        if (model != model_ || hand != hand_) return;
         gain_ = gain;
         show_gain();
       });

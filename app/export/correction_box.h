@@ -19,7 +19,8 @@ class CorrectionBox : public QWidget {
  public:
   CorrectionBox(Workbench& bench, QWidget* parent);
   /// Of this model, worked out beside the window where it is not known; nothing is shown of a model without effects.
-  void show_model(const ModelVersionPointer& model);
+  /// `hand`: of a collection, which session's.
+  void show_model(const ModelVersionPointer& model, std::size_t hand = 0);
   /// What is shown; null: nothing yet.
   const CorrectionGain* gain() const { return gain_ ? &*gain_ : nullptr; }
 
@@ -28,6 +29,7 @@ class CorrectionBox : public QWidget {
 
   Workbench& bench_;
   ModelVersionPointer model_;
+  std::size_t hand_ = 0;
   std::optional<CorrectionGain> gain_;
   QLabel* sentence_;
   GainBars* bars_;

@@ -64,7 +64,17 @@ QWidget* ExportWorkspace::make_left() {
   auto* layout = new QVBoxLayout(left);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
-  layout->addWidget(heading(tr("TCP→Body"), left));
+  auto* titles = new QHBoxLayout;
+  titles->addWidget(heading(tr("TCP→Body"), left));
+  hand_ = new QComboBox(left);
+  hand_->setObjectName("export_hand");
+  hand_->setAccessibleName(tr("Session whose hand is shown"));
+  hand_->setToolTip(
+      tr("Whose hand is shown, copied, certified and saved for other programs; the XML holds all of them"));
+  hand_->hide();
+  titles->addWidget(hand_);
+  titles->addStretch(1);
+  layout->addLayout(titles);
   auto* row = new QHBoxLayout;
   forms_ = new QButtonGroup(this);
   const QString names[] = {tr("Matrix"), tr("xyz + rpy"), tr("Quaternion")};
@@ -201,6 +211,8 @@ void ExportWorkspace::make_layout() {
   layout->addLayout(row);
   said_->hide();
 }
+
+std::size_t ExportWorkspace::hand() const { return static_cast<std::size_t>(std::max(hand_->currentIndex(), 0)); }
 
 MotionForm ExportWorkspace::form() const { return static_cast<MotionForm>(forms_->checkedId()); }
 

@@ -65,13 +65,22 @@ std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
   return lines;
 }
 
-std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form) {
-  const Rigid& m = model.fit->tcp_from_body;
-  const Vector6 sigma = origin_sigma(*model.fit);
+const Rigid& tcp_from_body(const ModelVersion& model, std::size_t hand) {
+  return hand < model.hands.size() ? model.hands[hand].tcp_from_body : model.fit->tcp_from_body;
+}
+
+const Calibration& calibration_of_hand(const ModelVersion& model, std::size_t hand) {
+  const std::vector<Calibration>& all = model.calibration->sessions;
+  return hand < all.size() ? all[hand] : *model.calibration;
+}
+
+std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form, std::size_t hand) {
+  const Rigid& m = tcp_from_body(model, hand);
+  const Vector6 sigma = hand < model.hands.size() ? model.hands[hand].sigma : origin_sigma(*model.fit);
   std::vector<MotionLine> lines;
   const auto split = [](const QString& name, double value, double s, const QString& unit) {
     const QStringList parts = widgets::with_sigma_text(value, s).split(QString(" ± "));
-    return MotionLine{name, parts.value(0), parts.value(1), unit};
+    return MotionLine{name, parts.value(0), std::isfinite(s) ? parts.value(1) : QObject::tr("not determined"), unit};
   };
   if (form == MotionForm::matrix) {
     const Matrix4 rows = matrix_from_rigid(m);

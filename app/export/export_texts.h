@@ -16,7 +16,13 @@ enum class MotionForm { matrix, xyz_rpy, quaternion };
 struct MotionLine {
   QString name, value, sigma, unit;
 };
-std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form);
+/// `hand`: of a collection, which session's.
+std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form, std::size_t hand = 0);
+
+/// TCP->Body of one hand of a collection; of a session by itself its own.
+const Rigid& tcp_from_body(const ModelVersion& model, std::size_t hand);
+/// What would be written of it alone.
+const Calibration& calibration_of_hand(const ModelVersion& model, std::size_t hand);
 
 /// The same as text to paste: full precision, SI.
 QString motion_text(const Rigid& motion, MotionForm form);

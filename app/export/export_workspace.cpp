@@ -31,12 +31,18 @@
 #include "findings/explain_texts.h"
 #include "session/calibration_xml.h"
 #include "widgets/base/number_text.h"
+#include "widgets/base/session_mark.h"
 #include "widgets/base/theme.h"
 #include "words/core_words.h"
 #include "words/counted.h"
 
 namespace handsight::app {
 namespace {
+
+/// One session of a collection by itself; else the one that is open.
+std::shared_ptr<const Session> session_of_hand(const Document& document, const ModelVersion& model, std::size_t hand) {
+  return hand < model.hands.size() ? model.hands[hand].session : document.shared_session();
+}
 
 using widgets::colors;
 using widgets::TextRole;
@@ -59,6 +65,7 @@ ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(
     exported_ = -1;
     path_->setText(QString::fromStdString((folder(bench_.document.session()) / "calibration.xml").string()));
     said_->hide();
+    fill_hands();
   });
   connect(&bench.document, &Document::model_changed, this, [this] {
     emit status_changed();
@@ -79,13 +86,27 @@ void ExportWorkspace::connect_buttons() {
   connect(copy_, &QPushButton::clicked, this, [this] {
     const ModelVersionPointer model = bench_.document.model();
     if (!model || !model->fit) return;
-    QGuiApplication::clipboard()->setText(motion_text(model->fit->tcp_from_body, form()));
+    QGuiApplication::clipboard()->setText(motion_text(tcp_from_body(*model, hand()), form()));
     say(tr("Copied, in m and rad."), false);
   });
   connect(calibrate_, &QPushButton::clicked, this, [this] { emit bench_.workspace_requested(Place::calibrate); });
   connect(forms_, &QButtonGroup::idClicked, this, &ExportWorkspace::refresh_motion);
+  connect(hand_, &QComboBox::currentIndexChanged, this, [this] {
+    if (is_active()) refresh();
+  });
   connect(save_other_, &QPushButton::clicked, this,
           [this] { save_for_others(other_->currentData().toString().toStdString()); });
+}
+
+void ExportWorkspace::fill_hands() {
+  const int before = hand_->currentIndex();
+  const QSignalBlocker quiet(hand_);
+  hand_->clear();
+  const QStringList names = bench_.sessions.names();
+  for (int i = 0; i < names.size(); ++i)
+    hand_->addItem(QIcon(widgets::session_mark_picture(i, 16, devicePixelRatioF())), names[i]);
+  hand_->setVisible(!names.isEmpty());
+  if (before >= 0 && before < names.size()) hand_->setCurrentIndex(before);
 }
 
 WorkStatus ExportWorkspace::status() const {
@@ -108,7 +129,7 @@ void ExportWorkspace::refresh() {
   calibrate_->setVisible(!ready);
   body_->setVisible(ready);
   for (QPushButton* b : {save_, html_, pdf_, certificate_, copy_, save_other_}) b->setEnabled(ready);
-  correction_->show_model(model);
+  correction_->show_model(model, hand());
   refresh_remarks(ready ? model : nullptr);
   if (!ready) return;
   refresh_motion();
@@ -170,7 +191,7 @@ void ExportWorkspace::resizeEvent(QResizeEvent* event) {
 void ExportWorkspace::refresh_motion() {
   const ModelVersionPointer model = bench_.document.model();
   if (!model || !model->fit) return;
-  auto lines = motion_lines(*model, form());
+  auto lines = motion_lines(*model, form(), hand());
   if (form() != MotionForm::matrix)
     for (const MotionLine& line : effect_lines(bench_.document.session(), *model->fit)) lines.push_back(line);
   motion_->setRowCount(static_cast<int>(lines.size()));
@@ -309,9 +330,10 @@ void ExportWorkspace::save_certificate() {
   file.replace_extension(".certificate.pdf");
   bench_.background.start<std::string>(
       "certificate", tr("Certificate"),
-      [model, session = bench_.document.shared_session(), xml = path()](JobControl& control) {
+      [model, session = session_of_hand(bench_.document, *model, hand()), hand = hand(),
+       xml = path()](JobControl& control) {
         const CertificateRequest request =
-            certificate_request(*session, *model->calibration, xml, "handsight " HANDSIGHT_VERSION);
+            certificate_request(*session, calibration_of_hand(*model, hand), xml, "handsight " HANDSIGHT_VERSION);
         const Certificate made = certificate_of(*session, request, [&](double done) {
           control.report(done);
           return !control.is_cancelled();
@@ -338,7 +360,8 @@ void ExportWorkspace::save_for_others(const std::string& kind) {
   std::filesystem::path file = path();
   file.replace_extension(export_kind(kind).ending);
   try {
-    CalibratedRobot robot = calibrated_robot(*model->calibration, session.robot, urdf.string(), path().string());
+    CalibratedRobot robot =
+        calibrated_robot(calibration_of_hand(*model, hand()), session.robot, urdf.string(), path().string());
     std::error_code error;
     if (!session.robot_file.empty() && std::filesystem::exists(urdf, error)) {
       robot.urdf_text = read_file(urdf);

@@ -51,6 +51,9 @@ class ExportWorkspace : public Workspace {
   void save_for_others(const std::string& kind);
   void connect_buttons();
   void say(const QString& sentence, bool is_refusal);
+  void fill_hands();
+  /// The chosen session of a collection; 0 where one is open.
+  std::size_t hand() const;
   MotionForm form() const;
   std::filesystem::path path() const;
 
@@ -64,6 +67,7 @@ class ExportWorkspace : public Workspace {
   QLineEdit* path_;
   QLabel *fresh_, *excluded_title_, *empty_, *said_;
   QPushButton *save_, *copy_, *html_, *pdf_, *certificate_, *calibrate_, *save_other_;
+  QComboBox* hand_;             // of a collection: whose
   QComboBox* other_;            // kinds of files for other programs
   std::int64_t exported_ = -1;  // revision
 };

@@ -174,7 +174,7 @@ void add_histogram(const Workbench& bench, const Inspection& all, std::vector<Re
   histogram.set_noise(all.noise ? std::optional((all.in_pixels ? 1 : 1e3) * *all.noise) : std::nullopt,
                       all.in_pixels ? "px" : "mm");
   histogram.set_unit(bench.units.unit());
-  histogram.set_cells(bench.cells());
+  histogram.set_cells(bench.shown_cells());
   histogram.fit();
   pictures.push_back({QObject::tr("Error of each observation against the noise (hatched: what noise alone shows)"),
                       histogram.picture()});
@@ -215,7 +215,7 @@ void add_robot(const Workbench& bench, const Observation& o, const Inspection& a
   view.set_robot(s.robot, (folder(s) / s.robot_file).parent_path());
   const InspectionRow* row = bench.row(o.id);
   show_pose(bench.document, o, row, view);
-  view.set_arrows(scene_arrows(all));
+  view.set_arrows(scene_arrows(all, bench.sessions));
   if (row && row->tcp_from_tcp_est)
     view.set_ghost_magnification(
         magnification_over_noise(row->tcp_from_tcp_est->translation.norm(), all.noise_m, 0.05));

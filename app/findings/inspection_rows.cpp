@@ -32,7 +32,9 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const Observation& o = observations[i];
     const InspectionRow* row = bench.row(o.id);
+    if (!bench.sessions.is_observation_shown(o.id)) continue;
     widgets::ObservationRow r{.id = o.id, .state = cells[i].state};
+    r.session = bench.sessions.session_of(o.id);
     if (row) {
       if (pixels) r.rms_pixel = row->rms;
       r.rms_mm = scaled(pixels ? row->hand_m : row->rms_m, 1e3);
@@ -59,7 +61,7 @@ std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   const auto& rig = bench.document.session().rig;
   if (!all || !rig) return points;
   for (const InspectionRow& row : all->rows) {
-    if (!row.is_used) continue;
+    if (!row.is_used || !bench.sessions.is_observation_shown(row.id)) continue;
     for (const MarkerResidual& m : row.markers)
       for (int camera = 0; camera < rig->count(); ++camera) {
         const auto residual = corner_in(bench.units.unit(), m, camera, *rig, all->noise);

@@ -96,9 +96,11 @@ std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
 
 std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
                                                  const Workbench& bench, const std::vector<Eigen::VectorXd>* values) {
-  return pattern_plot(
+  auto plot = pattern_plot(
       key, residuals,
       PlottedSession{bench.document.session(), values ? nullptr : bench.inspection(), bench.units.unit()}, values);
+  if (plot) bench.sessions.apply(plot->points);
+  return plot;
 }
 
 std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,

@@ -42,6 +42,11 @@ bool is_spring(const ProofPlot& plot) {
          plot.numbers.front().unit.ends_with("/(" + plot.against_unit + ")");
 }
 
+/// One number that grows with time: no curve without a name, which has more.
+bool is_drift(const ProofPlot& plot) {
+  return plot.numbers.size() == 1 && plot.against == "time" && plot.quantity.ends_with(" of the mount");
+}
+
 }  // namespace
 
 widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, double added) {
@@ -62,9 +67,11 @@ widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, 
                            .coordinates = row && row->coordinates > 0 ? row->coordinates : 12,
                            .bar = unit.scale * p.sigma,
                            .is_weak = p.sigma > weak * proof.noise});
+    if (!bench.sessions.is_observation_shown(p.id)) continue;
     const double y = unit.scale * (1 - added) * p.curve;
     plot.candidate.push_back({p.x, y, y - noise, y + noise});
   }
+  bench.sessions.apply(plot.points);
   std::stable_sort(plot.candidate.begin(), plot.candidate.end(),
                    [](const widgets::TrendPoint& a, const widgets::TrendPoint& b) { return a.x < b.x; });
   if (added >= 1) plot.trend = std::exchange(plot.candidate, {});
@@ -95,6 +102,12 @@ QString proof_sentence(const ProofPlot& p) {
     return p.hand_m > 0 ? QObject::tr("%1: %2 in every pose, %3 mm at the hand at most.")
                               .arg(what, number_text(p.numbers.front()), widgets::short_text(1e3 * p.hand_m))
                         : QObject::tr("%1: %2 in every pose.").arg(what, number_text(p.numbers.front()));
+  }
+  if (is_drift(p)) {
+    const QString drift = number_text(p.numbers.front()), what = number_title(p.quantity);
+    return p.hand_m > 0 ? QObject::tr("The mount drifts: %1 over the session (%2), %3 mm at the hand at most.")
+                              .arg(drift, what, widgets::short_text(1e3 * p.hand_m))
+                        : QObject::tr("The mount drifts: %1 over the session (%2).").arg(drift, what);
   }
   QStringList numbers;
   for (const ProofNumber& n : p.numbers)

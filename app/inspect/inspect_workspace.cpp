@@ -208,6 +208,7 @@ void InspectWorkspace::connect_bench() {
     stale();
   });
   connect(&bench_.units, &DisplayUnits::changed, this, stale);
+  connect(&bench_.sessions, &SessionFilter::changed, this, stale);
   connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, [this] {  // what is missing is to blame here too
     emit status_changed();
     if (is_active()) refresh_observation();
@@ -302,7 +303,7 @@ void InspectWorkspace::refresh_plots() {
   const Session& s = bench_.document.session();
   histogram_->set_noise(all && all->noise ? std::optional((all->in_pixels ? 1 : 1e3) * *all->noise) : std::nullopt,
                         s.is_tracker() ? tr("mm") : tr("px"));
-  histogram_->set_cells(bench_.cells());
+  histogram_->set_cells(bench_.shown_cells());
   histogram_->fit();
   if (!histogram_->threshold()) {
     const auto noise = all ? noise_in(bench_.units.unit(), *all) : std::nullopt;
@@ -314,7 +315,7 @@ void InspectWorkspace::refresh_plots() {
   map_->set_points(map_points(bench_));
   map_->fit();
   if (!all) return;
-  scene_->set_arrows(scene_arrows(*all));
+  scene_->set_arrows(scene_arrows(*all, bench_.sessions));
   scene_->set_arrow_magnification(arrow_magnification(*all));
 }
 

@@ -67,7 +67,7 @@ void LabelWorkspace::make_layout() {
 void LabelWorkspace::resizeEvent(QResizeEvent* event) {
   Workspace::resizeEvent(event);
   constexpr int roomy = 1000;
-  hint_->setVisible(width() >= roomy);
+  hint_->setVisible(width() >= roomy && is_labelled_here_);
   left_->setToolTip(width() >= roomy ? QString() : hint_->text());
 }
 

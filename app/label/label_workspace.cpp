@@ -6,6 +6,7 @@
 #include <QLabel>
 
 #include "bench/observation_views.h"
+#include "bench/session_parts.h"
 #include "vision/corners/corner_detector.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
@@ -60,6 +61,7 @@ WorkStatus LabelWorkspace::status() const {
     return std::any_of(o.sightings.begin(), o.sightings.end(),
                        [](const Sighting& x) { return x.by == MarkedBy::hand; });
   });
+  if (is_joined(s)) return {WorkState::done, tr("in each session")};
   const bool any = std::any_of(s.observations.begin(), s.observations.end(),
                                [](const Observation& o) { return !o.sightings.empty(); });
   if (labelled > 0) return {WorkState::done, tr("%1 by hand").arg(labelled)};
@@ -93,7 +95,9 @@ void LabelWorkspace::show_observation() {
   const Session& s = bench_.document.session();
   labeller_.start(s, *o, corners_of_ == o->id ? corners_ : CornersOfPair{}, bench_.document.draft_of(o->id));
   if (!labeller_.markers().contains(marker_)) marker_ = -1;
-  const ShownImage left = bench_.images.image(s, *o, 0), right = bench_.images.image(s, *o, 1);
+  const OwnSession own = own_session_of(s, o->part);
+  const ShownImage left = bench_.images.image(s, *o, own.first_camera),
+                   right = bench_.images.image(s, *o, own.first_camera + 1);
   const QString none = s.is_tracker() ? tr("A tracker session has no images; its markers are points already.")
                                       : tr("Observation %1 has no images to label.").arg(o->id);
   const auto show = [&](widgets::ImageView* view, widgets::Loupe* loupe, const ShownImage& shown, const QString& side,
@@ -108,17 +112,23 @@ void LabelWorkspace::show_observation() {
       if (!is_same || was_coming_) view->fit();
     }
   };
-  const bool is_labelled_here = !s.rig || is_pair(*s.rig);
+  is_labelled_here_ = !is_joined(s) && (!s.rig || is_pair(*s.rig));
   const bool is_coming = left.is_coming || right.is_coming;
-  show(left_, left_loupe_, left, s.rig ? camera_title(*s.rig, 0) : QString(), o->images[0]);
-  const bool has_second = !s.rig || s.rig->count() > 1;
-  show(right_, right_loupe_, right, s.rig && has_second ? camera_title(*s.rig, 1) : QString(), o->images[1]);
+  const auto camera = [&](int c) {
+    return c < own.camera_count ? camera_title(*s.rig, own.first_camera + c) : QString();
+  };
+  const auto file = [&](int c) {
+    return c < own.camera_count ? o->images[static_cast<std::size_t>(own.first_camera + c)] : std::string();
+  };
+  show(left_, left_loupe_, left, camera(0), file(0));
+  const bool has_second = own.camera_count != 1;
+  show(right_, right_loupe_, right, camera(1), file(1));
   was_coming_ = is_coming;
   for (QWidget* w : std::initializer_list<QWidget*>{right_, right_loupe_, together_}) w->setVisible(has_second);
-  for (widgets::ImageView* view : {left_, right_}) view->set_labelling(is_labelled_here);
-  hint_->setVisible(is_labelled_here);
+  for (widgets::ImageView* view : {left_, right_}) view->set_labelling(is_labelled_here_);
+  hint_->setVisible(is_labelled_here_);
   refresh();
-  if (is_labelled_here && corners_of_ != o->id && !left.image.isNull() && !right.image.isNull()) find_corners(o->id);
+  if (is_labelled_here_ && corners_of_ != o->id && !left.image.isNull() && !right.image.isNull()) find_corners(o->id);
 }
 
 void LabelWorkspace::find_corners(std::int64_t id) {
@@ -167,9 +177,11 @@ void LabelWorkspace::refresh() {
     left_marks.push_back({.marker = number, .position = m.left.position});
     if (m.right) right_marks.push_back({.marker = number, .position = m.right->position});
   }
-  if (const auto& rig = bench_.document.session().rig; rig && !is_pair(*rig) && bench_.selected_observation()) {
-    left_marks = label_marks(*bench_.selected_observation(), 0);
-    right_marks = label_marks(*bench_.selected_observation(), 1);
+  const Session& s = bench_.document.session();
+  if (const Observation* o = bench_.selected_observation(); o && s.rig && (is_joined(s) || !is_pair(*s.rig))) {
+    const int first = own_session_of(s, o->part).first_camera;
+    left_marks = label_marks(*o, first);
+    right_marks = label_marks(*o, first + 1);
   }
   left_->set_marks(std::move(left_marks));
   right_->set_marks(std::move(right_marks));
@@ -228,6 +240,9 @@ void LabelWorkspace::refresh_panel() {
   } else if (!labeller_.refusal().isEmpty()) {
     state.verdict = widgets::TriangleVerdict::bad;
     state.sentence = labeller_.refusal();
+  } else if (is_joined(bench_.document.session())) {
+    state.can_use = false;
+    state.sentence = tr("Markers are clicked in one session: open it by itself.");
   } else if (const auto& rig = bench_.document.session().rig; rig && !is_pair(*rig)) {
     state.can_use = false;
     state.sentence = tr("Markers are clicked in sessions of two cameras. These labels came with the session.");

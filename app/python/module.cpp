@@ -210,7 +210,7 @@ PYBIND11_MODULE(_core, m) {
       "read_session",
       [](const std::string& path) {
         const auto one = [](const std::string& file) { return read_session(file); };
-        return is_collection(path) ? cli::joined_of(read_collection(path), one) : one(path);
+        return is_collection(path) ? joined_of(read_collection(path), one) : one(path);
       },
       arg("path"));
   m.def("session_of", &session_from_text, arg("text"), arg("robot"));

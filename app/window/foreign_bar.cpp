@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "widgets/base/theme.h"
 
@@ -65,7 +66,7 @@ ForeignBar::ForeignBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
 void ForeignBar::begin() {
   is_put_off_ = false;
   seen_.reset();
-  const QString folder = QString::fromStdString(bench_.document.session().file.parent_path().string());
+  const QString folder = QString::fromStdString(bench_.document.file().parent_path().string());
   if (!files_.directories().contains(folder)) {
     if (!files_.directories().isEmpty()) files_.removePaths(files_.directories());
     files_.addPath(folder);
@@ -83,10 +84,17 @@ void ForeignBar::end() {
 void ForeignBar::look() {
   if (!bench_.document.is_open()) return;
   timer_.start(between_looks);
-  std::error_code no_size, no_time;
-  const fs::path& file = bench_.document.session().file;
-  const Stamp now{fs::file_size(file, no_size), fs::last_write_time(file, no_time)};
-  if (no_size || no_time || seen_ == now) return;  // it is being replaced, or is as it was
+  std::vector<fs::path> files{bench_.document.file()};
+  if (bench_.sessions.is_any())
+    for (const SessionPart& part : bench_.document.session().parts) files.push_back(part.file);
+  Stamp now{0, fs::file_time_type::min()};  // the sizes together, the latest time
+  for (const fs::path& file : files) {
+    std::error_code no_size, no_time;
+    now.size += fs::file_size(file, no_size);
+    now.written = std::max(now.written, fs::last_write_time(file, no_time));
+    if (no_size || no_time) return;  // it is being replaced
+  }
+  if (seen_ == now) return;
   seen_ = now;
   say(bench_.document.is_changed_by_another());
 }

@@ -163,7 +163,7 @@ void Header::refresh_session() {
   const QString name = d.is_open() ? name_of(d.session()) + (d.is_saved() ? "" : " •") : tr("Session");
   session_->setText(name + QStringLiteral("  ▾"));
   session_->setToolTip(!d.is_open()   ? tr("Open, save, close")
-                       : d.is_saved() ? tr("Everything is saved in %1").arg(QString::fromStdString(d.session().file))
+                       : d.is_saved() ? tr("Everything is saved in %1").arg(QString::fromStdString(d.file().string()))
                                       : tr("Not yet saved in session.xml (Ctrl+S). Nothing is lost if you close."));
   const QUndoStack& stack = d.undo_stack();
   undo_->setEnabled(stack.canUndo());

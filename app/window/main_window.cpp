@@ -14,6 +14,7 @@
 #include "bench/model_effects.h"
 #include "bench/observation_views.h"
 #include "bench/preferences.h"
+#include "collection/sessions_bar.h"
 #include "compare/compare_page.h"
 #include "merge/merge_page.h"
 #include "start/start_page.h"
@@ -102,6 +103,11 @@ void MainWindow::make_pages() {
   connect(foreign, &ForeignBar::save_requested, this, &MainWindow::save);
   rows->addWidget(foreign);
   rows->addLayout(middle, 1);
+  auto* sessions = new SessionsBar(bench_, session);
+  connect(sessions, &SessionsBar::add_wanted, this, &MainWindow::choose_added);
+  connect(sessions, &SessionsBar::shared_wanted, this, &MainWindow::show_shared);
+  connect(&bench_.sessions, &SessionFilter::changed, this, &MainWindow::refresh_strip);
+  rows->addWidget(sessions);
   rows->addWidget(read_out_);
   rows->addWidget(strip_);
   pages_->addWidget(session);
@@ -179,7 +185,9 @@ void MainWindow::refresh_panel() {
 }
 
 void MainWindow::refresh_strip() {
-  if (bench_.document.is_open()) strip_->set_cells(bench_.cells());
+  if (!bench_.document.is_open()) return;
+  strip_->set_session_names(bench_.sessions.names());
+  strip_->set_cells(bench_.shown_cells());
 }
 
 void MainWindow::refresh_rail() {

@@ -83,6 +83,13 @@ class MainWindow : public QMainWindow {
   void connect_units();
   void show_collisions();
   void choose_session();
+  void choose_added();
+  void open_new(const QString& path);
+  bool is_same_robot(const std::filesystem::path& path) const;
+  bool is_another(const std::filesystem::path& path) const;
+  /// Asks what the session shares with what is open.
+  void add_session(const QString& path);
+  void show_shared();
   void run_wizard();
   void save();
   void show_keys();

@@ -20,6 +20,8 @@ enum Section { of_session = 1, of_actions, of_help };
 void MainWindow::add_session_actions() {
   const QString everywhere = tr("Everywhere");
   const auto is_open = [this] { return bench_.document.is_open(); };
+  const auto can_add = [this] { return bench_.document.is_open() && !bench_.document.session().is_touch(); };
+  const auto is_collection = [this] { return bench_.document.is_open() && bench_.sessions.is_any(); };
   actions_.add({.id = "open",
                 .group = everywhere,
                 .text = tr("&Open a session…"),
@@ -37,6 +39,21 @@ void MainWindow::add_session_actions() {
                 .text = tr("New session from a &bag or other files…"),
                 .tip = tr("a new session from a ROS 2 bag, Kalibr, camera_info, easy_handeye or tables"),
                 .run = [this] { bring_files({}); },
+                .section = of_session});
+  actions_.add({.id = "add_session",
+                .group = everywhere,
+                .text = tr("&Add a session of this robot…"),
+                .tip = tr("another hand, another camera or another day of this robot: fitted together, told apart"),
+                .run = [this] { choose_added(); },
+                .is_possible = can_add,
+                .section = of_session});
+  actions_.add({.id = "shared",
+                .group = everywhere,
+                .text = tr("What is s&hared…"),
+                .tip = tr("which sessions of the collection have the same cameras, which the same hand"),
+                .run = [this] { show_shared(); },
+                .is_possible = is_collection,
+                .is_offered = is_collection,
                 .section = of_session});
   actions_.add({.id = "save",
                 .group = everywhere,
@@ -83,15 +100,13 @@ void MainWindow::add_session_actions() {
                 .run = [this] { bench_.document.undo_all(); },
                 .is_possible = is_open,
                 .section = of_actions});
-  const auto is_sample = [this] {
-    return bench_.document.is_open() && !sample_of(bench_.document.session().file).empty();
-  };
+  const auto is_sample = [this] { return bench_.document.is_open() && !sample_of(bench_.document.file()).empty(); };
   actions_.add({.id = "anew",
                 .group = everywhere,
                 .text = tr("Start this sample &anew"),
                 .run =
                     [this] {
-                      const std::string name = sample_of(bench_.document.session().file);
+                      const std::string name = sample_of(bench_.document.file());
                       bench_.document.close();
                       open_sample(QString::fromStdString(name), true);
                     },

@@ -8,6 +8,9 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "bench/session_parts.h"
+#include "collection/share_dialog.h"
+#include "session/session_xml.h"
 #include "start/session_places.h"
 #include "start/start_page.h"
 #include "widgets/base/read_out_line.h"
@@ -49,12 +52,20 @@ bool wants_explaining(const Session& s) {
 
 /// Where the work goes on.
 Place first_place(const Session& s) {
-  if (wants_labels(s)) return Place::label;
+  if (!is_joined(s) && wants_labels(s)) return Place::label;
   if (wants_explaining(s)) return Place::explain;
+  if (is_joined(s)) return Place::inspect;
   return is_decided(s) ? Place::inspect : Place::calibrate;
 }
 
 }  // namespace
+
+/// Another session than the one that is open, which is not one of touches.
+bool MainWindow::is_another(const std::filesystem::path& path) const {
+  std::error_code error;
+  const auto open = session_folder(bench_.document.file());
+  return !bench_.document.session().is_touch() && session_folder(path) != open;
+}
 
 bool MainWindow::open(const QString& path) {
   try {
@@ -89,13 +100,48 @@ void MainWindow::choose_session() {
   dialog->open();
 }
 
+void MainWindow::choose_added() {
+  auto* dialog = new QFileDialog(this, tr("Add a session of this robot"),
+                                 QString::fromStdString(bench_.document.file().parent_path().parent_path().string()),
+                                 tr("Sessions (*.xml)"));
+  dialog->setObjectName("add_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::add_session);
+  dialog->open();
+}
+
+void MainWindow::add_session(const QString& path) {
+  auto* dialog = new ShareDialog(bench_, path.toStdString(), this);
+  connect(dialog, &ShareDialog::written, this, &MainWindow::open);
+  connect(dialog, &ShareDialog::open_wanted, this, &MainWindow::open);
+  dialog->open();
+}
+
+/// One that was just made: another hand, camera or day of the robot that is open is offered to be added to it.
+void MainWindow::open_new(const QString& path) {
+  is_same_robot(path.toStdString()) ? add_session(path) : static_cast<void>(open(path));
+}
+
+bool MainWindow::is_same_robot(const std::filesystem::path& path) const {
+  if (!bench_.document.is_open() || !is_another(path) || bench_.document.session().robot.is_of_poses) return false;
+  try {
+    require_same_robot(bench_.document.session(), read_session(path));
+    return true;
+  } catch (const InputError&) {
+    return false;  // opening it says what is the matter
+  }
+}
+
+void MainWindow::show_shared() { (new ShareDialog(bench_, this))->open(); }
+
 void MainWindow::run_wizard() {
   SessionWizard::run(
-      *this, [this](const QString& path) { open(path); }, [this] { bring_files({}); });
+      *this, [this](const QString& path) { open_new(path); }, [this] { bring_files({}); });
 }
 
 FilesWizard* MainWindow::bring_files(const std::vector<std::filesystem::path>& files) {
-  return FilesWizard::run(*this, bench_.background, files, [this](const QString& path) { open(path); });
+  return FilesWizard::run(*this, bench_.background, files, [this](const QString& path) { open_new(path); });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -113,7 +159,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const std::filesystem::path& first = files.front();
   const bool is_session =
       files.size() == 1 && (first.filename() == "session.xml" || std::filesystem::exists(first / "session.xml", error));
-  if (is_session) {
+  if (is_session && bench_.document.is_open() && is_another(first)) {
+    add_session(QString::fromStdString(first.string()));
+  } else if (is_session || (files.size() == 1 && is_collection(first))) {
     open(QString::fromStdString(first.string()));
   } else {
     bring_files(files);
@@ -132,7 +180,12 @@ void MainWindow::save() {
 void MainWindow::session_opened() {
   const Session& s = bench_.document.session();
   setWindowTitle(tr("%1 - Handsight").arg(name_of(s)));
-  remember_session(s.file, name_of(s));
+  if (bench_.document.is_rejoining()) {  // the same work goes on
+    refresh_strip();
+    show_workspace(place_);
+    return refresh_rail();
+  }
+  remember_session(bench_.document.file(), name_of(s));
   start_->set_refusal({});
   pages_->setCurrentIndex(1);
   strip_->set_selected(widgets::kNoObservation);
@@ -160,7 +213,7 @@ void MainWindow::remember_state() {
   QString state = tr("Error %1, noise %2").arg(text_in(unit, sizes.error()), text_in(unit, sizes.noise));
   const QString explained = page_of(Place::explain).status().line;
   if (!explained.isEmpty()) state += tr(": %1").arg(explained);
-  handsight::app::remember_state(bench_.document.session().file, state, ratios);
+  handsight::app::remember_state(bench_.document.file(), state, ratios);
 }
 
 void MainWindow::session_closed() {

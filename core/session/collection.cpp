@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/text.h"
 #include "base/xml.h"
 
 namespace handsight {
@@ -26,27 +27,38 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// The collection's folder, or that in which it lies.
-void require_near(const XmlNode& node, const fs::path& file, const std::string& folder) {
+fs::path home_of(const fs::path& file) {
   std::error_code error;
-  const fs::path home = fs::weakly_canonical(file.parent_path().empty() ? "." : file.parent_path(), error);
+  return fs::weakly_canonical(file.parent_path().empty() ? "." : file.parent_path(), error);
+}
+
+/// In the collection's folder, or in that in which it lies?
+bool is_near(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path home = home_of(file);
   const fs::path there = fs::weakly_canonical(home / folder, error), around = home.parent_path();
-  const bool is_near = !fs::path(folder).is_absolute() &&
-                       std::mismatch(around.begin(), around.end(), there.begin(), there.end()).first == around.end();
-  if (!is_near)
+  return std::mismatch(around.begin(), around.end(), there.begin(), there.end()).first == around.end();
+}
+
+void require_near(const XmlNode& node, const fs::path& file, const std::string& folder) {
+  if (fs::path(folder).is_absolute() || !is_near(file, folder))
     refuse(node,
            "has folder=\"" + folder +
                "\", expected a session's folder inside the collection's folder or beside it, its path relative to "
                "the collection.");
 }
 
+/// Of a path, be there a slash at its end or not.
+std::string last_part(const std::string& folder) {
+  const fs::path path = fs::path(folder).lexically_normal();
+  return path.filename().empty() ? path.parent_path().filename().string() : path.filename().string();
+}
+
 CollectionEntry entry_of(const XmlNode& node, const fs::path& file) {
   CollectionEntry entry;
   entry.folder = required_text(node, "folder");
   require_near(node, file, entry.folder);
-  const fs::path path = fs::path(entry.folder).lexically_normal();
-  const std::string last = path.filename().empty() ? path.parent_path().filename().string() : path.filename().string();
-  entry.title = find_name(node, "title").value_or(last);
+  entry.title = find_name(node, "title").value_or(last_part(entry.folder));
   entry.rig = find_name(node, "rig").value_or("");
   entry.body = find_name(node, "body").value_or("");
   entry.own = words_of(find_text(node, "own").value_or(""));
@@ -65,10 +77,15 @@ bool is_collection(const fs::path& path) {
 
 Collection read_collection(const fs::path& path) {
   std::error_code error;
+  const fs::path file = fs::is_directory(path, error) ? path / usual_name : path;
+  return parse_collection(read_file(file), file);
+}
+
+Collection parse_collection(const std::string& text, const fs::path& file) {
   Collection collection;
-  collection.file = fs::is_directory(path, error) ? path / usual_name : path;
+  collection.file = file;
   const std::string name = collection.file.filename().string();
-  const auto document = parse_xml(read_file(collection.file), name);
+  const auto document = parse_xml(text, name);
   const XmlNode root = root_of(*document, name, root_tag);
   require_version_1(root);
   Ignored ignored;
@@ -91,6 +108,15 @@ fs::path folder_of(const Collection& collection, const CollectionEntry& entry) {
   return (collection.file.parent_path() / entry.folder).lexically_normal();
 }
 
+std::string folder_in_collection(const fs::path& session_folder, const fs::path& file) {
+  std::error_code error;
+  const fs::path there = fs::weakly_canonical(session_folder, error);
+  if (!is_near(file, there))
+    throw InputError(shown_path(there) + ": lies neither inside the folder of " + shown_path(file) +
+                     " nor beside it; write the collection into the folder that holds the sessions.");
+  return there.lexically_relative(home_of(file)).generic_string();
+}
+
 std::string collection_text(const Collection& collection) {
   tinyxml2::XMLDocument document;
   tinyxml2::XMLElement* root = document.NewElement(root_tag);
@@ -100,8 +126,8 @@ std::string collection_text(const Collection& collection) {
   for (const CollectionEntry& entry : collection.entries) {
     tinyxml2::XMLElement* session = root->InsertNewChildElement("session");
     session->SetAttribute("folder", entry.folder.c_str());
-    const fs::path last = fs::path(entry.folder).filename();
-    if (entry.title != last.string()) session->SetAttribute("title", entry.title.c_str());
+    const std::string last = last_part(entry.folder);
+    if (entry.title != last) session->SetAttribute("title", entry.title.c_str());
     if (!entry.rig.empty()) session->SetAttribute("rig", entry.rig.c_str());
     if (!entry.body.empty()) session->SetAttribute("body", entry.body.c_str());
     std::string own;

@@ -32,6 +32,13 @@ bool is_collection(const std::filesystem::path& path);
 /// names a folder that is neither inside the collection's folder nor beside it.
 Collection read_collection(const std::filesystem::path& path);
 
+/// The same of a text that stands, or will stand, in that file.
+Collection parse_collection(const std::string& text, const std::filesystem::path& file);
+
+/// The path of a session's folder as a collection in `file` names it. InputError where it is neither inside the
+/// collection's folder nor beside it.
+std::string folder_in_collection(const std::filesystem::path& session_folder, const std::filesystem::path& file);
+
 /// Where the session of an entry lies.
 std::filesystem::path folder_of(const Collection& collection, const CollectionEntry& entry);
 

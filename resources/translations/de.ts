@@ -593,6 +593,13 @@
         <translation>%1: ungesehen %2, angepasst %3</translation>
     </message>
     <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n Datei</numerusform>
+            <numerusform>%n Dateien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n action(s)</source>
         <translation>
             <numerusform>%n Aktion</numerusform>
@@ -5177,6 +5184,226 @@
         <source>plausible</source>
         <translation>plausibel</translation>
     </message>
+    <message>
+        <source>The collection or one of its sessions was changed by another program since it was opened; close it and open it again: what was done here is put on top of it.</source>
+        <translation>Die Sammlung oder eine ihrer Sitzungen wurde von einem anderen Programm geändert, seit sie geöffnet wurde; schließe sie und öffne sie wieder: was hier getan wurde, kommt obendrauf.</translation>
+    </message>
+    <message>
+        <source>%1 is there already and is not written over; name another file.</source>
+        <translation>%1 gibt es schon und wird nicht überschrieben; nenne eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Add a session</source>
+        <translation>Sitzung hinzufügen</translation>
+    </message>
+    <message>
+        <source>What is shared</source>
+        <translation>Was gemeinsam ist</translation>
+    </message>
+    <message>
+        <source>Shares with</source>
+        <translation>Gemeinsam mit</translation>
+    </message>
+    <message>
+        <source>shares with</source>
+        <translation>hat gemeinsam mit</translation>
+    </message>
+    <message>
+        <source>The robot</source>
+        <translation>Der Roboter</translation>
+    </message>
+    <message>
+        <source>Joints, links and masses are one for all sessions.</source>
+        <translation>Gelenke, Glieder und Massen sind für alle Sitzungen dieselben.</translation>
+    </message>
+    <message>
+        <source>The cameras or the tracker, at the same place</source>
+        <translation>Die Kameras oder der Tracker, am selben Ort</translation>
+    </message>
+    <message>
+        <source>One mount, one lens. What was moved in between is at another place.</source>
+        <translation>Ein Ort, eine Linse. Was dazwischen bewegt wurde, ist an einem anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The hand: the same markers or board on the same TCP</source>
+        <translation>Die Hand: dieselben Marker oder dieselbe Tafel am selben TCP</translation>
+    </message>
+    <message>
+        <source>One TCP→Body. What was taken off and put on again is another one.</source>
+        <translation>Ein TCP→Body. Was abgenommen und wieder angebracht wurde, ist ein anderes.</translation>
+    </message>
+    <message>
+        <source>The collection is written to</source>
+        <translation>Die Sammlung wird geschrieben nach</translation>
+    </message>
+    <message>
+        <source>Open it by itself</source>
+        <translation>Für sich öffnen</translation>
+    </message>
+    <message>
+        <source>Add the session</source>
+        <translation>Sitzung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Choose two sessions.</source>
+        <translation>Wähle zwei Sitzungen.</translation>
+    </message>
+    <message>
+        <source>the cameras of %1 are those of %2</source>
+        <translation>die Kameras von %1 sind die von %2</translation>
+    </message>
+    <message>
+        <source>the cameras of %1 are not those of %2</source>
+        <translation>die Kameras von %1 sind nicht die von %2</translation>
+    </message>
+    <message>
+        <source>the hand of %1 is that of %2</source>
+        <translation>die Hand von %1 ist die von %2</translation>
+    </message>
+    <message>
+        <source>the hand of %1 is not that of %2</source>
+        <translation>die Hand von %1 ist nicht die von %2</translation>
+    </message>
+    <message>
+        <source>%1 of this session is saved with it.</source>
+        <translation>%1 dieser Sitzung: wird mit gespeichert.</translation>
+    </message>
+    <message>
+        <source>added the session %1</source>
+        <translation>Sitzung %1 hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Marks in plots</source>
+        <translation>Zeichen in Diagrammen</translation>
+    </message>
+    <message>
+        <source>Draws each point as its session's mark</source>
+        <translation>Zeichnet jeden Punkt als Zeichen seiner Sitzung</translation>
+    </message>
+    <message>
+        <source>What is shared…</source>
+        <translation>Was gemeinsam ist …</translation>
+    </message>
+    <message>
+        <source>Which have the same cameras, which the same hand</source>
+        <translation>Welche dieselben Kameras haben, welche dieselbe Hand</translation>
+    </message>
+    <message>
+        <source>Add a session…</source>
+        <translation>Sitzung hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Another hand, another camera or another day of this robot</source>
+        <translation>Eine andere Hand, eine andere Kamera oder ein anderer Tag dieses Roboters</translation>
+    </message>
+    <message>
+        <source>%1 everywhere; Shift+click: this one alone</source>
+        <translation>%1 überall; Umschalt+Klick: diese allein</translation>
+    </message>
+    <message>
+        <source>Hides it</source>
+        <translation>Verbirgt sie</translation>
+    </message>
+    <message>
+        <source>Shows it</source>
+        <translation>Zeigt sie</translation>
+    </message>
+    <message>
+        <source>in each session</source>
+        <translation>in jeder Sitzung</translation>
+    </message>
+    <message>
+        <source>Markers are clicked in one session: open it by itself.</source>
+        <translation>Marker werden in einer einzelnen Sitzung angeklickt: öffne sie für sich.</translation>
+    </message>
+    <message>
+        <source>Saved in %1: %2</source>
+        <translation>Gespeichert in %1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Add a session of this robot…</source>
+        <translation>Sitzung dieses Roboters &amp;hinzufügen …</translation>
+    </message>
+    <message>
+        <source>another hand, another camera or another day of this robot: fitted together, told apart</source>
+        <translation>eine andere Hand, eine andere Kamera oder ein anderer Tag dieses Roboters: gemeinsam angepasst, auseinandergehalten</translation>
+    </message>
+    <message>
+        <source>What is s&amp;hared…</source>
+        <translation>Was &amp;gemeinsam ist …</translation>
+    </message>
+    <message>
+        <source>which sessions of the collection have the same cameras, which the same hand</source>
+        <translation>welche Sitzungen der Sammlung dieselben Kameras haben, welche dieselbe Hand</translation>
+    </message>
+    <message>
+        <source>Add a session of this robot</source>
+        <translation>Sitzung dieses Roboters hinzufügen</translation>
+    </message>
+    <message>
+        <source>Session whose hand is shown</source>
+        <translation>Sitzung, deren Hand gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Whose hand is shown, copied, certified and saved for other programs; the XML holds all of them</source>
+        <translation>Wessen Hand gezeigt, kopiert, bescheinigt und für andere Programme gespeichert wird; die XML-Datei enthält alle</translation>
+    </message>
+    <message>
+        <source>%1 sessions</source>
+        <translation>%1 Sitzungen</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>TCP→Body of each hand</source>
+        <translation>TCP→Body jeder Hand</translation>
+    </message>
+    <message>
+        <source>The robot is one for all sessions; each hand is its own, or shared where you said so.</source>
+        <translation>Der Roboter ist für alle Sitzungen derselbe; jede Hand ist eine eigene, oder gemeinsam, wo du es gesagt hast.</translation>
+    </message>
+    <message>
+        <source>TCP→Body, %1</source>
+        <translation>TCP→Body, %1</translation>
+    </message>
+    <message>
+        <source>Mount, %1</source>
+        <translation>Ort der Kameras, %1</translation>
+    </message>
+    <message>
+        <source>The mount drifts: %1 over the session (%2), %3 mm at the hand at most.</source>
+        <translation>Der Ort der Kameras wandert: %1 über die Sitzung (%2), höchstens %3 mm an der Hand.</translation>
+    </message>
+    <message>
+        <source>The mount drifts: %1 over the session (%2).</source>
+        <translation>Der Ort der Kameras wandert: %1 über die Sitzung (%2).</translation>
+    </message>
+    <message>
+        <source>with the robot of the others</source>
+        <translation>mit dem Roboter der anderen</translation>
+    </message>
+    <message>
+        <source>Sessions held out one by one</source>
+        <translation>Sitzungen einzeln zurückgehalten</translation>
+    </message>
+    <message>
+        <source>Each session is played by itself.</source>
+        <translation>Jede Sitzung wird für sich abgespielt.</translation>
+    </message>
+    <message>
+        <source>Observations are taken or rejected in each session.</source>
+        <translation>Beobachtungen werden in jeder Sitzung genommen oder verworfen.</translation>
+    </message>
+    <message>
+        <source>hand of %1</source>
+        <translation>Hand von %1</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -8660,6 +8887,22 @@
     <message>
         <source>its markers are left out, its rigid bodies count.</source>
         <translation>ihre Marker bleiben weg, ihre starren Körper zählen.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have other robots: %3; a collection is of one robot.</source>
+        <translation>%1 und %2 haben verschiedene Roboter: %3; eine Sammlung ist von einem Roboter.</translation>
+    </message>
+    <message>
+        <source>rig="%1" is that of session "%2", but it %3; give it a name of its own.</source>
+        <translation>rig="%1" ist das der Sitzung "%2", aber hier %3; gib ihm einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>body="%1" is that of session "%2", but it has %3; give it a name of its own.</source>
+        <translation>body="%1" ist das der Sitzung "%2", aber hier ist %3; gib ihm einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>lies neither inside the folder of %1 nor beside it; write the collection into the folder that holds the sessions.</source>
+        <translation>liegt weder im Ordner von %1 noch daneben; schreibe die Sammlung in den Ordner, der die Sitzungen enthält.</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,7 @@ struct ObservationCell {
   QString note;                          // a reason or a remark, for the read-out and tool tip
   std::optional<ShownSize> size;         // the rms as it is to be told; absent: told as rms_over_sigma
   std::optional<NoiseShape> noise;       // what noise alone makes of `size`, in its unit; absent: not known
+  int session = -1;                      // of a collection: its number (session_mark.h); -1: there is one alone
 };
 
 /// The size that is told of a cell.

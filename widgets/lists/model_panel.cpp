@@ -18,6 +18,18 @@
 #include "widgets/lists/parameter_row.h"
 
 namespace handsight::widgets {
+namespace {
+
+/// A long title must not widen the panel.
+QString in_two_lines(QString title, const QFontMetrics& metrics) {
+  constexpr int room = 210;  // px
+  if (metrics.horizontalAdvance(title) <= room) return title;
+  for (qsizetype at = title.size(); (at = title.lastIndexOf(' ', at - 1)) > 0;)
+    if (metrics.horizontalAdvance(title.left(at)) <= room) return title.replace(at, 1, '\n');
+  return title;
+}
+
+}  // namespace
 
 ModelPanel::ModelPanel(QWidget* parent) : QFrame(parent), empty_text_(tr("No model yet.")) {
   setFrameShape(QFrame::NoFrame);
@@ -126,7 +138,8 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
     title->setToolTip(effect.help);
     layout->addWidget(title);
   } else {
-    auto* check = new QCheckBox(effect.title, box);
+    auto* check = new QCheckBox(box);
+    check->setText(in_two_lines(effect.title, check->fontMetrics()));
     check->setObjectName(QStringLiteral("effect_") + effect.id);
     check->setChecked(effect.is_in_model);
     check->setEnabled(effect.can_change);

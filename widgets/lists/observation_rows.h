@@ -19,6 +19,7 @@ struct ObservationRow {
   std::optional<double> worst_over_sigma;
   bool is_odd = false;  // stands out: what the filter "odd" shows
   QString reason;
+  int session = -1;  // of a collection: its number (session_mark.h)
 };
 
 enum class RowFilter { all, odd, excluded, rejected };

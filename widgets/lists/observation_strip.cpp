@@ -14,7 +14,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kMargin = 8, kTop = 4, kCellsHeight = 36, kWidest = 96;
+constexpr double kMargin = 8, kTop = 4, kCellsHeight = 34, kWidest = 96;
 
 }  // namespace
 
@@ -65,6 +65,11 @@ void ObservationStrip::set_highlighted(std::vector<ObservationId> ids) {
   std::sort(ids.begin(), ids.end());
   highlighted_ = std::move(ids);
   update();
+}
+
+void ObservationStrip::set_session_names(const QStringList& names) {
+  session_names_ = names;
+  invalidate();
 }
 
 void ObservationStrip::set_empty_text(const QString& sentence) {

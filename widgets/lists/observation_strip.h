@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QPixmap>
+#include <QStringList>
 #include <QWidget>
 #include <vector>
 
@@ -10,7 +11,7 @@
 
 namespace handsight::widgets {
 
-/// 74 px high: 36 of cells, which fill the width, a line of ids and a line of the legend. A cell's colour and (on a
+/// 74 px high: 34 of cells, which fill the width, a line of ids and a line of the legend. A cell's colour and (on a
 /// logarithmic scale) its height say the residual; rejected and excluded cells are struck through. Above one cell a
 /// pixel a column shows the worst of its bin; the wheel zooms, dragging with the middle button pans, a lens shows
 /// single cells. Click selects, left and right arrows step, Home and End, PageUp and PageDown by ten; Shift+click or
@@ -26,6 +27,8 @@ class ObservationStrip : public QWidget {
   void set_selected(ObservationId id);  // kNoObservation: none; scrolls it into view
   void set_hovered(ObservationId id);
   void set_highlighted(std::vector<ObservationId> ids);  // a ring round each: brushed, or beyond a threshold
+  /// The names of a collection's sessions: cells of one session stand together, its mark and name under them.
+  void set_session_names(const QStringList& names);
   /// The sentence where there are no cells.
   void set_empty_text(const QString& sentence);
 
@@ -67,6 +70,9 @@ class ObservationStrip : public QWidget {
   void paint_cells();
   void paint_cell(QPainter& painter, const ObservationCell& cell, const QRectF& slot) const;
   void paint_marks(QPainter& painter) const;
+  /// The first cell of each session that is shown, in order.
+  std::vector<int> session_starts() const;
+  void paint_sessions(QPainter& painter) const;
   void paint_ids(QPainter& painter) const;
   void paint_legend(QPainter& painter) const;
   void paint_lens(QPainter& painter) const;
@@ -76,6 +82,7 @@ class ObservationStrip : public QWidget {
   std::vector<ObservationId> highlighted_;
   ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
   QString empty_text_;
+  QStringList session_names_;
   double first_ = 0;  // index at the left edge, in cells
   double zoom_ = 1;   // 1: all cells fit
   QPixmap picture_;   // the cells, painted anew only when they change

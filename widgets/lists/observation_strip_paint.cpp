@@ -6,6 +6,7 @@
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
+#include "widgets/base/session_mark.h"
 #include "widgets/base/theme.h"
 #include "widgets/lists/observation_strip.h"
 
@@ -85,7 +86,32 @@ void ObservationStrip::paint_cells() {
       paint_cell(painter, *worst, QRectF(x, area.top(), column, area.height()));
     }
   }
+  paint_sessions(painter);
   is_stale_ = false;
+}
+
+std::vector<int> ObservationStrip::session_starts() const {
+  std::vector<int> starts;
+  for (int i = 0; i < static_cast<int>(cells_.size()); ++i) {
+    const int session = cells_[static_cast<std::size_t>(i)].session;
+    if (session >= 0 && (i == 0 || cells_[static_cast<std::size_t>(i - 1)].session != session)) starts.push_back(i);
+  }
+  return starts;
+}
+
+/// Between two sessions a gap, under each a line of its colour.
+void ObservationStrip::paint_sessions(QPainter& painter) const {
+  const std::vector<int> starts = session_starts();
+  const QRectF area = cells_area();
+  painter.setClipping(false);
+  for (std::size_t s = 0; s < starts.size(); ++s) {
+    const int end = s + 1 < starts.size() ? starts[s + 1] : static_cast<int>(cells_.size());
+    const double from = std::max(left_of(starts[s]), area.left()), to = std::min(left_of(end), area.right());
+    if (from >= to) continue;
+    painter.fillRect(QRectF(from, area.bottom() + 1, to - from - 1, 3),
+                     session_mark_color(cells_[static_cast<std::size_t>(starts[s])].session));
+    if (s > 0 && from > area.left()) painter.fillRect(QRectF(from - 1, area.top(), 2, area.height()), colors().ink1);
+  }
 }
 
 void ObservationStrip::paint_marks(QPainter& painter) const {
@@ -122,7 +148,7 @@ void ObservationStrip::paint_marks(QPainter& painter) const {
 
 /// Under the cells, as far as there is room.
 void ObservationStrip::paint_ids(QPainter& painter) const {
-  const QRectF row(kGap, 45, width() - 2 * kGap, 15);
+  const QRectF row(kGap, 42, width() - 2 * kGap, 15);
   painter.setFont(text_font(TextRole::small));
   painter.setPen(colors().ink2);
   const QFontMetricsF metrics(painter.font());
@@ -132,12 +158,33 @@ void ObservationStrip::paint_ids(QPainter& painter) const {
     step = s;
     if (s * width_of_cell > 44) break;
   }
+  // Where a session begins stand its mark and its name, as far as it goes.
+  std::vector<QRectF> taken;
+  const std::vector<int> starts = session_starts();
+  for (std::size_t s = 0; s < starts.size(); ++s) {
+    const int session = cells_[static_cast<std::size_t>(starts[s])].session;
+    const double from = std::max(left_of(starts[s]), row.left());
+    const double to = s + 1 < starts.size() ? std::min(left_of(starts[s + 1]), row.right()) : row.right();
+    if (to - from < 14) continue;
+    draw_session_mark(painter, QPointF(from + 6, row.center().y()), 9, session);
+    const QString name = metrics.elidedText(session_names_.value(session), Qt::ElideRight, to - from - 18);
+    painter.setPen(colors().ink1);
+    painter.drawText(QRectF(from + 14, row.top(), to - from - 14, row.height()), Qt::AlignVCenter | Qt::AlignLeft,
+                     name);
+    taken.emplace_back(from, row.top(), 14 + metrics.horizontalAdvance(name) + 8, row.height());
+  }
+  painter.setPen(colors().ink2);
+  const auto is_taken = [&](double from, double to) {
+    return std::any_of(taken.begin(), taken.end(),
+                       [&](const QRectF& t) { return from < t.right() && to + 6 > t.left(); });
+  };
   const int count = static_cast<int>(cells_.size());
   for (int i = static_cast<int>(std::ceil(first_ / step)) * step; i < count; i += step) {
     const QString text = QString::number(cells_[static_cast<std::size_t>(i)].id);
     const double wide = metrics.horizontalAdvance(text);
     const double left = std::max(left_of(i) + width_of_cell / 2 - wide / 2, row.left());
     if (left + wide > row.right()) break;
+    if (is_taken(left, left + wide)) continue;
     painter.drawText(QRectF(left, row.top(), wide + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, text);
   }
 }
@@ -145,7 +192,7 @@ void ObservationStrip::paint_ids(QPainter& painter) const {
 /// A line of its own, from the left: how many times the noise each colour is.
 void ObservationStrip::paint_legend(QPainter& painter) const {
   const Colors& c = colors();
-  const QRectF row(kGap, 61, width() - 2 * kGap, 15);
+  const QRectF row(kGap, 57, width() - 2 * kGap, 15);
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
   const QFontMetricsF metrics(painter.font());

@@ -174,6 +174,10 @@ void ObservationTable::set_rows(std::vector<ObservationRow> rows) {
   const std::vector<ObservationId> chosen = selected_many();
   is_telling_ = true;
   const bool is_first = model_->rows().empty();
+  if (is_first && !rows.empty() && rows.front().session >= 0) {  // with room for the session's mark
+    constexpr int with_mark = 64;
+    view_->setColumnWidth(static_cast<int>(TableColumn::id), std::max(with_mark, view_->columnWidth(0)));
+  }
   model_->set_rows(std::move(rows));
   filter_->refilter();
   if (is_first)

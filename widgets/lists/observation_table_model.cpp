@@ -8,6 +8,7 @@
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
+#include "widgets/base/session_mark.h"
 #include "widgets/base/theme.h"
 
 namespace handsight::widgets {
@@ -282,6 +283,10 @@ void ObservationTableDelegate::paint(QPainter* painter, const QStyleOptionViewIt
     const QRectF swatch(cell.left() + 6, cell.center().y() - 5, 8, 10);
     if (ratio) painter->fillRect(swatch, residual_color(ratio, is_id ? row.coordinates : 2));
     room.setLeft(swatch.right() + 4);
+    if (is_id && row.session >= 0) {
+      draw_session_mark(*painter, QPointF(swatch.right() + 8, cell.center().y() + 0.5), 8, row.session);
+      room.setLeft(swatch.right() + 14);
+    }
   }
   const bool is_out = row.state == CellState::rejected || row.state == CellState::excluded;
   QFont font = is_number(column) ? number_font(TextRole::body) : text_font(TextRole::body);

@@ -134,6 +134,8 @@ QString ParameterRow::name() const {
 }
 
 QString ParameterRow::value() const {
+  // A figure would look surer than all others: nothing here tells it.
+  if (parameter_.sigma && !std::isfinite(*parameter_.sigma)) return QObject::tr("not determined");
   const QString text = with_sigma_text(parameter_.value, parameter_.sigma);
   return parameter_.unit.isEmpty() || !parameter_.value ? text : text + QChar(0x00A0) + parameter_.unit;
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "widgets/base/number_text.h"
+#include "widgets/base/session_mark.h"
 #include "widgets/base/theme.h"
 
 namespace handsight::widgets {
@@ -61,6 +62,7 @@ struct ScatterPlot::Layers {
   QCPGraph *low = nullptr, *high = nullptr, *trend = nullptr, *candidate = nullptr;
   QCPGraph *candidate_low = nullptr, *candidate_high = nullptr, *bars = nullptr, *weak = nullptr;
   std::array<QCPGraph*, 6> points{};
+  std::array<QCPGraph*, kSessionMarks> of_session{}, weak_of_session{};
   QCPGraph *above = nullptr, *below = nullptr;  // points beyond the axis, at its ends
   QCPGraph *plain = nullptr, *highlighted = nullptr, *hovered = nullptr, *selected = nullptr;
 };
@@ -86,6 +88,8 @@ ScatterPlot::ScatterPlot(QWidget* parent) : PlotWidget(parent), layers_(std::mak
   layers_->weak = scatter();
   layers_->plain = scatter();
   for (QCPGraph*& graph : layers_->points) graph = scatter();
+  for (auto* graphs : {&layers_->weak_of_session, &layers_->of_session})
+    for (QCPGraph*& graph : *graphs) graph = scatter();
   layers_->trend = plot_->addGraph();
   layers_->candidate = plot_->addGraph();
   layers_->above = scatter();
@@ -109,6 +113,15 @@ void ScatterPlot::restyle() {
     return QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(color, pen), Qt::NoBrush, 12);
   };
   for (std::size_t i = 0; i < 6; ++i) layers_->points[i]->setScatterStyle(disc(c.residual[i]));
+  constexpr double mark = 8;  // px
+  for (int i = 0; i < kSessionMarks; ++i) {
+    const QColor color = session_mark_color(i);
+    const auto at = static_cast<std::size_t>(i);
+    layers_->of_session[at]->setScatterStyle(
+        QCPScatterStyle(session_mark_path(i), QPen(color, 0.5), QBrush(color), mark));
+    layers_->weak_of_session[at]->setScatterStyle(
+        QCPScatterStyle(session_mark_path(i), QPen(color, 1), QBrush(c.panel), mark));
+  }
   layers_->plain->setScatterStyle(disc(c.ink3));
   layers_->weak->setScatterStyle(
       QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(c.control_edge, 1), QBrush(c.panel), 5));
@@ -228,25 +241,37 @@ void ScatterPlot::fill_bars() {
   layers_->bars->setData(x, y, true);
 }
 
-void ScatterPlot::fill() {
-  std::array<QVector<double>, 6> x, y;
-  QVector<double> plain_x, plain_y, weak_x, weak_y;
+void ScatterPlot::fill_points() {
+  struct Points {
+    QVector<double> x, y;
+    void add(const ScatterPoint& p) { x += p.x, y += p.y; }
+  };
+  std::array<Points, 6> steps;
+  std::array<Points, kSessionMarks> of_session, weak_of_session;
+  Points plain, weak;
   for (const ScatterPoint& point : points_) {
-    if (point.is_weak) {
-      weak_x += point.x, weak_y += point.y;
-      continue;
-    }
-    if (!point.rms_over_sigma) {
-      plain_x += point.x, plain_y += point.y;
-      continue;
-    }
-    const auto step = static_cast<std::size_t>(residual_step(*point.rms_over_sigma, point.coordinates));
-    x[step] += point.x;
-    y[step] += point.y;
+    if (point.session >= 0)
+      (point.is_weak ? weak_of_session : of_session)[static_cast<std::size_t>(point.session % kSessionMarks)].add(
+          point);
+    else if (point.is_weak)
+      weak.add(point);
+    else if (!point.rms_over_sigma)
+      plain.add(point);
+    else
+      steps[static_cast<std::size_t>(residual_step(*point.rms_over_sigma, point.coordinates))].add(point);
   }
-  for (std::size_t i = 0; i < 6; ++i) layers_->points[i]->setData(x[i], y[i]);
-  layers_->plain->setData(plain_x, plain_y);
-  layers_->weak->setData(weak_x, weak_y);
+  const auto show = [](QCPGraph* graph, const Points& points) { graph->setData(points.x, points.y); };
+  for (std::size_t i = 0; i < steps.size(); ++i) show(layers_->points[i], steps[i]);
+  for (std::size_t i = 0; i < of_session.size(); ++i) {
+    show(layers_->of_session[i], of_session[i]);
+    show(layers_->weak_of_session[i], weak_of_session[i]);
+  }
+  show(layers_->plain, plain);
+  show(layers_->weak, weak);
+}
+
+void ScatterPlot::fill() {
+  fill_points();
   fill_bars();
   mark_beyond();
   const Line trend = line_of(trend_), candidate = line_of(candidate_);

@@ -17,6 +17,7 @@ struct ScatterPoint {
   int coordinates = 12;
   double bar = 0;        // half the length of its error bar; 0: none
   bool is_weak = false;  // it says little: hollow
+  int session = -1;      // drawn as this session's mark (session_mark.h) in place of the residual's colour
 };
 
 /// The span of y that an axis shows: all points, but where a few of many lie far outside of the others (beyond twice
@@ -72,6 +73,7 @@ class ScatterPlot : public PlotWidget {
   struct Layers;
   void fill();
   void fill_bars();
+  void fill_points();
   void mark_beyond();
   void ring();
   void shorten_label();

@@ -151,6 +151,12 @@ void RobotView::set_tcp(const std::optional<Rigid>& root_from_tcp) {
   change();
 }
 
+void RobotView::set_other_hands(std::vector<SceneHand> hands) {
+  parts_->other_hands = std::move(hands);
+  parts_->marks_changed = true;
+  change();
+}
+
 void RobotView::set_tcp_est(const std::optional<Rigid>& root_from_tcp_est) {
   parts_->tcp_est = root_from_tcp_est;
   parts_->marks_changed = true;

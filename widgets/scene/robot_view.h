@@ -46,6 +46,7 @@ class RobotView : public QWidget {
   void set_interest(std::vector<Vector3> in_root);
   void set_cameras(std::vector<SceneCamera> cameras);
   void set_tcp(const std::optional<Rigid>& root_from_tcp);          // red, green, blue
+  void set_other_hands(std::vector<SceneHand> hands);               // of other sessions, in the same colours
   void set_tcp_est(const std::optional<Rigid>& root_from_tcp_est);  // cyan, yellow, magenta
   void set_markers(std::vector<SceneMarker> markers);
   void set_arrows(std::vector<SceneArrow> arrows);

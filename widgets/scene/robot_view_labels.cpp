@@ -136,6 +136,7 @@ void RobotView::paint_labels(QPainter& painter) {
           place_on_ground(*at, size_of(camera.name), taken, room,
                           [&](const QRectF& area) { return covered_share(p.picture, ratio, area); }),
           camera.name, true);
+  for (const SceneHand& hand : p.other_hands) plate(hand.root_from_tcp.translation, hand.name, QPointF(10, 12));
   for (const SceneMarker& marker : p.markers)
     if (is_near && marker.role == SceneMarkerRole::measured)
       plate(marker.in_root, QString::number(marker.marker), QPointF(9, -9));

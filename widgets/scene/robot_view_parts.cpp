@@ -136,6 +136,7 @@ void RobotViewParts::make_marks() {
   for (const SceneCamera& camera : cameras) show_camera(*renderer, camera_actors, camera);
   if (tcp) show_axes(*renderer, axes, *tcp, false);
   if (tcp_est) show_axes(*renderer, axes, *tcp_est, true);
+  for (const SceneHand& hand : other_hands) show_axes(*renderer, axes, hand.root_from_tcp, false);
   show_markers(*renderer, marker_actors, markers);
   if (ellipsoid) show_ellipsoid(*renderer, ellipsoid_actors, *ellipsoid);
   marks_changed = false;
@@ -185,6 +186,7 @@ std::vector<Vector3> RobotViewParts::points_of_interest() const {
   for (const SceneCamera& camera : cameras) points.push_back(camera.root_from_camera.translation);
   for (const SceneMarker& marker : markers) points.push_back(marker.in_root);
   if (tcp) points.push_back(tcp->translation);
+  for (const SceneHand& hand : other_hands) points.push_back(hand.root_from_tcp.translation);
   Vector3 low = Vector3::Constant(1e300), high = -low;
   for (const Vector3& point : points) {
     low = low.cwiseMin(point);

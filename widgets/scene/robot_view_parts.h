@@ -45,6 +45,7 @@ struct RobotViewParts {
   std::vector<SceneCamera> cameras;
   std::vector<Vector3> interest;  // places that are to be in sight
   std::optional<Rigid> tcp, tcp_est;
+  std::vector<SceneHand> other_hands;
   std::vector<SceneMarker> markers;
   std::vector<SceneArrow> arrows;
   std::optional<SceneEllipsoid> ellipsoid;

@@ -17,6 +17,12 @@ struct SceneCamera {
   Camera camera;
 };
 
+/// A hand that the observation does not show, with its name.
+struct SceneHand {
+  QString name;
+  Rigid root_from_tcp;
+};
+
 enum class SceneMarkerRole { measured, predicted };
 
 struct SceneMarker {

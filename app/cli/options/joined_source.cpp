@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "estimation/fit/member_noise.h"
 
 namespace handsight::cli {
 namespace {
@@ -36,20 +35,6 @@ void share(const std::vector<std::string>& lists, const char* option, std::strin
 }
 
 }  // namespace
-
-Session joined_of(const Collection& collection, const OpenOne& open) {
-  std::vector<JoinedMember> members;
-  for (const CollectionEntry& entry : collection.entries) {
-    JoinedMember& m = members.emplace_back();
-    m.session = open(folder_of(collection, entry).string());
-    m.title = entry.title;
-    m.rig = entry.rig;
-    m.body = entry.body;
-    m.own = entry.own;
-  }
-  learn_noise(members);
-  return joined(members, collection.title, collection.file);
-}
 
 Collection collection_of(const std::vector<std::string>& paths, const std::vector<std::string>& same_rig,
                          const std::vector<std::string>& same_body) {

@@ -12,6 +12,7 @@
 #include "document/effect_words.h"
 #include "findings/explain_texts.h"
 #include "findings/pattern_plots.h"
+#include "findings/proof_plots.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
 #include "start/session_places.h"
@@ -35,6 +36,15 @@ TEST(Findings, AllJointsOfAnArmAreNamed) {
 TEST(Findings, SeveralEffectsAreNamedNotTheirIds) {
   EXPECT_EQ(app::effects_of("mount_drift, joint_elasticity"), "mount drift, joint elasticity");
   EXPECT_EQ(app::effects_of("backlash"), "backlash");
+}
+
+TEST(Findings, ADriftIsSaidAsOne) {
+  ProofPlot plot{.quantity = "turn about x of the mount", .unit = "rad", .against = "time", .against_unit = "s"};
+  plot.numbers = {{.name = "rx", .unit = "rad", .value = 0.0018, .sigma = 0.0001}};
+  for (const double x : {0.0, 1.0}) plot.points.push_back({.x = x, .share = Eigen::VectorXd::Constant(1, x)});
+  plot.hand_m = 2.6e-3;
+  EXPECT_EQ(app::proof_sentence(plot), QString::fromUtf8("The mount drifts: 1.80 ± 0.10 mrad over the session (turn "
+                                                         "about x of the mount), 2.6 mm at the hand at most."));
 }
 
 TEST(Findings, ArrowsOfNoiseStayAsSmallAsNoise) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estimation/fit/joined_collection.h"
+
+#include "estimation/fit/member_noise.h"
+
+namespace handsight {
+
+std::vector<JoinedMember> members_of(const Collection& collection, const OpenOne& open) {
+  std::vector<JoinedMember> members;
+  for (const CollectionEntry& entry : collection.entries) {
+    JoinedMember& m = members.emplace_back();
+    m.session = open(folder_of(collection, entry).string());
+    m.title = entry.title;
+    m.rig = entry.rig;
+    m.body = entry.body;
+    m.own = entry.own;
+  }
+  learn_noise(members);
+  return members;
+}
+
+Session joined_of(const Collection& collection, const OpenOne& open) {
+  return joined(members_of(collection, open), collection.title, collection.file);
+}
+
+}  // namespace handsight

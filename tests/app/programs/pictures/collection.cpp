@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of a collection of both hands in every workspace, of what is shared, and of a session that is added.
+#include <gtest/gtest.h>
+
+#include "app/programs/pictures/photographer.h"
+#include "app/two_hands.h"
+#include "collection/share_dialog.h"
+#include "temporary_folder.h"
+
+namespace handsight::test {
+namespace {
+
+TEST(Pictures, OfACollection) {
+  const TemporaryFolder folder;
+  Desk desk;
+  desk.window.resize(window_size());
+  Photographer photo{desk};
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(two_hands(folder.path).string())));
+  ASSERT_TRUE(desk.settle());
+  desk.window.bench().selection.select_observation(57);
+  const char* names[] = {"", "both_label", "both_calibrate", "both_inspect", "both_explain", "both_export"};
+  for (int i = 1; i <= 5; ++i) {
+    if (i == 4) {
+      ASSERT_TRUE(ExplainPage{desk}.open());
+    } else {
+      desk.key(Qt::Key_0 + i, Qt::ControlModifier);
+    }
+    ASSERT_TRUE(desk.settle());
+    photo.take(names[i]);
+  }
+  desk.key(Qt::Key_4, Qt::ControlModifier);
+  desk.press_button("session_marks");
+  photo.take("both_marks");
+  desk.press_button("session_0");
+  photo.take("both_one_hidden");
+  desk.press_button("session_0");
+  desk.press_button("what_is_shared");
+  ASSERT_TRUE(desk.wait([&] { return desk.window.findChild<app::ShareDialog*>() != nullptr; }));
+  auto* shared = desk.window.findChild<app::ShareDialog*>();
+  QTest::qWait(200);
+  shared->grab().save(folder_of_pictures + "/both_shared" + suffix + ".png");
+  shared->reject();
+}
+
+}  // namespace
+}  // namespace handsight::test
