@@ -19,27 +19,27 @@ CornerLattice quarter_turned(const CornerLattice& lattice) {
   return result;
 }
 
+int count_in(const CornerLattice& lattice, int LatticeCell::*line, int number) {
+  return static_cast<int>(
+      std::count_if(lattice.begin(), lattice.end(), [&](const auto& at) { return at.first.*line == number; }));
+}
+
+/// Cuts the emptier of the first and the last line, if there are more than `most` and it is half empty.
+bool cut_line(CornerLattice& lattice, int LatticeCell::*line, int most, int full) {
+  const LatticeExtent e = extent_of(lattice);
+  if (lattice.empty() || e.most.*line - e.least.*line + 1 <= most) return false;
+  const int first = count_in(lattice, line, e.least.*line), last = count_in(lattice, line, e.most.*line);
+  if (2 * std::min(first, last) > full) return false;
+  const int number = first < last ? e.least.*line : e.most.*line;
+  std::erase_if(lattice, [&](const auto& at) { return at.first.*line == number; });
+  return true;
+}
+
 /// Rows and columns at the rim of which only few corners were found are no part of the board.
 void trim(CornerLattice& lattice, int columns, int rows) {
   for (int round = 0; round < 8; ++round) {
-    const LatticeExtent e = extent_of(lattice);
-    const auto is_sparse = [&](auto is_in, int full) {
-      return 3 * std::count_if(lattice.begin(), lattice.end(), [&](const auto& at) { return is_in(at.first); }) < full;
-    };
-    const std::size_t before = lattice.size();
-    const auto cut = [&](bool is_too_long, auto is_in, int full) {
-      if (is_too_long && is_sparse(is_in, full))
-        std::erase_if(lattice, [&](const auto& at) { return is_in(at.first); });
-    };
-    cut(
-        e.columns() > columns, [&](const LatticeCell& c) { return c.column == e.least.column; }, rows);
-    cut(
-        e.columns() > columns, [&](const LatticeCell& c) { return c.column == e.most.column; }, rows);
-    cut(
-        e.rows() > rows, [&](const LatticeCell& c) { return c.row == e.least.row; }, columns);
-    cut(
-        e.rows() > rows, [&](const LatticeCell& c) { return c.row == e.most.row; }, columns);
-    if (lattice.size() == before) return;
+    const bool is_narrower = cut_line(lattice, &LatticeCell::column, columns, rows);
+    if (!cut_line(lattice, &LatticeCell::row, rows, columns) && !is_narrower) return;
   }
 }
 
@@ -80,14 +80,15 @@ void fill(const Image& image, const PreparedTarget& target, BoardPoints& points,
       const int number = static_cast<int>(i);
       const auto guess = guess_pixel(pixels, {number % columns, number / columns});
       if (!guess) continue;
-      points[i] = corner_at(image, guess->pixel, guess->slope / target.target.square, expected_corner(target, number),
-                            dropped);
+      points[i] =
+          corner_at(image, guess->pixel, guess->slope / target.target.square, expected_corner(target, number), dropped);
       is_new = is_new || points[i];
     }
   }
 }
 
-/// Does every point lie where its neighbours have it? Between them to a twentieth of a step, at the rim to a quarter,
+/// Does every point lie where its neighbours have it? Between them to a tenth of a step, at the rim to four of
+/// them,
 /// or as the others do.
 bool is_smooth(const std::vector<TargetPixel>& points, int columns) {
   LatticePixels pixels;
@@ -98,7 +99,7 @@ bool is_smooth(const std::vector<TargetPixel>& points, int columns) {
     if (!guess) continue;
     const double step = std::min(guess->slope.col(0).norm(), guess->slope.col(1).norm());
     errors.push_back((guess->pixel - pixel).norm());
-    most.push_back(std::max(1.0, (guess->is_between ? 0.05 : 0.25) * step));
+    most.push_back(std::max(1.0, (guess->is_between ? 0.1 : 0.4) * step));
   }
   if (errors.empty()) return true;
   std::vector<double> sorted = errors;
@@ -141,7 +142,8 @@ bool first_square_is_black(const Image& image, const std::vector<TargetPixel>& p
 }
 
 std::optional<std::vector<TargetPixel>> numbered(const Image& image, const PreparedTarget& target,
-                                                 const std::vector<Corner>& corners, CornerLattice lattice, int& dropped) {
+                                                 const std::vector<Corner>& corners, CornerLattice lattice,
+                                                 int& dropped) {
   std::optional<std::vector<TargetPixel>> best;
   double most_right = -1e300;
   for (int turns = 0; turns < 4; ++turns, lattice = quarter_turned(lattice)) {

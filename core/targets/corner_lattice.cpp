@@ -27,7 +27,7 @@ struct Placed {
 /// Grows one lattice from a corner.
 class Growth {
  public:
-  Growth(const std::vector<RayCorner>& corners, const std::vector<std::array<Link, 4>>& links,
+  Growth(const std::vector<RayCorner>& corners, const std::vector<std::array<CornerLink, 4>>& links,
          std::vector<bool>& is_used)
       : corners_(corners), links_(links), is_used_(is_used), placed_(corners.size()) {}
 
@@ -51,7 +51,7 @@ class Growth {
   }
 
   void take(const Step& step) {
-    const Link& link = links_[step.from][step.ray];
+    const CornerLink& link = links_[step.from][step.ray];
     const auto to = static_cast<std::size_t>(link.corner);
     const Placed& here = placed_[step.from];
     const std::size_t direction = (step.ray + here.turn) % 4;
@@ -60,18 +60,19 @@ class Growth {
     place(to, {cell, (direction + 2 + 4 - link.ray) % 4});
   }
 
-  /// Is the step as long as the one before it, within what a lens and a tilt can do?
+  /// Does the step go on as the one before it, within what a lens and a tilt can do?
   bool is_like_the_last(const LatticeCell& cell, const LatticeCell& direction, std::size_t to) const {
-    constexpr double most_ratio = 2.2;
+    constexpr double most_ratio = 1.7, least_cosine = 0.8;
     const auto back = lattice_.find({cell.column - direction.column, cell.row - direction.row});
     if (back == lattice_.end()) return true;
     const Vector2& here = corners_[lattice_.at(cell)].position;
-    const double last = (here - corners_[back->second].position).norm(), next = (corners_[to].position - here).norm();
-    return next < most_ratio * last && last < most_ratio * next;
+    const Vector2 last = here - corners_[back->second].position, next = corners_[to].position - here;
+    return next.norm() < most_ratio * last.norm() && last.norm() < most_ratio * next.norm() &&
+           next.dot(last) > least_cosine * next.norm() * last.norm();
   }
 
   const std::vector<RayCorner>& corners_;
-  const std::vector<std::array<Link, 4>>& links_;
+  const std::vector<std::array<CornerLink, 4>>& links_;
   std::vector<bool>& is_used_;
   std::vector<Placed> placed_;
   CornerLattice lattice_;

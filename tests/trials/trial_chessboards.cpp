@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// trial_chessboards [COUNT [SEED [DEGREES [alone]]]] (0 degrees: all): chessboards through lenses of 60 to 190 degrees, rendered: of how many
-// boards that are wholly in view (squares of 7 px and more) all points are found, how many of the points are wrong, how
-// exact they are and whether their covariance is right; beside OpenCV's two finders on the same images.
+// trial_chessboards [COUNT [SEED [DEGREES [alone]]]] (0 degrees: all): chessboards through lenses of 60 to 190 degrees,
+// rendered: of how many boards that are wholly in view (squares of 7 px and more) all points are found, how many of the
+// points are wrong, how exact they are and whether their covariance is right; beside OpenCV's two finders on the same
+// images.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <span>
 
 #include "fixtures/wide_views.h"
@@ -70,8 +70,6 @@ void add(std::vector<Score>& scores, const PreparedTarget& target, const Image& 
   std::vector<Eigen::Matrix2d> covariances;
   for (const TargetPixel& p : sighting.points) points.push_back(p.pixel), covariances.push_back(p.covariance);
   count(scores[0], points, truth, covariances);
-  if (std::getenv("TRIAL_SAVE") && points.empty())
-    cv::imwrite(fmt::format("lost_{}.png", truth.front().x()), cv::Mat(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()))), fmt::print("{}\n", sighting.reason);
   if (is_alone) return;
   const cv::Mat grey(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
   std::vector<cv::Point2f> corners;
