@@ -6514,6 +6514,18 @@
         <translation>Der Sitz des Sensors ist unbestimmt: %1; %2. Seine Zahlen dort stehen, wo die Anpassung begann.</translation>
     </message>
     <message>
+        <source>The measurements do not determine %1 of %2: %3. More poses, turned about other axes, tell it.</source>
+        <translation>Die Messungen bestimmen %1 von %2 nicht: %3. Mehr Posen, um andere Achsen gedreht, sagen es.</translation>
+    </message>
+    <message>
+        <source>these numbers are nan here, and no sigma stands beside them</source>
+        <translation>diese Zahlen sind hier nan, und kein Sigma steht daneben</translation>
+    </message>
+    <message>
+        <source>the transform is left out of the file</source>
+        <translation>die Transformation fehlt in der Datei</translation>
+    </message>
+    <message>
         <source>%1; the sensor's mount and the body can move together</source>
         <translation>%1; Sitz des Sensors und Körper können sich miteinander bewegen</translation>
     </message>
