@@ -16,24 +16,63 @@
 namespace handsight {
 namespace {
 
-std::vector<Vector2> found_by_opencv(const Image& image, const Target& target) {
+cv::Ptr<cv::SimpleBlobDetector> blob_detector(const cv::Size& size) {
   cv::SimpleBlobDetector::Params blobs;
   blobs.minArea = 20;
-  blobs.maxArea = 0.05F * static_cast<float>(image.width * image.height);
+  blobs.maxArea = 0.05F * static_cast<float>(size.area());
   blobs.minDistBetweenBlobs = 4;
   blobs.minConvexity = 0.9F;
   blobs.minThreshold = 20, blobs.maxThreshold = 235;
+  return cv::SimpleBlobDetector::create(blobs);
+}
+
+/// Parts of the image in which discs of one size stand as near to each other as in the grid, the fullest first.
+std::vector<cv::Rect> parts_with_discs(const cv::Mat& grey, const std::vector<cv::KeyPoint>& discs,
+                                       const Target& target) {
+  const double step = (is_asymmetric(target) ? std::sqrt(2.0) : 1.0) * target.square;
+  const auto is_near = [&](const cv::KeyPoint& a, const cv::KeyPoint& b) {
+    const double larger = std::max(a.size, b.size), smaller = std::min(a.size, b.size);
+    return larger < 1.6 * smaller && cv::norm(a.pt - b.pt) < 1.7 * larger * step / target.tag;
+  };
+  std::vector<std::pair<std::size_t, cv::Rect>> parts;
+  std::vector<bool> is_taken(discs.size(), false);
+  for (std::size_t first = 0; first < discs.size(); ++first) {
+    std::vector<std::size_t> group;
+    if (!is_taken[first]) group.push_back(first), is_taken[first] = true;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      for (std::size_t other = 0; other < discs.size(); ++other)
+        if (!is_taken[other] && is_near(discs[group[i]], discs[other])) group.push_back(other), is_taken[other] = true;
+    if (group.size() < static_cast<std::size_t>(point_count(target))) continue;
+    cv::Rect2f box(discs[first].pt, cv::Size2f(1, 1));
+    for (const std::size_t i : group)
+      box |=
+          cv::Rect2f(discs[i].pt - cv::Point2f(1, 1) * discs[i].size, cv::Size2f(2 * discs[i].size, 2 * discs[i].size));
+    parts.emplace_back(group.size(), cv::Rect(box) & cv::Rect({0, 0}, grey.size()));
+  }
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<cv::Rect> boxes;
+  for (const auto& [count, box] : parts) boxes.push_back(box);
+  return boxes;
+}
+
+std::vector<Vector2> found_by_opencv(const Image& image, const Target& target) {
   const cv::Mat grey(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
-  std::vector<cv::Point2f> centres;
+  const auto blobs = blob_detector(grey.size());
+  std::vector<cv::KeyPoint> discs;
+  blobs->detect(grey, discs);
+  std::vector<cv::Rect> parts = parts_with_discs(grey, discs, target);
+  parts.emplace_back(cv::Point(0, 0), grey.size());
   const int layout = is_asymmetric(target) ? cv::CALIB_CB_ASYMMETRIC_GRID : cv::CALIB_CB_SYMMETRIC_GRID;
-  for (const int how : {0, static_cast<int>(cv::CALIB_CB_CLUSTERING)})
-    if (cv::findCirclesGrid(grey, {target.columns, target.rows}, centres, layout | how,
-                            cv::SimpleBlobDetector::create(blobs)))
-      break;
-  std::vector<Vector2> points;
-  if (centres.size() == static_cast<std::size_t>(point_count(target)))
-    for (const cv::Point2f& c : centres) points.emplace_back(c.x, c.y);
-  return points;
+  for (const cv::Rect& part : parts)
+    for (const int how : {0, static_cast<int>(cv::CALIB_CB_CLUSTERING)}) {
+      std::vector<cv::Point2f> centres;
+      if (!cv::findCirclesGrid(grey(part), {target.columns, target.rows}, centres, layout | how, blobs)) continue;
+      std::vector<Vector2> points;
+      for (const cv::Point2f& c : centres)
+        points.emplace_back(c.x + static_cast<float>(part.x), c.y + static_cast<float>(part.y));
+      return points;
+    }
+  return {};
 }
 
 /// Which point of the grid comes to lie where each was: turned and mirrored in all eight ways in which it fits itself.
