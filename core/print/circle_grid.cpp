@@ -17,9 +17,6 @@ std::vector<TargetPoint> circle_points(const Target& target) {
 }
 
 void check_circles(const Target& target, std::string_view where) {
-  if (target.dictionary != "symmetric" && target.dictionary != "asymmetric")
-    throw InputError(fmt::format("{}: layout is {}; expected symmetric or asymmetric, how the rows of circles stand.",
-                                 where, in_quotes(target.dictionary)));
   const double step = is_asymmetric(target) ? std::sqrt(2.0) * target.square : target.square;
   if (!(target.tag > 0) || !(target.tag < 0.95 * step))
     throw InputError(fmt::format(

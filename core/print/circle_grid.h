@@ -15,15 +15,15 @@ namespace handsight {
 inline constexpr std::string_view circles_kind = "circles";
 
 inline bool is_circle_grid(const Target& target) {
-  return target.kind == TargetKind::chessboard && !target.dictionary.empty();
+  return target.kind == TargetKind::chessboard &&
+         (target.dictionary == "symmetric" || target.dictionary == "asymmetric");
 }
 inline bool is_asymmetric(const Target& target) { return target.dictionary == "asymmetric"; }
 
 /// The circles' middles.
 std::vector<TargetPoint> circle_points(const Target& target);
 
-/// InputError with one sentence that begins with `where` unless circles can be so: how they stand, and that they do not
-/// touch.
+/// InputError with one sentence that begins with `where` unless circles can be so: they must not touch.
 void check_circles(const Target& target, std::string_view where);
 
 /// "asymmetric grid of 4 x 11 circles of 15 mm, unit 20 mm".

@@ -92,6 +92,8 @@ void take_layout(const Words& words, std::string_view where, Target& target) {
   const std::string* text = find(words, "layout");
   if (!text) return;
   if (is_circles(words)) {
+    if (*text != "symmetric" && *text != "asymmetric")
+      refuse_word(where, "layout", *text, "symmetric or asymmetric, how the rows of circles stand");
     target.dictionary = *text;
     return;
   }

@@ -7554,10 +7554,6 @@
         <translation>ein Gitter aus Kreisen braucht mindestens 6, zum Beispiel columns="4" rows="11".</translation>
     </message>
     <message>
-        <source>layout is %1; expected symmetric or asymmetric, how the rows of circles stand.</source>
-        <translation>layout ist %1; erwartet ist symmetric oder asymmetric: wie die Reihen der Kreise stehen.</translation>
-    </message>
-    <message>
         <source>diameter is %1 m; expected more than 0 and less than the %2 m between two circles, so that they do not touch.</source>
         <translation>diameter ist %1 m; erwartet ist mehr als 0 und weniger als die %2 m zwischen zwei Kreisen, damit sie sich nicht berühren.</translation>
     </message>
