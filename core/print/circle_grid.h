@@ -5,20 +5,19 @@
 // diameter. Points are the circles' middles, row by row; the frame has its origin in the first one.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "print/target.h"
-
 namespace handsight {
+
+struct Target;
+struct TargetPoint;
 
 inline constexpr std::string_view circles_kind = "circles";
 
-inline bool is_circle_grid(const Target& target) {
-  return target.kind == TargetKind::chessboard &&
-         (target.dictionary == "symmetric" || target.dictionary == "asymmetric");
-}
-inline bool is_asymmetric(const Target& target) { return target.dictionary == "asymmetric"; }
+bool is_circle_grid(const Target& target);
+bool is_asymmetric(const Target& target);
 
 /// The circles' middles.
 std::vector<TargetPoint> circle_points(const Target& target);

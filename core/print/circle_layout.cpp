@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print/circle_grid.h"
+#include <cmath>
 
 #include "base/error.h"
-#include "base/text.h"
+#include "print/circle_grid.h"
+#include "print/target.h"
 
 namespace handsight {
+
+bool is_circle_grid(const Target& target) {
+  return target.kind == TargetKind::chessboard &&
+         (target.dictionary == "symmetric" || target.dictionary == "asymmetric");
+}
+
+bool is_asymmetric(const Target& target) { return target.dictionary == "asymmetric"; }
 
 std::vector<TargetPoint> circle_points(const Target& target) {
   std::vector<TargetPoint> points;
