@@ -15,7 +15,8 @@ std::string target_frame_of(const BagContents& bag, const std::string& wanted) {
   std::vector<std::string> likely, all;
   for (const auto& [child, frame] : bag.frames) {
     all.push_back(child);
-    if (says(child, {"tag", "marker", "aruco", "target", "board", "charuco"})) likely.push_back(child);
+    if (frame.series.poses.size() > 1 && says(child, {"tag", "marker", "aruco", "target", "board", "charuco"}))
+      likely.push_back(child);
   }
   if (!wanted.empty() && bag.frames.count(wanted)) return wanted;
   if (!wanted.empty())
@@ -134,10 +135,8 @@ std::vector<InstantImages> write_images(const Bag& file, const BagRig& found, co
   return images;
 }
 
-Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const BagRig& found, const Bag& file,
+Conversion from_bag_images(SessionParts parts, const BagContents& bag, const BagRig& found, const Bag& file,
                            const ConvertOptions& o, Conversion c) {
-  SessionParts parts;
-  require_links(robot, o, parts, c.notes);
   const Together together = taken_together(found.topics);
   const std::size_t all = found.topics.front()->times.size();
   if (together.times.size() < all)
@@ -156,9 +155,43 @@ Conversion from_bag_images(const FieldUrdf& robot, const BagContents& bag, const
 
 }  // namespace
 
+namespace {
+
+Rigid pose_of(const Eigen::VectorXd& position) {
+  return {rotation_from_rpy({position[5], position[4], position[3]}), position.head<3>()};
+}
+
+/// No robot is known: /tf says where its flange is, the images or /tf where the target is.
+Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOptions& o, Conversion c) {
+  BagContents bag = read_bag_contents(file, Robot{}, [&] { ask_whether_to_go_on(o); });
+  for (const std::string& note : bag.notes)
+    if (note.find("moving joints of the robot") == std::string::npos) c.notes.push_back(note);
+  bag.joints = flange_of_bag(bag, o, c.notes);
+  if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b, o) : std::nullopt) {
+    require_target(rig->rig, o);
+    SessionParts parts;
+    set_flange(parts, {}, !o.eye_on_base, c.notes);
+    c.notes.emplace_back(o.eye_on_base ? "The camera is taken to be on a stand and the target on the flange."
+                                       : "The camera is taken to be on the flange and the target beside the robot "
+                                         "(--eye-on-base: the camera stands, the flange carries the target).");
+    return from_bag_images(std::move(parts), bag, *rig, file, o, std::move(c));
+  }
+  const std::string child = target_frame_of(bag, o.target_frame);
+  const BagFrame& frame = bag.frames.at(child);
+  const Paired p = pair_events(bag.joints, frame.series.times, frame.series.poses.size(), {}, o, c.notes);
+  NamedPoses flange{"the flange", "", {}}, target{child, "", {}};
+  for (const Eigen::VectorXd& position : p.positions) flange.series.poses.push_back(pose_of(position));
+  target.series.poses = chosen(frame.series.poses, p.events);
+  c.notes.push_back(
+      fmt::format("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
+  return from_flange(std::move(flange), std::move(target), !o.eye_on_base, o, std::move(c));
+}
+
+}  // namespace
+
 Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, const Brought& b, const ConvertOptions& o,
                     Conversion c) {
-  if (!robot) throw InputError("The bag publishes no robot_description; name the robot's URDF with --robot.");
+  if (!robot) return from_bag_of_poses(file, b, o, std::move(c));
   BagContents bag = read_bag_contents(file, robot->robot, [&] { ask_whether_to_go_on(o); });
   c.notes.insert(c.notes.end(), bag.notes.begin(), bag.notes.end());
   if (b.joints) bag.joints = *b.joints;
@@ -166,8 +199,11 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, cons
     throw InputError(
         "The bag has no sensor_msgs/JointState with joints of this robot; record /joint_states too, or name "
         "the robot that it was recorded with.");
-  if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b, o) : std::nullopt)
-    return from_bag_images(*robot, bag, *rig, file, o, std::move(c));
+  if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b, o) : std::nullopt) {
+    SessionParts parts;
+    require_links(*robot, o, parts, c.notes);
+    return from_bag_images(std::move(parts), bag, *rig, file, o, std::move(c));
+  }
   const std::string child = target_frame_of(bag, o.target_frame);
   const BagFrame& frame = bag.frames.at(child);
   c.notes.push_back(

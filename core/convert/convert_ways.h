@@ -39,7 +39,12 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
 Conversion from_images(const FieldUrdf& robot, const Brought& brought, const ConvertOptions& options,
                        Conversion conversion);
 
-/// A bag of ROS, with images of two cameras (of one with a target) or with the target's frames.
+/// Where a bag's /tf has the flange, as readings of poses_robot's joints: the frame that --tcp names, or the only one
+/// that sounds like a flange, with all that carries it. InputError where there is none.
+JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& options, std::vector<std::string>& notes);
+
+/// A bag of ROS, with images of two cameras (of one with a target) or with the target's frames; without a robot the
+/// flange's frame stands for it.
 Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& bag, const Brought& brought,
                     const ConvertOptions& options, Conversion conversion);
 

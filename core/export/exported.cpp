@@ -14,6 +14,7 @@
 #include "export/rigid/sdf_file.h"
 #include "export/rigid/ur_file.h"
 #include "export/rigid/xacro_file.h"
+#include "export/told_motion.h"
 
 namespace handsight {
 namespace {
@@ -120,21 +121,25 @@ void note_effects(const CalibratedRobot& robot, ExportedFile& file) {
 }
 
 ExportedFile opencv(const CalibratedRobot& robot, const ExportOptions&) {
-  ExportedFile file{opencv_file(robot), {}};
+  ExportedFile file{opencv_file(robot), untold_texts(robot, nan_instead)};
   note_effects(robot, file);
   return file;
 }
 
 ExportedFile static_tf(const CalibratedRobot& robot, const ExportOptions&) {
-  ExportedFile file{static_tf_file(robot), {}};
+  ExportedFile file{static_tf_file(robot), untold_texts(robot, left_out_instead)};
   note_effects(robot, file);
   return file;
 }
 
 ExportedFile cpp(const CalibratedRobot& robot, const ExportOptions&) { return program_file(robot, false); }
 ExportedFile python(const CalibratedRobot& robot, const ExportOptions&) { return program_file(robot, true); }
-ExportedFile yaml(const CalibratedRobot& robot, const ExportOptions&) { return {yaml_file(robot), {}}; }
-ExportedFile csv(const CalibratedRobot& robot, const ExportOptions&) { return {csv_file(robot), {}}; }
+ExportedFile yaml(const CalibratedRobot& robot, const ExportOptions&) {
+  return {yaml_file(robot), untold_texts(robot, nan_instead)};
+}
+ExportedFile csv(const CalibratedRobot& robot, const ExportOptions&) {
+  return {csv_file(robot), untold_texts(robot, nan_instead)};
+}
 
 struct Maker {
   const char* id;

@@ -6,12 +6,20 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "export/told_motion.h"
 
 namespace handsight {
 namespace {
 
-std::string number(double x) { return format_number(x); }
+std::string number(double x) { return std::isnan(x) ? "nan" : format_number(x); }
 std::string number(const std::optional<double>& x) { return x ? format_number(*x) : ""; }
+
+/// Not a number as YAML writes it, and cv::FileStorage too, whose letters are others.
+std::string with_nan(std::string text, std::string_view written) {
+  for (std::size_t at = text.find("nan"); at != std::string::npos; at = text.find("nan", at + written.size()))
+    text.replace(at, 3, written);
+  return text;
+}
 
 template <class Derived>
 std::string joined(const Eigen::DenseBase<Derived>& v, const std::string& between = ", ") {
@@ -26,9 +34,23 @@ std::string rows(const Eigen::MatrixXd& m) {
   return joined(by_columns.reshaped());
 }
 
-std::string yaml_motion(const Rigid& m) {
-  return fmt::format("  xyz: [{}]\n  quaternion_xyzw: [{}]\n  matrix: [{}]\n", joined(m.translation),
-                     joined(quaternion_of(m.rotation)), rows(matrix_from_rigid(m)));
+/// NaN all of it where the rotation is.
+Eigen::Vector4d told_quaternion(const ToldMotion& m) {
+  return m.is_rotation ? quaternion_of(m.rotation) : Eigen::Vector4d(Eigen::Vector4d::Constant(m.rotation(0, 0)));
+}
+
+Eigen::Matrix4d matrix_of(const ToldMotion& m) { return matrix_from_rigid(Rigid{m.rotation, m.place}); }
+
+std::string yaml_motion(const ToldMotion& m) {
+  return with_nan(fmt::format("  xyz: [{}]\n  quaternion_xyzw: [{}]\n  matrix: [{}]\n", joined(m.place),
+                              joined(told_quaternion(m)), rows(matrix_of(m))),
+                  ".nan");
+}
+
+std::string comments(const std::vector<std::string>& texts) {
+  std::string lines;
+  for (const std::string& text : texts) lines += "# " + text + "\n";
+  return lines;
 }
 
 std::string yaml_effects(const Calibration& c) {
@@ -56,7 +78,7 @@ std::optional<Rigid> mount_after(const CalibratedRobot& r) {
 
 std::string opencv_matrix(const std::string& name, const Eigen::MatrixXd& m) {
   return fmt::format("{}: !!opencv-matrix\n   rows: {}\n   cols: {}\n   dt: d\n   data: [ {} ]\n", name, m.rows(),
-                     m.cols(), rows(m));
+                     m.cols(), with_nan(rows(m), ".Nan"));
 }
 
 std::string opencv_camera(const Camera& c, const std::string& index) {
@@ -126,10 +148,12 @@ std::string yaml_file(const CalibratedRobot& r) {
   text += fmt::format("tcp: {}\nmount: {}\ngravity: [{}]\njoints: [", quoted_text(r.tcp), quoted_text(r.mount),
                       joined(r.chain.gravity));
   for (std::size_t i = 0; i < r.joint_names.size(); ++i) text += (i ? ", " : "") + quoted_text(r.joint_names[i]);
-  text += "]\ntcp_from_body:\n" + yaml_motion(c.tcp_from_body.motion);
+  const ToldMotion body = told_body(r);
+  text += "]\n" + comments(untold_texts(r, nan_instead)) + "tcp_from_body:\n" + yaml_motion(body);
   text += fmt::format("  covariance: [{}]  # of xi in exp(xi) tcp_from_body: x y z rx ry rz, row by row\n",
-                      rows(c.tcp_from_body.covariance));
-  if (r.model.mount_from_sensor) text += "mount_from_sensor:\n" + yaml_motion(*r.model.mount_from_sensor);
+                      with_nan(rows(body.covariance), ".nan"));
+  if (r.model.mount_from_sensor)
+    text += "mount_from_sensor:\n" + yaml_motion(told_mount(r, *r.model.mount_from_sensor));
   text += "markers:  # in the body frame\n";
   for (std::size_t m = 0; m < c.markers.size(); ++m)
     if (std::count(c.unseen_markers.begin(), c.unseen_markers.end(), static_cast<int>(m)) == 0)
@@ -149,19 +173,20 @@ std::string csv_file(const CalibratedRobot& r) {
     text += fmt::format("{},{},{},{},{},{}\n", quantity, field_of_table(of), field_of_table(name),
                         field_of_table(value), sigma, unit);
   };
-  const auto motion = [&](const std::string& quantity, const std::string& of, const Rigid& m, const Vector6& sigma) {
-    const Eigen::Vector4d q = quaternion_of(m.rotation);
+  const auto motion = [&](const std::string& quantity, const std::string& of, const ToldMotion& m) {
+    const Eigen::Vector4d q = told_quaternion(m);
+    const auto sigma = [&](int i) {  // nothing where nothing is known
+      const double variance = m.covariance(i, i);
+      return std::isnan(variance) ? "" : number(std::sqrt(std::max(variance, 0.0)));
+    };
     for (int i = 0; i < 3; ++i)
-      line(quantity, of, std::string(1, "xyz"[i]), number(m.translation[i]), number(sigma[i]), "m");
+      line(quantity, of, std::string(1, "xyz"[i]), number(m.place[i]), std::isnan(m.place[i]) ? "" : sigma(i), "m");
     for (int i = 0; i < 4; ++i) line(quantity, of, std::string("q") + "xyzw"[i], number(q[i]), "", "1");
     for (int i = 0; i < 3; ++i)  // of the small rotation about the TCP's axes, whose value is 0
-      line(quantity, of, std::string("r") + "xyz"[i], "0", number(sigma[i + 3]), "rad");
+      line(quantity, of, std::string("r") + "xyz"[i], "0", sigma(i + 3), "rad");
   };
-  motion("tcp_from_body", r.tcp, c.tcp_from_body.motion, c.tcp_from_body.covariance.diagonal().cwiseMax(0).cwiseSqrt());
-  if (r.model.mount_from_sensor)
-    motion("mount_from_sensor", r.mount, *r.model.mount_from_sensor,
-           c.mount_from_sensor ? Vector6(c.mount_from_sensor->covariance.diagonal().cwiseMax(0).cwiseSqrt())
-                               : Vector6(Vector6::Zero()));
+  motion("tcp_from_body", r.tcp, told_body(r));
+  if (r.model.mount_from_sensor) motion("mount_from_sensor", r.mount, told_mount(r, *r.model.mount_from_sensor));
   for (std::size_t m = 0; m < c.markers.size(); ++m)
     for (int i = 0; i < 3; ++i)
       line("marker", std::to_string(m), std::string(1, "xyz"[i]), number(c.markers[m][i]), "", "m");
@@ -173,10 +198,10 @@ std::string csv_file(const CalibratedRobot& r) {
 }
 
 std::string opencv_file(const CalibratedRobot& r) {
-  std::string text = "%YAML:1.0\n---\n";
-  text += opencv_matrix("tcp_from_body", matrix_from_rigid(r.model.tcp_from_body));
-  text += opencv_matrix("tcp_from_body_covariance", r.calibration.tcp_from_body.covariance);
-  if (const auto mount = mount_after(r)) text += opencv_matrix("mount_from_sensor", matrix_from_rigid(*mount));
+  std::string text = "%YAML:1.0\n---\n" + comments(untold_texts(r, nan_instead));
+  const ToldMotion body = told_body(r);
+  text += opencv_matrix("tcp_from_body", matrix_of(body)) + opencv_matrix("tcp_from_body_covariance", body.covariance);
+  if (const auto mount = mount_after(r)) text += opencv_matrix("mount_from_sensor", matrix_of(told_mount(r, *mount)));
   if (!r.rig) return text;
   text += fmt::format("image_width: {}\nimage_height: {}\n", r.rig->at(0).camera.width, r.rig->at(0).camera.height);
   for (int c = 0; c < r.rig->count(); ++c) {
@@ -197,8 +222,10 @@ std::string static_tf_file(const CalibratedRobot& r) {
       "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
       "def generate_launch_description():\n    return LaunchDescription([\n",
       r.model.effects.size());
-  text += transform_node(r.tcp, "handsight_body", r.model.tcp_from_body);
-  if (const auto mount = mount_after(r)) text += transform_node(r.mount, "handsight_" + sensor_name(r), *mount);
+  for (const std::string& untold : untold_texts(r, left_out_instead)) text += "        # " + untold + "\n";
+  if (told_body(r).is_whole()) text += transform_node(r.tcp, "handsight_body", r.model.tcp_from_body);
+  if (const auto mount = mount_after(r); mount && told_mount(r, *mount).is_whole())
+    text += transform_node(r.mount, "handsight_" + sensor_name(r), *mount);
   return text + "    ])\n";
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/bounds.h"
 #include "base/error.h"
+#include "print/circle_grid.h"
 #include "print/dictionary.h"
 
 namespace handsight {
@@ -87,7 +88,9 @@ void check_counts(const Target& target, std::string_view where) {
       fmt::format("it has {} columns and {} rows; expected {} to {} of each.", target.columns, target.rows, least,
                   most_points));
   require(target.kind != TargetKind::chessboard || target.columns * target.rows >= 6, where,
-          "a chessboard needs at least 6 inner corners, for example columns=\"3\" rows=\"2\".");
+          is_circle_grid(target)
+              ? "a grid of circles needs at least 6 of them, for example columns=\"4\" rows=\"11\"."
+              : "a chessboard needs at least 6 inner corners, for example columns=\"3\" rows=\"2\".");
 }
 
 }  // namespace
@@ -148,6 +151,7 @@ std::vector<PlacedTag> placed_tags(const Target& target) {
 }
 
 std::vector<TargetPoint> printed_points(const Target& target) {
+  if (is_circle_grid(target)) return circle_points(target);
   if (target.kind == TargetKind::chessboard) return lattice(target.columns, target.rows, target.square, 0);
   if (target.kind == TargetKind::charuco)
     return lattice(target.columns - 1, target.rows - 1, target.square, target.square);
@@ -177,6 +181,7 @@ int point_count(const Target& target) {
 }
 
 bool looks_the_same_turned(const Target& target) {
+  if (is_circle_grid(target)) return !is_asymmetric(target) || target.rows % 2 == 0;
   return target.kind == TargetKind::chessboard && (target.columns + target.rows) % 2 == 0;
 }
 
@@ -192,6 +197,7 @@ void check_target(const Target& target, std::string_view where) {
   if (target.sigma)
     require(*target.sigma >= 0 && *target.sigma <= 1, where,
             fmt::format("sigma is {:g}; expected 0 to 1 m, or \"free\".", *target.sigma));
+  if (is_circle_grid(target)) check_circles(target, where);
   if (target.kind == TargetKind::chessboard) return;
   check_size(target.tag,
              target.kind == TargetKind::charuco ? "marker"
@@ -217,6 +223,7 @@ static std::string sizes_text(const Target& t) {
 }
 
 std::string description_of(const Target& t) {
+  if (is_circle_grid(t)) return circles_description(t);
   switch (t.kind) {
     case TargetKind::chessboard:
       return fmt::format("chessboard of {} x {} inner corners, squares of {}", t.columns, t.rows, mm(t.square));

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "print/circle_grid.h"
 #include "print/tag_places_xml.h"
 
 namespace handsight {
@@ -16,15 +17,19 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::string_view grid = "grid";  // an ArUco grid board: tags with places
 
-bool is_grid(const Words& words) {
+bool is_of_kind(const Words& words, std::string_view kind) {
   return std::any_of(words.begin(), words.end(),
-                     [](const auto& word) { return word.first == "kind" && word.second == grid; });
+                     [&](const auto& word) { return word.first == "kind" && word.second == kind; });
 }
+bool is_grid(const Words& words) { return is_of_kind(words, grid); }
+bool is_circles(const Words& words) { return is_of_kind(words, circles_kind); }
 
 /// What a kind of target cannot be described without.
-const std::vector<std::string_view>& needed_words(TargetKind kind, bool is_grid) {
-  static const std::vector<std::string_view> of_grid{"columns", "rows", "marker", "separation", "dictionary"};
-  if (is_grid) return of_grid;
+const std::vector<std::string_view>& needed_words(TargetKind kind, const Words& words) {
+  static const std::vector<std::string_view> of_grid{"columns", "rows", "marker", "separation", "dictionary"},
+      of_circles{"columns", "rows", "spacing", "diameter", "layout"};
+  if (is_grid(words)) return of_grid;
+  if (is_circles(words)) return of_circles;
   static const std::array<std::vector<std::string_view>, 4> all{{
       {"columns", "rows", "square"},
       {"columns", "rows", "square", "marker", "dictionary"},
@@ -86,26 +91,36 @@ void take_sigma(const Words& words, std::string_view where, Target& target) {
 void take_layout(const Words& words, std::string_view where, Target& target) {
   const std::string* text = find(words, "layout");
   if (!text) return;
+  if (is_circles(words)) {
+    if (*text != "symmetric" && *text != "asymmetric")
+      refuse_word(where, "layout", *text, "symmetric or asymmetric, how the rows of circles stand");
+    target.dictionary = *text;
+    return;
+  }
   if (*text != "old" && *text != "new") refuse_word(where, "layout", *text, "\"old\" (OpenCV before 4.6) or \"new\"");
   target.old_layout = *text == "old";
 }
 
 TargetKind kind_from(const Words& words, std::string_view where) {
-  constexpr std::string_view kinds = "chessboard, charuco, aprilgrid, grid or tags";
+  constexpr std::string_view kinds = "chessboard, charuco, circles, aprilgrid, grid or tags";
   const std::string* text = find(words, "kind");
   if (!text) throw InputError(fmt::format("{}: it has no kind; expected {}.", where, kinds));
   if (*text == grid) return TargetKind::tags;
+  if (*text == circles_kind) return TargetKind::chessboard;
   const auto kind = target_kind(*text);
   if (!kind) refuse_word(where, "kind", *text, kinds);
   return *kind;
 }
 
 void require_words(const Words& words, TargetKind kind, std::string_view where) {
-  const auto& needed = needed_words(kind, is_grid(words));
+  const auto& needed = needed_words(kind, words);
   for (const std::string_view name : needed)
     if (!find(words, name))
       throw InputError(fmt::format("{}: a target of kind {} needs {}, which is missing; expected {}.", where,
-                                   is_grid(words) ? grid : name_of(kind), name, fmt::join(needed, ", ")));
+                                   is_grid(words)      ? grid
+                                   : is_circles(words) ? circles_kind
+                                                       : name_of(kind),
+                                   name, fmt::join(needed, ", ")));
 }
 
 /// The tags of a grid board, each known to lie there within the target's sigma.
@@ -132,12 +147,15 @@ Target told_by(const Words& words, std::string_view where) {
   take_integer(words, where, "border", target.border);
   take_integer(words, where, "first_id", target.first_id);
   take_number(words, where, "square", target.square);
-  take_number(words, where, "spacing", target.spacing);
+  if (!is_circles(words)) take_number(words, where, "spacing", target.spacing);
   for (const char* name : {"marker", "tag", "size"})
-    if (const auto& needed = needed_words(target.kind, is_grid(words));
+    if (const auto& needed = needed_words(target.kind, words);
         std::find(needed.begin(), needed.end(), name) != needed.end())
       take_number(words, where, name, target.tag);
-  if (const std::string* name = find(words, "dictionary")) target.dictionary = *name;
+  if (is_circles(words)) take_number(words, where, "spacing", target.square);
+  if (is_circles(words)) take_number(words, where, "diameter", target.tag);
+  if (const std::string* name = find(words, "dictionary"); name && target.kind != TargetKind::chessboard)
+    target.dictionary = *name;
   if (const std::string* ids = find(words, "ids")) target.ids = ids_from(*ids, where);
   take_layout(words, where, target);
   take_sigma(words, where, target);
@@ -179,15 +197,22 @@ Target read_target(const XmlNode& node) {
 }
 
 const std::vector<std::string>& target_attributes() {
-  static const std::vector<std::string> all{"kind",    "columns",    "rows",       "square",     "marker", "tag",
-                                            "spacing", "separation", "dictionary", "size",       "ids",    "border",
-                                            "layout",  "first_id",   "sigma",      "sigma_angle"};
+  static const std::vector<std::string> all{"kind",    "columns",    "rows",       "square",      "marker",  "tag",
+                                            "spacing", "separation", "dictionary", "size",        "ids",     "border",
+                                            "layout",  "first_id",   "sigma",      "sigma_angle", "diameter"};
   return all;
 }
 
 namespace {
 
+Words circles_words(const Target& target) {
+  return {{"kind", std::string(circles_kind)},     {"columns", std::to_string(target.columns)},
+          {"rows", std::to_string(target.rows)},   {"spacing", format_number(target.square)},
+          {"diameter", format_number(target.tag)}, {"layout", target.dictionary}};
+}
+
 Words kind_words(const Target& target) {
+  if (is_circle_grid(target)) return circles_words(target);
   const bool is_grid = is_tag_grid(target);
   Words words{{"kind", std::string(is_grid ? grid : name_of(target.kind))}};
   const auto add = [&](const char* name, std::string text) { words.emplace_back(name, std::move(text)); };

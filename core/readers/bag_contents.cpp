@@ -35,7 +35,8 @@ class ContentsTaker {
                                         "sensor_msgs/Image",         "sensor_msgs/CompressedImage",
                                         "geometry_msgs/PoseStamped", "geometry_msgs/TransformStamped"};
     if (std::find(std::begin(types), std::end(types), t.type) != std::end(types)) return true;
-    return (t.type == "tf2_msgs/TFMessage" || t.type == "tf/tfMessage") && t.name.ends_with("tf");
+    return (t.type == "tf2_msgs/TFMessage" || t.type == "tf/tfMessage") &&
+           (t.name.ends_with("tf") || t.name.ends_with("tf_static"));
   }
 
   void take(const BagTopic& topic, std::int64_t nanoseconds, std::string_view bytes) {

@@ -55,6 +55,13 @@ bool is_kalibr_target(const YAML::Node& yaml) { return yaml.IsMap() && yaml["tar
 
 Target read_kalibr_target(const YAML::Node& yaml, const std::string& file) {
   const std::string kind = yaml_word(yaml, "target_type");
+  if (kind == "circlegrid")
+    throw InputError(fmt::format(
+        "{}: describes a grid of circles, without their diameter, which is needed; expected it in words: --target "
+        "circles columns={} rows={} spacing={:g} diameter=METRES layout={}.",
+        file, required_count(yaml, "targetCols", file), required_count(yaml, "targetRows", file),
+        required(yaml, "spacingMeters", file),
+        yaml_word(yaml, "asymmetricGrid") == "true" ? "asymmetric" : "symmetric"));
   if (kind != "aprilgrid" && kind != "checkerboard")
     throw InputError(
         fmt::format("{}: describes a target of the type {}, which is not found in images; expected aprilgrid or "

@@ -59,10 +59,16 @@ std::optional<TargetPixel> corner_at(const Image& image, const PlaneMap& map, co
                                      int& dropped) {
   const auto expected = mapped(map, corner.place);
   const auto slope = mapped_slope(map, corner.place, 0.5 * corner.reach);
-  if (!expected || !slope || !is_inside(image, *expected, 4)) return std::nullopt;
-  const auto found = refine_corner(image, *expected);
+  if (!expected || !slope) return std::nullopt;
+  return corner_at(image, *expected, *slope, corner, dropped);
+}
+
+std::optional<TargetPixel> corner_at(const Image& image, const Vector2& pixel, const Eigen::Matrix2d& slope,
+                                     const ExpectedCorner& corner, int& dropped) {
+  if (!is_inside(image, pixel, 4)) return std::nullopt;
+  const auto found = refine_corner(image, pixel);
   if (!found) return std::nullopt;
-  if (runs_along(found->edges, *slope) && has_sectors(image, found->position, *slope, corner))
+  if (runs_along(found->edges, slope) && has_sectors(image, found->position, slope, corner))
     return TargetPixel{corner.number, found->position, found->covariance};
   ++dropped;
   return std::nullopt;

@@ -25,6 +25,10 @@ ExpectedCorner expected_corner(const PreparedTarget& target, int number);
 std::optional<TargetPixel> corner_at(const Image& image, const PlaneMap& map, const ExpectedCorner& expected,
                                      int& dropped);
 
+/// The same where `pixel` is expected and the image moves with the place by `slope` (px by m).
+std::optional<TargetPixel> corner_at(const Image& image, const Vector2& pixel, const Eigen::Matrix2d& slope,
+                                     const ExpectedCorner& expected, int& dropped);
+
 /// Leaves out, and counts, the points that are farther from where the others have them than their scatter explains.
 void drop_far_points(TargetSighting& sighting, const std::vector<TargetPoint>& points, int width, int height);
 

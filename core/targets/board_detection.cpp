@@ -107,9 +107,9 @@ void turn(std::vector<TagReading>& readings) {
     std::rotate(reading.corners.begin(), reading.corners.begin() + 2, reading.corners.end());
 }
 
-std::optional<Placed> place_board(const Image& image, const PreparedTarget& target, std::size_t& most_read) {
+std::optional<Placed> place_by(const std::vector<Quad>& quads, const Image& image, const PreparedTarget& target,
+                               std::size_t& most_read) {
   std::optional<Placed> best;
-  const auto quads = find_quads(image, least_module * target.patterns.begin()->second.front().side);
   std::vector<int> borders{target.target.border};
   for (const auto& [border, reader] : target.readers)
     if (border != target.target.border) borders.push_back(border);
@@ -127,6 +127,20 @@ std::optional<Placed> place_board(const Image& image, const PreparedTarget& targ
     if (best) break;
   }
   return best;
+}
+
+/// Large images are looked through in small first, where most of the time of a large one goes into its noise; where
+/// that finds four tags and half of them, the rest is found from there.
+std::optional<Placed> place_board(const Image& image, const PreparedTarget& target, std::size_t& most_read) {
+  constexpr double enough = 1.6e6;  // px
+  const double least_side = least_module * target.patterns.begin()->second.front().side;
+  const int factor =
+      static_cast<int>(std::ceil(std::sqrt(static_cast<double>(image.width) * image.height / enough) - 0.3));
+  if (factor >= 2) {
+    auto placed = place_by(find_quads_in_small(image, factor, least_side), image, target, most_read);
+    if (placed && placed->agreement.members.size() >= std::max<std::size_t>(4, target.tags.size() / 2)) return placed;
+  }
+  return place_by(find_quads(image, least_side), image, target, most_read);
 }
 
 /// Points that have been looked for, round by round, from the tags outward.

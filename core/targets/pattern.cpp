@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "print/circle_grid.h"
 
 namespace handsight {
 namespace {
@@ -37,6 +38,17 @@ void add_crossings(std::vector<Box>& black, const Target& target) {
       black.push_back({Vector2(column * step - gap, row * step - gap), Vector2::Constant(gap)});
 }
 
+/// Circles as strips, each as wide as the circle is in the strip's middle.
+void add_circles(std::vector<Box>& black, const Target& target) {
+  constexpr int strips = 128;
+  const double radius = 0.5 * target.tag, height = target.tag / strips;
+  for (const TargetPoint& point : circle_points(target))
+    for (int i = 0; i < strips; ++i) {
+      const double up = (i + 0.5) * height - radius, half = std::sqrt(radius * radius - up * up);
+      black.push_back({point.position.head<2>() + Vector2(-half, i * height - radius), Vector2(2 * half, height)});
+    }
+}
+
 Box outline_of(const std::vector<Box>& boxes) {
   Vector2 lowest = Vector2::Constant(1e300), highest = Vector2::Constant(-1e300);
   for (const Box& box : boxes) {
@@ -54,7 +66,9 @@ bool first_is_white(const Target& target) {
 
 PrintedPattern pattern_of(const Target& target, int piece) {
   PrintedPattern pattern;
-  if (target.kind == TargetKind::chessboard)
+  if (is_circle_grid(target))
+    add_circles(pattern.black, target);
+  else if (target.kind == TargetKind::chessboard)
     add_squares(pattern.black, target.columns + 1, target.rows + 1, target.square, -target.square, false);
   if (target.kind == TargetKind::charuco)
     add_squares(pattern.black, target.columns, target.rows, target.square, 0, first_is_white(target));
@@ -121,7 +135,20 @@ bool BlackAt::grid_is_black(double x, double y) const {
   return tag_is_black(static_cast<std::size_t>((target_.rows - 1 - row) * target_.columns + column), x, y);
 }
 
+bool BlackAt::circle_is_black(double x, double y) const {
+  const double unit = target_.square, radius = 0.5 * target_.tag;
+  const int row = static_cast<int>(std::clamp(std::round(y / unit), 0.0, target_.rows - 1.0));
+  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, target_.rows - 1);
+       ++r) {  // those of the next rows reach in
+    const double step = is_asymmetric(target_) ? 2 * unit : unit, first = is_asymmetric(target_) ? r % 2 * unit : 0;
+    const double column = std::clamp(std::round((x - first) / step), 0.0, target_.columns - 1.0);
+    if (Vector2(x - first - column * step, y - r * unit).squaredNorm() < radius * radius) return true;
+  }
+  return false;
+}
+
 bool BlackAt::operator()(double x, double y) const {
+  if (is_circle_grid(target_)) return circle_is_black(x, y);
   switch (target_.kind) {
     case TargetKind::aprilgrid:
       return grid_is_black(x, y);

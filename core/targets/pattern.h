@@ -32,6 +32,7 @@ class BlackAt {
  private:
   bool tag_is_black(std::size_t tag, double x, double y) const;
   bool square_is_black(double x, double y) const;
+  bool circle_is_black(double x, double y) const;
   bool grid_is_black(double x, double y) const;
 
   Target target_;

@@ -131,4 +131,15 @@ std::vector<Quad> find_quads(const Image& image, double least_side) {
   return quads;
 }
 
+std::vector<Quad> find_quads_in_small(const Image& image, int factor, double least_side) {
+  Image small(image.width / factor, image.height / factor);
+  const cv::Mat grey(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
+  cv::Mat into(small.height, small.width, CV_8U, small.pixels.data());
+  cv::resize(grey({0, 0, small.width * factor, small.height * factor}), into, into.size(), 0, 0, cv::INTER_AREA);
+  std::vector<Quad> quads = find_quads(small, least_side);
+  for (Quad& quad : quads)
+    for (Vector2& corner : quad) corner = factor * (corner + Vector2::Constant(0.5)) - Vector2::Constant(0.5);
+  return quads;
+}
+
 }  // namespace handsight

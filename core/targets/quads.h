@@ -18,4 +18,8 @@ using Quad = std::array<Vector2, 4>;
 /// some of the thresholds are below the middle of black and white, which parts tags that touch at their corners.
 std::vector<Quad> find_quads(const Image& image, double least_side);
 
+/// The same in the image made smaller by a whole factor: good to about as many pixels, and with sides of `least_side`
+/// pixels of the small one.
+std::vector<Quad> find_quads_in_small(const Image& image, int factor, double least_side);
+
 }  // namespace handsight

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "print/circle_grid.h"
 #include "targets/board_detection.h"
+#include "targets/circle_detection.h"
 #include "targets/drawn_over.h"
 #include "targets/tag_fit.h"
 #include "vision/corners/corner_noise.h"
@@ -83,6 +85,7 @@ PreparedTarget prepare(const Target& target) {
 namespace {
 
 TargetSighting detected(const Image& image, const PreparedTarget& target) {
+  if (is_circle_grid(target.target)) return detect_circles(image, target);
   switch (target.target.kind) {
     case TargetKind::chessboard:
       return detect_chessboard(image, target);

@@ -6741,6 +6741,18 @@
         <translation>Der Sitz des Sensors ist unbestimmt: %1; %2. Seine Zahlen dort stehen, wo die Anpassung begann.</translation>
     </message>
     <message>
+        <source>The measurements do not determine %1 of %2: %3. More poses, turned about other axes, tell it.</source>
+        <translation>Die Messungen bestimmen %1 von %2 nicht: %3. Mehr Posen, um andere Achsen gedreht, sagen es.</translation>
+    </message>
+    <message>
+        <source>these numbers are nan here, and no sigma stands beside them</source>
+        <translation>diese Zahlen sind hier nan, und kein Sigma steht daneben</translation>
+    </message>
+    <message>
+        <source>the transform is left out of the file</source>
+        <translation>die Transformation fehlt in der Datei</translation>
+    </message>
+    <message>
         <source>%1; the sensor's mount and the body can move together</source>
         <translation>%1; Sitz des Sensors und Körper können sich miteinander bewegen</translation>
     </message>
@@ -7765,6 +7777,18 @@
         <translation>die Kovarianz der Ursachen</translation>
     </message>
     <message>
+        <source>a grid of circles needs at least 6 of them, for example columns="4" rows="11".</source>
+        <translation>ein Gitter aus Kreisen braucht mindestens 6, zum Beispiel columns="4" rows="11".</translation>
+    </message>
+    <message>
+        <source>diameter is %1 m; expected more than 0 and less than the %2 m between two circles, so that they do not touch.</source>
+        <translation>diameter ist %1 m; erwartet ist mehr als 0 und weniger als die %2 m zwischen zwei Kreisen, damit sie sich nicht berühren.</translation>
+    </message>
+    <message>
+        <source>%1: describes a grid of circles, without their diameter, which is needed; expected it in words: --target circles columns=%2 rows=%3 spacing=%4 diameter=METRES layout=%5.</source>
+        <translation>%1: beschreibt ein Gitter aus Kreisen ohne deren Durchmesser, der nötig ist; erwartet ist es in Worten: --target circles columns=%2 rows=%3 spacing=%4 diameter=METER layout=%5.</translation>
+    </message>
+    <message>
         <source>a chessboard needs at least 6 inner corners, for example columns="3" rows="2".</source>
         <translation>ein Schachbrett braucht mindestens 6 innere Ecken, zum Beispiel columns="3" rows="2".</translation>
     </message>
@@ -8121,8 +8145,36 @@
         <translation>Das Bag hat %1 Bildthemen mit einer Kalibrierung daneben, wo eines erwartet wird%2; nimm eine Kamera mit ihrer CameraInfo auf, oder eine linke und eine rechte.</translation>
     </message>
     <message>
-        <source>The bag publishes no robot_description; name the robot's URDF with --robot.</source>
-        <translation>Das Bag veröffentlicht keine robot_description; nenne die URDF des Roboters mit --robot.</translation>
+        <source>The bag publishes no robot_description, and no frame of its /tf sounds like a flange; name the robot's URDF with --robot, or the flange's frame with --tcp. /tf has: %1.</source>
+        <translation>Das Bag veröffentlicht keine robot_description, und kein Frame seines /tf klingt nach einem Flansch; nenne die URDF des Roboters mit --robot oder den Frame des Flansches mit --tcp. /tf enthält: %1.</translation>
+    </message>
+    <message>
+        <source>--tcp %1: no robot is known, and /tf of the bag has no such frame; it has: %2.</source>
+        <translation>--tcp %1: Kein Roboter ist bekannt, und /tf des Bags enthält diesen Frame nicht; es enthält: %2.</translation>
+    </message>
+    <message>
+        <source>The bag has %1 frames that sound like the flange (%2); name the one with --tcp.</source>
+        <translation>Das Bag enthält %1 Frames, die nach dem Flansch klingen (%2); nenne den richtigen mit --tcp.</translation>
+    </message>
+    <message>
+        <source>The frame %1 of the bag's /tf is told at %2 times together with what carries it; expected it at many: record /tf while the robot moves.</source>
+        <translation>Der Frame %1 im /tf des Bags ist zusammen mit dem, was ihn trägt, zu %2 Zeiten angegeben; erwartet sind viele: Nimm /tf auf, während sich der Roboter bewegt.</translation>
+    </message>
+    <message>
+        <source>The flange is the frame %1 that /tf gives in %2.</source>
+        <translation>Der Flansch ist der Frame %1, den /tf in %2 angibt.</translation>
+    </message>
+    <message>
+        <source>The camera is taken to be on a stand and the target on the flange.</source>
+        <translation>Angenommen ist die Kamera auf einem Stativ und die Messmarke am Flansch.</translation>
+    </message>
+    <message>
+        <source>The camera is taken to be on the flange and the target beside the robot (--eye-on-base: the camera stands, the flange carries the target).</source>
+        <translation>Angenommen ist die Kamera am Flansch und die Messmarke neben dem Roboter (--eye-on-base: Die Kamera steht, der Flansch trägt die Messmarke).</translation>
+    </message>
+    <message>
+        <source>its %1 x %2 circles do not show as a whole grid</source>
+        <translation>seine %1 x %2 Kreise sind nicht als ganzes Gitter zu sehen</translation>
     </message>
     <message>
         <source>The bag has no sensor_msgs/JointState with joints of this robot; record /joint_states too, or name the robot that it was recorded with.</source>

@@ -54,6 +54,70 @@ TEST_F(Convert, BagsWithTransformsArePairedByTimeWhereTheRobotStands) {
   EXPECT_LT(small_motion_between(tcp_from_target, f.tcp_from_body).norm(), 1e-5);
 }
 
+/// Twelve stands of an arm, 1 s each with a second of way between, of which /tf tells the flange through two frames.
+void write_bag_of_poses(const std::filesystem::path& folder, const Rigid& flange_from_camera,
+                        const Rigid& base_from_tag) {
+  fixture::BagWriter bag(folder);
+  const int tf = bag.topic("/tf", "tf2_msgs/msg/TFMessage"), fixed = bag.topic("/tf_static", "tf2_msgs/msg/TFMessage");
+  const Rigid wrist_from_flange{rotation_from_rpy({0, 0, 0.5}), {0, 0, 0.1}};
+  bag.message(fixed, 99, fixture::transform(99, "wrist", "tool0", wrist_from_flange));
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  const auto drawn = [&] {
+    // The tool looks down: its roll is about pi, and jumps between pi and -pi where it shakes.
+    const Vector3 turn{M_PI + 0.3 * normal(random), 0.3 * normal(random), normal(random)};
+    return Rigid{rotation_from_rpy(turn),
+                 Vector3(0.4, 0, 0.5) + 0.1 * Vector3(normal(random), normal(random), normal(random))};
+  };
+  Rigid from = drawn(), to = drawn();
+  for (int i = 0; i < 12; ++i, from = to, to = drawn())
+    for (double s = 0; s < 2; s += 0.02) {
+      const double t = 100 + 2 * i + s, share = std::max(0.0, s - 1);
+      const Rigid flange = from * small_motion<double>(share * small_motion_between(from, to));
+      bag.message(tf, t, fixture::transform(t, "base_link", "wrist", flange * inverse(wrist_from_flange)));
+      if (std::abs(s - 0.6) > 0.005) continue;
+      bag.message(
+          tf, t,
+          fixture::transform(t, "camera_optical", "tag_7", inverse(flange * flange_from_camera) * base_from_tag));
+    }
+}
+
+TEST_F(Convert, BagsWithoutARobotAreHandEyePoses) {
+  const Rigid flange_from_camera{rotation_from_rpy({0.02, -0.05, 1.5}), {0.06, -0.03, 0.05}},
+      base_from_tag{rotation_from_rpy({0.03, 0.02, 0.5}), {0.55, 0.08, 0.01}};
+  write_bag_of_poses(folder.path / "bag", flange_from_camera, base_from_tag);
+  options_.tcp.clear(), options_.mount.clear();
+  const std::vector<std::filesystem::path> files{folder.path / "bag"};
+  const Conversion c = convert(files, options_);
+  EXPECT_THAT(c.notes, Contains(HasSubstr("The flange is the frame \"tool0\" that /tf gives in \"base_link\"")));
+  ASSERT_EQ(c.session.observations.size(), 12u);
+  const Fit f = fit(c.session);
+  EXPECT_LT(small_motion_between(flange_from_camera, estimate(f).mount_from_sensor).norm(), 1e-6);
+}
+
+TEST_F(Convert, BagsWithoutARobotSayWhatTheFlangeCouldBe) {
+  {
+    fixture::BagWriter bag(folder.path / "bag");
+    const int tf = bag.topic("/tf", "tf2_msgs/msg/TFMessage");
+    bag.message(tf, 1, fixture::transform(1, "base", "elbow", Rigid{}));
+  }
+  options_.tcp.clear();
+  const std::vector<std::filesystem::path> files{folder.path / "bag"};
+  const auto refusal = [&] {
+    try {
+      convert(files, options_);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("--tcp"), HasSubstr("elbow")));
+  options_.tcp = "hand";
+  EXPECT_THAT(refusal(), HasSubstr("no such frame"));
+  options_.tcp = "elbow";
+  EXPECT_THAT(refusal(), HasSubstr("record /tf while the robot moves"));
+}
+
 std::string camera_info(const Camera& c, const Matrix3& r, double p3) {
   fixture::CdrWriter w;
   w.header(5, "camera").number(static_cast<std::uint32_t>(c.height)).number(static_cast<std::uint32_t>(c.width));

@@ -58,6 +58,26 @@ TEST(TargetDetection, FindsEveryPointOfWholeBoards) {
   }
 }
 
+/// Large images are looked through in small first; the points are those of the large one.
+TEST(TargetDetection, LargeImagesAreFoundAsSmallOnesAre) {
+  for (const Target& target : {charuco, grid}) {
+    const TargetView view = view_of(target, 0.42, 0.3, 0.2);
+    const Image small = image_of(target, view, rays());
+    Image large(3 * small.width, 3 * small.height);
+    const cv::Mat from(small.height, small.width, CV_8U, const_cast<std::uint8_t*>(small.pixels.data()));
+    cv::Mat into(large.height, large.width, CV_8U, large.pixels.data());
+    cv::resize(from, into, into.size(), 0, 0, cv::INTER_CUBIC);
+    ASSERT_GT(large.width * large.height, 2700000);
+    const TargetSighting sighting = detect_target(large, prepare(target));
+    ASSERT_EQ(sighting.points.size(), target_points(target).size()) << sighting.reason;
+    for (const TargetPixel& seen : sighting.points) {
+      const Vector3 x = view.camera_from_target * target_points(target)[static_cast<std::size_t>(seen.number)].position;
+      const Vector2 there = 3 * (project(view.camera, x) + Vector2::Constant(0.5)) - Vector2::Constant(0.5);
+      EXPECT_LT((seen.pixel - there).norm(), 0.75) << "point " << seen.number;
+    }
+  }
+}
+
 TEST(TargetDetection, OldCharucoIsToldFromTheNewOne) {
   Target old = charuco;
   old.old_layout = true;

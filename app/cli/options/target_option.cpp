@@ -71,20 +71,25 @@ struct TargetWord {
   const char* text;
 };
 constexpr TargetWord target_words[] = {
-    {"--kind", "kind", &TargetOptions::kind, "chessboard, charuco, aprilgrid, grid (of ArUco tags) or tags"},
+    {"--kind", "kind", &TargetOptions::kind, "chessboard, charuco, circles, aprilgrid, grid (of ArUco tags) or tags"},
     {"--columns", "columns", &TargetOptions::columns,
-     "Inner corners of a chessboard, squares of a charuco, tags of an aprilgrid or a grid, in a row"},
+     "Inner corners of a chessboard, squares of a charuco, circles, tags of an aprilgrid or a grid, in a row"},
     {"--rows", "rows", &TargetOptions::rows, "The same, in a column"},
     {"--square", "square", &TargetOptions::square, "m, side of a square (chessboard, charuco)"},
     {"--marker", "marker", &TargetOptions::marker, "m, side of the tags of a charuco or a grid"},
     {"--tag", "tag", &TargetOptions::tag, "m, side of an aprilgrid's tags"},
-    {"--spacing", "spacing", &TargetOptions::spacing, "Gap between an aprilgrid's tags / side of a tag"},
+    {"--spacing", "spacing", &TargetOptions::spacing,
+     "Gap between an aprilgrid's tags / side of a tag; of circles: m, OpenCV's unit (their step; half of it along a "
+     "row "
+     "of an asymmetric grid)"},
+    {"--diameter", "diameter", &TargetOptions::diameter, "m, of a circle"},
     {"--separation", "separation", &TargetOptions::separation, "m, between two tags of a grid"},
     {"--size", "size", &TargetOptions::size, "m, side of single tags"},
     {"--dictionary", "dictionary", &TargetOptions::dictionary,
      "DICT_4X4_50 ... DICT_APRILTAG_36h11 as in OpenCV, or AprilTag's tag36h11"},
     {"--ids", "ids", &TargetOptions::ids, "Numbers of single tags, for example \"3 7 9\""},
-    {"--layout", "layout", &TargetOptions::layout, "old: charuco as OpenCV before 4.6 drew it"},
+    {"--layout", "layout", &TargetOptions::layout,
+     "old: charuco as OpenCV before 4.6 drew it; symmetric or asymmetric: how circles stand"},
     {"--border", "border", &TargetOptions::border, "Modules of black around a tag: 1, 2 for an aprilgrid"},
     {"--first-id", "first_id", &TargetOptions::first_id,
      "Number of the first tag of a charuco, an aprilgrid or a grid"}};

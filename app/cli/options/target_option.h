@@ -12,8 +12,8 @@ namespace handsight::cli {
 
 /// What was given: a kind and its numbers as options of their own, or all of it after --target.
 struct TargetOptions {
-  std::string kind, columns, rows, square, marker, tag, spacing, separation, size, dictionary, ids, layout, border,
-      first_id;
+  std::string kind, columns, rows, square, marker, tag, spacing, separation, diameter, size, dictionary, ids, layout,
+      border, first_id;
   std::vector<std::string> whole;  // "charuco columns=8 rows=6 ...", <target kind="..." .../>, or a file with one
 };
 
