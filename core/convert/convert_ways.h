@@ -39,6 +39,13 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
 Conversion from_images(const FieldUrdf& robot, const Brought& brought, const ConvertOptions& options,
                        Conversion conversion);
 
+/// Are there touches of a probe: options that describe fixtures, or a table with a column `fixture`?
+bool are_touches(const std::vector<std::filesystem::path>& files, const Robot* robot, const ConvertOptions& options);
+
+/// Tables of touches: joint angles, what was touched, what it read.
+Conversion from_touches(const std::optional<FieldUrdf>& robot, const std::vector<std::filesystem::path>& files,
+                        const ConvertOptions& options, Conversion conversion);
+
 /// A bag of ROS, with images of two cameras (of one with a target) or with the target's frames.
 Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& bag, const Brought& brought,
                     const ConvertOptions& options, Conversion conversion);

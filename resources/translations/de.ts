@@ -6634,6 +6634,34 @@
         <translation>Eine Ursache des Modells zeigt sich nur, während die Gelenke sich bewegen; diese Stellungen ruhen und können sie nicht zeigen.</translation>
     </message>
     <message>
+        <source>Where the tip sits on the hand is not determined in %1 of its %2 numbers: turn the hand about more than one axis while it touches.</source>
+        <translation>Wo die Spitze an der Hand sitzt, ist in %1 ihrer %2 Zahlen nicht bestimmt: drehe die Hand um mehr als eine Achse, während sie berührt.</translation>
+    </message>
+    <message>
+        <source>Where %1 stands is not determined by these touches; touch it more often, farther apart and with the hand turned.</source>
+        <translation>Wo %1 steht, bestimmen diese Berührungen nicht; berühre öfter, weiter auseinander und mit gedrehter Hand.</translation>
+    </message>
+    <message>
+        <source>The zero of %1 cannot be known from these touches: another one does what another place of the tip or of the fixtures does.</source>
+        <translation>Der Nullpunkt von %1 lässt sich aus diesen Berührungen nicht erkennen: ein anderer tut, was ein anderer Ort der Spitze oder der Vorrichtungen tut.</translation>
+    </message>
+    <message>
+        <source>One plane alone tells only what lifts the tip off it, and nothing along it; put the plate in two more places, tilted against the first, or add a socket.</source>
+        <translation>Eine Ebene allein zeigt nur, was die Spitze von ihr abhebt, und nichts längs ihrer; lege die Platte an zwei weitere Orte, gegen den ersten gekippt, oder nimm eine Pfanne dazu.</translation>
+    </message>
+    <message>
+        <source>Nothing that was touched tells a length: the robot's size is taken from its description, within 0.1 %. Two sockets of known distance (&lt;apart&gt;), a ball bar or a fixture whose place is known would tell it.</source>
+        <translation>Nichts, was berührt wurde, zeigt eine Länge: die Größe des Roboters gilt wie beschrieben, auf 0,1 % genau. Zwei Pfannen von bekanntem Abstand (&lt;apart&gt;), ein Kugelstab oder eine Vorrichtung, deren Ort bekannt ist, würden sie zeigen.</translation>
+    </message>
+    <message>
+        <source>%1: no posture within the joint limits touches a fixture; check the limits in the robot's file.</source>
+        <translation>%1: keine Stellung innerhalb der Gelenkgrenzen berührt eine Vorrichtung; prüfe die Grenzen in der Datei des Roboters.</translation>
+    </message>
+    <message>
+        <source>has a place_sigma, expected one only where a place is said and estimate="yes"; a place that is held has none.</source>
+        <translation>hat ein place_sigma, erwartet nur, wo ein Ort genannt ist und estimate="yes" steht; ein gehaltener Ort hat keines.</translation>
+    </message>
+    <message>
         <source>%1 and %2 cannot be told apart at any of the %3 poses that this robot and these cameras allow: whatever one of them does, the other does too.</source>
         <translation>%1 und %2 lassen sich in keiner der %3 Stellungen unterscheiden, die dieser Roboter und diese Kameras erlauben: was das eine tut, tut auch das andere.</translation>
     </message>

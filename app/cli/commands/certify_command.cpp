@@ -78,6 +78,15 @@ CertificateRequest request_of(const CertifyArguments& o, const Session& session,
   return o.effects.empty() ? from_improvement(session, progress) : from_effects(session, o.effects);
 }
 
+void refuse_touches(const Session& session, const std::string& part) {
+  const bool is_part = !session.parts.empty() && !session.is_touch();
+  const std::size_t named = is_part && !part.empty() ? static_cast<std::size_t>(part_named(session, part)) : 0;
+  if (session.is_touch() || (is_part && session.parts[named].fixture >= 0))
+    throw InputError(
+        "A certificate needs measurements of where the hand is, and a touch tells one to three numbers of it; measure "
+        "some poses with a tracker or cameras, and certify that session with the calibration.");
+}
+
 int run(const CertifyArguments& o) {
   note_input(o.calibration);
   Session session = open_searched_session(o.session, o.output);
@@ -88,10 +97,7 @@ int run(const CertifyArguments& o) {
         "the "
         "joint angles and convert them with the robot's URDF.");
   Progress progress("certify", 100);
-  if (session.is_touch())
-    throw InputError(
-        "A certificate needs measurements of where the hand is, and a touch tells one to three numbers of it; measure "
-        "some poses with a tracker or cameras, and certify that session with the calibration.");
+  refuse_touches(session, o.part);
   if (session.parts.empty() && !o.part.empty()) part_named(session, o.part);
   std::optional<CertificateRequest> of_part;
   if (!session.parts.empty()) {

@@ -245,6 +245,26 @@ class DistanceCost : public ceres::CostFunction {
   MountDistance distance_;
 };
 
+/// What is known of a mount's place, by its twelve numbers.
+class PlaceCost : public ceres::CostFunction {
+ public:
+  PlaceCost(const MountPlace& place, const MotionManifold& manifold) : place_(place), manifold_(manifold) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->assign(1, 12);
+  }
+  bool Evaluate(double const* const* mount, double* residuals, double** jacobians) const override {
+    const PlaceRow row = place_row(place_, motion_of(mount[0]));
+    residuals[0] = row.off;
+    if (jacobians && jacobians[0])
+      Rows(jacobians[0], 1, 12) = row.by_motion.transpose() * manifold_.step_by_numbers(mount[0]);
+    return true;
+  }
+
+ private:
+  MountPlace place_;
+  const MotionManifold& manifold_;
+};
+
 /// What is known of the shape of markers that are not held: their places off the known ones, laid onto them as well as
 /// can be, in units of the sigma.
 class ShapeCost : public ceres::CostFunction {
@@ -345,6 +365,9 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
   for (const MountDistance& d : problem.mount_distances)
     squares.AddResidualBlock(new DistanceCost(d), nullptr, place.mounts[static_cast<std::size_t>(d.of)].data(),
                              place.mounts[static_cast<std::size_t>(d.from)].data());
+  for (const MountPlace& p : problem.mount_places)
+    squares.AddResidualBlock(new PlaceCost(p, place.mount_manifold), nullptr,
+                             place.mounts[static_cast<std::size_t>(p.mount)].data());
   for (std::size_t i = 0; i < place.mounts.size(); ++i)
     if (!place.is_free(i) && squares.HasParameterBlock(place.mounts[i].data()))
       squares.SetParameterBlockConstant(place.mounts[i].data());
