@@ -228,10 +228,15 @@ Fit fit_as_told(const Session& session, const FitOptions& options);
 /// Nothing where nothing can be found.
 std::optional<Unknowns> start_for(const Session& session, const FitOptions& options, const Problem& images) {
   if (options.start) return options.start;
-  if (session.is_touch()) return touch_start(session, images);
   if (session.parts.empty()) return start_values(images, session.mount);
   FitOptions alone;
   alone.on_iteration = options.on_iteration;
+  if (session.is_touch()) {
+    if (options.estimated.empty()) return touch_start(session, images);
+    // From rough places a joint's zero and all fixtures turn far together, and come back slowly.
+    alone.effects = options.effects;
+    return estimate(fit_as_told(session, alone));
+  }
   return start_of_parts(session, images, [&](const Session& part) { return fit_as_told(part, alone); });
 }
 
