@@ -349,6 +349,15 @@ ceres::Solver::Options solver_options(const SolveOptions& options, Watch& watch)
   return o;
 }
 
+/// A plate may turn about its normal and shift in itself: what that does to a touch is rounding, and steps along it are
+/// held small by what the squares of the others' derivatives by far exceed.
+constexpr double least_of_touches = 1e4;
+
+bool has_fixtures(const Problem& problem) {
+  const std::vector<Chain>& parts = problem.source->chain.parts;
+  return std::any_of(parts.begin(), parts.end(), [](const Chain& part) { return part.is_fixture; });
+}
+
 }  // namespace
 
 Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, const SolveOptions& options) {
@@ -387,7 +396,9 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
   }
   Watch watch(options, place, unit);
   ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(options, watch), &squares, &summary);
+  ceres::Solver::Options how = solver_options(options, watch);
+  if (has_fixtures(problem)) how.min_lm_diagonal = least_of_touches;
+  ceres::Solve(how, &squares, &summary);
 
   place.read();
   Solution solution;
