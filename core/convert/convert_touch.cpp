@@ -149,7 +149,7 @@ std::vector<std::pair<fs::path, Table>> tables_of(const std::vector<fs::path>& f
           shown_path(file)));
     if (!table->has_header)
       throw InputError(
-          fmt::format("{}: has no header; name its columns in a first line, or with --columns \"a1 a2 ... "
+          fmt::format("{}: has no header; name its columns in a first line, or with --table-columns \"a1 a2 ... "
                       "fixture value[mm]\".",
                       table->file));
     tables.emplace_back(file, std::move(*table));

@@ -118,6 +118,8 @@ void read_apart(const XmlNode& node, Session& session, Ignored& ignored) {
 
 }  // namespace
 
+const char* fixture_tag(FixtureKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+
 std::vector<Sighting> touch_sightings(const Fixture& fixture, int marker, double value) {
   Sighting s{.marker = marker, .point_sigma = fixture.sigma};
   s.point = Vector3::Zero();

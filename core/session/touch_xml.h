@@ -18,6 +18,9 @@ void read_touch(const XmlNode& node, Session& session, Ignored& ignored);
 /// none.
 void read_touched(const XmlNode& observation, const Session& session, Observation& into, Ignored& ignored);
 
+/// "plane", "point", "line", "gauge" or "length": the tag of such a fixture.
+const char* fixture_tag(FixtureKind kind);
+
 /// What a touch of a fixture by that marker measures, in the fixture's frame; `value` where the fixture reads one.
 std::vector<Sighting> touch_sightings(const Fixture& fixture, int marker, double value);
 

@@ -6686,8 +6686,8 @@
         <translation>%1: ist keine Tabelle von Berührungen; eine Sitzung von Berührungen entsteht aus Tabellen (CSV) von Gelenkwinkeln, Vorrichtung und Ablesung und aus dem Roboter.</translation>
     </message>
     <message>
-        <source>%1: has no header; name its columns in a first line, or with --columns "a1 a2 ... fixture value[mm]".</source>
-        <translation>%1: hat keinen Kopf; nenne die Spalten in einer ersten Zeile oder mit --columns "a1 a2 ... fixture value[mm]".</translation>
+        <source>%1: has no header; name its columns in a first line, or with --table-columns "a1 a2 ... fixture value[mm]".</source>
+        <translation>%1: hat keinen Kopf; nenne die Spalten in einer ersten Zeile oder mit --table-columns "a1 a2 ... fixture value[mm]".</translation>
     </message>
     <message>
         <source>There is no table of touches; name a CSV of joint angles, fixture and reading.</source>

@@ -121,7 +121,7 @@ Command add_convert(const CommandLine& program) {
                  "Of touches: what was touched, \"plane table\", \"point socket_1\", \"gauge dial xyz=0.6,0,0.5 "
                  "axis=0,1,0\", also sigma=, mount=, place_sigma=, value= (m)");
   command.option("--apart", o->convert.apart, "Of touches: \"socket_1 socket_2 by=0.05 sigma=1e-5\" (m)");
-  command.option("--columns", o->columns,
+  command.option("--table-columns", o->columns,
                  "Of tables of touches without a header: \"a1 a2 - fixture value[mm]\"; - is left out");
   command.option("--lag", o->convert.pairing.lag, "s: how much later the sensor's times are than the joints'")
       .within(-100, 100);
