@@ -119,8 +119,7 @@ std::string touch_page_pdf(const std::string& software) {
   page.heading("At the robot");
   for (const char* step :
        {"1. Fix the probe so that it cannot turn. Where its tip is need not be known; it must not change.",
-        "2. Come slowly, always from the same side, and stop at the same force each time. Stand still, then read the "
-        "joints.",
+        "2. Come slowly, always from one side, stop at the same force; stand still, then read the joints.",
         "3. Every touch from another posture: what the joints do in all touches alike cannot be told.",
         "4. Touch one fixture ten times in one posture: how these differ is what a touch tells (sigma).",
         "5. One line a touch: the joints' angles (rad, or say deg), what was touched, what it read and its unit.",
