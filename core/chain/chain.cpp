@@ -27,6 +27,7 @@ void add_parts(const Session& session, Chain& chain) {
     one.body = part.body;
     one.first_marker = part.first_marker;
     one.own = part.own;
+    one.is_fixture = part.fixture >= 0;
     one.tcp_link = link_named(session, part.tcp, "tcp");
     one.mount_link = link_named(session, mount.link, "mount");
     chain.part_names.push_back(part.title);

@@ -24,6 +24,7 @@ struct Chain {
   int first_marker = 0;               // of that part's body
   std::vector<std::string> own = {};  // SessionPart::own
   bool is_touch = false;              // the parts are fixtures that are touched in one session
+  bool is_fixture = false;            // of a part: it is one of them, there or among sessions of other kinds
   std::vector<Chain> parts = {};      // of a joined session: the chains of its parts
   std::vector<std::string> part_names = {};  // and what they are called
   std::vector<int> first_cameras = {};       // of each of their rigs, in `rig`

@@ -113,6 +113,7 @@ Conversion converted(const std::vector<fs::path>& given, ConvertOptions o) {
   const std::optional<Bag> bag = find_bag(files);
   const std::optional<FieldUrdf> robot = find_robot(files, bag, o, c);
   if (robot) c.notes.insert(c.notes.end(), robot->notes.begin(), robot->notes.end());
+  if (are_touches(files, robot ? &robot->robot : nullptr, o)) return from_touches(robot, files, o, std::move(c));
   Brought b = bring(files, robot ? &robot->robot : nullptr, o.degrees, o.angles);
   choose_target(b, o.target_frame);
   c.took.insert(c.took.end(), b.took.begin(), b.took.end());

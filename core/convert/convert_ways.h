@@ -43,6 +43,13 @@ Conversion from_images(const FieldUrdf& robot, const Brought& brought, const Con
 /// that sounds like a flange, with all that carries it. InputError where there is none.
 JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& options, std::vector<std::string>& notes);
 
+/// Are there touches of a probe: options that describe fixtures, or a table with a column `fixture`?
+bool are_touches(const std::vector<std::filesystem::path>& files, const Robot* robot, const ConvertOptions& options);
+
+/// Tables of touches: joint angles, what was touched, what it read.
+Conversion from_touches(const std::optional<FieldUrdf>& robot, const std::vector<std::filesystem::path>& files,
+                        const ConvertOptions& options, Conversion conversion);
+
 /// A bag of ROS, with images of two cameras (of one with a target) or with the target's frames; without a robot the
 /// flange's frame stands for it.
 Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& bag, const Brought& brought,

@@ -14,11 +14,13 @@ namespace {
 using Owner = int Chain::*;
 
 /// The effect at every part that is the first with its owner's number; it moves all parts with that number.
-Effect at_parts(Effect effect, const Chain& chain, Owner owner) {
+Effect at_parts(Effect effect, const Chain& chain, Owner owner, bool is_of_hand) {
   const auto of_session = effect.move;
   std::vector<int> numbers;  // by part
   for (const Chain& part : chain.parts) {
-    const bool is_new = std::find(numbers.begin(), numbers.end(), part.*owner) == numbers.end();
+    // Which fixture the hand touches changes nothing about it.
+    const bool is_own = !(part.is_fixture && is_of_hand);
+    const bool is_new = is_own && std::find(numbers.begin(), numbers.end(), part.*owner) == numbers.end();
     effect.parts.push_back(is_new ? chain.part_names[numbers.size()] : "");
     numbers.push_back(part.*owner);
   }
@@ -51,7 +53,8 @@ Effect changed_between(const Effect& of_robot, const Chain& chain) {
       const std::string said = of_robot.id + ":" + name;
       const bool is_asked = std::find(own.begin(), own.end(), said) != own.end() ||
                             std::find(own.begin(), own.end(), of_robot.id) != own.end();
-      if (part.part == 0 && !is_asked) continue;  // against the first session, unless that is the one
+      if ((part.part == 0 || part.is_fixture) && !is_asked)
+        continue;  // against the first session, unless that is the one
       places.push_back({part.part, joint});
       effect.parts.push_back(chain.part_names[static_cast<std::size_t>(part.part)] + " " + name);
     }
@@ -80,16 +83,16 @@ std::vector<std::string> may_change(const Chain& chain) {
 OwnEffects part_effects(const Chain& chain) {
   OwnEffects all;
   if (chain.parts.empty()) return all;
-  const auto add = [&](Effect effect, Owner owner) {
-    all.push_back(std::make_shared<const Effect>(at_parts(std::move(effect), chain, owner)));
+  const auto add = [&](Effect effect, Owner owner, bool is_of_hand = false) {
+    all.push_back(std::make_shared<const Effect>(at_parts(std::move(effect), chain, owner, is_of_hand)));
   };
   add(camera_mount(), &Chain::mount);
   add(mount_drift(), &Chain::part);
   add(mount_slip(), &Chain::part);
   if (chain.is_touch) return all;  // one hand, in one session
   add(payload(), &Chain::body);
-  add(time_lag(), &Chain::part);
-  add(body_slip(), &Chain::part);
+  add(time_lag(), &Chain::part, true);
+  add(body_slip(), &Chain::part, true);
   for (const std::string& id : may_change(chain)) {
     const Effect* const effect = find_effect(id);
     if (!effect || !moves_one_joint(*effect))

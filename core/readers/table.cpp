@@ -107,6 +107,12 @@ bool names_images(const std::string& column) {
   return false;
 }
 
+/// Are the cells of the column words though none is the name of an image?
+bool names_things(const std::string& column) {
+  const std::string small = lower(column);
+  return small == "fixture" || small == "touched" || names_images(column);
+}
+
 bool is_header(const Cells& cells, bool decimal_commas) {
   return std::none_of(cells.begin(), cells.end(), [&](const std::string& c) {
     const auto n = number_of(c, decimal_commas);
@@ -189,7 +195,7 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const auto number = number_of(cells[c], decimal_commas);
       TableColumn& column = table.columns[c];
-      if (names_images(column.name) || is_image_name(cells[c])) {
+      if (names_things(column.name) || is_image_name(cells[c])) {
         column.words.resize(table.rows.size());
         column.words.back() = cells[c];
         row.push_back(number.value_or(empty_cell));

@@ -12,7 +12,7 @@ namespace handsight {
 struct TableColumn {
   std::string name;                     // as written, without its unit; empty where there is no header
   std::string unit;                     // of "shoulder [deg]", "x(mm)", "q1_deg"; lower case; empty where none is named
-  std::vector<std::string> words = {};  // one a row, of a column of names (of images); empty: of numbers
+  std::vector<std::string> words = {};  // one a row, of a column of names (of images, fixtures); empty: of numbers
 };
 
 struct Table {

@@ -87,11 +87,8 @@ class Joiner {
   void add(std::size_t member) {
     const JoinedMember& m = members_[member];
     const Session& s = m.session;
-    if (s.is_touch())
-      throw InputError(called(m) +
-                       ": touches are fitted by themselves; a collection takes sessions of cameras, trackers "
-                       "and poses.");
     if (member > 0) require_alike(m);
+    if (s.is_touch()) return add_fixtures(m);
     SessionPart& part = all_.parts.emplace_back();
     part.title = m.title;
     part.file = s.file;
@@ -101,8 +98,58 @@ class Joiner {
     part.residual_unit = weighs_ ? *noise_of(m) / unit : 1;
     add_rig(m, part);
     add_body(m, part);
-    add_observations(m, static_cast<int>(member), part);
+    add_observations(m, static_cast<int>(all_.parts.size()) - 1, part);
     for (const std::string& note : s.notes) all_.notes.push_back(m.title + ": " + note);
+  }
+
+  /// A session of touches is as many parts as it has fixtures, of one hand.
+  void add_fixtures(const JoinedMember& m) {
+    const Session& s = m.session;
+    SessionPart whole;
+    whole.file = s.file;
+    whole.tcp = s.tcp;
+    whole.own = m.own;
+    const double unit = is_in_pixels_ ? all_.sigma_pixel.value_or(1) : all_.sigma_point.value_or(1);
+    whole.residual_unit = weighs_ ? *noise_of(m) / unit : 1;
+    add_body(m, whole);
+    const std::size_t first = all_.parts.size();
+    add_observations(m, static_cast<int>(first), whole);
+    std::vector<int> fixtures;  // the session's own by their places among all
+    for (std::size_t f = 0; f < s.fixtures.size(); ++f) {
+      SessionPart part = whole;
+      part.title = m.title + " " + s.fixtures[f].id;
+      add_fixture(m, f, part);
+      fixtures.push_back(part.fixture);
+      all_.parts.push_back(std::move(part));
+    }
+    for (const KnownDistance& d : s.distances)
+      all_.distances.push_back(
+          {fixtures[static_cast<std::size_t>(d.of)], fixtures[static_cast<std::size_t>(d.from)], d.by, d.sigma});
+    for (const std::string& note : s.notes) all_.notes.push_back(m.title + ": " + note);
+  }
+
+  /// Of sessions with the same rig those of one name are one.
+  void add_fixture(const JoinedMember& m, std::size_t f, SessionPart& part) {
+    const Fixture& fixture = m.session.fixtures[f];
+    const std::size_t before = rigs_.size();
+    part.mount = number_of(m.rig.empty() ? "" : m.rig + "\n" + fixture.id, rigs_);
+    if (rigs_.size() == before) {
+      const SessionPart& same = first_with(&SessionPart::mount, part.mount);
+      part.fixture = same.fixture;
+      if (all_.fixtures[static_cast<std::size_t>(same.fixture)].kind != fixture.kind)
+        throw InputError(
+            fmt::format("{}: rig=\"{}\" is that of session \"{}\", but the fixture {} is of another kind; "
+                        "give it a name of its own.",
+                        called(m), m.rig, same.title, fixture.id));
+      return;
+    }
+    const Mount& mount = mount_of(m.session, static_cast<int>(f));
+    if (part.mount == 0)
+      all_.mount = mount;
+    else
+      all_.other_mounts.push_back(mount);
+    part.fixture = static_cast<int>(all_.fixtures.size());
+    all_.fixtures.push_back(fixture);
   }
 
   void require_alike(const JoinedMember& m) const {
@@ -219,7 +266,7 @@ class Joiner {
                                              : Eigen::VectorXd();
       whole->position_before = in_all(before);
       o.whole = std::move(whole);
-      o.part = number;
+      o.part = number + (s.is_touch() ? o.part : 0);
       o.id += part.first_id;
       o.time += part.first_time;
       o.position = in_all(o.position);

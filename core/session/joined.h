@@ -29,6 +29,10 @@ struct JoinedMember {
 Session joined(const std::vector<JoinedMember>& members, const std::string& title,
                const std::filesystem::path& file = {});
 
+/// The touches of one body of a joined session as a session of touches again, with their fixtures; nothing where it
+/// touched none.
+std::optional<Session> touches_of_body(const Session& joined, int body);
+
 /// One part of a joined session by itself again: as it was, but for joints of other parts, which stand still.
 Session part_session(const Session& joined, int part);
 

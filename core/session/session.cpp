@@ -11,6 +11,20 @@ std::filesystem::path folder(const Session& session) {
   return parent.empty() ? "." : parent;
 }
 
+bool Session::is_touch() const {
+  const bool one_hand = std::all_of(parts.begin(), parts.end(), [](const SessionPart& p) { return p.body == 0; });
+  return !fixtures.empty() && fixtures.size() == parts.size() && one_hand;
+}
+
+const SessionPart& part_of_fixture(const Session& session, int fixture) {
+  return *std::find_if(session.parts.begin(), session.parts.end(),
+                       [&](const SessionPart& p) { return p.fixture == fixture; });
+}
+
+const Mount& mount_of(const Session& session, int mount) {
+  return mount == 0 ? session.mount : session.other_mounts[static_cast<std::size_t>(mount - 1)];
+}
+
 const char* device_tag(const Session& session) {
   if (session.is_touch()) return "touch";
   if (!session.rig) return session.pose_sensor ? "pose_sensor" : "tracker";

@@ -137,7 +137,8 @@ enum class FixtureKind {
 struct Fixture {
   std::string id;
   FixtureKind kind = FixtureKind::plane;
-  std::optional<double> sigma;  // m, of one reading there
+  std::optional<double> sigma;             // m, of one reading there
+  std::optional<double> place_sigma = {};  // m: how exactly its place is known where it is estimated; absent: a guess
 };
 
 /// Two fixtures whose frames' origins are this far apart.
@@ -160,6 +161,7 @@ struct SessionPart {
   double first_time = 0;                   // s, added to their times
   int first_order = 0;                     // added to their places in time (PlaceInWhole::order)
   double residual_unit = 1;                // of its own residuals (px, m): what one of the joined session's stands for
+  int fixture = -1;                        // that is touched there, into Session::fixtures; -1: it is none
 };
 
 struct Session {
@@ -189,8 +191,15 @@ struct Session {
   std::shared_ptr<const std::string> source;  // the XML text as read, so that saving keeps what is not understood
 
   bool is_tracker() const { return !rig.has_value(); }
-  bool is_touch() const { return !fixtures.empty(); }
+  /// Of touches alone, by one hand: every part is a fixture.
+  bool is_touch() const;
 };
+
+/// The part in which a fixture is touched first.
+const SessionPart& part_of_fixture(const Session& session, int fixture);
+
+/// The mount of a part, or of a session that is none: 0 is Session::mount, then Session::other_mounts.
+const Mount& mount_of(const Session& session, int mount);
 
 /// The element that holds what watches the robot: "stereo", "cameras", "tracker" or "pose_sensor".
 const char* device_tag(const Session& session);

@@ -56,7 +56,7 @@ std::optional<Rigid> frame_of(const XmlNode& node, FixtureKind kind) {
 }
 
 void note_attributes(const XmlNode& node, FixtureKind kind, Ignored& ignored) {
-  std::vector<std::string> known{"id", "mount", "estimate", "sigma"};
+  std::vector<std::string> known{"id", "mount", "estimate", "sigma", "place_sigma"};
   constexpr std::array<std::array<const char*, 2>, 5> own{
       {{"normal", "offset"}, {"xyz", "xyz"}, {"xyz", "direction"}, {"xyz", "axis"}, {"to", "to"}}};
   for (const char* attribute : own[static_cast<std::size_t>(kind)]) known.emplace_back(attribute);
@@ -65,7 +65,8 @@ void note_attributes(const XmlNode& node, FixtureKind kind, Ignored& ignored) {
 
 void read_fixture(const XmlNode& node, FixtureKind kind, Session& session, Ignored& ignored) {
   note_attributes(node, kind, ignored);
-  Fixture fixture{required_name(node, "id"), kind, find_positive(node, "sigma", bounds::sigma_point)};
+  Fixture fixture{required_name(node, "id"), kind, find_positive(node, "sigma", bounds::sigma_point),
+                  find_positive(node, "place_sigma", bounds::sigma_point)};
   for (const Fixture& other : session.fixtures)
     if (other.id == fixture.id)
       refuse(node, "has id=\"" + fixture.id + "\" a second time, expected each fixture once.");
@@ -80,7 +81,12 @@ void read_fixture(const XmlNode& node, FixtureKind kind, Session& session, Ignor
     refuse(node,
            "does not say where it is, expected its place; only planes and points with estimate=\"yes\" are found "
            "without.");
+  if (fixture.place_sigma && !(frame && mount.estimate))
+    refuse(node,
+           "has a place_sigma, expected one only where a place is said and estimate=\"yes\"; a place that is held has "
+           "none.");
   SessionPart part;
+  part.fixture = static_cast<int>(session.fixtures.size());
   part.title = fixture.id;
   part.tcp = session.tcp;
   part.mount = static_cast<int>(session.fixtures.size());
@@ -110,8 +116,11 @@ void read_apart(const XmlNode& node, Session& session, Ignored& ignored) {
   session.distances.push_back(d);
 }
 
-/// What the tip's touch of a fixture measures, in the fixture's frame.
-std::vector<Sighting> touches(const Fixture& fixture, int marker, double value) {
+}  // namespace
+
+const char* fixture_tag(FixtureKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+
+std::vector<Sighting> touch_sightings(const Fixture& fixture, int marker, double value) {
   Sighting s{.marker = marker, .point_sigma = fixture.sigma};
   s.point = Vector3::Zero();
   switch (fixture.kind) {
@@ -135,8 +144,6 @@ std::vector<Sighting> touches(const Fixture& fixture, int marker, double value) 
   }
   return {};
 }
-
-}  // namespace
 
 void read_touch(const XmlNode& node, Session& session, Ignored& ignored) {
   note_unknown(ignored, node, {"sigma"}, {"plane", "point", "line", "gauge", "length", "apart"});
@@ -164,7 +171,7 @@ void read_touched(const XmlNode& observation, const Session& session, Observatio
     if (!value && fixture.kind == FixtureKind::length)
       refuse(node, "has no value, expected the length that was read there.");
     const auto marker = find_integer(node, "marker", 0, session.marker_count - 1).value_or(0);
-    into.sightings = touches(fixture, static_cast<int>(marker), value.value_or(0));
+    into.sightings = touch_sightings(fixture, static_cast<int>(marker), value.value_or(0));
   }
 }
 
@@ -207,6 +214,7 @@ void write_touch(XMLElement& root, const Session& session) {
     if (mount.known) write_place(element, fixture.kind, mount.mount_from_sensor);
     element.SetAttribute("estimate", mount.estimate ? "yes" : "no");
     if (fixture.sigma) element.SetAttribute("sigma", format_number(*fixture.sigma).c_str());
+    if (fixture.place_sigma) element.SetAttribute("place_sigma", format_number(*fixture.place_sigma).c_str());
   }
   for (const KnownDistance& d : session.distances) {
     XMLElement& apart = *touch.InsertNewChildElement("apart");

@@ -12,6 +12,7 @@
 #include "session/pose_points.h"
 #include "simulation/poses.h"
 #include "simulation/shown_target.h"
+#include "simulation/touches.h"
 
 namespace handsight {
 namespace {
@@ -105,6 +106,18 @@ std::vector<Vector3> markers_at(const World& world, const Circumstances& c,
   for (std::size_t m = 0; m < markers_in_tcp.size(); ++m)
     markers.push_back(slipped * (body_from_tcp * markers_in_tcp[m] + sites.markers[m]));
   return markers;
+}
+
+/// A marker, or for -1 the TCP, in the frame of what is touched.
+Vector3 place_at_fixture(const World& world, const Session& like, const Circumstances& c, int fixture, int marker,
+                         const std::vector<Vector3>& markers_in_tcp) {
+  World at_fixture = world;
+  const Mount& mount = fixture == 0 ? like.mount : like.other_mounts[static_cast<std::size_t>(fixture - 1)];
+  at_fixture.mount_from_sensor = mount.mount_from_sensor;
+  const Ends ends = ends_at(at_fixture, c);
+  const Vector3 in_tcp =
+      marker < 0 ? Vector3(Vector3::Zero()) : markers_at(world, c, markers_in_tcp)[static_cast<std::size_t>(marker)];
+  return inverse(ends.root_from_sensor) * (ends.root_from_tcp * in_tcp);
 }
 
 Vector2 noisy(const Vector2& pixel, double noise, Random& random) {
@@ -250,6 +263,47 @@ void place_observations(const World& world, SimulatedSession& s) {
   }
 }
 
+/// A probe's tips, some 15 cm before the TCP.
+ShownBody random_probe(int count, Random random) {
+  ShownBody body;
+  for (int m = 0; m < count; ++m) {
+    const double x = random.gaussian(), y = random.gaussian(), z = random.gaussian();
+    body.markers_in_tcp.emplace_back(0.02 * x, 0.02 * y, 0.15 + 0.01 * z);
+  }
+  return body;
+}
+
+/// Every fixture stands where `like` says; a joint that is disturbed was so while the fixture was touched.
+void add_touches(const Session& like, const SimulationOptions& options, const World& world,
+                 const std::vector<Observation>* given, SimulatedSession& s) {
+  if (options.wrong_corners > 0 || !options.shift_in_sensor.isZero())
+    throw InputError("A session of touches has no image points and no sensor; leave --wrong-corners and --shift out.");
+  const ShownBody body{s.markers_in_tcp, s.normal_in_tcp, {}};
+  PoseSampler sampler(like, world.chain, body, options);
+  Random postures = Random(options.seed).child(pose_stream);
+  const TouchSimulation touches{like, world.chain, options,
+                                [&](const Circumstances& c, int fixture, int marker) {
+                                  return place_at_fixture(world, like, c, fixture, marker, s.markers_in_tcp);
+                                },
+                                [&] { return sampler.next(postures); }};
+  if (given)
+    read_touches(touches, s.session.observations);
+  else
+    s.session.observations = simulated_touches(touches);
+  declare_touches(options, s.session);
+  place_observations(world, s);
+  s.later_root_from_tcp = s.root_from_tcp;
+  s.later_root_from_sensor = s.root_from_sensor;
+  for (const Disturbance& d : options.disturbances) {
+    if (d.kind != Disturbance::Kind::joint || d.id < 0 || d.id >= options.observations)
+      throw InputError(fmt::format(
+          "Disturbance of observation {}: of touches only joints can be disturbed, in observations 0 to {}.", d.id,
+          options.observations - 1));
+    disturb(d, world, s, static_cast<std::size_t>(d.id));
+  }
+  for (std::size_t k = 0; k < s.session.observations.size(); ++k) spoil_sightings(options, k, s);
+}
+
 /// `given`: the observations' postures and times; null: they are drawn.
 SimulatedSession simulated(const Session& like, const SimulationOptions& options,
                            const std::vector<Observation>* given) {
@@ -266,13 +320,16 @@ SimulatedSession simulated(const Session& like, const SimulationOptions& options
   const bool tracker = like.is_tracker();
   if (tracker && options.wrong_corners > 0)
     throw InputError("A tracker session has no image points; leave --wrong-corners out.");
-  s.noise = options.noise ? *options.noise : tracker ? like.sigma_point.value_or(2e-4) : like.sigma_pixel.value_or(0.2);
+  s.noise = options.noise ? *options.noise
+            : tracker     ? like.sigma_point.value_or(like.is_touch() ? 2e-5 : 2e-4)
+                          : like.sigma_pixel.value_or(0.2);
   (tracker ? s.session.sigma_point : s.session.sigma_pixel) =
       options.declare_noise && s.noise > 0 ? std::optional(s.noise) : std::nullopt;
   const ShownBody body =
       !options.markers_in_tcp.empty() ? given_body(like, chain, options.markers_in_tcp)
       : like.target
           ? shown_target(like, options, like.target->sigma.value_or(2e-4), Random(options.seed).child(body_stream))
+      : like.is_touch()  ? random_probe(like.marker_count, Random(options.seed).child(body_stream))
       : like.pose_sensor ? random_target(like, Random(options.seed).child(body_stream))
                          : random_body(like.marker_count, options.body_size, Random(options.seed).child(body_stream));
   s.markers_in_tcp = body.markers_in_tcp;
@@ -281,10 +338,12 @@ SimulatedSession simulated(const Session& like, const SimulationOptions& options
 
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
   if (like.rig) s.true_rig = moved_rig(*like.rig, moved_sites(circumstances_at(chain, zero), options.effects));
-  if (given)
-    s.session.observations = *given;
-  else
-    add_observations(like, options, world, s);
+  if (given) s.session.observations = *given;
+  if (like.is_touch()) {
+    add_touches(like, options, world, given, s);
+    return s;
+  }
+  if (!given) add_observations(like, options, world, s);
   place_observations(world, s);
   s.later_root_from_tcp = s.root_from_tcp;
   s.later_root_from_sensor = s.root_from_sensor;

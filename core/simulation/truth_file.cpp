@@ -93,6 +93,11 @@ void write_truth(const SimulatedSession& simulated, const SimulationOptions& opt
   const std::vector<std::optional<Vector3>> markers(seen.begin(), seen.end());
   add_motion(*root, "tcp_from_body", body_frame(choose_sides(markers), simulated.markers_in_tcp).tcp_from_body);
   add_motion(*root, "mount_from_sensor", simulated.mount_from_sensor);
+  for (std::size_t f = 0; f < simulated.session.fixtures.size(); ++f) {
+    const Session& of = simulated.session;
+    add_motion(*root, "mount_from_fixture", (f == 0 ? of.mount : of.other_mounts[f - 1]).mount_from_sensor);
+    root->LastChildElement()->SetAttribute("id", of.fixtures[f].id.c_str());
+  }
   tinyxml2::XMLElement* list = root->InsertNewChildElement("markers_in_tcp");
   for (std::size_t m = 0; m < simulated.markers_in_tcp.size(); ++m) {
     tinyxml2::XMLElement* marker = list->InsertNewChildElement("marker");

@@ -6873,6 +6873,90 @@
         <translation>Eine Ursache des Modells zeigt sich nur, während die Gelenke sich bewegen; diese Stellungen ruhen und können sie nicht zeigen.</translation>
     </message>
     <message>
+        <source>Where the tip sits on the hand is not determined in %1 of its %2 numbers: turn the hand about more than one axis while it touches.</source>
+        <translation>Wo die Spitze an der Hand sitzt, ist in %1 ihrer %2 Zahlen nicht bestimmt: drehe die Hand um mehr als eine Achse, während sie berührt.</translation>
+    </message>
+    <message>
+        <source>Where %1 stands is not determined by these touches; touch it more often, farther apart and with the hand turned.</source>
+        <translation>Wo %1 steht, bestimmen diese Berührungen nicht; berühre öfter, weiter auseinander und mit gedrehter Hand.</translation>
+    </message>
+    <message>
+        <source>The zero of %1 cannot be known from these touches: another one does what another place of the tip or of the fixtures does.</source>
+        <translation>Der Nullpunkt von %1 lässt sich aus diesen Berührungen nicht erkennen: ein anderer tut, was ein anderer Ort der Spitze oder der Vorrichtungen tut.</translation>
+    </message>
+    <message>
+        <source>One plane alone tells only what lifts the tip off it, and nothing along it; put the plate in two more places, tilted against the first, or add a socket.</source>
+        <translation>Eine Ebene allein zeigt nur, was die Spitze von ihr abhebt, und nichts längs ihrer; lege die Platte an zwei weitere Orte, gegen den ersten gekippt, oder nimm eine Pfanne dazu.</translation>
+    </message>
+    <message>
+        <source>Nothing that was touched tells a length: the robot's size is taken from its description, within 0.1 %. Two sockets of known distance (&lt;apart&gt;), a ball bar or a fixture whose place is known would tell it.</source>
+        <translation>Nichts, was berührt wurde, zeigt eine Länge: die Größe des Roboters gilt wie beschrieben, auf 0,1 % genau. Zwei Pfannen von bekanntem Abstand (&lt;apart&gt;), ein Kugelstab oder eine Vorrichtung, deren Ort bekannt ist, würden sie zeigen.</translation>
+    </message>
+    <message>
+        <source>%1: no posture within the joint limits touches a fixture; check the limits in the robot's file.</source>
+        <translation>%1: keine Stellung innerhalb der Gelenkgrenzen berührt eine Vorrichtung; prüfe die Grenzen in der Datei des Roboters.</translation>
+    </message>
+    <message>
+        <source>has a place_sigma, expected one only where a place is said and estimate="yes"; a place that is held has none.</source>
+        <translation>hat ein place_sigma, erwartet nur, wo ein Ort genannt ist und estimate="yes" steht; ein gehaltener Ort hat keines.</translation>
+    </message>
+    <message>
+        <source>An experiment looks from where nothing is touched, and a touch is made by hand or by a program that feels it; plan tells which posture on which fixture comes next.</source>
+        <translation>Ein Experiment schaut von dort, wo nichts berührt wird, und eine Berührung macht die Hand oder ein Programm, das sie spürt; plan sagt, welche Stellung an welcher Vorrichtung als nächste kommt.</translation>
+    </message>
+    <message>
+        <source>%1: the readings in column %2 (%3) have no unit; write it into the header, "%4 [mm]", "[um]" or "[m]".</source>
+        <translation>%1: die Ablesungen in Spalte %2 (%3) haben keine Einheit; schreibe sie in den Kopf, "%4 [mm]", "[um]" oder "[m]".</translation>
+    </message>
+    <message>
+        <source>%1: the readings in column %2 (%3) are in %4, which is none of mm, um and m; write it into the header, "%5 [mm]", "[um]" or "[m]".</source>
+        <translation>%1: die Ablesungen in Spalte %2 (%3) sind in %4, was weder mm noch um noch m ist; schreibe sie in den Kopf, "%5 [mm]", "[um]" oder "[m]".</translation>
+    </message>
+    <message>
+        <source>%1: nothing says what the fixture %2 is; name it with --fixture "plane %3", or point, line, gauge or length in place of plane.</source>
+        <translation>%1: nichts sagt, was die Vorrichtung %2 ist; nenne sie mit --fixture "plane %3", oder point, line, gauge oder length anstelle von plane.</translation>
+    </message>
+    <message>
+        <source>%1: the fixture %2 is taken for a %3 by its name; say --fixture "KIND %4" where it is something else.</source>
+        <translation>%1: die Vorrichtung %2 gilt ihrem Namen nach als %3; sage --fixture "KIND %4", wo sie etwas anderes ist.</translation>
+    </message>
+    <message>
+        <source>%1: is no table of touches; a session of touches is made of tables (CSV) of joint angles, fixture and reading, and of the robot.</source>
+        <translation>%1: ist keine Tabelle von Berührungen; eine Sitzung von Berührungen entsteht aus Tabellen (CSV) von Gelenkwinkeln, Vorrichtung und Ablesung und aus dem Roboter.</translation>
+    </message>
+    <message>
+        <source>%1: has no header; name its columns in a first line, or with --table-columns "a1 a2 ... fixture value[mm]".</source>
+        <translation>%1: hat keinen Kopf; nenne die Spalten in einer ersten Zeile oder mit --table-columns "a1 a2 ... fixture value[mm]".</translation>
+    </message>
+    <message>
+        <source>There is no table of touches; name a CSV of joint angles, fixture and reading.</source>
+        <translation>Es gibt keine Tabelle von Berührungen; nenne eine CSV von Gelenkwinkeln, Vorrichtung und Ablesung.</translation>
+    </message>
+    <message>
+        <source>%1: a touch of %2 has no reading, and it reads one; fill the column value, or say --fixture "... value=METRES" where it is the same for all.</source>
+        <translation>%1: eine Berührung von %2 hat keine Ablesung, obwohl dort abgelesen wird; fülle die Spalte value, oder sage --fixture "... value=METRES", wo sie für alle dieselbe ist.</translation>
+    </message>
+    <message>
+        <source>%1: has other joints, or in another order, than the table before.</source>
+        <translation>%1: hat andere Gelenke, oder in anderer Reihenfolge, als die Tabelle davor.</translation>
+    </message>
+    <message>
+        <source>Fixture %1: %2 touches.</source>
+        <translation>Vorrichtung %1: %2 Berührungen.</translation>
+    </message>
+    <message>
+        <source>How exactly a touch tells is estimated; where it is known say it: --sigma (m), or sigma=METRES of a --fixture.</source>
+        <translation>Wie genau eine Berührung ist, wird geschätzt; wo es bekannt ist, sage es: --sigma (m) oder sigma=METRES einer --fixture.</translation>
+    </message>
+    <message>
+        <source>%1: %2 lines are of a touch that the line before is of too; each counts once.</source>
+        <translation>%1: %2 Zeilen gehören zu einer Berührung, zu der auch die Zeile davor gehört; jede zählt einmal.</translation>
+    </message>
+    <message>
+        <source>No posture in %1 searches touches the fixture %2 within the joint limits; place it nearer to the robot, or widen --joint-range.</source>
+        <translation>Keine Stellung aus %1 Suchen berührt die Vorrichtung %2 innerhalb der Gelenkgrenzen; stelle sie näher an den Roboter oder erweitere --joint-range.</translation>
+    </message>
+    <message>
         <source>%1 and %2 cannot be told apart at any of the %3 poses that this robot and these cameras allow: whatever one of them does, the other does too.</source>
         <translation>%1 und %2 lassen sich in keiner der %3 Stellungen unterscheiden, die dieser Roboter und diese Kameras erlauben: was das eine tut, tut auch das andere.</translation>
     </message>

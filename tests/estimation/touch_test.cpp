@@ -35,7 +35,7 @@ void add(Bench& b, FixtureKind kind, const std::string& id, const Rigid& truly, 
   SessionPart part;
   part.title = id;
   part.tcp = "hand";
-  part.mount = static_cast<int>(b.session.fixtures.size());
+  part.mount = part.fixture = static_cast<int>(b.session.fixtures.size());
   part.marker_count = 1;
   if (b.session.fixtures.empty())
     b.session.mount = mount;

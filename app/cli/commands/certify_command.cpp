@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -46,8 +47,9 @@ CertificateRequest from_effects(const Session& session, const std::vector<std::s
 }
 
 /// One session of a collection, with the robot that all of them tell.
-PartFit part_of_collection(const CertifyArguments& o, const Session& joined, Progress& progress) {
-  const int part = part_named(joined, o.part.empty() ? joined.parts.front().title : o.part);
+PartFit part_of_collection(const CertifyArguments& o, const std::string& title, const Session& joined,
+                           Progress& progress) {
+  const int part = part_named(joined, title);
   if (!o.calibration.empty() || !o.effects.empty()) {
     PartFit alone;
     alone.session = part_session(joined, part);
@@ -78,6 +80,23 @@ CertificateRequest request_of(const CertifyArguments& o, const Session& session,
   return o.effects.empty() ? from_improvement(session, progress) : from_effects(session, o.effects);
 }
 
+/// The session of a collection that is certified: the one that was named, else the first that is not touched.
+std::string part_to_certify(const Session& session, const std::string& named) {
+  if (!named.empty()) return named;
+  const auto first =
+      std::find_if(session.parts.begin(), session.parts.end(), [](const SessionPart& p) { return p.fixture < 0; });
+  return first == session.parts.end() ? "" : first->title;
+}
+
+void refuse_touches(const Session& session, const std::string& part) {
+  const bool all_touch = !session.parts.empty() && part.empty();
+  const auto named = session.parts.empty() || part.empty() ? -1 : part_named(session, part);
+  if (session.is_touch() || all_touch || (named >= 0 && session.parts[static_cast<std::size_t>(named)].fixture >= 0))
+    throw InputError(
+        "A certificate needs measurements of where the hand is, and a touch tells one to three numbers of it; measure "
+        "some poses with a tracker or cameras, and certify that session with the calibration.");
+}
+
 int run(const CertifyArguments& o) {
   note_input(o.calibration);
   Session session = open_searched_session(o.session, o.output);
@@ -88,15 +107,13 @@ int run(const CertifyArguments& o) {
         "the "
         "joint angles and convert them with the robot's URDF.");
   Progress progress("certify", 100);
-  if (session.is_touch())
-    throw InputError(
-        "A certificate needs measurements of where the hand is, and a touch tells one to three numbers of it; measure "
-        "some poses with a tracker or cameras, and certify that session with the calibration.");
+  const std::string part_title = part_to_certify(session, o.part);
+  refuse_touches(session, part_title);
   if (session.parts.empty() && !o.part.empty()) part_named(session, o.part);
   std::optional<CertificateRequest> of_part;
   if (!session.parts.empty()) {
     const std::string title = session.title;
-    const PartFit part = part_of_collection(o, session, progress);
+    const PartFit part = part_of_collection(o, part_title, session, progress);
     if (o.calibration.empty() && o.effects.empty()) of_part = from_collection(part, title);
     session = part.session;
   }
@@ -124,7 +141,8 @@ Command add_certify(const CommandLine& program) {
   const CommandLine command = program.command(
       "certify", "A certificate as PDF: errors before and after by ISO 9283, promised limits and how often they held");
   add_session_option(command, options->session);
-  command.option("--session", options->part, "Of a collection: the session that is certified; absent: its first");
+  command.option("--session", options->part,
+                 "Of a collection: the session that is certified; absent: its first that is not touched");
   command.option("CALIBRATION", options->calibration,
                  "A calibration XML; without it and --effects the model is the one that improve finds");
   command.option("--effects", options->effects, "Effects in the model, in place of a calibration");

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.h"
 #include "blunders/mended.h"
 #include "command.h"
 #include "convert/convert.h"
@@ -16,6 +17,7 @@ namespace {
 struct ConvertArguments {
   std::vector<std::string> files, fixes;
   std::string out, robot;
+  std::string columns;
   double sigma = 0, sigma_angle = 0;  // 0: not given
   ConvertOptions convert;
   TargetOptions target;
@@ -24,6 +26,7 @@ struct ConvertArguments {
 
 std::string sensor_text(const Session& s) {
   if (s.pose_sensor) return "poses of the target";
+  if (s.is_touch()) return fmt::format("{} fixture{} touched", s.fixtures.size(), s.fixtures.size() == 1 ? "" : "s");
   if (!s.rig) return fmt::format("{} points of a tracker", s.marker_count);
   return fmt::format("{} {}", s.rig->count(), s.rig->count() == 1 ? "camera" : "cameras");
 }
@@ -48,6 +51,7 @@ int run(const ConvertArguments& o) {
   ConvertOptions options = o.convert;
   options.out = o.out;
   options.robot = o.robot;
+  for (const std::string_view name : split_words(o.columns)) options.columns.emplace_back(name);
   if (o.sigma > 0) options.sigma = o.sigma;
   if (o.sigma_angle > 0) options.sigma_angle = o.sigma_angle;
   if (is_given(o.target)) options.target = target_from(o.target);
@@ -113,6 +117,12 @@ Command add_convert(const CommandLine& program) {
                "Poses of the flange in place of a robot: the camera stands, the flange carries the target");
   command.option("--target-frame", o->convert.target_frame,
                  "The target: its frame in /tf of a bag, its topic, or its rigid body in motion capture");
+  command.option("--fixture", o->convert.fixtures,
+                 "Of touches: what was touched, \"plane table\", \"point socket_1\", \"gauge dial xyz=0.6,0,0.5 "
+                 "axis=0,1,0\", also sigma=, mount=, place_sigma=, value= (m)");
+  command.option("--apart", o->convert.apart, "Of touches: \"socket_1 socket_2 by=0.05 sigma=1e-5\" (m)");
+  command.option("--table-columns", o->columns,
+                 "Of tables of touches without a header: \"a1 a2 - fixture value[mm]\"; - is left out");
   command.option("--lag", o->convert.pairing.lag, "s: how much later the sensor's times are than the joints'")
       .within(-100, 100);
   command.flag("--estimate-lag", o->convert.estimate_lag, "Find the lag from movements that both show");

@@ -35,8 +35,9 @@ void print(const PlanArguments& o, const Session& session, const Plan& p) {
   if (between)
     o.output.line(
         fmt::format("ln Bayes factor of the first against the second so far: {:.2f}", *p.ln_bayes_factor_before));
-  o.output.line(fmt::format("pose {:>9}  sigma of TCP->Body  {}joints: {}", "gain",
-                            between ? "ln BF if first / second true  " : "", fmt::join(session.joints, " ")));
+  o.output.line(fmt::format("pose {:>9}  sigma of TCP->Body  {}{}joints: {}", "gain",
+                            between ? "ln BF if first / second true  " : "",
+                            session.is_touch() ? fmt::format("{:<14}", "touch") : "", fmt::join(session.joints, " ")));
   o.output.line(fmt::format("{:>14}  {:>9} {:>9}", "nats", "mm", "deg"));
   o.output.line(fmt::format("now  {:>9}  {}", "", sigma(p.sigma_before)));
   for (std::size_t i = 0; i < p.poses.size(); ++i) {
@@ -44,13 +45,18 @@ void print(const PlanArguments& o, const Session& session, const Plan& p) {
     std::string line = fmt::format("{:>4} {:>9.3f}  {}", i + 1, pose.gain, sigma(pose.sigma));
     if (pose.ln_bayes_factor)
       line += fmt::format("  {:>12.2f} {:>12.2f}   ", (*pose.ln_bayes_factor)[0], (*pose.ln_bayes_factor)[1]);
-    line += " ";
-    for (const double q : pose.position) line += fmt::format(" {:>7.4f}", q);
+    line += "  ";
+    if (pose.fixture >= 0) line += fmt::format("{:<13}", session.fixtures[static_cast<std::size_t>(pose.fixture)].id);
+    for (const double q : pose.position) line += fmt::format("{:>7.4f} ", q);
     o.output.line(line);
   }
   for (const std::string& note : p.notes) o.output.line(note);
   o.output.line(
-      "Check every pose for collisions before driving there: only joint limits and the cameras' view are known.");
+      session.is_touch()
+          ? "Come to each touch from where it was touched before, slowly: only joint limits are known, and how "
+            "far from there the fixture goes on is not."
+          : "Check every pose for collisions before driving there: only joint limits and the cameras' view "
+            "are known.");
 }
 
 /// Translation, and the rotation where markers show all of it.
@@ -75,6 +81,7 @@ Json plan_json(const Session& session, const Plan& p) {
              {"joints", session.joints},
              {"expected_gain", number(pose.gain)},
              {"sigma", sigma_json(pose.sigma, p.rotation_is_observed)}};
+    if (pose.fixture >= 0) one["fixture"] = session.fixtures[static_cast<std::size_t>(pose.fixture)].id;
     if (pose.ln_bayes_factor) one["expected_ln_bayes_factor"] = numbers(*pose.ln_bayes_factor);
     poses.push_back(one);
   }
@@ -83,10 +90,12 @@ Json plan_json(const Session& session, const Plan& p) {
   return result;
 }
 
-/// As read_poses reads it: a header of joint names, one pose a line.
+/// As read_poses reads it: a header of joint names, one pose a line; of touches what is touched, as `convert` reads it
+/// once the readings are written beside.
 void write_csv(const std::string& file, const Session& session, const Plan& p) {
-  std::string text = fmt::format("{}\n", fmt::join(session.joints, ","));
+  std::string text = fmt::format("{}{}\n", session.is_touch() ? "fixture," : "", fmt::join(session.joints, ","));
   for (const PlannedPose& pose : p.poses) {
+    if (pose.fixture >= 0) text += session.fixtures[static_cast<std::size_t>(pose.fixture)].id + ",";
     for (Eigen::Index j = 0; j < pose.position.size(); ++j)
       text += (j > 0 ? "," : "") + format_number(pose.position[j]);
     text += '\n';
@@ -132,6 +141,11 @@ int run_of_collection(const PlanArguments& o, const Session& joined) {
   Json sessions = Json::array();
   for (std::size_t p = 0; p < joined.parts.size(); ++p) {
     if (!o.part.empty() && joined.parts[p].title != o.part) continue;
+    if (joined.parts[p].fixture >= 0) {
+      o.output.line(fmt::format("{:<20} is touched; plan its session by itself, with the effects found here (--effects)",
+                                joined.parts[p].title));
+      continue;
+    }
     PartPlan one = plan_of_part(o, joined, together, static_cast<int>(p));
     o.output.line(fmt::format("{:<20} {} poses more there are worth {:.2f} {}", joined.parts[p].title,
                               one.plan.poses.size(), one.worth(),
@@ -142,6 +156,8 @@ int run_of_collection(const PlanArguments& o, const Session& joined) {
     sessions.push_back(std::move(json));
     if (!best || one.worth() > best->worth()) best = std::move(one);
   }
+  if (!best)
+    throw InputError("Here is nothing but touches; plan the session of touches by itself, with --effects that hold.");
   o.output.line("Best measured next: " + best->session.title);
   print(o, best->session, best->plan);
   Json json = plan_json(best->session, best->plan);
@@ -159,11 +175,7 @@ int run(const PlanArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   require_output(o.csv_file, "--csv");
   if (!o.part.empty()) part_named(session, o.part);
-  if (session.is_touch())
-    throw InputError(
-        "plan chooses postures before a camera or a tracker, and none that touch a fixture; touch each fixture from "
-        "postures that differ as much as they can.");
-  if (!session.parts.empty()) return run_of_collection(o, session);
+  if (!session.parts.empty() && !session.is_touch()) return run_of_collection(o, session);
   PlanOptions options;
   options.count = o.count;
   add_effects(o.effects, session, options.effects, options.estimated);

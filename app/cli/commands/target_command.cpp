@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "base/text.h"
+#include "certify/touch_page.h"
 #include "command.h"
 #include "options/target_option.h"
 #include "printing/outputs.h"
@@ -31,7 +32,19 @@ std::string file_of(const Sheet& sheet, const TargetArguments& o) {
   throw InputError(fmt::format("--out {}: expected a name that ends in .pdf, .svg or .png.", in_quotes(o.out)));
 }
 
+/// How to touch, in place of something to look at.
+int run_touch(const TargetArguments& o) {
+  if (ending_of(o.out) != ".pdf")
+    throw InputError(fmt::format("--out {}: the pages about touching are a PDF; expected a name that ends in .pdf.",
+                                 in_quotes(o.out)));
+  require_output(o.out, "--out");
+  write_output(o.out, touch_page_pdf("handsight " HANDSIGHT_VERSION), "--out");
+  Output().line(fmt::format("{}: how to touch each kind of fixture, and lines to write down what was touched", o.out));
+  return done;
+}
+
 int run(const TargetArguments& o) {
+  if (o.target.kind == "touch") return run_touch(o);
   const Target target = target_from(o.target);
   require_output(o.out, "--out");
   const Sheet sheet = sheet_of(target);
@@ -51,7 +64,8 @@ int run(const TargetArguments& o) {
 
 Command add_target(const CommandLine& program) {
   auto options = std::make_shared<TargetArguments>();
-  const CommandLine command = program.command("target", "A board or tags to print: PDF, SVG or PNG, true to scale");
+  const CommandLine command = program.command(
+      "target", "A board or tags to print, true to scale (PDF, SVG, PNG), or how to touch (--kind touch)");
   add_target_options(command, options->target, true);
   command.option("--out", options->out, "The file: .pdf, .svg or .png").required();
   command.option("--dpi", options->dots_per_inch, "Dots per inch of a PNG").within(20, 2400);

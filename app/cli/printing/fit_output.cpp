@@ -154,7 +154,8 @@ void print_errors(const Output& out, const Fit& fit, const FitReport& told) {
 
 /// Where the sensor sits on its link, where that was estimated: what is asked for with the camera on the hand.
 void print_mount(const Output& out, const Session& s, const Fit& fit) {
-  if (!s.mount.estimate || s.is_touch()) return;
+  const bool is_fixture = !s.parts.empty() && s.parts.front().fixture >= 0;  // told with the others
+  if (!s.mount.estimate || is_fixture) return;
   const char* sensor = s.pose_sensor               ? "sensor"
                        : s.is_tracker()            ? "tracker"
                        : is_left_and_right(*s.rig) ? "left"

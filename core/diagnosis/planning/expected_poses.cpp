@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "session/pose_points.h"
+#include "session/touch_xml.h"
 
 namespace handsight {
 namespace {
@@ -48,18 +49,8 @@ ExpectedPoses::ExpectedPoses(const Fit& fit, double noise) : fit_(fit), noise_(n
 
 void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Eigen::VectorXd& before,
                             const PoseJudge& judge) {
-  auto source = std::make_shared<ProblemSource>();
-  source->chain = fit_.problem.source->chain;
-  const Circumstances from = circumstances_at(source->chain, before);
-  for (const Eigen::VectorXd& pose : poses) {
-    Circumstances c = circumstances_at(source->chain, pose);
-    c.approach = (c.sensor - from.sensor).cwiseSign();
-    source->circumstances.push_back(std::move(c));
-  }
-  Problem problem = fit_.problem;
-  problem.source = source;
-  problem.observations.clear();
-  std::vector<Sighting> sightings;
+  Look all;
+  const Problem& problem = fit_.problem;
   for (int m = 0; m < problem.marker_count; ++m) {
     if (!problem.marker_is_seen[static_cast<std::size_t>(m)]) continue;
     Sighting s{.marker = m};
@@ -68,12 +59,45 @@ void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Eig
     } else {
       s.point = Vector3::Zero();
     }
-    sightings.push_back(s);
+    all.sightings.push_back(s);
   }
+  linearise(poses, std::vector<Look>(poses.size(), all), before, judge);
+}
+
+void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Session& session,
+                            const std::vector<int>& fixtures, const Eigen::VectorXd& before, const PoseJudge& judge) {
+  const double usual = usual_sigma(session);
+  std::vector<Look> looks;
+  for (const int f : fixtures) {
+    Look& look = looks.emplace_back();
+    look.part = f;
+    look.sightings = touch_sightings(session.fixtures[static_cast<std::size_t>(f)], 0, 0);
+    for (Sighting& s : look.sightings) s.usual_sigma = usual;
+  }
+  linearise(poses, looks, before, judge);
+}
+
+void ExpectedPoses::linearise(const std::vector<Eigen::VectorXd>& poses, const std::vector<Look>& looks,
+                              const Eigen::VectorXd& before, const PoseJudge& judge) {
+  auto source = std::make_shared<ProblemSource>();
+  source->chain = fit_.problem.source->chain;
+  const Circumstances from = circumstances_at(source->chain, before);
+  const auto chain_of_look = [&](const Look& look) -> const Chain& {
+    return look.part < 0 ? source->chain : source->chain.parts[static_cast<std::size_t>(look.part)];
+  };
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    Circumstances c = circumstances_at(chain_of_look(looks[i]), poses[i]);
+    c.approach = (c.sensor - from.sensor).cwiseSign();
+    source->circumstances.push_back(std::move(c));
+  }
+  Problem problem = fit_.problem;
+  problem.source = source;
+  problem.observations.clear();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     ProblemObservation& o = problem.observations.emplace_back();
     o.index = static_cast<int>(i);
-    o.sightings = sightings;
+    o.mount = chain_of_look(looks[i]).mount;
+    o.sightings = looks[i].sightings;
   }
   place_observations(problem);
   rows_.clear();

@@ -21,6 +21,10 @@ class ExpectedPoses {
 
   /// Linearises these poses, each as if it was approached from `before`, at rest, after all that was measured.
   void look_at(const std::vector<Eigen::VectorXd>& poses, const Eigen::VectorXd& before, const PoseJudge& judge);
+
+  /// The same of postures that touch these fixtures of the fit's session.
+  void look_at(const std::vector<Eigen::VectorXd>& poses, const Session& session, const std::vector<int>& fixtures,
+               const Eigen::VectorXd& before, const PoseJudge& judge);
   const ExpectedRows& rows(std::size_t pose) const { return rows_[pose]; }
 
   /// Takes the measurement of a pose into the information.
@@ -39,6 +43,13 @@ class ExpectedPoses {
   bool depends_on_velocity() const;
 
  private:
+  /// What is seen of each pose, and by which part of a session of touches; -1: it is none.
+  struct Look {
+    std::vector<Sighting> sightings;
+    int part = -1;
+  };
+  void linearise(const std::vector<Eigen::VectorXd>& poses, const std::vector<Look>& looks,
+                 const Eigen::VectorXd& before, const PoseJudge& judge);
   ExpectedRows rows_at(const Problem& problem, const ProblemObservation& o, const PoseJudge& judge) const;
 
   const Fit& fit_;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "diagnosis/planning/rivalry.h"
+#include "diagnosis/planning/touch_pool.h"
 #include "diagnosis/ranking/refitting.h"
 #include "estimation/fit/undetermined.h"
 
@@ -19,6 +20,7 @@ constexpr double least_distance_share = 0.05;  // ... but no more than this shar
 constexpr double ln_20 = 2.995732273553991;
 constexpr double no_difference = 0.01;     // nats a pose: less is no more than rounding and priors
 constexpr double most_work = 2.5e9;        // products, for all steps over the pool
+constexpr int most_touches = 600;          // in the pool: each is a search
 constexpr std::size_t kept_in_pool = 500;  // after the first step, where steps are dear
 
 double noise_to_reckon(const Session& session, const Fit& f) {
@@ -46,11 +48,10 @@ class Planner {
     judge_.emplace(session_, base_);
     for (const Fit* f : fits()) models_.emplace_back(*f, noise_);
     if (options_.between) suspicions_ = {Suspicion(models_[1], models_[2]), Suspicion(models_[2], models_[1])};
-    pool_ = pose_pool(session_, *judge_, affordable_pool(), options_.seed);
-    if (options_.may_take) std::erase_if(pool_, [&](const Eigen::VectorXd& q) { return !options_.may_take(q); });
+    fill_pool();
     before_ = session_.observations.back().position;
     look_at_pool();
-    keep([&](std::size_t i) { return is_shown(i); });
+    keep([&](std::size_t i) { return is_shown(i) && (!options_.may_take || options_.may_take(pool_[i])); });
     plan.pool = pool_.size();
     plan.sigma_before = known_so_far();
     plan.never_moved = never_moved(base_);
@@ -118,8 +119,22 @@ class Planner {
                       options_.pool);
   }
 
+  void fill_pool() {
+    if (!session_.is_touch()) {
+      pool_ = pose_pool(session_, *judge_, affordable_pool(), options_.seed);
+      return;
+    }
+    TouchPool touches = touch_pool(session_, base_, *judge_, std::min(affordable_pool(), most_touches), options_.seed);
+    pool_ = std::move(touches.poses);
+    fixtures_ = std::move(touches.fixtures);
+  }
+
   void look_at_pool() {
-    for (ExpectedPoses& m : models_) m.look_at(pool_, before_, *judge_);
+    for (ExpectedPoses& m : models_)
+      if (fixtures_.empty())
+        m.look_at(pool_, before_, *judge_);
+      else
+        m.look_at(pool_, session_, fixtures_, before_, *judge_);
     rows_.resize(pool_.size());
     std::iota(rows_.begin(), rows_.end(), std::size_t{0});
   }
@@ -143,9 +158,11 @@ class Planner {
     for (std::size_t i = 0; i < pool_.size(); ++i) {
       if (!wanted(i)) continue;
       pool_[next] = pool_[i];
+      if (!fixtures_.empty()) fixtures_[next] = fixtures_[i];
       rows_[next++] = rows_[i];
     }
     pool_.resize(next);
+    if (!fixtures_.empty()) fixtures_.resize(next);
     rows_.resize(next);
   }
 
@@ -202,6 +219,7 @@ class Planner {
     const auto best = static_cast<std::size_t>(std::max_element(worths.begin(), worths.end()) - worths.begin());
     PlannedPose pose;
     pose.position = pool_[best];
+    if (!fixtures_.empty()) pose.fixture = fixtures_[best];
     if (options_.between) {
       const Vector2 gain = rival_gain(best);
       total_ += gain;
@@ -300,6 +318,7 @@ class Planner {
   std::vector<ExpectedPoses> models_;  // the model; then it with the first and with the second effect
   std::vector<Suspicion> suspicions_;  // the first is true, the second is
   std::vector<Eigen::VectorXd> pool_;  // that are left
+  std::vector<int> fixtures_;          // per pose of the pool: what it touches; empty: nothing
   std::vector<std::size_t> rows_;      // per pose of the pool: its place among the models' rows
   Eigen::VectorXd before_;             // the pose before the next
   Vector2 total_ = Vector2::Zero();    // ln Bayes factors expected so far

@@ -27,6 +27,7 @@ inline constexpr int most_planned_poses = 100;
 
 struct PlannedPose {
   Eigen::VectorXd position;         // rad or m, in the order of the session's joints
+  int fixture = -1;                 // that is touched there, into Session::fixtures; -1: the session is none of touches
   double gain = 0;                  // nats that this pose adds, see Plan
   Vector6 sigma = Vector6::Zero();  // of tcp_from_body, expected after it: m, then rad
   /// ln of the Bayes factor for the true one of two effects, expected of all new poses up to this one: where the first

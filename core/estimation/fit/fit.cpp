@@ -12,6 +12,7 @@
 #include "estimation/fit/flange_error_size.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/sure_fit.h"
+#include "estimation/fit/touch_unknown.h"
 #include "estimation/fit/undetermined.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/problem/robot_scale.h"
@@ -75,7 +76,7 @@ void set_body(const FitOptions& options, const Eigen::MatrixXd& factor, Fit& fit
 int no_matter(const Session& session) {
   int count = 0;
   for (std::size_t f = 0; f < session.fixtures.size(); ++f)
-    if ((f == 0 ? session.mount : session.other_mounts[f - 1]).estimate)
+    if (mount_of(session, part_of_fixture(session, static_cast<int>(f)).mount).estimate)
       count += session.fixtures[f].kind == FixtureKind::line ? 2 : 3;
   return count;
 }
@@ -83,7 +84,11 @@ int no_matter(const Session& session) {
 void add_notes(const Session& session, Fit& fit) {
   if (fit.problem.observations.size() == 1)
     fit.notes.push_back("Only one observation is used: tcp_from_body is that of thesis (4.35), and nothing checks it.");
-  if (holds_robot_scale(fit.problem))
+  if (holds_robot_scale(fit.problem) && session.is_touch())
+    fit.notes.push_back(
+        "Nothing that was touched tells a length: the robot's size is taken from its description, within 0.1 %. Two "
+        "sockets of known distance (<apart>), a ball bar or a fixture whose place is known would tell it.");
+  else if (holds_robot_scale(fit.problem))
     fit.notes.push_back(
         "Nothing that was measured tells a length (every marker was measured at one place only): the robot's size is "
         "taken from its description, within 0.1 %. Measure a marker at two places of known distance to find it.");
@@ -101,7 +106,8 @@ void add_notes(const Session& session, Fit& fit) {
     fit.notes.push_back(fmt::format(
         "{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",
         fit.sightings_left_out));
-  const std::vector<std::string> undetermined = undetermined_texts(fit);
+  std::vector<std::string> undetermined = undetermined_texts(fit);
+  if (session.is_touch() && fit.effects.empty()) undetermined = touch_unknown_texts(session, fit);
   fit.notes.insert(fit.notes.end(), undetermined.begin(), undetermined.end());
   if (fit.solution.unobservable > no_matter(session) && undetermined.empty())
     fit.notes.push_back(
@@ -222,10 +228,15 @@ Fit fit_as_told(const Session& session, const FitOptions& options);
 /// Nothing where nothing can be found.
 std::optional<Unknowns> start_for(const Session& session, const FitOptions& options, const Problem& images) {
   if (options.start) return options.start;
-  if (session.is_touch()) return touch_start(session, images);
   if (session.parts.empty()) return start_values(images, session.mount);
   FitOptions alone;
   alone.on_iteration = options.on_iteration;
+  if (session.is_touch()) {
+    if (options.estimated.empty()) return touch_start(session, images);
+    // From rough places a joint's zero and all fixtures turn far together, and come back slowly.
+    alone.effects = options.effects;
+    return estimate(fit_as_told(session, alone));
+  }
   return start_of_parts(session, images, [&](const Session& part) { return fit_as_told(part, alone); });
 }
 

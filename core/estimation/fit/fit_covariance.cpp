@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/fit/fit_covariance.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimation/fit/noise.h"
@@ -8,6 +9,7 @@
 #include "estimation/problem/column_products.h"
 #include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/covariance_factor.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/priors.h"
 #include "estimation/solvers/unit_factor.h"
 
@@ -43,9 +45,18 @@ double known_by_priors(const Problem& problem, const Unknowns& unknowns, const E
   return known;
 }
 
+/// Numbers of fixtures' places that mean nothing, a plane's turn about its normal: no touch moves with them.
+int meaningless(const Problem& problem, const Solution& solution) {
+  const std::vector<Chain>& parts = problem.source->chain.parts;
+  const bool any = std::any_of(parts.begin(), parts.end(), [](const Chain& part) { return part.is_fixture; });
+  if (!any || solution.basis.cols() != problem.columns()) return 0;
+  const Eigen::VectorXd scale = inverse_scale(solution.normal.information);
+  return static_cast<int>((scale.segment(problem.mount_column(), problem.mount_columns()).array() == 0).count());
+}
+
 /// Effective number of unknowns that a solution takes from the measurements; `inverse` is its unit covariance.
 int unknowns_of(const Problem& problem, const Solution& solution, const Eigen::MatrixXd& inverse, bool fixed_markers) {
-  int count = static_cast<int>(solution.basis.cols()) - solution.unobservable;
+  int count = static_cast<int>(solution.basis.cols()) - solution.unobservable - meaningless(problem, solution);
   for (const char seen : problem.marker_is_seen)
     if (!seen && !fixed_markers && !problem.has_shape_prior()) count -= 3;
   return count - static_cast<int>(std::lround(known_by_priors(problem, solution.unknowns, inverse)));

@@ -64,6 +64,24 @@ FitPart part_of(const Fit& fit, const SessionPart& from) {
   return part;
 }
 
+/// Where the fixtures of the sessions of touches are, and the tips, each body by itself.
+void start_of_touches(const Session& joined, const std::function<Fit(const Session& part)>& fit_alone,
+                      Unknowns& start) {
+  std::vector<int> done;
+  for (const SessionPart& part : joined.parts) {
+    if (part.fixture < 0 || std::find(done.begin(), done.end(), part.body) != done.end()) continue;
+    done.push_back(part.body);
+    const std::optional<Session> touches = touches_of_body(joined, part.body);
+    const Fit alone = fit_alone(*touches);
+    for (int m = 0; m < part.marker_count; ++m)
+      start.markers_in_tcp[static_cast<std::size_t>(part.first_marker + m)] =
+          estimate(alone).markers_in_tcp[static_cast<std::size_t>(m)];
+    int next = 0;
+    for (const SessionPart& other : joined.parts)
+      if (other.fixture >= 0 && other.body == part.body) start.mount(other.mount) = estimate(alone).mount(next++);
+  }
+}
+
 }  // namespace
 
 Unknowns start_of_parts(const Session& joined, const Problem& problem,
@@ -75,6 +93,7 @@ Unknowns start_of_parts(const Session& joined, const Problem& problem,
   std::vector<char> has_mount(joined.other_mounts.size() + 1, 0), has_body(joined.parts.size(), 0);
   for (std::size_t p = 0; p < joined.parts.size(); ++p) {
     const SessionPart& part = joined.parts[p];
+    if (part.fixture >= 0) continue;
     char &mount_is_known = has_mount[static_cast<std::size_t>(part.mount)],
          &body_is_known = has_body[static_cast<std::size_t>(part.body)];
     if (mount_is_known && body_is_known) continue;
@@ -89,6 +108,7 @@ Unknowns start_of_parts(const Session& joined, const Problem& problem,
     }
     mount_is_known = body_is_known = 1;
   }
+  start_of_touches(joined, fit_alone, start);
   return start;
 }
 

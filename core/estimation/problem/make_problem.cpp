@@ -27,11 +27,36 @@ void require_bearable(const Session& session) {
 
 void require_one_link(const Session& session, const KnownDistance& d, const Chain& chain) {
   const auto of = static_cast<std::size_t>(d.of), from = static_cast<std::size_t>(d.from);
-  if (chain.parts[of].mount_link == chain.parts[from].mount_link) return;
+  const auto link = [&](int fixture) {
+    return chain.parts[static_cast<std::size_t>(&part_of_fixture(session, fixture) - session.parts.data())].mount_link;
+  };
+  if (link(d.of) == link(d.from)) return;
   throw InputError(
       fmt::format("{}: <apart> names {} and {}, which stand on different links; their distance is not one "
                   "number.",
                   session.file.filename().string(), session.fixtures[of].id, session.fixtures[from].id));
+}
+
+/// Of a plane and a gauge the height of three places 0.3 m apart, of an edge two places of it, else the three numbers.
+void add_known_place(const Session& session, int fixture, std::vector<MountPlace>& places) {
+  const Fixture& f = session.fixtures[static_cast<std::size_t>(fixture)];
+  if (!f.place_sigma) return;
+  constexpr double apart = 0.3;  // m
+  const int number = part_of_fixture(session, fixture).mount;
+  const Rigid& frame = mount_of(session, number).mount_from_sensor;
+  const auto add = [&](const Vector3& in_frame, const Vector3& along) {
+    places.push_back({number, frame * in_frame, along, *f.place_sigma});
+  };
+  const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ(), origin = Vector3::Zero();
+  const bool is_flat = f.kind == FixtureKind::plane || f.kind == FixtureKind::gauge;
+  if (is_flat)
+    for (const Vector3& at : {origin, Vector3(apart * x), Vector3(apart * y)}) add(at, z);
+  else
+    for (const Vector3& along : {x, y}) add(origin, along);
+  if (f.kind == FixtureKind::line)
+    for (const Vector3& along : {x, y}) add(apart * z, along);
+  else if (!is_flat)
+    add(origin, z);
 }
 
 }  // namespace
@@ -47,8 +72,11 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   for (const Mount& mount : session.other_mounts) problem.other_mounts_estimated.push_back(mount.estimate);
   for (const KnownDistance& d : session.distances) {
     require_one_link(session, d, chain);
-    problem.mount_distances.push_back({d.of, d.from, d.by, d.sigma});
+    problem.mount_distances.push_back(
+        {part_of_fixture(session, d.of).mount, part_of_fixture(session, d.from).mount, d.by, d.sigma});
   }
+  for (std::size_t f = 0; f < session.fixtures.size(); ++f)
+    add_known_place(session, static_cast<int>(f), problem.mount_places);
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
   problem.terms = held;
   for (const EffectTerm& term : estimated) {

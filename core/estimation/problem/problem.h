@@ -89,6 +89,13 @@ struct MountDistance {
   double by = 0, sigma = 0;  // m
 };
 
+/// A place on a mount's link where the mount's frame has a coordinate of 0: what is known of where a fixture stands.
+struct MountPlace {
+  int mount = 0;
+  Vector3 point, along;  // m, on the link; a unit direction of the mount's frame
+  double sigma = 0;      // m
+};
+
 struct Problem {
   std::vector<ProblemObservation> observations;
   std::optional<Rig> rig;  // absent: sightings are points
@@ -96,6 +103,7 @@ struct Problem {
   bool mount_is_estimated = false;
   std::vector<char> other_mounts_estimated;  // of a joined session: of the mounts 1, 2 ...
   std::vector<MountDistance> mount_distances;
+  std::vector<MountPlace> mount_places;
   std::vector<char> marker_is_seen;  // per marker, in any used observation
 
   std::shared_ptr<const ProblemSource> source;

@@ -9,14 +9,16 @@ namespace handsight {
 Problem without_observations(const Problem& problem) {
   // Every field by its name: one that a problem gets some day is missing here until it is named too.
   const auto& [observations, rig, marker_count, mount_is_estimated, other_mounts_estimated, mount_distances,
-               marker_is_seen, source, terms, columns_of_effects, tcp_from_slip, other_slip_frames, with_motions, noise,
-               noise_is_guessed, flange_error, cameras_by_effect, robot_scale, camera_images, shape] = problem;
+               mount_places, marker_is_seen, source, terms, columns_of_effects, tcp_from_slip, other_slip_frames,
+               with_motions, noise, noise_is_guessed, flange_error, cameras_by_effect, robot_scale, camera_images,
+               shape] = problem;
   return Problem{{},
                  rig,
                  marker_count,
                  mount_is_estimated,
                  other_mounts_estimated,
                  mount_distances,
+                 mount_places,
                  marker_is_seen,
                  source,
                  terms,

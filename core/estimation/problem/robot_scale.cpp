@@ -12,8 +12,13 @@ namespace handsight {
 bool measures_no_length(const Session& session, const Chain& chain) {
   constexpr double least = 1e-2;  // of the robot's length
   if (!session.is_tracker() || !session.distances.empty()) return false;
-  for (const Fixture& fixture : session.fixtures)
-    if (fixture.kind == FixtureKind::length) return false;
+  for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
+    const Fixture& fixture = session.fixtures[f];
+    // From the robot's base to a place that is known is a length too.
+    const bool is_known =
+        fixture.place_sigma || !mount_of(session, part_of_fixture(session, static_cast<int>(f)).mount).estimate;
+    if (fixture.kind == FixtureKind::length || is_known) return false;
+  }
   double length = 0;
   for (const Joint& joint : chain.robot.joints) length += joint.parent_from_joint.translation.norm();
   std::vector<std::optional<Vector3>> first(static_cast<std::size_t>(session.marker_count));

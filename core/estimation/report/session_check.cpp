@@ -10,6 +10,7 @@
 #include "chain/chain.h"
 #include "chain/sighting.h"
 #include "estimation/report/session_doubts.h"
+#include "session/touch_xml.h"
 #include "vision/image/image_file.h"
 
 namespace handsight {
@@ -51,6 +52,24 @@ int missing_images(const Session& session, const Observation& o) {
   return missing;
 }
 
+/// What is touched, how often, and whether its place is known.
+void list_fixtures(const Session& session, SessionCheck& check) {
+  for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
+    const Fixture& fixture = session.fixtures[f];
+    const Mount& mount = mount_of(session, static_cast<int>(f));
+    const auto touches = std::count_if(session.observations.begin(), session.observations.end(), [&](const auto& o) {
+      return o.part == static_cast<int>(f) && !o.sightings.empty();
+    });
+    check.contents.push_back(fmt::format("Fixture {} on {}, a {}: {} touches{}; its place is {}.", fixture.id,
+                                         mount.link, fixture_tag(fixture.kind), touches,
+                                         fixture.sigma ? fmt::format(", {:g} m each", *fixture.sigma) : std::string(),
+                                         !mount.estimate       ? std::string("known")
+                                         : fixture.place_sigma ? fmt::format("known to {:g} m", *fixture.place_sigma)
+                                         : mount.known         ? std::string("guessed, part of the fit")
+                                                               : std::string("unknown, part of the fit")));
+  }
+}
+
 void list_contents(const Session& session, const Chain& chain, SessionCheck& check) {
   int moving = 0, masses = 0;
   for (const Joint& j : chain.robot.joints) moving += j.moves() ? 1 : 0;
@@ -63,11 +82,15 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
     check.contents.push_back(
         fmt::format("Robot {}: {} links ({} with mass), {} moving joints, {} of them measured; TCP is {}.",
                     chain.robot.name, chain.robot.links.size(), masses, moving, chain.joints.size(), session.tcp));
-  check.contents.push_back(fmt::format("{} on {}, mount {}.", device_of(session), session.mount.link,
-                                       !session.mount.estimate ? "known"
-                                       : session.mount.known   ? "guessed, part of the fit"
-                                                               : "unknown, part of the fit"));
-  check.contents.push_back(arrangement_sentence(session, chain));
+  if (session.is_touch()) {
+    list_fixtures(session, check);
+  } else {
+    check.contents.push_back(fmt::format("{} on {}, mount {}.", device_of(session), session.mount.link,
+                                         !session.mount.estimate ? "known"
+                                         : session.mount.known   ? "guessed, part of the fit"
+                                                                 : "unknown, part of the fit"));
+    check.contents.push_back(arrangement_sentence(session, chain));
+  }
   int labelled = 0, with_images = 0, unused = 0;
   for (const Observation& o : session.observations) {
     labelled += o.sightings.empty() ? 0 : 1;
@@ -83,6 +106,7 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
   if (session.target)
     check.contents.push_back(
         fmt::format("Target: {}; {}.", description_of(*session.target), print_of(*session.target)));
+  if (session.is_touch()) return;
   const auto& declared = session.rig ? session.sigma_pixel : session.sigma_point;
   check.contents.push_back(
       declared ? fmt::format("Declared noise of one coordinate: {:g} {}.", *declared, session.rig ? "px" : "m")

@@ -68,14 +68,19 @@ std::string listed(const std::vector<std::string>& pairs) {
   return shortened(fmt::format("{}", fmt::join(pairs, ", ")), 150);
 }
 
+/// A socket is where it was.
+bool is_touch(const Session& session, const Observation& o) {
+  return !session.parts.empty() && session.parts[static_cast<std::size_t>(o.part)].fixture >= 0;
+}
+
 }  // namespace
 
 std::vector<std::string> standstill_doubts(const Session& session) {
   std::vector<std::string> robot_stood, sight_stood, doubts;
-  if (session.joints.empty() || session.is_touch()) return doubts;  // a socket is where it was
+  if (session.joints.empty() || session.is_touch()) return doubts;
   for (std::size_t i = 1; i < session.observations.size(); ++i) {
     const Observation &a = session.observations[i - 1], &b = session.observations[i];
-    if (!is_used(a) || !is_used(b)) continue;
+    if (!is_used(a) || !is_used(b) || is_touch(session, a) || is_touch(session, b)) continue;
     const Way robot = robot_way(session, a, b), seen = seen_way(a, b);
     if (!seen.is_known) continue;
     const std::string pair = fmt::format("{} and {}", a.id, b.id);

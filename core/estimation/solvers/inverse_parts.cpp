@@ -8,7 +8,10 @@
 namespace handsight {
 
 Eigen::VectorXd inverse_scale(const Eigen::MatrixXd& symmetric) {
-  return symmetric.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.0; });
+  // What a plate's turn about its own normal does to a touch is rounding, which no scale may blow up.
+  constexpr double rounding = 1e-27;
+  const double least = rounding * std::max(symmetric.size() ? symmetric.diagonal().maxCoeff() : 0.0, 0.0);
+  return symmetric.diagonal().unaryExpr([&](double d) { return d > least ? 1 / std::sqrt(d) : 0.0; });
 }
 
 InverseParts inverse_parts(const Eigen::MatrixXd& symmetric) {

@@ -265,10 +265,30 @@ void complete(NormalEquations& normal) {
   normal.information = Eigen::MatrixXd(normal.information.selfadjointView<Eigen::Lower>());
 }
 
+namespace {
+
+/// A socket has no turn: what a linear step would win by one is not there once it is taken.
+void hold_turns_of_sockets(const Problem& problem, NormalEquations& normal) {
+  if (problem.source->chain.parts.empty()) return;
+  for (const ProblemObservation& o : problem.observations) {
+    const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
+    const bool is_socket =
+        c.chain->is_fixture && !o.sightings.empty() && !o.sightings.front().along && !o.sightings.front().by_distance;
+    const Eigen::Index turns = is_socket ? problem.column_of_mount(o.mount) + 3 : -1;
+    if (turns < 3 || normal.information(turns, turns) == 0) continue;
+    normal.information.middleRows<3>(turns).setZero();
+    normal.information.middleCols<3>(turns).setZero();
+    normal.gradient.segment<3>(turns).setZero();
+  }
+}
+
+}  // namespace
+
 NormalEquations normal_equations(const Problem& problem, const Unknowns& unknowns, std::span<const int> places) {
   NormalEquations normal = sums_of(problem, unknowns, places);
   complete(normal);
   add_priors(problem, unknowns, normal);
+  hold_turns_of_sockets(problem, normal);
   return normal;
 }
 

@@ -151,7 +151,29 @@ void add_distances(const Problem& problem, const Unknowns& unknowns, NormalEquat
   }
 }
 
+/// What is known of where mounts are, by their columns.
+void add_places(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
+  const double weight = problem.noise * problem.noise;
+  for (const MountPlace& place : problem.mount_places) {
+    const PlaceRow row = place_row(place, unknowns.mount(place.mount));
+    normal.prior_cost += weight * row.off * row.off;
+    const Eigen::Index c = problem.column_of_mount(place.mount);
+    if (c < 0) continue;
+    normal.information.block<6, 6>(c, c) += weight * row.by_motion * row.by_motion.transpose();
+    normal.gradient.segment<6>(c) -= weight * row.off * row.by_motion;
+  }
+}
+
 }  // namespace
+
+PlaceRow place_row(const MountPlace& place, const Rigid& mount) {
+  const Vector3 here = inverse(mount) * place.point;
+  PlaceRow row;
+  row.off = -place.along.dot(here) / place.sigma;
+  row.by_motion << place.along, here.cross(place.along);
+  row.by_motion /= place.sigma;
+  return row;
+}
 
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i) {
@@ -165,6 +187,7 @@ void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquation
   add(robot_scale_prior(problem), problem.noise * problem.noise, problem.effect_column(), normal);
   add(shape_prior(problem, unknowns.markers_in_tcp), 1, 0, normal);
   add_distances(problem, unknowns, normal);
+  add_places(problem, unknowns, normal);
   normal.cost += normal.prior_cost;
 }
 

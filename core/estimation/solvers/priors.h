@@ -48,6 +48,13 @@ struct DistanceRow {
 };
 DistanceRow distance_row(const MountDistance& distance, const Vector3& of, const Vector3& from);
 
+/// What a mount's place is off what is known of it, in units of the sigma, and by the mount's small motion M exp(v).
+struct PlaceRow {
+  double off = 0;
+  Vector6 by_motion;
+};
+PlaceRow place_row(const MountPlace& place, const Rigid& mount);
+
 /// Adds these and the priors of the effects' sizes to the normal equations of all columns.
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal);
 

@@ -245,6 +245,26 @@ class DistanceCost : public ceres::CostFunction {
   MountDistance distance_;
 };
 
+/// What is known of a mount's place, by its twelve numbers.
+class PlaceCost : public ceres::CostFunction {
+ public:
+  PlaceCost(const MountPlace& place, const MotionManifold& manifold) : place_(place), manifold_(manifold) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->assign(1, 12);
+  }
+  bool Evaluate(double const* const* mount, double* residuals, double** jacobians) const override {
+    const PlaceRow row = place_row(place_, motion_of(mount[0]));
+    residuals[0] = row.off;
+    if (jacobians && jacobians[0])
+      Rows(jacobians[0], 1, 12) = row.by_motion.transpose() * manifold_.step_by_numbers(mount[0]);
+    return true;
+  }
+
+ private:
+  MountPlace place_;
+  const MotionManifold& manifold_;
+};
+
 /// What is known of the shape of markers that are not held: their places off the known ones, laid onto them as well as
 /// can be, in units of the sigma.
 class ShapeCost : public ceres::CostFunction {
@@ -329,6 +349,15 @@ ceres::Solver::Options solver_options(const SolveOptions& options, Watch& watch)
   return o;
 }
 
+/// A plate may turn about its normal and shift in itself: what that does to a touch is rounding, and steps along it are
+/// held small by what the squares of the others' derivatives by far exceed.
+constexpr double least_of_touches = 1e4;
+
+bool has_fixtures(const Problem& problem) {
+  const std::vector<Chain>& parts = problem.source->chain.parts;
+  return std::any_of(parts.begin(), parts.end(), [](const Chain& part) { return part.is_fixture; });
+}
+
 }  // namespace
 
 Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, const SolveOptions& options) {
@@ -345,6 +374,9 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
   for (const MountDistance& d : problem.mount_distances)
     squares.AddResidualBlock(new DistanceCost(d), nullptr, place.mounts[static_cast<std::size_t>(d.of)].data(),
                              place.mounts[static_cast<std::size_t>(d.from)].data());
+  for (const MountPlace& p : problem.mount_places)
+    squares.AddResidualBlock(new PlaceCost(p, place.mount_manifold), nullptr,
+                             place.mounts[static_cast<std::size_t>(p.mount)].data());
   for (std::size_t i = 0; i < place.mounts.size(); ++i)
     if (!place.is_free(i) && squares.HasParameterBlock(place.mounts[i].data()))
       squares.SetParameterBlockConstant(place.mounts[i].data());
@@ -364,7 +396,9 @@ Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, co
   }
   Watch watch(options, place, unit);
   ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(options, watch), &squares, &summary);
+  ceres::Solver::Options how = solver_options(options, watch);
+  if (has_fixtures(problem)) how.min_lm_diagonal = least_of_touches;
+  ceres::Solve(how, &squares, &summary);
 
   place.read();
   Solution solution;

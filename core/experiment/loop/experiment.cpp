@@ -126,6 +126,10 @@ void Experiment::begin() {
   if (const auto need = what_paths_need()) throw InputError(*need);
   if (session_.robot.is_of_poses)
     throw InputError("An experiment moves joints, and of this session's robot only the flange's poses are known.");
+  if (session_.is_touch())
+    throw InputError(
+        "An experiment looks from where nothing is touched, and a touch is made by hand or by a program that feels it; "
+        "plan tells which posture on which fixture comes next.");
   meet_driver();
   make_reach();
   deciding_.emplace(session_);

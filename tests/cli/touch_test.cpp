@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands with sessions of touches: alone, and in a collection beside a tracker's.
+#include <gtest/gtest.h>
+
+#include "cli/cli_runner.h"
+#include "temporary_folder.h"
+
+namespace handsight {
+namespace {
+
+using namespace test;
+using Json = nlohmann::json;
+
+const std::filesystem::path samples = HANDSIGHT_SOURCE_DIR "/sample_sessions";
+
+class TouchCommands : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const auto& [rig, name] : {std::pair{"six_axis_touch", "touches"}, {"six_axis_tracker", "tracker"}}) {
+      const auto made = run({"simulate", "--like", (samples / "rigs" / rig).string(), "--out", at(name), "--seed", "3",
+                             "--observations", "50", "--effect", "joint_offset:axis_2.offset=0.002"});
+      ASSERT_EQ(made.exit_code, 0) << made.errors;
+    }
+    write_text(folder.path / "collection.xml",
+               "<handsight_collection version=\"1\" title=\"Touch and tracker\">"
+               "<session folder=\"touches\"/><session folder=\"tracker\"/></handsight_collection>");
+  }
+  std::string at(const std::string& name) const { return (folder.path / name).string(); }
+  CliResult run(std::vector<std::string> arguments) { return run_cli(folder.path, arguments); }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(TouchCommands, CheckTellsWhatIsTouched) {
+  const CliResult r = run({"check", at("touches")});
+  ASSERT_EQ(r.exit_code, 0) << r.errors;
+  EXPECT_NE(r.output.find("Fixture socket_left on stand, a point: 10 touches"), std::string::npos) << r.output;
+  EXPECT_EQ(r.output.find("tracker"), std::string::npos) << r.output;
+}
+
+TEST_F(TouchCommands, PlanNamesTheFixture) {
+  const CliResult r = run({"plan", at("touches"), "--count", "3", "--effects", "joint_offset:axis_2", "--json", "-"});
+  ASSERT_EQ(r.exit_code, 0) << r.errors;
+  const Json json = r.json();
+  ASSERT_EQ(json["poses"].size(), 3U);
+  for (const Json& pose : json["poses"]) {
+    EXPECT_TRUE(pose["fixture"].is_string());
+    EXPECT_GT(pose["expected_gain"].get<double>(), 0);
+  }
+}
+
+TEST_F(TouchCommands, ACollectionHoldsThemBesideATracker) {
+  const CliResult r = run({"fit", folder.path.string(), "--effects", "joint_offset:axis_2", "--json", "-"});
+  ASSERT_EQ(r.exit_code, 0) << r.errors;
+  const Json json = r.json();
+  ASSERT_EQ(json["sessions"].size(), 6U) << "five fixtures and a tracker";
+  EXPECT_EQ(json["sessions"][0]["title"], "touches plate_front");
+  EXPECT_EQ(json["sessions"][5]["title"], "tracker");
+  const Json& parameter = json["effects"][0]["parameters"][0];
+  EXPECT_NEAR(parameter["value"].get<double>(), 2e-3, 4 * parameter["sigma"].get<double>());
+}
+
+TEST_F(TouchCommands, WhatCannotBeCertifiedSaysWhy) {
+  const CliResult alone = run({"certify", at("touches"), "--out", at("c.pdf")});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_NE(alone.errors.find("a touch tells one to three numbers"), std::string::npos) << alone.errors;
+  const CliResult named =
+      run({"certify", folder.path.string(), "--session", "touches plate_front", "--out", at("c.pdf")});
+  EXPECT_EQ(named.exit_code, 2) << named.output;
+  EXPECT_FALSE(std::filesystem::exists(at("c.pdf")));
+}
+
+TEST_F(TouchCommands, ARepeatedSimulationIsTheSame) {
+  ASSERT_EQ(run({"simulate", "--like", (samples / "rigs" / "six_axis_touch").string(), "--out", at("again"), "--seed",
+                 "3", "--observations", "50", "--effect", "joint_offset:axis_2.offset=0.002"})
+                .exit_code,
+            0);
+  EXPECT_EQ(read_text(folder.path / "touches" / "session.xml"), read_text(folder.path / "again" / "session.xml"));
+}
+
+}  // namespace
+}  // namespace handsight

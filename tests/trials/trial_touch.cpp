@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// Touches: are the robot's numbers that they can tell unbiased, do the 95 % intervals hold, and is one hidden cause
+// named first?
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <random>
+
+#include "diagnosis/selection/improvement.h"
+#include "effects/own_effect.h"
+#include "fixtures/touch_session.h"
+
+namespace handsight {
+namespace {
+
+constexpr double normal_95 = 1.959964;  // two-sided
+constexpr double reading = 2e-5;        // m
+
+/// What stands about the robot.
+Session setting(const std::string& kind) {
+  Session s = fixture::probe_session();
+  for (const std::size_t j : {1, 2}) s.robot.joints[j].stiffness = 12000;
+  const bool all = kind == "all";
+  if (kind == "plane") fixture::add_fixture(s, FixtureKind::plane, "plate", {0.45, 0, 0.25});
+  if (kind == "planes" || all) fixture::add_plates(s);
+  if (kind == "sockets" || all) {  // 50 mm apart, known to 0.01 mm
+    const int first = static_cast<int>(s.fixtures.size());
+    fixture::add_fixture(s, FixtureKind::point, "socket_1", {0.48, 0.025, 0.3});
+    fixture::add_fixture(s, FixtureKind::point, "socket_2", {0.48, -0.025, 0.3});
+    s.distances.push_back({first, first + 1, 0.05, 1e-5});
+  }
+  if (kind == "gauges" || all) {  // on three sides
+    fixture::add_fixture(s, FixtureKind::gauge, "dial_front", {0.55, 0, 0.4}, {0, 1.5707963, 0});
+    fixture::add_fixture(s, FixtureKind::gauge, "dial_side", {0.4, 0.3, 0.4}, {-1.5707963, 0, 0});
+    fixture::add_fixture(s, FixtureKind::gauge, "dial_below", {0.45, 0, 0.25});
+  }
+  if (kind == "bar" || all) fixture::add_fixture(s, FixtureKind::length, "bar", {0.25, 0.1, 0.1});
+  return s;
+}
+
+/// What the user says of where things stand: nothing of planes and points, of the others within millimetres.
+void blur_places(Session& s, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  for (std::size_t f = 0; f < s.fixtures.size(); ++f) {
+    Mount& mount = f == 0 ? s.mount : s.other_mounts[f - 1];
+    Vector6 off;
+    for (double& o : off) o = 3e-3 * normal(random);
+    mount.mount_from_sensor = mount.mount_from_sensor * small_motion<double>(off);
+  }
+  fixture::forget_places(s);
+}
+
+EffectTerm at_joint(const Session& s, const char* id, const std::string& joint) {
+  return term_of(*find_effect(id), find_joint(s.robot, joint));
+}
+
+struct Sums {
+  double z = 0, squares = 0;
+  int count = 0, covered = 0, untold = 0;
+  void add(double error, double sigma) {
+    const double off = error / sigma;
+    z += off;
+    squares += off * off;
+    ++count;
+    covered += std::abs(off) <= normal_95;
+  }
+};
+
+/// All joints' zeros at once, drawn within 2 mrad; those whose sigma is above half of the prior's cannot be told.
+void coverage(const std::string& kind, int seeds, int touches, std::uint64_t first_seed) {
+  std::map<std::string, Sums> sums;
+  int not_converged = 0, scatter = 0, failed = 0;
+  for (int i = 0; i < seeds; ++i) {
+    const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    const Session like = setting(kind);
+    std::vector<EffectTerm> truth;
+    for (const std::string& joint : like.joints) {
+      truth.push_back(at_joint(like, "joint_offset", joint));
+      truth.back().values[0] = 2e-3 * normal(random);
+    }
+    const SimulatedSession made = fixture::simulated_touches(like, touches, seed, truth);
+    Session s = made.session;
+    blur_places(s, random);
+    FitOptions o;
+    for (const EffectTerm& t : truth) o.estimated.push_back(term_of(effect_of(t), t.joint));
+    try {
+      const Fit f = fit(s, o);
+      not_converged += !f.converged();
+      scatter += f.covariance_kind == CovarianceKind::scatter;
+      for (std::size_t j = 0; j < truth.size(); ++j) {
+        Sums& of = sums[like.joints[j]];
+        const double sigma = f.effects[j].sigmas[0];
+        if (sigma > 2.5e-3)
+          ++of.untold;
+        else
+          of.add(f.effects[j].term.values[0] - truth[j].values[0], sigma);
+      }
+    } catch (const InputError& e) {
+      ++failed;
+      fmt::print("  seed {}: {}\n", seed, e.what());
+    }
+  }
+  fmt::print("{} ({} touches, {} seeds): not converged {}, scatter {}, refused {}\n", kind, touches, seeds,
+             not_converged, scatter, failed);
+  for (const auto& [joint, of] : sums) {
+    if (of.count == 0) {
+      fmt::print("  {}: cannot be told ({} of {})\n", joint, of.untold, of.untold);
+      continue;
+    }
+    fmt::print("  {}: told {}, mean {:+.3f} sigma (+- {:.3f}), rms {:.3f}, within 95 % {:.1f} %\n", joint, of.count,
+               of.z / of.count, 1 / std::sqrt(of.count), std::sqrt(of.squares / of.count),
+               100.0 * of.covered / of.count);
+  }
+  std::fflush(stdout);
+}
+
+/// chi-squared of what a model without them leaves, in units of the noise.
+double noncentrality(const Session& like, int touches, std::uint64_t seed, const EffectTerm& term) {
+  SimulationOptions o;
+  o.observations = touches;
+  o.seed = seed;
+  o.noise = 1e-9;
+  o.effects = {term};
+  Session s = simulate_session(like, o).session;
+  for (Fixture& f : s.fixtures) f.sigma = reading;
+  for (Observation& observation : s.observations)
+    for (Sighting& sighting : observation.sightings) sighting.point_sigma = reading;
+  s.sigma_point = reading;
+  return fit(s, {}).solution.normal.data_cost() / (reading * reading);
+}
+
+/// A cause of that kind at a random joint, as large as makes its noncentrality 50 to 100; nothing where it cannot show.
+std::optional<EffectTerm> hidden(const Session& like, const char* id, int touches, std::uint64_t seed) {
+  std::mt19937_64 random(seed * 31 + 7);
+  std::normal_distribution<double> normal;
+  const std::vector<int> places = effect_places(*find_effect(id), chain_of(like));
+  if (places.empty()) return std::nullopt;
+  EffectTerm term = term_of(*find_effect(id), places[random() % places.size()]);
+  const Effect& effect = effect_of(term);
+  const bool is_positive = std::string(id) == "joint_elasticity" || std::string(id) == "backlash";
+  for (std::size_t p = 0; p < term.values.size(); ++p)
+    if (!effect.parameters[p].is_choice)
+      term.values[p] = effect.parameters[p].sigma * (is_positive ? 0.5 + std::abs(normal(random)) : normal(random));
+  double shown = noncentrality(like, touches, seed, term);
+  for (int round = 0; round < 3 && !(shown > 50 && shown < 100); ++round) {
+    const double times = std::sqrt(70 / std::max(shown, 1e-9));
+    if (times > 5) return std::nullopt;  // far beyond what is plausible
+    for (double& v : term.values) v *= times;
+    shown = noncentrality(like, touches, seed, term);
+  }
+  return shown > 50 ? std::optional(term) : std::nullopt;
+}
+
+void causes(const std::string& kind, int seeds, int touches, std::uint64_t first_seed) {
+  for (const char* id :
+       {"joint_offset", "joint_scale", "link_geometry", "joint_elasticity", "encoder_eccentricity", "backlash"}) {
+    int shown = 0, first = 0, equal = 0, unseen = 0;
+    for (int i = 0; i < seeds; ++i) {
+      const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
+      const Session like = setting(kind);
+      const auto term = hidden(like, id, touches, seed);
+      if (!term) {
+        ++unseen;
+        continue;
+      }
+      Session s = fixture::simulated_touches(like, touches, seed, {*term}).session;
+      std::mt19937_64 random(seed);
+      blur_places(s, random);
+      const Diagnosis d = diagnose(s);
+      ++shown;
+      if (d.candidates.empty()) {
+        fmt::print("  {} seed {}: nothing is named\n", id, seed);
+        continue;
+      }
+      const DiagnosisCandidate& best = d.candidates.front();
+      const bool is_it = best.id == id;
+      const auto& twins = best.cannot_be_told_from;
+      const bool is_twin = std::find(twins.begin(), twins.end(), id) != twins.end();
+      first += is_it;
+      equal += !is_it && is_twin;
+      if (!is_it)
+        fmt::print("  {} at {} seed {}: {} is first{}\n", id,
+                   like.robot.joints[static_cast<std::size_t>(term->joint)].name, seed, best.id,
+                   is_twin ? ", said to be the same here" : "");
+      std::fflush(stdout);
+    }
+    fmt::print("{}, {} hidden: first {} of {}, and {} of them said to be the same as the first; {} cannot show\n", kind,
+               id, first, shown, equal, unseen);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace handsight
+
+/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed]
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "both";
+  const int seeds = argc > 2 ? std::atoi(argv[2]) : 500, touches = argc > 3 ? std::atoi(argv[3]) : 120;
+  const std::string only = argc > 4 ? argv[4] : "";
+  const std::uint64_t first = argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 1;
+  for (const std::string kind : {"plane", "planes", "sockets", "gauges", "bar", "all"}) {
+    if (!only.empty() && only != kind) continue;
+    if (what != "causes") handsight::coverage(kind, seeds, touches, first);
+    if (what != "coverage") handsight::causes(kind, seeds, touches, first);
+  }
+  return 0;
+}
