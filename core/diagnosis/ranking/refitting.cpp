@@ -51,8 +51,12 @@ FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing&
   return best;
 }
 
+double ln_evidence_of(const CleanFit& model, const Weighing& weighing) {
+  return fit_evidence(model.fit, model.fit.problem.effect_count(), weighing).ln_evidence;
+}
+
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
-                 const Weighing& weighing) {
+                 const Weighing& weighing, std::optional<double> ln_before) {
   Refit r;
   r.options = model_options;
   r.options.start = estimate(model.fit);
@@ -65,7 +69,7 @@ Refit refit_with(const CleanFit& model, const FitOptions& model_options, const s
   r.options.start = estimate(r.fit);
   const Eigen::Index before = model.fit.problem.effect_count();
   r.ln_bayes_factor =
-      fit_evidence(r.fit, before, weighing).ln_evidence - fit_evidence(model.fit, before, weighing).ln_evidence;
+      fit_evidence(r.fit, before, weighing).ln_evidence - (ln_before ? *ln_before : ln_evidence_of(model, weighing));
   return r;
 }
 

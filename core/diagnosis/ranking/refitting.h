@@ -2,6 +2,8 @@
 // A candidate fitted in full, and what that says of its evidence.
 #pragma once
 
+#include <optional>
+
 #include "diagnosis/evidence/weighing.h"
 #include "diagnosis/outliers/snooping.h"
 #include "diagnosis/ranking/ranking.h"
@@ -15,9 +17,13 @@ struct Refit {
   double ln_bayes_factor = 0;  // against the model without them, at the minimum, repeatability profiled out
 };
 
-/// Adds terms to a model and fits everything from there, on the same points.
+/// The evidence of a model for all that it estimates, which is the same for everything that is added to it.
+double ln_evidence_of(const CleanFit& model, const Weighing& weighing);
+
+/// Adds terms to a model and fits everything from there, on the same points. `ln_before`: ln_evidence_of() the model,
+/// where it is known.
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
-                 const Weighing& weighing);
+                 const Weighing& weighing, std::optional<double> ln_before = std::nullopt);
 
 /// ln of the evidence of a fit, up to a constant that all fits of the same points share; the effects from `first_new`
 /// (an effect column) on with a mixture of plausible sizes. The best over the repeatabilities, which is given too.

@@ -45,6 +45,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
                                 [&](const RankedEffect& r) { return r.candidate->effect->id == present.front().id; });
   if (own == ranking.effects.end() && !unnamed) return std::nullopt;
   std::optional<Refit> now;
+  double ln_before = 0;
   std::optional<Exchange> best;
   double best_evidence = 0;
   for (std::size_t i = 0; i < std::min(most, ranking.effects.size()); ++i) {
@@ -56,12 +57,14 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     const double least = unnamed ? model.threshold : nearly * own->ln_bayes_factor;
     if (r.ln_bayes_factor < least || !goes_on()) break;
     if (!now) {
-      now = refit_with(without, o, present, by);
+      ln_before = ln_evidence_of(without, by);
+      now = refit_with(without, o, present, by, ln_before);
       best_evidence =
           unnamed ? now->ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves : evidence_of(*now, *own) + clearly;
     }
-    const Refit other = refit_with(without, o, with_settled_orders(without, terms_with_values(r), by), by);
-    if (!other.fit.converged() || evidence_of(other, r) <= best_evidence) continue;
+    const Refit other = refit_with(without, o, with_settled_orders(without, terms_with_values(r), by), by, ln_before);
+    // Where a fit has not ended its evidence is less than it could be, and may be enough.
+    if (!other.fit.solution.normal.in_front || evidence_of(other, r) <= best_evidence) continue;
     best_evidence = evidence_of(other, r);
     const std::vector<EffectTerm> terms = terms_of(other.fit);
     best = Exchange{

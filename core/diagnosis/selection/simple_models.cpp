@@ -84,6 +84,7 @@ std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first
   const Candidates candidates = all_candidates(plain.fit.problem);
   const auto places = places_of_effects(candidates);
   const Eigen::Index base = plain.fit.problem.effect_count();
+  const double ln_before = ln_evidence_of(plain, by);
   const double stands = fit_evidence(present, base, by).ln_evidence - cost_of(names, places, model.threshold);
   // Held out, an error of points is told by length, and what a fit leaves by coordinate.
   const double predicted = held_out_error(model) / (model.report.held_out.rms_pixel ? 1 : std::sqrt(3.0));
@@ -93,7 +94,7 @@ std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first
     if (!is_simple(effect, plain.fit.problem)) continue;
     if (!goes_on()) return {};
     const std::vector<EffectTerm> terms = everywhere(effect);
-    const Refit r = refit_with(plain, o, terms, by);
+    const Refit r = refit_with(plain, o, terms, by, ln_before);
     if (!r.fit.converged() || r.fit.residual_rms > predicted) continue;
     found.push_back({effect.effect->id, r.options,
                      fit_evidence(r.fit, base, by).ln_evidence - cost_of(terms, places, model.threshold) - stands});

@@ -201,7 +201,8 @@ class Upkeep {
     const auto [without, o] = fitted_without(first, last, by);
     const std::vector<EffectTerm> other = with_best_orders(without, present, by);
     if (slip_order(other) == slip_order(present) || !goes_on()) return;
-    const Refit now = refit_with(without, o, present, by), then = refit_with(without, o, other, by);
+    const double before = ln_evidence_of(without, by);
+    const Refit now = refit_with(without, o, present, by, before), then = refit_with(without, o, other, by, before);
     if (then.fit.converged() && then.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, last, then);
   }
 
@@ -229,7 +230,9 @@ class Upkeep {
     const WhitenedModel w = whiten(linear, ranking.localisers.front().scatter, by.knowledge);
     const auto found = find_curve(w, by.knowledge, none.problem, variables, ranking.localisers, present.front().id);
     if (!found || formula_text(*found->term.own->definition) == formula_text(*present.front().own->definition)) return;
-    const Refit now = refit_with(without, o, present, by), other = refit_with(without, o, {found->term}, by);
+    const double before = ln_evidence_of(without, by);
+    const Refit now = refit_with(without, o, present, by, before),
+                other = refit_with(without, o, {found->term}, by, before);
     // Both were chosen in as many ways.
     if (other.fit.converged() && other.ln_bayes_factor > now.ln_bayes_factor + clearly_better)
       replace(first, last, other);

@@ -291,7 +291,8 @@ class Work {
       path_.push_back({cost, unknowns});
       return goes_on(done_);
     };
-    Refit r = refit_with(d_.model, options, terms, weighing_);
+    if (!ln_evidence_) ln_evidence_ = ln_evidence_of(d_.model, weighing_);
+    Refit r = refit_with(d_.model, options, terms, weighing_, ln_evidence_);
     r.options.on_iteration = nullptr;
     return r;
   }
@@ -350,7 +351,8 @@ class Work {
   Ranking ranking_;
   std::optional<Score> plain_;  // of all candidates, without scatter
   std::map<std::string, Refit> fits_;
-  std::vector<FitIteration> path_;  // of the last refit
+  std::vector<FitIteration> path_;     // of the last refit
+  std::optional<double> ln_evidence_;  // of the model; absent: not asked yet
   double odds_of_unnamed_ = ln_odds_of_unnamed;
   double done_ = 0;
   bool stopped_ = false;
