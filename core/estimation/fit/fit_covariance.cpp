@@ -47,9 +47,7 @@ double known_by_priors(const Problem& problem, const Unknowns& unknowns, const E
 
 /// Numbers of fixtures' places that mean nothing, a plane's turn about its normal: no touch moves with them.
 int meaningless(const Problem& problem, const Solution& solution) {
-  const std::vector<Chain>& parts = problem.source->chain.parts;
-  const bool any = std::any_of(parts.begin(), parts.end(), [](const Chain& part) { return part.is_fixture; });
-  if (!any || solution.basis.cols() != problem.columns()) return 0;
+  if (!has_fixtures(problem) || solution.basis.cols() != problem.columns()) return 0;
   const Eigen::VectorXd scale = inverse_scale(solution.normal.information);
   return static_cast<int>((scale.segment(problem.mount_column(), problem.mount_columns()).array() == 0).count());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/solvers/priors.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimation/problem/robot_scale.h"
@@ -173,6 +174,11 @@ PlaceRow place_row(const MountPlace& place, const Rigid& mount) {
   row.by_motion << place.along, here.cross(place.along);
   row.by_motion /= place.sigma;
   return row;
+}
+
+bool has_fixtures(const Problem& problem) {
+  return problem.source && std::any_of(problem.source->chain.parts.begin(), problem.source->chain.parts.end(),
+                                       [](const Chain& part) { return part.is_fixture; });
 }
 
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal) {

@@ -55,6 +55,9 @@ struct PlaceRow {
 };
 PlaceRow place_row(const MountPlace& place, const Rigid& mount);
 
+/// Is anything of the problem a touch?
+bool has_fixtures(const Problem& problem);
+
 /// Adds these and the priors of the effects' sizes to the normal equations of all columns.
 void add_priors(const Problem& problem, const Unknowns& unknowns, NormalEquations& normal);
 

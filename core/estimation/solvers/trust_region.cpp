@@ -353,11 +353,6 @@ ceres::Solver::Options solver_options(const SolveOptions& options, Watch& watch)
 /// held small by what the squares of the others' derivatives by far exceed.
 constexpr double least_of_touches = 1e4;
 
-bool has_fixtures(const Problem& problem) {
-  const std::vector<Chain>& parts = problem.source->chain.parts;
-  return std::any_of(parts.begin(), parts.end(), [](const Chain& part) { return part.is_fixture; });
-}
-
 }  // namespace
 
 Solution solve_by_trust_region(const Problem& problem, const Unknowns& start, const SolveOptions& options) {
