@@ -167,7 +167,11 @@ TEST(MakerCameras, KalibrsTargets) {
   EXPECT_EQ(point_count(chess), 42);
   EXPECT_THAT(refusal_of([&] { read_kalibr_target(parse_yaml(board + "0.05\n", "t"), "checker.yaml"); }),
               HasSubstr("expected squares"));
-  EXPECT_THAT(refusal_of([&] { read_kalibr_target(parse_yaml("target_type: circlegrid\n", "t"), "circles.yaml"); }),
+  const std::string circles =
+      "target_type: circlegrid\ntargetCols: 6\ntargetRows: 7\nspacingMeters: 0.02\nasymmetricGrid: true\n";
+  EXPECT_THAT(refusal_of([&] { read_kalibr_target(parse_yaml(circles, "t"), "circles.yaml"); }),
+              HasSubstr("--target circles columns=6 rows=7 spacing=0.02 diameter=METRES layout=asymmetric"));
+  EXPECT_THAT(refusal_of([&] { read_kalibr_target(parse_yaml("target_type: balls\n", "t"), "balls.yaml"); }),
               HasSubstr("handsight-cli target"));
 }
 
