@@ -32,7 +32,8 @@ std::string plain_name(const std::string& text) {
 }
 
 bool are_different(const std::vector<std::string>& names) {
-  return std::set<std::string>(names.begin(), names.end()).size() == names.size();
+  const std::set<std::string> once(names.begin(), names.end());
+  return once.size() == names.size() && !once.contains("");
 }
 
 /// What tells each session from the others: hands, then cameras, frames and mounts, as many of them as it takes.

@@ -8249,6 +8249,14 @@
         <translation>Die Sitzungen %1 und %2 wären dieselbe; jede braucht ein eigenes --tcp, --camera, --target-frame oder --target, oder Dateien mit ihrem --title im Namen.</translation>
     </message>
     <message>
+        <source>there is a %1 already; take another folder.</source>
+        <translation>dort ist schon eine %1; nimm einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>is there already; take another folder, or another title.</source>
+        <translation>ist schon da; nimm einen anderen Ordner oder einen anderen Titel.</translation>
+    </message>
+    <message>
         <source>The sessions have different hands, and no robot is known that both are of; name its URDF with --robot.</source>
         <translation>Die Sitzungen haben verschiedene Hände, und kein Roboter ist bekannt, zu dem beide gehören; nenne dessen URDF mit --robot.</translation>
     </message>

@@ -106,7 +106,8 @@ class ConvertCollection : public testing::Test {
   fs::path pairs_in_a_bag() {
     fixture::BagWriter bag(folder.path / "pairs");
     const Camera camera = fixture::small_camera();
-    const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState");
+    const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState"),
+              tf = bag.topic("/tf", "tf2_msgs/msg/TFMessage");
     std::vector<int> images;
     for (const std::string pair : {"/head", "/chest"})
       for (const std::string side : {"/left", "/right"}) {
@@ -120,6 +121,8 @@ class ConvertCollection : public testing::Test {
       for (double s = 0; s < 1.5; s += 0.05)
         bag.message(joints, t + s, fixture::joint_state(t + s, names(), positions[i]));
       for (const int topic : images) bag.message(topic, t + 0.7, fixture::small_image(t + 0.7, "mono8", 8));
+      const Rigid body = seen(fixture::hand_session('l'), i) * left_tag;
+      bag.message(tf, t + 0.7, fixture::transform(t + 0.7, "tracker", "body_l", body));
     }
     return folder.path / "pairs";
   }
@@ -218,6 +221,51 @@ TEST_F(ConvertCollection, OneRigSeesBothHands) {
   for (const CollectionEntry& entry : made.collection.entries)
     members.push_back({read_session(options.out / entry.folder), entry.title, entry.rig, entry.body});
   EXPECT_EQ(joined(members, "both").rig->count(), 2) << "not four";
+}
+
+TEST_F(ConvertCollection, ATrackerBesideAPairOfCameras) {
+  const fs::path bag = pairs_in_a_bag();
+  for (ConvertOptions& o : options.sessions) o.tcp = "left_hand";
+  options.sessions[0].camera = "/head/", options.sessions[0].mount = "head";
+  options.sessions[1].target_frame = "body_l", options.sessions[1].mount = "base";
+  const ConvertedCollection made = converted({bag});
+  EXPECT_EQ(made.collection.entries[0].title, "head");
+  EXPECT_EQ(made.collection.entries[1].title, "body_l");
+  EXPECT_TRUE(made.sessions[0].session.rig);
+  EXPECT_TRUE(made.sessions[1].session.pose_sensor);
+  EXPECT_EQ(made.sessions[1].session.observations.size(), 3U);
+}
+
+TEST_F(ConvertCollection, BodiesOfOneTakeHaveOneTracker) {
+  std::string take =
+      "Format Version,1.23,Capture Frame Rate,100,Rotation Type,Quaternion,Length Units,Meters\n\n"
+      ",Type,{0},{0},{0},{0},{0},{0},{0},{0},{0},{0},{0},{0},{0},{0}\n"
+      ",Name,LeftHand,LeftHand,LeftHand,LeftHand,LeftHand,LeftHand,LeftHand,"
+      "RightHand,RightHand,RightHand,RightHand,RightHand,RightHand,RightHand\n"
+      ",ID,1,1,1,1,1,1,1,2,2,2,2,2,2,2\n"
+      ",,{1},{1},{1},{1},{2},{2},{2},{1},{1},{1},{1},{2},{2},{2}\n"
+      "Frame,Time (Seconds),X,Y,Z,W,X,Y,Z,X,Y,Z,W,X,Y,Z\n";
+  take = fmt::format(fmt::runtime(take), "Rigid Body", "Rotation", "Position");
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    take += fmt::format("{},{}", i, 0.01 * static_cast<double>(i));
+    for (const char side : {'l', 'r'}) {
+      const Rigid pose = seen(fixture::hand_session(side), i) * (side == 'l' ? left_tag : right_tag);
+      const Eigen::Quaterniond q(pose.rotation);
+      const Vector3& t = pose.translation;
+      take += fmt::format(",{},{},{},{},{},{},{}", q.x(), q.y(), q.z(), q.w(), t.x(), t.y(), t.z());
+    }
+    take += "\n";
+  }
+  options.sessions[0].target_frame = "LeftHand", options.sessions[1].target_frame = "RightHand";
+  const ConvertedCollection made = converted({write("joints.csv", joints_csv()), write("take.csv", take)});
+  EXPECT_EQ(made.collection.entries[0].rig, "base");
+  EXPECT_EQ(made.collection.entries[1].rig, "base");
+  EXPECT_EQ(made.collection.entries[0].body, "");
+  const Session s = together();
+  const Fit f = fit(s);
+  const std::vector<FitPart> parts = parts_of(s, f);
+  EXPECT_LT(small_motion_between(left_tag, parts[0].tcp_from_body).norm(), 1e-5);
+  EXPECT_LT(small_motion_between(right_tag, parts[1].tcp_from_body).norm(), 1e-5);
 }
 
 TEST_F(ConvertCollection, TablesThatNameAHandAreOfItsSession) {

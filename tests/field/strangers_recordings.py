@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Twenty recordings of strangers, each in its format's own words, by writers that are not Handsight's where Debian has them
+"""Recordings of strangers, twenty-two kinds, each in its format's own words, by writers that are not Handsight's where Debian has them
 (rosbag and genpy of ROS, OpenCV, MuJoCo, NumPy, SciPy, PyYAML): how many become sessions without an edit, and give the
 right answer (hand-eye pose, or TCP->Body, within 0.3 mm and 0.05 degrees).
 
-strangers_recordings.py HANDSIGHT_CLI [NUMBER ...]: a line for each; exit code 1 where fewer than 18 of 20 open, or one that
+strangers_recordings.py HANDSIGHT_CLI [NUMBER ...]: a line for each; exit code 1 where fewer than nine of ten open, or one that
 opens is wrong; 77 where the writers are not installed."""
 import csv
 import ctypes
@@ -379,6 +379,27 @@ def lerobot():
     return ["robot.urdf", "so101_follower.json", "log.csv", quaternions("tag_poses.csv", SEEN), "--tcp", "link_6"], TAG
 
 
+def rtde():
+    """As record.py of UR's RTDE client writes it; the detector's poses as SciPy's angles with units."""
+    rows = [[100 + 0.1 * i, *map(float, (*p[:3, 3], *cv2.Rodrigues(p[:3, :3])[0][:, 0])), 0.1] for i, p in enumerate(FLANGES)]
+    table("robot_data.csv", ["timestamp"] + ["actual_TCP_pose_%d" % i for i in range(6)] + ["actual_main_voltage"], rows, " ")
+    table("target.csv", ["x [mm]", "y [mm]", "z [mm]", "roll [deg]", "pitch [deg]", "yaw [deg]"],
+          [[*map(float, (*(1000 * p[:3, 3]), *Rotation.from_matrix(p[:3, :3]).as_euler("xyz", degrees=True)))] for p in TARGETS])
+    return ["robot_data.csv", "target.csv"], CAMERA
+
+
+def rostopic_as_csv():
+    """`rostopic echo -p` of joint_states and of a detector's PoseStamped."""
+    write("robot.urdf", urdf(JOINTS))
+    head = ["%time", "field.header.seq", "field.header.stamp", "field.header.frame_id"]
+    stamp = lambda i: 1700000000000000000 + i * 10**9
+    table("joints.csv", head + ["field.name%d" % i for i in range(6)] + ["field.position%d" % i for i in range(6)],
+          [[stamp(i), i, stamp(i), "", *JOINTS, *map(float, q)] for i, q in enumerate(ANGLES)])
+    table("tag.csv", head + ["field.pose.position." + a for a in "xyz"] + ["field.pose.orientation." + a for a in "xyzw"],
+          [[stamp(i), i, stamp(i), "camera", *map(float, (*p[:3, 3], *quaternion(p)))] for i, p in enumerate(SEEN)])
+    return ["robot.urdf", "joints.csv", "tag.csv", "--tcp", "link_6"], TAG
+
+
 RECORDINGS = [(universal_robots, "UR's rotation vectors", "OpenCV's Rodrigues"), (kuka, "KUKA's X Y Z A B C, mm and degrees", "SciPy"),
               (fanuc, "Fanuc's X Y Z W P R", "SciPy"), (staubli, "Staubli's X Y Z RX RY RZ", "SciPy"),
               (abb, "ABB's quaternions, w first, mm", "SciPy"), (matrices_by_row, "4x4 matrices, one a row", "NumPy"),
@@ -394,7 +415,9 @@ RECORDINGS = [(universal_robots, "UR's rotation vectors", "OpenCV's Rodrigues"),
               (bag_of_poses, "bag of ROS 1 (bz2) of /tf alone", "rosbag"),
               (mujoco_and_motive, "robot of MuJoCo, take of Motive, joint table", "MuJoCo; take by hand"),
               (vicon, "trial of Vicon, joint table, URDF", "by hand"),
-              (lerobot, "LeRobot's calibration and log in per cent", "JSON, csv")]
+              (lerobot, "LeRobot's calibration and log in per cent", "JSON, csv"),
+              (rtde, "recording of UR's RTDE client", "OpenCV, SciPy"),
+              (rostopic_as_csv, "`rostopic echo -p` of joints and poses", "csv by hand")]
 
 
 def run(*arguments):
