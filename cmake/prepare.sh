@@ -11,7 +11,8 @@ test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa
   python3 dpkg-dev  # dpkg-dev: what a package depends on
   clang-format codespell doxygen  # form, spelling, and the pages of docs
   libmujoco-dev libsdformat-dev liburdfdom-dev  # readers of robot descriptions
-  python3-rosbag python3-sensor-msgs python3-tf2-msgs)  # writers of ROS 1 bags
+  python3-rosbag python3-sensor-msgs python3-tf2-msgs  # writers of ROS 1 bags
+  python3-opencv python3-scipy python3-yaml)  # writers of strangers' recordings
 python_packages=(pybind11-dev python3-dev python3-numpy python3-venv python3-matplotlib)  # the module, an environment to try its wheel in, plots of the examples
 
 new_packages=""

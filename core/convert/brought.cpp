@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "convert/recorder_columns.h"
 #include "readers/kalibr_target.h"
 #include "readers/maker_cameras.h"
 #include "readers/mocap_csv.h"
@@ -45,7 +46,7 @@ void bring_poses(const fs::path& path, const std::string& file, const Robot* rob
   } else if (looks_like_yaml(text) || first_line(text).starts_with("{")) {
     add_poses(read_pose_list(parse_yaml(text, file), file, b.notes), file, b);
   } else {
-    const Table table = *parse_table(text, file, robot ? joint_names(*robot) : std::vector<std::string>());
+    const Table table = *parse_recorded_table(text, file, robot ? joint_names(*robot) : std::vector<std::string>());
     b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
     add_poses(read_pose_table(table, robot != nullptr, o, b.notes), file, b);
   }
@@ -53,7 +54,7 @@ void bring_poses(const fs::path& path, const std::string& file, const Robot* rob
 
 void bring_table(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot, bool degrees,
                  Brought& b) {
-  Table table = *parse_table(read_file(path), file, robot ? joint_names(*robot) : std::vector<std::string>());
+  Table table = *parse_recorded_table(read_file(path), file, robot ? joint_names(*robot) : std::vector<std::string>());
   b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
   if (kind == FileKind::joints) {
     require_new(!b.joints, file, kind);

@@ -22,6 +22,7 @@ struct ConvertOptions {
   int markers = 3;                           // of sessions with images and anonymous markers
   std::optional<Target> target;              // what images show, where its points name themselves
   std::string target_frame;                  // of a bag's /tf: the target that a detector publishes
+  std::string camera;                        // of a bag: stands in the topics of the images to take; empty: all
   std::vector<std::string> fixtures;         // of tables of touches: "plane table sigma=2e-5" (convert_touch.cpp)
   std::vector<std::string> apart;            // and their distances: "socket_1 socket_2 by=0.05 sigma=1e-5"
   std::vector<std::string> columns;          // of tables of touches without a header; "-": left out
@@ -39,6 +40,7 @@ struct Conversion {
   Session session;
   std::vector<std::string> took;   // what each file was taken for
   std::vector<std::string> notes;  // what was understood, what is missing, what was left out
+  std::string sensor, target;      // what measured and what it saw, as files or topics call them; empty: not told
 };
 
 /// Throws ConversionStopped where it is no longer wanted.

@@ -45,7 +45,9 @@ std::optional<FieldUrdf> find_robot(std::vector<fs::path>& files, const std::opt
 
 /// Of several rigid bodies the one that --target-frame names.
 void choose_target(Brought& b, const std::string& name) {
-  const auto is_it = [&](const NamedPoses& p) { return p.role == name || p.role == "mocap " + name; };
+  const auto is_it = [&](const NamedPoses& p) {
+    return p.role == name || p.role == "mocap " + name || p.file == name || fs::path(p.file).stem() == name;
+  };
   if (b.joints && b.poses.size() > 1 && std::any_of(b.poses.begin(), b.poses.end(), is_it))
     std::erase_if(b.poses, [&](const NamedPoses& p) { return !is_it(p); });
 }
@@ -111,6 +113,9 @@ Conversion converted(const std::vector<fs::path>& given, ConvertOptions o) {
   Conversion c;
   std::vector<fs::path> files = given;
   const std::optional<Bag> bag = find_bag(files);
+  if (!bag && !o.camera.empty())
+    throw InputError(fmt::format("--camera {}: names images of a bag, and no bag is among the files; leave it out.",
+                                 in_quotes(o.camera)));
   const std::optional<FieldUrdf> robot = find_robot(files, bag, o, c);
   if (robot) c.notes.insert(c.notes.end(), robot->notes.begin(), robot->notes.end());
   if (are_touches(files, robot ? &robot->robot : nullptr, o)) return from_touches(robot, files, o, std::move(c));

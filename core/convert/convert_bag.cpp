@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "base/error.h"
@@ -46,17 +47,72 @@ const RosCamera* camera_beside(const BagContents& bag, const std::string& topic)
   return nullptr;
 }
 
-std::optional<BagRig> find_bag_pair(const BagContents& bag, const Brought& b) {
+/// A left camera's topic and the right one's.
+struct TopicPair {
   const BagImages *left = nullptr, *right = nullptr;
+};
+
+/// What stands in a topic's name before the word that says the side: "/head/" of "/head/left/image_raw".
+std::string before_side(std::string topic, std::initializer_list<const char*> sides) {
+  for (char& c : topic) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::size_t at = std::string::npos;
+  for (const char* side : sides) at = std::min(at, topic.find(side));
+  return topic.substr(0, at);
+}
+
+/// The pairs whose names agree up to the side; where none do, the first left one with the first right one.
+std::map<std::string, TopicPair> topic_pairs(const BagContents& bag) {
+  std::map<std::string, TopicPair> pairs;
+  TopicPair first;
+  const auto see = [&](const BagImages& images, std::initializer_list<const char*> sides,
+                       const BagImages* TopicPair::*side) {
+    if (!says(images.topic, sides)) return;
+    TopicPair& pair = pairs[before_side(images.topic, sides)];
+    if (!(pair.*side)) pair.*side = &images;
+    if (!(first.*side)) first.*side = &images;
+  };
   for (const BagImages& images : bag.images) {
-    if (says(images.topic, {"left", "infra1"}) && !left) left = &images;
-    if (says(images.topic, {"right", "infra2"}) && !right) right = &images;
+    see(images, {"left", "infra1"}, &TopicPair::left);
+    see(images, {"right", "infra2"}, &TopicPair::right);
   }
-  if (!left || !right) return std::nullopt;
+  std::erase_if(pairs, [](const auto& named) { return !named.second.left || !named.second.right; });
+  if (pairs.empty() && first.left && first.right) pairs[""] = first;
+  return pairs;
+}
+
+std::optional<BagRig> find_bag_pair(const BagContents& bag, const Brought& b) {
+  const std::map<std::string, TopicPair> pairs = topic_pairs(bag);
+  if (pairs.empty()) return std::nullopt;
+  if (pairs.size() > 1) {
+    std::string names;
+    for (const auto& [name, pair] : pairs) names += (names.empty() ? "" : ", ") + name;
+    throw InputError(fmt::format(
+        "The bag has {} pairs of cameras ({}); say with --camera which to take, or name each with a --camera "
+        "of its own for a collection.",
+        pairs.size(), shortened(names, 200)));
+  }
+  const auto [left, right] = pairs.begin()->second;
   if (b.rig && is_pair(*b.rig)) return BagRig{{left, right}, *b.rig};
   const RosCamera *l = camera_beside(bag, left->topic), *r = camera_beside(bag, right->topic);
   if (!l || !r) return std::nullopt;
   return BagRig{{left, right}, rig_of(rig_of(*l, *r))};
+}
+
+/// Leaves the images whose topics the option names.
+void keep_camera(BagContents& bag, const std::string& camera) {
+  if (camera.empty()) return;
+  std::string topics;
+  for (const BagImages& images : bag.images) topics += (topics.empty() ? "" : ", ") + images.topic;
+  std::erase_if(bag.images, [&](const BagImages& images) { return images.topic.find(camera) == std::string::npos; });
+  if (bag.images.empty())
+    throw InputError(fmt::format("--camera {}: no image topic of the bag has this in its name; it has: {}.",
+                                 in_quotes(camera), topics.empty() ? "none" : shortened(topics, 300)));
+}
+
+std::string named_topics(const BagRig& rig) {
+  std::string names;
+  for (const BagImages* images : rig.topics) names += (names.empty() ? "" : ", ") + images->topic;
+  return names;
 }
 
 /// Two cameras, or with a target the only one whose calibration is known.
@@ -75,7 +131,7 @@ std::optional<BagRig> find_bag_rig(const BagContents& bag, const Brought& b, con
   for (const BagImages& images : bag.images) topics += (topics.empty() ? "" : ", ") + images.topic;
   throw InputError(
       fmt::format("The bag has {} image topics with a calibration beside them where one is expected{}; record one "
-                  "camera with its CameraInfo, or a left and a right one.",
+                  "camera with its CameraInfo, or a left and a right one, or say with --camera which to take.",
                   single.size(), topics.empty() ? "" : " (" + shortened(topics, 200) + ")"));
 }
 
@@ -149,6 +205,8 @@ Conversion from_bag_images(SessionParts parts, const BagContents& bag, const Bag
   parts.times = chosen(together.times, p.events);
   Rig rig = found.rig;
   fit_to_first_images(rig, images, c.notes);
+  c.sensor = named_topics(found);
+  if (o.target) c.target = description_of(*o.target);
   c.session = write_camera_session(parts, rig, images, o, c.notes);
   return c;
 }
@@ -166,6 +224,7 @@ Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOpt
   BagContents bag = read_bag_contents(file, Robot{}, [&] { ask_whether_to_go_on(o); });
   for (const std::string& note : bag.notes)
     if (note.find("moving joints of the robot") == std::string::npos) c.notes.push_back(note);
+  keep_camera(bag, o.camera);
   bag.joints = flange_of_bag(bag, o, c.notes);
   if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b, o) : std::nullopt) {
     require_target(rig->rig, o);
@@ -184,6 +243,7 @@ Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOpt
   target.series.poses = chosen(frame.series.poses, p.events);
   c.notes.push_back(
       fmt::format("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
+  c.sensor = frame.parent, c.target = child;
   return from_flange(std::move(flange), std::move(target), !o.eye_on_base, o, std::move(c));
 }
 
@@ -191,9 +251,13 @@ Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOpt
 
 Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, const Brought& b, const ConvertOptions& o,
                     Conversion c) {
+  if (!o.camera.empty() && !o.target_frame.empty())
+    throw InputError(fmt::format("--camera {} and --target-frame {} are two sensors; name one of them for a session.",
+                                 in_quotes(o.camera), in_quotes(o.target_frame)));
   if (!robot) return from_bag_of_poses(file, b, o, std::move(c));
   BagContents bag = read_bag_contents(file, robot->robot, [&] { ask_whether_to_go_on(o); });
   c.notes.insert(c.notes.end(), bag.notes.begin(), bag.notes.end());
+  keep_camera(bag, o.camera);
   if (b.joints) bag.joints = *b.joints;
   if (bag.joints.positions.empty())
     throw InputError(
@@ -208,6 +272,7 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, cons
   const BagFrame& frame = bag.frames.at(child);
   c.notes.push_back(
       fmt::format("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
+  c.sensor = frame.parent, c.target = child;
   return from_poses(*robot, bag.joints, {child, "", frame.series}, o, std::move(c));
 }
 

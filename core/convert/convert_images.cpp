@@ -110,6 +110,17 @@ Session with_images(const SessionParts& parts, const Brought& b, const ConvertOp
   return write_camera_session(parts, rig, images, o, notes);
 }
 
+namespace {
+
+/// By its folders; what it sees by the target's description.
+void name_sensor(const Brought& b, const ConvertOptions& o, Conversion& c) {
+  for (const std::filesystem::path& folder : b.image_folders)
+    c.sensor += (c.sensor.empty() ? "" : ", ") + folder.lexically_normal().string();
+  if (o.target) c.target = description_of(*o.target);
+}
+
+}  // namespace
+
 Conversion from_images(const FieldUrdf& robot, const Brought& b, const ConvertOptions& o, Conversion c) {
   if (!b.joints)
     throw InputError(
@@ -119,6 +130,7 @@ Conversion from_images(const FieldUrdf& robot, const Brought& b, const ConvertOp
   require_links(robot, o, parts, c.notes);
   parts.joints = *b.joints;
   parts.times = b.joints->times;
+  name_sensor(b, o, c);
   c.session = with_images(parts, b, o, c.notes);
   return c;
 }
@@ -138,6 +150,7 @@ Conversion from_flange_images(const Brought& b, const ConvertOptions& o, Convers
                                 o.eye_on_base ? "on a stand and the target on the flange"
                                               : "on the flange and the target beside the robot (--eye-on-base: the "
                                                 "camera stands, the flange carries the target)"));
+  name_sensor(b, o, c);
   c.session = write_camera_session(parts, rig, images, o, c.notes);
   if (is_open(flange)) choose_turns_by_images(flange, !o.eye_on_base, c);
   return c;

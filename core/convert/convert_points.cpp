@@ -26,8 +26,11 @@ bool is_of_target(const std::string& file) {
   return says(file, {"target", "marker", "tag", "board", "cam", "track", "mocap", "object"});
 }
 
-/// What their file or its columns call them.
-std::string called(const NamedPoses& p) { return p.role.empty() ? p.file : p.role; }
+/// What their columns call them, or their file (or folder) where columns say nothing of it and each has its own.
+std::string called(const NamedPoses& p, const NamedPoses& other) {
+  const bool says_it = is_of_flange(p.role) || is_of_target(p.role);
+  return p.role.empty() || (!says_it && p.file != other.file) ? p.file : p.role;
+}
 
 std::string sensor_note(const ConvertOptions& o) {
   if (o.sigma && o.sigma_angle) return "The target's pose counts whole, place and turn.";
@@ -43,7 +46,7 @@ bool says(const std::string& name, std::initializer_list<const char*> words) {
 }
 
 std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses>& poses) {
-  const std::string a = called(poses[0]), b = called(poses[1]);
+  const std::string a = called(poses[0], poses[1]), b = called(poses[1], poses[0]);
   const bool first = is_of_flange(a) && !is_of_flange(b), second = is_of_flange(b) && !is_of_flange(a);
   if (first || (!second && is_of_target(b) && !is_of_target(a))) return {poses[0], poses[1]};
   if (second || (is_of_target(a) && !is_of_target(b))) return {poses[1], poses[0]};
@@ -104,6 +107,7 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
   const Paired p = pair_events(joints, seen.times, seen.poses.size(), speeds, o, c.notes);
   parts.joints = {joints.names, {}, p.positions};
   target = rows_of(target, p.events);
+  if (c.sensor.empty()) c.sensor = target.file, c.target = target.role.empty() ? target.file : target.role;
   if (is_open(target)) {
     NamedPoses hand = hand_of(robot, parts);
     choose_turns(hand, target, false, c.notes);

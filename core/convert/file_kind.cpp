@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "convert/foreign_files.h"
+#include "convert/recorder_columns.h"
 #include "readers/bags/bag.h"
 #include "readers/camera_files.h"
 #include "readers/kalibr_target.h"
@@ -168,7 +169,7 @@ FileKind file_kind(const fs::path& path, const Robot* robot) {
   if (begin.starts_with("{")) return json_kind(text);
   if (text.find('\0') != std::string::npos) refuse_kind(path, "is no text");
   if (looks_like_yaml(text)) return yaml_kind(path, text);
-  if (const auto table = parse_table(text, shown_path(path.filename()), names_of(robot)))
+  if (const auto table = parse_recorded_table(text, shown_path(path.filename()), names_of(robot)))
     return table_kind(path, *table, robot);
   refuse_kind(path, "is a text of a kind that is not known");
 }

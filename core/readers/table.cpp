@@ -110,7 +110,8 @@ bool names_images(const std::string& column) {
 /// Are the cells of the column words though none is the name of an image?
 bool names_things(const std::string& column) {
   const std::string small = lower(column);
-  return small == "fixture" || small == "touched" || names_images(column);
+  const bool is_recorded = small.starts_with("field.name") || small.ends_with("frame_id");  // of `rostopic echo -p`
+  return small == "fixture" || small == "touched" || is_recorded || names_images(column);
 }
 
 bool is_header(const Cells& cells, bool decimal_commas) {

@@ -8225,8 +8225,44 @@
         <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, und sein /tf %1 Koordinatensysteme, die nach einem Ziel klingen; nenne es mit --target-frame. /tf hat: %2.</translation>
     </message>
     <message>
-        <source>The bag has %1 image topics with a calibration beside them where one is expected%2; record one camera with its CameraInfo, or a left and a right one.</source>
-        <translation>Das Bag hat %1 Bildthemen mit einer Kalibrierung daneben, wo eines erwartet wird%2; nimm eine Kamera mit ihrer CameraInfo auf, oder eine linke und eine rechte.</translation>
+        <source>The bag has %1 image topics with a calibration beside them where one is expected%2; record one camera with its CameraInfo, or a left and a right one, or say with --camera which to take.</source>
+        <translation>Das Bag hat %1 Bildthemen mit einer Kalibrierung daneben, wo eines erwartet wird%2; nimm eine Kamera mit ihrer CameraInfo auf, oder eine linke und eine rechte, oder sage mit --camera, welche gemeint ist.</translation>
+    </message>
+    <message>
+        <source>The bag has %1 pairs of cameras (%2); say with --camera which to take, or name each with a --camera of its own for a collection.</source>
+        <translation>Das Bag hat %1 Kamerapaare (%2); sage mit --camera, welches gemeint ist, oder nenne jedes mit einem eigenen --camera für eine Sammlung.</translation>
+    </message>
+    <message>
+        <source>--camera %1: no image topic of the bag has this in its name; it has: %2.</source>
+        <translation>--camera %1: kein Bildthema des Bags hat dies im Namen; es hat: %2.</translation>
+    </message>
+    <message>
+        <source>--camera %1 and --target-frame %2 are two sensors; name one of them for a session.</source>
+        <translation>--camera %1 und --target-frame %2 sind zwei Sensoren; nenne einen davon für eine Sitzung.</translation>
+    </message>
+    <message>
+        <source>--camera %1: names images of a bag, and no bag is among the files; leave it out.</source>
+        <translation>--camera %1: nennt Bilder eines Bags, und unter den Dateien ist kein Bag; lass es weg.</translation>
+    </message>
+    <message>
+        <source>The sessions %1 and %2 would be the same; each needs a --tcp, a --camera, a --target-frame or a --target of its own, or files with its --title in their names.</source>
+        <translation>Die Sitzungen %1 und %2 wären dieselbe; jede braucht ein eigenes --tcp, --camera, --target-frame oder --target, oder Dateien mit ihrem --title im Namen.</translation>
+    </message>
+    <message>
+        <source>there is a %1 already; take another folder.</source>
+        <translation>dort ist schon eine %1; nimm einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>is there already; take another folder, or another title.</source>
+        <translation>ist schon da; nimm einen anderen Ordner oder einen anderen Titel.</translation>
+    </message>
+    <message>
+        <source>The sessions have different hands, and no robot is known that both are of; name its URDF with --robot.</source>
+        <translation>Die Sitzungen haben verschiedene Hände, und kein Roboter ist bekannt, zu dem beide gehören; nenne dessen URDF mit --robot.</translation>
+    </message>
+    <message>
+        <source>--one-sensor: the session %1 is of %2 on %3, %4 of %5 on %6; one tracker stands on one link, and cameras are told by their images.</source>
+        <translation>--one-sensor: die Sitzung %1 ist von %2 auf %3, %4 von %5 auf %6; ein Tracker steht auf einem Glied, und Kameras erkennt man an ihren Bildern.</translation>
     </message>
     <message>
         <source>The bag publishes no robot_description, and no frame of its /tf sounds like a flange; name the robot's URDF with --robot, or the flange's frame with --tcp. /tf has: %1.</source>

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "camera/camera.h"
 #include "geometry/rigid.h"
 
 namespace handsight::fixture {
@@ -73,6 +74,41 @@ inline std::string transform(double stamp, const std::string& parent, const std:
       .text(child)
       .numbers({motion.translation.x(), motion.translation.y(), motion.translation.z(), q.x(), q.y(), q.z(), q.w()},
                false)
+      .bytes();
+}
+
+inline std::string camera_info(const Camera& c, const Matrix3& r, double p3) {
+  CdrWriter w;
+  w.header(5, "camera").number(static_cast<std::uint32_t>(c.height)).number(static_cast<std::uint32_t>(c.width));
+  w.text("plumb_bob").numbers({c.k1, c.k2, c.p1, c.p2, c.k3});
+  w.numbers({c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1}, false);
+  const Matrix3 by_rows = r.transpose();
+  w.numbers({by_rows.data(), by_rows.data() + 9}, false).numbers({800, 0, 400, p3, 0, 800, 300, 0, 0, 0, 1, 0}, false);
+  return w.number(std::uint32_t{0}).number(std::uint32_t{0}).bytes();
+}
+
+/// Of 8 x 6 pixels.
+inline Camera small_camera() {
+  Camera camera;
+  camera.width = 8;
+  camera.height = 6;
+  camera.fx = camera.fy = 10;
+  camera.cx = 4;
+  camera.cy = 3;
+  camera.k1 = -0.1;
+  return camera;
+}
+
+/// An image of that size.
+inline std::string small_image(double stamp, const std::string& encoding, std::uint32_t step) {
+  return CdrWriter()
+      .header(stamp, "left")
+      .number(std::uint32_t{6})
+      .number(std::uint32_t{8})
+      .text(encoding)
+      .number(std::uint8_t{0})
+      .number(step)
+      .raw(std::string(6 * step, 'x'))
       .bytes();
 }
 

@@ -118,52 +118,25 @@ TEST_F(Convert, BagsWithoutARobotSayWhatTheFlangeCouldBe) {
   EXPECT_THAT(refusal(), HasSubstr("record /tf while the robot moves"));
 }
 
-std::string camera_info(const Camera& c, const Matrix3& r, double p3) {
-  fixture::CdrWriter w;
-  w.header(5, "camera").number(static_cast<std::uint32_t>(c.height)).number(static_cast<std::uint32_t>(c.width));
-  w.text("plumb_bob").numbers({c.k1, c.k2, c.p1, c.p2, c.k3});
-  w.numbers({c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1}, false);
-  const Matrix3 by_rows = r.transpose();
-  w.numbers({by_rows.data(), by_rows.data() + 9}, false).numbers({800, 0, 400, p3, 0, 800, 300, 0, 0, 0, 1, 0}, false);
-  return w.number(std::uint32_t{0}).number(std::uint32_t{0}).bytes();
-}
-
 /// Four images of the left camera and three of the right; the robot stands before each.
 void write_stereo_bag(const std::filesystem::path& folder) {
-  Camera camera;
-  camera.width = 8;
-  camera.height = 6;
-  camera.fx = camera.fy = 10;
-  camera.cx = 4;
-  camera.cy = 3;
-  camera.k1 = -0.1;
+  const Camera camera = fixture::small_camera();
   fixture::BagWriter bag(folder);
   const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState"),
             left = bag.topic("/stereo/left/image_raw", "sensor_msgs/msg/Image"),
             right = bag.topic("/stereo/right/image_raw", "sensor_msgs/msg/Image"),
             left_info = bag.topic("/stereo/left/camera_info", "sensor_msgs/msg/CameraInfo"),
             right_info = bag.topic("/stereo/right/camera_info", "sensor_msgs/msg/CameraInfo");
-  bag.message(left_info, 0, camera_info(camera, Matrix3::Identity(), 0));
-  bag.message(right_info, 0, camera_info(camera, rotation_from_rpy({0, 0.1, 0}), -800 * 0.12));
-  const auto image = [](double stamp, const std::string& encoding, std::uint32_t step) {
-    return fixture::CdrWriter()
-        .header(stamp, "left")
-        .number(std::uint32_t{6})
-        .number(std::uint32_t{8})
-        .text(encoding)
-        .number(std::uint8_t{0})
-        .number(step)
-        .raw(std::string(6 * step, 'x'))
-        .bytes();
-  };
+  bag.message(left_info, 0, fixture::camera_info(camera, Matrix3::Identity(), 0));
+  bag.message(right_info, 0, fixture::camera_info(camera, rotation_from_rpy({0, 0.1, 0}), -800 * 0.12));
   for (int i = 0; i < 4; ++i) {
     const double t = 100 + 2 * i;
     for (double s = 0; s < 1.5; s += 0.02)
       bag.message(
           joints, t + s,
           fixture::joint_state(t + s, {"a1", "a2", "a3", "a4", "a5", "a6"}, {0.1 * i, 0.2, 0.3, 0.4, 0.5, 0.6}));
-    bag.message(left, t + 0.5, image(t + 0.5, "mono8", 8));
-    if (i != 2) bag.message(right, t + 0.503, image(t + 0.503, "rgb8", 24));
+    bag.message(left, t + 0.5, fixture::small_image(t + 0.5, "mono8", 8));
+    if (i != 2) bag.message(right, t + 0.503, fixture::small_image(t + 0.503, "rgb8", 24));
   }
 }
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
 #include "blunders/mended.h"
 #include "command.h"
 #include "convert/convert.h"
+#include "convert/convert_collection.h"
 #include "geometry/angle_kinds.h"
-#include "options/target_option.h"
+#include "options/session_lists.h"
 #include "printing/outputs.h"
 
 namespace handsight::cli {
@@ -18,9 +20,9 @@ struct ConvertArguments {
   std::vector<std::string> files, fixes;
   std::string out, robot;
   std::string columns;
-  double sigma = 0, sigma_angle = 0;  // 0: not given
+  bool one_sensor = false;
   ConvertOptions convert;
-  TargetOptions target;
+  SessionLists sessions;
   Output output;
 };
 
@@ -46,15 +48,84 @@ int run_fix(const ConvertArguments& o) {
   return done;
 }
 
+std::string summary(const std::string& folder, const Session& s) {
+  return fmt::format("{}: {} observations, {} joints, {}", folder, s.observations.size(), s.joints.size(),
+                     sensor_text(s));
+}
+
+void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) Output::note(note);
+}
+
+int make_session(const std::vector<std::filesystem::path>& files, const ConvertOptions& options, const Output& output) {
+  const Conversion made = convert(files, options);
+  print_notes(made.notes);
+  for (const std::string& file : made.took) output.line(file);
+  const Session& s = made.session;
+  const std::string out = options.out.string();
+  output.line(summary(out, s));
+  output.line(
+      fmt::format("Next: handsight-cli check {0}, then {1} {0}", out,
+                  needs_label(s) ? "label the first observation with handsight-cli label" : "handsight-cli fit"));
+  output.json({{"out", out},
+               {"observations", s.observations.size()},
+               {"joints", s.joints},
+               {"took", made.took},
+               {"notes", made.notes}});
+  return done;
+}
+
+/// What is said of every session is said once.
+std::vector<std::string> said_of_each(const ConvertedCollection& made, std::vector<std::string> Conversion::*what) {
+  std::vector<std::string> all;
+  for (const Conversion& c : made.sessions)
+    for (const std::string& sentence : c.*what) {
+      const bool is_of_all = std::all_of(made.sessions.begin(), made.sessions.end(), [&](const Conversion& other) {
+        return std::count((other.*what).begin(), (other.*what).end(), sentence) > 0;
+      });
+      const std::string text = is_of_all ? sentence : c.session.title + ": " + sentence;
+      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+    }
+  return all;
+}
+
+int make_collection(const std::vector<std::filesystem::path>& files, const CollectionOptions& options,
+                    const Output& output) {
+  const ConvertedCollection made = convert_collection(files, options);
+  print_notes(said_of_each(made, &Conversion::notes));
+  print_notes(made.notes);
+  for (const std::string& file : said_of_each(made, &Conversion::took)) output.line(file);
+  const std::string out = options.out.string();
+  bool unlabelled = false;
+  Json sessions = Json::array();
+  for (std::size_t i = 0; i < made.sessions.size(); ++i) {
+    const Conversion& c = made.sessions[i];
+    const CollectionEntry& entry = made.collection.entries[i];
+    output.line(summary((options.out / entry.folder).string(), c.session));
+    unlabelled |= needs_label(c.session);
+    sessions.push_back({{"title", entry.title},
+                        {"folder", entry.folder},
+                        {"rig", entry.rig},
+                        {"body", entry.body},
+                        {"observations", c.session.observations.size()},
+                        {"joints", c.session.joints},
+                        {"took", c.took},
+                        {"notes", c.notes}});
+  }
+  output.line(fmt::format("Next: handsight-cli check {0}, then {1} {0}", out,
+                          unlabelled ? "label the first observation of each session with handsight-cli label, then "
+                                       "handsight-cli fit"
+                                     : "handsight-cli fit"));
+  output.json({{"out", out}, {"sessions", sessions}, {"notes", made.notes}});
+  return done;
+}
+
 int run(const ConvertArguments& o) {
   if (!o.fixes.empty()) return run_fix(o);
-  ConvertOptions options = o.convert;
-  options.out = o.out;
-  options.robot = o.robot;
-  for (const std::string_view name : split_words(o.columns)) options.columns.emplace_back(name);
-  if (o.sigma > 0) options.sigma = o.sigma;
-  if (o.sigma_angle > 0) options.sigma_angle = o.sigma_angle;
-  if (is_given(o.target)) options.target = target_from(o.target);
+  ConvertOptions common = o.convert;
+  common.out = o.out;
+  common.robot = o.robot;
+  for (const std::string_view name : split_words(o.columns)) common.columns.emplace_back(name);
   note_input(o.robot);
   std::vector<std::filesystem::path> files;
   for (const std::string& file : o.files) {
@@ -62,21 +133,15 @@ int run(const ConvertArguments& o) {
     note_input(file);
   }
   o.output.require_places();
-  const Conversion made = convert(files, options);
-  for (const std::string& note : made.notes) Output::note(note);
-  for (const std::string& file : made.took) o.output.line(file);
-  const Session& s = made.session;
-  o.output.line(
-      fmt::format("{}: {} observations, {} joints, {}", o.out, s.observations.size(), s.joints.size(), sensor_text(s)));
-  o.output.line(
-      fmt::format("Next: handsight-cli check {0}, then {1} {0}", o.out,
-                  needs_label(s) ? "label the first observation with handsight-cli label" : "handsight-cli fit"));
-  o.output.json({{"out", o.out},
-                 {"observations", s.observations.size()},
-                 {"joints", s.joints},
-                 {"took", made.took},
-                 {"notes", made.notes}});
-  return done;
+  const std::vector<ConvertOptions> sessions = options_of_sessions(o.sessions, common);
+  if (sessions.size() > 1)
+    return make_collection(
+        files,
+        {o.out, o.sessions.titles.size() == 1 ? o.sessions.titles.front() : std::string(), o.one_sensor, sessions},
+        o.output);
+  if (o.one_sensor)
+    throw InputError("--one-sensor is of a collection; give --tcp, --title or --target-frame once for each session.");
+  return make_session(files, sessions.front(), o.output);
 }
 
 }  // namespace
@@ -96,9 +161,9 @@ Command add_convert(const CommandLine& program) {
   command.option("--fix", o->fixes,
                  "Puts right what check, fit and diagnose name, ID or ID:WHERE, of a session, and writes it to --out");
   command.option("--robot", o->robot, "URDF");
-  command.option("--tcp", o->convert.tcp, "The link that is the hand");
-  command.option("--mount", o->convert.mount, "The link that carries the sensor; the root link where it stands");
-  command.option("--title", o->convert.title, "Title of the session");
+  add_session_lists(command, o->sessions);
+  command.flag("--one-sensor", o->one_sensor,
+               "Of a collection: one tracker at one place measured all sessions, where their files do not tell it");
   command.option("--markers", o->convert.markers, "How many markers the images show").from_to(1, 64);
   command.flag("--degrees", o->convert.degrees,
                "Tables of joints and angles of poses are in degrees where they do not say so");
@@ -107,16 +172,8 @@ Command add_convert(const CommandLine& program) {
               "What three or four numbers of a pose are: rotation_vector (UR), rpy, abc (KUKA), wpr (Fanuc), oat "
               "(Kawasaki), staubli, quaternion_xyzw, quaternion_wxyz (ABB) ...; otherwise it is found out")
       .one_of(angle_kind_names());
-  command
-      .option(
-          "--sigma", o->sigma,
-          "m: how exactly the tracker or the sensor of poses tells a place; of images how exactly the target is known")
-      .within(0, 1);
-  command.option("--sigma-angle", o->sigma_angle, "rad: how exactly a sensor of poses tells a turn").within(0, 3);
   command.flag("--eye-on-base", o->convert.eye_on_base,
                "Poses of the flange in place of a robot: the camera stands, the flange carries the target");
-  command.option("--target-frame", o->convert.target_frame,
-                 "The target: its frame in /tf of a bag, its topic, or its rigid body in motion capture");
   command.option("--fixture", o->convert.fixtures,
                  "Of touches: what was touched, \"plane table\", \"point socket_1\", \"gauge dial xyz=0.6,0,0.5 "
                  "axis=0,1,0\", also sigma=, mount=, place_sigma=, value= (m)");
@@ -128,7 +185,6 @@ Command add_convert(const CommandLine& program) {
   command.flag("--estimate-lag", o->convert.estimate_lag, "Find the lag from movements that both show");
   command.option("--still", o->convert.pairing.still_for, "s for which the robot must stand; 0: it may move")
       .within(0, 60);
-  add_target_options(command, o->target, true);
   add_json_option(command, o->output);
   return {command, [o] { return run(*o); }};
 }

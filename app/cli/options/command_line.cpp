@@ -16,6 +16,8 @@ Option Option::required() const { return {parsed->required()}; }
 Option Option::takes(int count) const { return {parsed->expected(count)}; }
 Option Option::takes(int least, int most) const { return {parsed->expected(least, most)}; }
 
+Option Option::one_at_a_time() const { return {parsed->allow_extra_args(false)}; }
+
 Option Option::within(const Bounds& bounds) const {
   const std::string range = fmt::format("{:g} to {:g}", bounds.lowest, bounds.highest);
   const auto wrong = [bounds, range](std::string& text) -> std::string {

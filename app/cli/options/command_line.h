@@ -28,6 +28,8 @@ struct Option {
   /// So many values; without this one, or any number for a list.
   Option takes(int count) const;
   Option takes(int least, int most) const;
+  /// Of a list: one value each time that the option is given, not all that follow it.
+  Option one_at_a_time() const;
   /// Numbers finite and within bounds. (CLI11's own checks let NaN through.)
   Option within(const Bounds& bounds) const;
   Option within(double lowest, double highest) const;
