@@ -269,7 +269,7 @@ namespace {
 
 /// A socket has no turn: what a linear step would win by one is not there once it is taken.
 void hold_turns_of_sockets(const Problem& problem, NormalEquations& normal) {
-  if (problem.source->chain.parts.empty()) return;
+  if (!problem.source || problem.source->chain.parts.empty()) return;  // a play has problems without one
   for (const ProblemObservation& o : problem.observations) {
     const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
     const bool is_socket =
